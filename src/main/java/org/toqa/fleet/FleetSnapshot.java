@@ -1,0 +1,26 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.List;
+
+/**
+ * The whole fleet at one moment, immutable.
+ *
+ * @param version rises with every change
+ * @param robots by name
+ * @param tasks those that have not ended, and those that ended last, newest first
+ * @param alerts sentences that concern the whole fleet, such as a store that does not answer
+ */
+public record FleetSnapshot(
+    long version,
+    Instant at,
+    List<RobotView> robots,
+    List<TaskView> tasks,
+    List<String> alerts) {
+
+  public FleetSnapshot {
+    robots = List.copyOf(robots);
+    tasks = List.copyOf(tasks);
+    alerts = List.copyOf(alerts);
+  }
+}

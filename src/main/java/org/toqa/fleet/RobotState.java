@@ -1,0 +1,17 @@
+package org.toqa.fleet;
+
+/** What the server knows of a robot at this moment. */
+public enum RobotState {
+  /** Never heard of since the server started. */
+  CONNECTING,
+  /** At its parking point or waiting, free for a task. */
+  IDLE,
+  DRIVING,
+  /** Stands in the middle of its way. */
+  HOLDING,
+  /** Does not know where it is; a person must say it. */
+  NOT_LOCALISED,
+  ERROR,
+  /** Silent for more than two seconds. */
+  LOST
+}

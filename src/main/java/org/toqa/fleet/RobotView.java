@@ -1,0 +1,46 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Fault;
+
+/**
+ * A robot as readers see it.
+ *
+ * @param pose map frame; null while it was never heard of
+ * @param battery 0 to 1; null while it was never heard of
+ * @param task the task it works for, if any
+ * @param phase 0 parked or going home without a task, else the phase it is in
+ * @param footprint diameter in metres
+ * @param route the rest of its way as a line, map frame; empty when it stands
+ * @param released how many points of {@code route} it may already drive to
+ * @param doing a sentence for people
+ */
+public record RobotView(
+    String name,
+    String floor,
+    RobotState state,
+    @Nullable Pose pose,
+    @Nullable Double battery,
+    @Nullable Long task,
+    int phase,
+    double maxLoad,
+    double footprint,
+    String host,
+    int port,
+    @Nullable String parking,
+    boolean simulated,
+    List<Vec2> route,
+    int released,
+    List<Fault> errors,
+    String doing,
+    @Nullable Instant lastSeen) {
+
+  public RobotView {
+    route = List.copyOf(route);
+    errors = List.copyOf(errors);
+  }
+}

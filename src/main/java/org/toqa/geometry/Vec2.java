@@ -1,0 +1,45 @@
+package org.toqa.geometry;
+
+/**
+ * A point or a displacement in the plane.
+ *
+ * @param x metres, to the east on a map, forward on a robot
+ * @param y metres, to the north on a map, left on a robot
+ */
+public record Vec2(double x, double y) {
+
+  public static final Vec2 ZERO = new Vec2(0, 0);
+
+  public Vec2 plus(Vec2 other) {
+    return new Vec2(x + other.x, y + other.y);
+  }
+
+  public Vec2 minus(Vec2 other) {
+    return new Vec2(x - other.x, y - other.y);
+  }
+
+  public Vec2 times(double factor) {
+    return new Vec2(x * factor, y * factor);
+  }
+
+  /** Turned counter-clockwise by {@code angle} radians. */
+  public Vec2 rotated(double angle) {
+    double cos = Math.cos(angle);
+    double sin = Math.sin(angle);
+    return new Vec2(x * cos - y * sin, x * sin + y * cos);
+  }
+
+  /** Length in metres. */
+  public double norm() {
+    return Math.hypot(x, y);
+  }
+
+  public double distanceTo(Vec2 other) {
+    return Math.hypot(x - other.x, y - other.y);
+  }
+
+  /** Direction in radians, counter-clockwise from +x, in (-pi, pi]; 0 for the zero vector. */
+  public double angle() {
+    return Math.atan2(y, x);
+  }
+}

@@ -1,0 +1,144 @@
+package org.toqa.grid;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import org.toqa.geometry.Vec2;
+
+/**
+ * Which cells of a floor are free. Row 0 is the top of the picture, as in ROS and MovingAI; the map
+ * frame has x to the east and y to the north, with {@code origin} at the lower left corner of the
+ * lower left cell. Immutable.
+ */
+public final class OccupancyGrid {
+  private final int width;
+  private final int height;
+  private final double resolution;
+  private final Vec2 origin;
+  private final BitSet occupied;
+
+  /**
+   * @param resolution metres along a cell's side
+   * @param origin metres, the lower left corner of the grid in the map frame
+   * @param occupied bit {@code row * width + column} set where the cell is not free
+   */
+  public OccupancyGrid(int width, int height, double resolution, Vec2 origin, BitSet occupied) {
+    if (width < 1 || height < 1 || !(resolution > 0)) {
+      throw new IllegalArgumentException(
+          "A grid has at least one cell of positive size, not "
+              + width
+              + " x "
+              + height
+              + " cells of "
+              + resolution
+              + " m.");
+    }
+    this.width = width;
+    this.height = height;
+    this.resolution = resolution;
+    this.origin = origin;
+    this.occupied = (BitSet) occupied.clone();
+  }
+
+  /** A grid of 1 m cells at the origin, drawn in text: '.' is free, anything else is not. */
+  public static OccupancyGrid parse(String... rows) {
+    int width = rows[0].length();
+    BitSet occupied = new BitSet();
+    for (int row = 0; row < rows.length; row++) {
+      if (rows[row].length() != width) {
+        throw new IllegalArgumentException("Row " + row + " is not " + width + " cells wide.");
+      }
+      for (int column = 0; column < width; column++) {
+        occupied.set(row * width + column, rows[row].charAt(column) != '.');
+      }
+    }
+    return new OccupancyGrid(width, rows.length, 1, Vec2.ZERO, occupied);
+  }
+
+  public int width() {
+    return width;
+  }
+
+  public int height() {
+    return height;
+  }
+
+  /** Metres along a cell's side. */
+  public double resolution() {
+    return resolution;
+  }
+
+  /** The grid's lower left corner in the map frame, metres. */
+  public Vec2 origin() {
+    return origin;
+  }
+
+  public boolean contains(int column, int row) {
+    return column >= 0 && column < width && row >= 0 && row < height;
+  }
+
+  public boolean contains(Cell cell) {
+    return contains(cell.column(), cell.row());
+  }
+
+  /** False outside the grid. */
+  public boolean isFree(int column, int row) {
+    return contains(column, row) && !occupied.get(row * width + column);
+  }
+
+  public boolean isFree(Cell cell) {
+    return isFree(cell.column(), cell.row());
+  }
+
+  /** {@code row * width + column}: the cell's place in flat arrays. */
+  public int index(Cell cell) {
+    return cell.row() * width + cell.column();
+  }
+
+  public Cell cell(int index) {
+    return new Cell(index % width, index / width);
+  }
+
+  /** A copy of the occupied bits, by {@link #index}. */
+  public BitSet occupied() {
+    return (BitSet) occupied.clone();
+  }
+
+  /** The same frame with other cells occupied. */
+  public OccupancyGrid withOccupied(BitSet others) {
+    return new OccupancyGrid(width, height, resolution, origin, others);
+  }
+
+  // centre = origin + ((c + 1/2) k, (H - 1 - r + 1/2) k)   (Tanta, "Map and planner")
+  public Vec2 centre(Cell cell) {
+    return new Vec2(
+        origin.x() + (cell.column() + 0.5) * resolution,
+        origin.y() + (height - 1 - cell.row() + 0.5) * resolution);
+  }
+
+  /** The cell that holds the point; it may lie outside the grid. */
+  public Cell cellAt(Vec2 point) {
+    int column = (int) Math.floor((point.x() - origin.x()) / resolution);
+    int up = (int) Math.floor((point.y() - origin.y()) / resolution);
+    return new Cell(column, height - 1 - up);
+  }
+
+  /** Whether the point lies on a free cell. */
+  public boolean isFree(Vec2 point) {
+    return isFree(cellAt(point));
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof OccupancyGrid that
+        && width == that.width
+        && height == that.height
+        && resolution == that.resolution
+        && origin.equals(that.origin)
+        && occupied.equals(that.occupied);
+  }
+
+  @Override
+  public int hashCode() {
+    return Arrays.hashCode(new int[] {width, height, occupied.hashCode()});
+  }
+}

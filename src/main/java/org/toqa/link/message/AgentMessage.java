@@ -1,0 +1,123 @@
+package org.toqa.link.message;
+
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonSubTypes.Type;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+
+/** What a robot says to the server. */
+@JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
+@JsonSubTypes({
+  @Type(value = AgentMessage.Hello.class, name = "hello"),
+  @Type(value = AgentMessage.State.class, name = "state"),
+  @Type(value = AgentMessage.Done.class, name = "done"),
+  @Type(value = AgentMessage.Ack.class, name = "ack"),
+  @Type(value = AgentMessage.Reject.class, name = "reject"),
+})
+public sealed interface AgentMessage {
+
+  /** The version of the robot link that this product speaks. */
+  int VERSION = 1;
+
+  enum Mode {
+    IDLE,
+    DRIVING,
+    HOLDING,
+    FOLLOWING,
+    ERROR
+  }
+
+  enum Role {
+    ALONE,
+    LEADER,
+    FOLLOWER
+  }
+
+  /**
+   * The first line of a connection: with it a restarted server knows what the robot did meanwhile.
+   *
+   * @param maxLoad kilograms
+   * @param maxSpeed metres a second
+   * @param footprint diameter in metres
+   * @param localised whether the robot trusts its pose; if not, it drives nothing until {@code
+   *     locate}
+   * @param pose map frame
+   * @param drive sequence number of the present drive, 0 for none
+   * @param segment how many segments of the drive are completed
+   * @param released how many segments of the drive may be driven
+   * @param lastSeq the highest sequence number accepted so far
+   * @param done the last phase that was driven to its end and is not acknowledged yet
+   */
+  record Hello(
+      int version,
+      String robot,
+      double maxLoad,
+      double maxSpeed,
+      double footprint,
+      boolean localised,
+      Pose pose,
+      Mode mode,
+      @Nullable Long task,
+      int phase,
+      Role role,
+      long drive,
+      int segment,
+      int released,
+      long lastSeq,
+      @Nullable PhaseEnd done)
+      implements AgentMessage {}
+
+  /** A phase flag: this drive ended this phase of this task. */
+  record PhaseEnd(@Nullable Long task, int phase, long drive) {}
+
+  /**
+   * Five times a second and on change.
+   *
+   * @param stamp the robot's own clock, milliseconds since 1970: information only
+   * @param battery 0 to 1
+   * @param ranges metres, in the order of the robot's range sensors
+   */
+  record State(
+      long stamp,
+      boolean localised,
+      Pose pose,
+      Speed twist,
+      Mode mode,
+      @Nullable Long task,
+      int phase,
+      Role role,
+      long drive,
+      int segment,
+      int released,
+      double battery,
+      List<Double> ranges,
+      List<Vec2> obstacles,
+      List<Fault> errors)
+      implements AgentMessage {}
+
+  /**
+   * @param v metres a second, forward
+   * @param w radians a second, counter-clockwise
+   */
+  record Speed(double v, double w) {}
+
+  /**
+   * @param code a word for programs
+   * @param text a sentence for people
+   */
+  record Fault(String code, String text) {}
+
+  /** Sent again until the server has acknowledged it. */
+  record Done(@Nullable Long task, int phase, long drive) implements AgentMessage {}
+
+  record Ack(long seq) implements AgentMessage {}
+
+  /**
+   * @param seq of the refused command; 0 where the line bore none
+   * @param reason a sentence for people
+   */
+  record Reject(long seq, String reason) implements AgentMessage {}
+}

@@ -1,0 +1,109 @@
+package org.toqa.link.message;
+
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonSubTypes.Type;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.motion.Segment;
+
+/**
+ * What the server says to a robot. Every message but {@link AckDone} bears a sequence number that
+ * rises over the server's whole life; the robot answers it with {@link AgentMessage.Ack} or {@link
+ * AgentMessage.Reject}, and a number that is not higher than the last one has no further effect.
+ */
+@JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
+@JsonSubTypes({
+  @Type(value = ServerMessage.Drive.class, name = "drive"),
+  @Type(value = ServerMessage.Extend.class, name = "extend"),
+  @Type(value = ServerMessage.Release.class, name = "release"),
+  @Type(value = ServerMessage.Lead.class, name = "lead"),
+  @Type(value = ServerMessage.Follow.class, name = "follow"),
+  @Type(value = ServerMessage.Hold.class, name = "hold"),
+  @Type(value = ServerMessage.Resume.class, name = "resume"),
+  @Type(value = ServerMessage.Cancel.class, name = "cancel"),
+  @Type(value = ServerMessage.Locate.class, name = "locate"),
+  @Type(value = ServerMessage.Ping.class, name = "ping"),
+  @Type(value = ServerMessage.AckDone.class, name = "ack"),
+})
+public sealed interface ServerMessage {
+
+  /** A message that bears a sequence number. */
+  sealed interface Command extends ServerMessage {
+    long seq();
+  }
+
+  /**
+   * Drive a way. Legal only for a robot that stands.
+   *
+   * @param task null for charging and going home, which have phase 0
+   * @param start where the robot stands, map frame
+   * @param released only the first so many segments may be driven yet
+   * @param last (on the wire {@code final}) the segments end the phase; false: an {@link Extend}
+   *     brings the rest
+   */
+  record Drive(
+      long seq,
+      @Nullable Long task,
+      int phase,
+      Pose start,
+      List<Segment> segments,
+      int released,
+      @com.fasterxml.jackson.annotation.JsonProperty("final") boolean last)
+      implements Command {}
+
+  /**
+   * Replaces the segments with index {@code from} and above.
+   *
+   * @param drive the sequence number of the drive
+   * @param from not below what was released
+   */
+  record Extend(
+      long seq,
+      long drive,
+      int from,
+      List<Segment> segments,
+      int released,
+      @com.fasterxml.jackson.annotation.JsonProperty("final") boolean last)
+      implements Command {}
+
+  /**
+   * @param released only grows
+   */
+  record Release(long seq, long drive, int released) implements Command {}
+
+  record Lead(long seq, long task, double tolerance, List<Follower> followers) implements Command {}
+
+  record Follower(String robot, String host, int port, @Nullable String fingerprint) {}
+
+  /**
+   * @param offset in the leader's frame: x forward, y left
+   */
+  record Follow(
+      long seq,
+      long task,
+      String leader,
+      @Nullable String fingerprint,
+      Vec2 offset,
+      double tolerance)
+      implements Command {}
+
+  record Hold(long seq) implements Command {}
+
+  record Resume(long seq) implements Command {}
+
+  /**
+   * @param task null for a drive without a task
+   */
+  record Cancel(long seq, @Nullable Long task) implements Command {}
+
+  /** The operator or a parking dock says where the robot is. */
+  record Locate(long seq, Pose pose) implements Command {}
+
+  record Ping(long seq) implements Command {}
+
+  /** The server has stored that the drive is done. */
+  record AckDone(long done) implements ServerMessage {}
+}

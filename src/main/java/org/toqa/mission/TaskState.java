@@ -1,0 +1,22 @@
+package org.toqa.mission;
+
+/** A transport task's life, in order; the last three are its ends. */
+public enum TaskState {
+  /** Stored; no robot has it yet. */
+  QUEUED,
+  /** Robots are chosen; none has moved for it yet. */
+  ASSIGNED,
+  /** Phase 1: the robots drive to the object. */
+  TO_OBJECT,
+  /** Phase 2: the load is carried to its goal. */
+  CARRYING,
+  /** Phase 3: the load is delivered, the robots drive home. */
+  RETURNING,
+  DONE,
+  FAILED,
+  CANCELLED;
+
+  public boolean isEnded() {
+    return this == DONE || this == FAILED || this == CANCELLED;
+  }
+}

@@ -1,0 +1,30 @@
+package org.toqa.mission;
+
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What was asked for: carry this load from here to there.
+ *
+ * @param load kilograms
+ * @param priority higher is served first; 0 is usual
+ * @param deadline when it should be delivered, if anybody said so
+ * @param size of the load, if anybody said so
+ * @param user who asked
+ */
+public record TransportTask(
+    long id,
+    String name,
+    double load,
+    TaskPlace start,
+    TaskPlace goal,
+    String floor,
+    int priority,
+    @Nullable Instant deadline,
+    @Nullable LoadSize size,
+    String user,
+    Instant createdAt) {
+
+  /** Metres. */
+  public record LoadSize(double length, double width) {}
+}

@@ -1,0 +1,49 @@
+package org.toqa.motion;
+
+import java.util.List;
+import org.toqa.geometry.Pose;
+
+/** Segments driven one after the other from a start pose. */
+public record Trajectory(Pose start, List<Segment> segments) {
+
+  public Trajectory {
+    segments = List.copyOf(segments);
+  }
+
+  /** Seconds in all. */
+  public double duration() {
+    return segments.stream().mapToDouble(Segment::t).sum();
+  }
+
+  /** Metres in all. */
+  public double length() {
+    return segments.stream().mapToDouble(Segment::length).sum();
+  }
+
+  /** The pose when the first {@code count} segments are completed. */
+  public Pose poseAfter(int count) {
+    Pose pose = start;
+    for (Segment s : segments.subList(0, count)) {
+      pose = pose.advanced(s.twist(), s.t());
+    }
+    return pose;
+  }
+
+  public Pose end() {
+    return poseAfter(segments.size());
+  }
+
+  /** The pose {@code seconds} after the start; the end pose from the end on. */
+  public Pose poseAt(double seconds) {
+    Pose pose = start;
+    double left = seconds;
+    for (Segment s : segments) {
+      if (left <= s.t()) {
+        return pose.advanced(s.twist(), Math.max(0, left));
+      }
+      pose = pose.advanced(s.twist(), s.t());
+      left -= s.t();
+    }
+    return pose;
+  }
+}

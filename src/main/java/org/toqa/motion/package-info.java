@@ -1,0 +1,5 @@
+/** Motion as curve segments (v, w, t), the fitter from a way to segments, and wheel kinematics. */
+@NullMarked
+package org.toqa.motion;
+
+import org.jspecify.annotations.NullMarked;

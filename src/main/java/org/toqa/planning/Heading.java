@@ -1,0 +1,51 @@
+package org.toqa.planning;
+
+/** The eight directions of a grid, counter-clockwise from east, 45 degrees apart. */
+public enum Heading {
+  EAST(1, 0),
+  NORTH_EAST(1, -1),
+  NORTH(0, -1),
+  NORTH_WEST(-1, -1),
+  WEST(-1, 0),
+  SOUTH_WEST(-1, 1),
+  SOUTH(0, 1),
+  SOUTH_EAST(1, 1);
+
+  private static final Heading[] ALL = values();
+
+  private final int dColumn;
+  private final int dRow;
+
+  Heading(int dColumn, int dRow) {
+    this.dColumn = dColumn;
+    this.dRow = dRow;
+  }
+
+  public int dColumn() {
+    return dColumn;
+  }
+
+  /** Rows count southward, so north is -1. */
+  public int dRow() {
+    return dRow;
+  }
+
+  public boolean isDiagonal() {
+    return dColumn != 0 && dRow != 0;
+  }
+
+  /** Radians, counter-clockwise from east, in [0, 2 pi). */
+  public double angle() {
+    return ordinal() * Math.PI / 4;
+  }
+
+  /** Turned counter-clockwise by {@code eighths} times 45 degrees. */
+  public Heading turned(int eighths) {
+    return ALL[Math.floorMod(ordinal() + eighths, ALL.length)];
+  }
+
+  /** The nearest of the eight to a direction in radians. */
+  public static Heading nearest(double angle) {
+    return ALL[Math.floorMod(Math.round(angle / (Math.PI / 4)), ALL.length)];
+  }
+}
