@@ -10,7 +10,8 @@ import org.toqa.grid.FloorMap;
  *
  * <ol>
  *   <li>A wish is checked against floors and robots; a refusal is a value with a sentence.
- *   <li>An accepted wish is stored before its answer completes, so it survives a crash from then on.
+ *   <li>An accepted wish is stored before its answer completes, so it survives a crash from then
+ *       on.
  *   <li>What becomes of it is seen in {@link #feed}.
  * </ol>
  *

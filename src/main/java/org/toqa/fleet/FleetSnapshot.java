@@ -12,11 +12,7 @@ import java.util.List;
  * @param alerts sentences that concern the whole fleet, such as a store that does not answer
  */
 public record FleetSnapshot(
-    long version,
-    Instant at,
-    List<RobotView> robots,
-    List<TaskView> tasks,
-    List<String> alerts) {
+    long version, Instant at, List<RobotView> robots, List<TaskView> tasks, List<String> alerts) {
 
   public FleetSnapshot {
     robots = List.copyOf(robots);

@@ -11,8 +11,9 @@ public interface SnapshotFeed {
   FleetSnapshot latest();
 
   /**
-   * Waits until there is a snapshot with a version above {@code version}, or until {@code limit} has
-   * passed, and answers the newest one in either case. Called by a virtual thread of the reader.
+   * Waits until there is a snapshot with a version above {@code version}, or until {@code limit}
+   * has passed, and answers the newest one in either case. Called by a virtual thread of the
+   * reader.
    */
   FleetSnapshot awaitNewer(long version, Duration limit) throws InterruptedException;
 }
