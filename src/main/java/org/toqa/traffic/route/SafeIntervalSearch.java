@@ -5,7 +5,6 @@ import static org.toqa.traffic.RoadGraph.opposite;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import org.toqa.traffic.RoadGraph;
 
 /**
  * The quickest route of one robot among the routes of the others.
@@ -21,7 +20,6 @@ public final class SafeIntervalSearch {
   private static final int FIRST_SIZE = 1024;
 
   private final StateGraph graph;
-  private final RoadGraph roads;
   private final Timetable timetable;
 
   /** The arrivals found so far, in the order in which they were found. */
@@ -43,7 +41,6 @@ public final class SafeIntervalSearch {
 
   public SafeIntervalSearch(StateGraph graph, Timetable timetable) {
     this.graph = graph;
-    this.roads = graph.roads();
     this.timetable = timetable;
     this.words = timetable.end() / Long.SIZE;
     this.closed = new long[graph.states() * words];
@@ -107,8 +104,9 @@ public final class SafeIntervalSearch {
         continue;
       }
       int toGo = distances[next];
-      if (graph.vertex(next) != vertex) {
-        enter(arrival, next, Math.min(until, bound - toGo), toGo, bound);
+      int direction = graph.direction(state, action);
+      if (direction != NONE) {
+        enter(arrival, next, opposite(direction), Math.min(until, bound - toGo), toGo, bound);
       } else if (time + 1 < until) {
         push(next, time + 1, arrival, time + 1 + toGo, bound);
       }
@@ -117,9 +115,8 @@ public final class SafeIntervalSearch {
   }
 
   /** Adds the earliest arrival in each free interval of a neighbour, up to {@code last}. */
-  private void enter(int parent, int next, int last, int toGo, int bound) {
+  private void enter(int parent, int next, int back, int last, int toGo, int bound) {
     int vertex = graph.vertex(next);
-    int back = opposite(roads.direction(graph.vertex(states[parent]), vertex));
     int free = timetable.nextFree(vertex, times[parent] + 1);
     while (free <= last) {
       int until = timetable.nextTaken(vertex, free);

@@ -131,4 +131,15 @@ public final class StateGraph {
   public int before(int state, int action) {
     return before[state * actions + action];
   }
+
+  /** The direction that an action leads in, or {@link RoadGraph#NONE} where it keeps the vertex. */
+  public int direction(int state, int action) {
+    if (action == WAIT) {
+      return NONE;
+    }
+    return switch (model) {
+      case CLASSIC -> action - 1;
+      case TURNS -> action == FORWARD ? heading(state) : NONE;
+    };
+  }
 }
