@@ -34,7 +34,7 @@ final class Guidance {
   private static final int STACKS = 64;
 
   /** How far beyond the robot distances are known, for when it is pushed aside. */
-  private static final int MARGIN = 64 * STEP;
+  private static final int MARGIN = 32 * STEP;
 
   private final StateGraph graph;
 

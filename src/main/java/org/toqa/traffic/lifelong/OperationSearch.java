@@ -117,7 +117,7 @@ final class OperationSearch {
 
   private void exchange(int[] order, Deadline deadline) {
     isExchange = true;
-    beginner = NONE;
+    beginner = order.length / 8;
     int last = effort + EXCHANGE_EFFORT;
     while (order.length > 0 && effort < last && !deadline.isPassed()) {
       round++;

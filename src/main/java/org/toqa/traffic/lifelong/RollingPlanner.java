@@ -4,6 +4,7 @@ import static org.toqa.traffic.RoadGraph.NONE;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -113,7 +114,7 @@ public final class RollingPlanner implements TrafficPlanner {
             entry -> {
               boolean isAbsent = !names.contains(entry.getKey());
               if (isAbsent) {
-                floor.guidance().withdraw(entry.getValue().way());
+                floor.guidance().withdraw(entry.getValue().takeWay());
               }
               return isAbsent;
             });
@@ -126,27 +127,30 @@ public final class RollingPlanner implements TrafficPlanner {
       Traveller traveller = travellers.computeIfAbsent(robot.name(), name -> new Traveller());
       int goal = attendance.goal(k);
       if (goal != traveller.goal()) {
-        floor.guidance().withdraw(traveller.way());
+        floor.guidance().withdraw(traveller.takeWay());
         traveller.headFor(goal);
       }
-      traveller.isAt(attendance.state(k), random);
+      traveller.isAt(
+          attendance.state(k), floor.graph().vertex(attendance.state(k)), random);
       present.add(traveller);
     }
     return present;
   }
 
   /**
-   * Looks for the ways of those who have none, a few at a time: these share the processor's cores,
-   * and the next few know of the ways that they announce.
+   * Looks for ways, a few at a time: these share the processor's cores, and the next few know of
+   * the ways that they announce. Nobody who looks for a way is kept from one by what others said
+   * who look for theirs: else a jam would go on for fear of itself.
    */
   private static void findWays(List<Traveller> present, Guidance guidance, Deadline deadline) {
-    List<Traveller> lost = present.stream().filter(Traveller::isLost).toList();
-    for (Traveller traveller : lost) {
-      guidance.withdraw(traveller.way());
-      traveller.forgetWay();
-    }
-    for (int k = 0; k < lost.size() && !deadline.isPassed(); k += AT_ONCE) {
-      List<Traveller> few = lost.subList(k, Math.min(lost.size(), k + AT_ONCE));
+    List<Traveller> seekers =
+        present.stream()
+            .filter(Traveller::seeksWay)
+            .sorted(Comparator.comparing(Traveller::knowsWay))
+            .toList();
+    seekers.forEach(seeker -> guidance.withdraw(seeker.takeWay()));
+    for (int k = 0; k < seekers.size() && !deadline.isPassed(); k += AT_ONCE) {
+      List<Traveller> few = seekers.subList(k, Math.min(seekers.size(), k + AT_ONCE));
       List<char[]> found =
           few.parallelStream().map(t -> guidance.distances(t.state(), t.goal())).toList();
       for (int f = 0; f < few.size(); f++) {
@@ -196,7 +200,9 @@ public final class RollingPlanner implements TrafficPlanner {
     for (int k = 0; k < attendance.size(); k++) {
       int robot = attendance.robot(k);
       Prospect prospect =
-          present.get(k).isLost() ? Prospect.NOT_YET_PLANNED : attendance.prospect(robot);
+          present.get(k).goal() == NONE || present.get(k).knowsWay()
+              ? attendance.prospect(robot)
+              : Prospect.NOT_YET_PLANNED;
       List<Stance> stances = new ArrayList<>();
       stances.add(scene.robots().get(robot).stance());
       for (int t = 1; t <= floor.operations().depth(); t++) {
