@@ -1,0 +1,179 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+
+/**
+ * What a floor agent knows of one of its robots. Confined to that agent.
+ *
+ * <p>What the robot says ({@code pose}, {@code mode}, {@code drive}, ...) and what the floor wants of
+ * it ({@code errand}, {@code way}) stand side by side; the floor acts where they differ.
+ */
+final class FloorRobot {
+  /** The diameter assumed of a robot that was never heard of: the smallest of ours, metres. */
+  private static final double UNKNOWN_FOOTPRINT = 0.255;
+
+  final RobotRecord record;
+  final ActorRef<RobotMessage> agent;
+
+  // what the robot says
+  boolean connected;
+  boolean silent;
+  boolean localised;
+  @Nullable Pose pose;
+  @Nullable Double battery;
+  double footprint = UNKNOWN_FOOTPRINT;
+  double maxLoad;
+  Mode mode = Mode.IDLE;
+  long drive;
+  int segment;
+  List<Fault> errors = List.of();
+  @Nullable Instant lastSeen;
+
+  // what the floor wants of it
+  @Nullable Errand errand;
+  @Nullable Way way;
+  boolean driveUnderway;
+  boolean cancelling;
+  Instant notBefore = Instant.MIN;
+  @Nullable String trouble;
+
+  /** A phase that the robot shall drive. */
+  record Errand(long task, int phase, Vec2 goal) {}
+
+  FloorRobot(RobotRecord record, ActorRef<RobotMessage> agent) {
+    this.record = record;
+    this.agent = agent;
+    this.maxLoad = record.maxLoad();
+  }
+
+  String name() {
+    return record.name();
+  }
+
+  void hear(Hello hello, Instant now) {
+    connected = true;
+    silent = false;
+    localised = hello.localised();
+    pose = hello.pose();
+    footprint = hello.footprint();
+    maxLoad = Math.min(record.maxLoad(), hello.maxLoad());
+    mode = hello.mode();
+    drive = hello.drive();
+    segment = hello.segment();
+    lastSeen = now;
+  }
+
+  void hear(AgentMessage.State state, Instant now) {
+    silent = false;
+    localised = state.localised();
+    pose = state.pose();
+    battery = state.battery();
+    mode = state.mode();
+    drive = state.drive();
+    segment = state.segment();
+    errors = state.errors();
+    lastSeen = now;
+  }
+
+  /** Stands still, knows where it is, and can be sent a way now. */
+  boolean isReady() {
+    return connected && !silent && localised && mode == Mode.IDLE && drive == 0 && !driveUnderway;
+  }
+
+  boolean isOnTheWayOf(Errand wanted) {
+    return way != null
+        && drive == way.drive().seq()
+        && way.drive().phase() == wanted.phase()
+        && Long.valueOf(wanted.task()).equals(way.drive().task());
+  }
+
+  RobotState state() {
+    if (lastSeen == null) {
+      return RobotState.CONNECTING;
+    }
+    if (silent || !connected) {
+      return RobotState.LOST;
+    }
+    if (!localised) {
+      return RobotState.NOT_LOCALISED;
+    }
+    return switch (mode) {
+      case IDLE -> RobotState.IDLE;
+      case DRIVING, FOLLOWING -> RobotState.DRIVING;
+      case HOLDING -> RobotState.HOLDING;
+      case ERROR -> RobotState.ERROR;
+    };
+  }
+
+  /** The rest of the way as a line, from where the robot is. */
+  List<Vec2> route() {
+    if (way == null || pose == null || drive != way.drive().seq()) {
+      return List.of();
+    }
+    List<Vec2> route = new ArrayList<>();
+    route.add(pose.position());
+    route.addAll(way.pointsFrom(segment));
+    return route;
+  }
+
+  Optional<Long> task() {
+    return Optional.ofNullable(errand).map(Errand::task);
+  }
+
+  RobotView view(String floor) {
+    List<Vec2> route = route();
+    return new RobotView(
+        name(),
+        floor,
+        state(),
+        pose,
+        battery,
+        errand == null ? null : errand.task(),
+        errand == null ? 0 : errand.phase(),
+        maxLoad,
+        footprint,
+        record.host(),
+        record.port(),
+        record.parking(),
+        record.simulated(),
+        route,
+        route.size(),
+        errors,
+        doing(),
+        lastSeen);
+  }
+
+  private String doing() {
+    return switch (state()) {
+      case CONNECTING -> "Not heard of yet; trying to reach " + record.host() + ":" + record.port();
+      case LOST -> "Lost: nothing heard from it. Its place stays reserved.";
+      case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
+      case ERROR ->
+          errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
+      case IDLE, DRIVING, HOLDING -> errand == null ? "Free" : working(errand);
+    };
+  }
+
+  private String working(Errand work) {
+    if (trouble != null) {
+      return trouble;
+    }
+    return switch (work.phase()) {
+      case 1 -> "Drives to the load of task " + work.task();
+      case 2 -> "Carries the load of task " + work.task();
+      default -> "Drives home from task " + work.task();
+    };
+  }
+}
