@@ -67,7 +67,7 @@ public interface FleetStore {
   final class StoreException extends RuntimeException {
     private static final long serialVersionUID = 1;
 
-    public StoreException(String message, Throwable cause) {
+    public StoreException(String message, @Nullable Throwable cause) {
       super(message, cause);
     }
   }

@@ -10,6 +10,7 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
 import org.toqa.planning.HeadingAStar;
@@ -47,7 +48,7 @@ final class WayPlanner {
 
   WayPlanner(OccupancyGrid grid) {
     this.grid = grid;
-    this.fitter = SegmentFitter.forCell(grid.resolution());
+    this.fitter = new SegmentFitter(DriveSpeeds.DEFAULT, grid.resolution());
   }
 
   /**

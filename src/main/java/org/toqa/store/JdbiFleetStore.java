@@ -127,7 +127,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
     return h.createQuery("select id from robots where name = :name")
         .bind("name", name)
         .mapTo(Long.class)
-        .one();
+        .findOne()
+        .orElseThrow(() -> new StoreException("There is no robot " + name + ".", null));
   }
 
   // --- tasks ------------------------------------------------------------------------------------
