@@ -1,0 +1,10 @@
+package org.toqa.app;
+
+/** A configuration that cannot be used; the message names the place, the value and the remedy. */
+public final class ConfigurationException extends Exception {
+  private static final long serialVersionUID = 1;
+
+  ConfigurationException(String message) {
+    super(message);
+  }
+}
