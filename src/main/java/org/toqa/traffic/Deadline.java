@@ -1,0 +1,26 @@
+package org.toqa.traffic;
+
+import java.time.Duration;
+import java.util.function.LongSupplier;
+
+/**
+ * The moment by which a planner answers with the best it has.
+ *
+ * @param ticker nanoseconds from any fixed moment, as {@link System#nanoTime}
+ * @param end the ticker's value at that moment
+ */
+public record Deadline(LongSupplier ticker, long end) {
+
+  public static Deadline in(Duration limit, LongSupplier ticker) {
+    return new Deadline(ticker, ticker.getAsLong() + limit.toNanos());
+  }
+
+  /** Never comes: for planners that end by themselves. */
+  public static Deadline none() {
+    return new Deadline(() -> 0, Long.MAX_VALUE);
+  }
+
+  public boolean isPassed() {
+    return ticker.getAsLong() - end >= 0;
+  }
+}

@@ -1,0 +1,143 @@
+package org.toqa.traffic;
+
+import java.util.Arrays;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+
+/**
+ * The free cells of a grid as vertices 0, 1, 2 ... in reading order, each joined with its free
+ * neighbours in the four directions. Flat arrays, because planners ask for neighbours some million
+ * times a second. Immutable.
+ */
+public final class RoadGraph {
+  public static final int EAST = 0;
+  public static final int NORTH = 1;
+  public static final int WEST = 2;
+  public static final int SOUTH = 3;
+
+  /** Directions count counter-clockwise from east, so +1 is a left turn. */
+  public static final int DIRECTIONS = 4;
+
+  /** No such vertex. */
+  public static final int NONE = -1;
+
+  private static final int[] D_COLUMN = {1, 0, -1, 0};
+  private static final int[] D_ROW = {0, -1, 0, 1};
+
+  private final OccupancyGrid grid;
+  private final int[] vertexAt;
+  private final int[] cellOf;
+  private final int[] neighbours;
+  private final int[] degrees;
+  private final int[] components;
+  private final int largestComponent;
+
+  public RoadGraph(OccupancyGrid grid) {
+    this.grid = grid;
+    int cells = grid.width() * grid.height();
+    vertexAt = new int[cells];
+    int[] free = new int[cells];
+    int count = 0;
+    for (int index = 0; index < cells; index++) {
+      boolean isFree = grid.isFree(index % grid.width(), index / grid.width());
+      vertexAt[index] = isFree ? count : NONE;
+      if (isFree) {
+        free[count++] = index;
+      }
+    }
+    cellOf = Arrays.copyOf(free, count);
+    neighbours = new int[count * DIRECTIONS];
+    degrees = new int[count];
+    for (int v = 0; v < count; v++) {
+      for (int d = 0; d < DIRECTIONS; d++) {
+        int u = vertex(columnOf(v) + D_COLUMN[d], rowOf(v) + D_ROW[d]);
+        neighbours[v * DIRECTIONS + d] = u;
+        degrees[v] += u == NONE ? 0 : 1;
+      }
+    }
+    components = new int[count];
+    largestComponent = labelComponents();
+  }
+
+  /** Labels the connected parts and answers the label of the largest. */
+  private int labelComponents() {
+    Arrays.fill(components, NONE);
+    int[] queue = new int[vertices()];
+    int largest = NONE;
+    int largestSize = 0;
+    for (int root = 0; root < vertices(); root++) {
+      if (components[root] != NONE) {
+        continue;
+      }
+      components[root] = root;
+      queue[0] = root;
+      int tail = 1;
+      for (int head = 0; head < tail; head++) {
+        for (int d = 0; d < DIRECTIONS; d++) {
+          int u = neighbour(queue[head], d);
+          if (u != NONE && components[u] == NONE) {
+            components[u] = root;
+            queue[tail++] = u;
+          }
+        }
+      }
+      if (tail > largestSize) {
+        largestSize = tail;
+        largest = root;
+      }
+    }
+    return largest;
+  }
+
+  public OccupancyGrid grid() {
+    return grid;
+  }
+
+  /** How many there are. */
+  public int vertices() {
+    return cellOf.length;
+  }
+
+  /** {@link #NONE} where the cell is not free or not on the grid. */
+  public int vertex(int column, int row) {
+    return grid.contains(column, row) ? vertexAt[row * grid.width() + column] : NONE;
+  }
+
+  public int vertex(Cell cell) {
+    return vertex(cell.column(), cell.row());
+  }
+
+  public Cell cell(int vertex) {
+    return grid.cell(cellOf[vertex]);
+  }
+
+  public int columnOf(int vertex) {
+    return cellOf[vertex] % grid.width();
+  }
+
+  public int rowOf(int vertex) {
+    return cellOf[vertex] / grid.width();
+  }
+
+  /** The vertex next to this one in a direction, or {@link #NONE}. */
+  public int neighbour(int vertex, int direction) {
+    return neighbours[vertex * DIRECTIONS + direction];
+  }
+
+  /** How many neighbours it has. */
+  public int degree(int vertex) {
+    return degrees[vertex];
+  }
+
+  public static int opposite(int direction) {
+    return direction ^ 2;
+  }
+
+  public boolean isConnected(int vertex, int other) {
+    return components[vertex] == components[other];
+  }
+
+  public boolean isInLargestPart(int vertex) {
+    return components[vertex] == largestComponent;
+  }
+}

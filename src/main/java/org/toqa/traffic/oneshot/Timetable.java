@@ -1,0 +1,138 @@
+package org.toqa.traffic.oneshot;
+
+import static org.toqa.traffic.RoadGraph.DIRECTIONS;
+import static org.toqa.traffic.RoadGraph.opposite;
+
+import org.toqa.traffic.RoadGraph;
+
+/**
+ * When each vertex is taken and each edge is driven: a bit a step, so that the free times of a
+ * vertex are found 64 at once. A robot that has arrived takes its goal for ever.
+ *
+ * <p>A route is the vertices at the times 0, 1, 2 ... up to the arrival.
+ */
+final class Timetable {
+  private static final int WORD = 6;
+
+  private final RoadGraph roads;
+  private final int words;
+  private final long[] taken;
+  private final long[] driven;
+
+  /**
+   * @param steps how far the table reaches, at least
+   */
+  Timetable(RoadGraph roads, int steps) {
+    this.roads = roads;
+    this.words = (steps >> WORD) + 1;
+    this.taken = new long[roads.vertices() * words];
+    this.driven = new long[roads.vertices() * DIRECTIONS * words];
+  }
+
+  /** The first step that is beyond the table; stands for "for ever". */
+  int end() {
+    return words << WORD;
+  }
+
+  void add(int[] route) {
+    for (int t = 0; t < route.length; t++) {
+      taken[word(route[t], t)] |= 1L << t;
+      if (t > 0 && route[t] != route[t - 1]) {
+        driven[edgeWord(route[t - 1], direction(route[t - 1], route[t]), t - 1)] |= 1L << (t - 1);
+      }
+    }
+    park(route, true);
+  }
+
+  void remove(int[] route) {
+    for (int t = 0; t < route.length; t++) {
+      taken[word(route[t], t)] &= ~(1L << t);
+      if (t > 0 && route[t] != route[t - 1]) {
+        driven[edgeWord(route[t - 1], direction(route[t - 1], route[t]), t - 1)] &=
+            ~(1L << (t - 1));
+      }
+    }
+    park(route, false);
+  }
+
+  private void park(int[] route, boolean isTaken) {
+    int goal = route[route.length - 1];
+    int base = goal * words;
+    int first = route.length >> WORD;
+    for (int w = first; w < words; w++) {
+      long mask = w == first ? -1L << route.length : -1L;
+      taken[base + w] = isTaken ? taken[base + w] | mask : taken[base + w] & ~mask;
+    }
+  }
+
+  boolean isTaken(int vertex, int time) {
+    return (taken[word(vertex, time)] >>> time & 1) != 0;
+  }
+
+  /** Whether somebody drives against one who leaves {@code vertex} in a direction at a time. */
+  boolean isOncoming(int vertex, int direction, int time) {
+    int ahead = roads.neighbour(vertex, direction);
+    return (driven[edgeWord(ahead, opposite(direction), time)] >>> time & 1) != 0;
+  }
+
+  /** The first time from {@code time} on at which the vertex is free, or {@link #end}. */
+  int nextFree(int vertex, int time) {
+    return firstBit(taken, vertex * words, time, -1L);
+  }
+
+  /** The first time from {@code time} on at which the vertex is taken, or {@link #end}. */
+  int nextTaken(int vertex, int time) {
+    return firstBit(taken, vertex * words, time, 0L);
+  }
+
+  /** The first time from {@code time} on at which nobody drives from the vertex that way. */
+  int nextUndriven(int vertex, int direction, int time) {
+    return firstBit(driven, (vertex * DIRECTIONS + direction) * words, time, -1L);
+  }
+
+  /** Since when the vertex has been free at {@code time}. */
+  int freeSince(int vertex, int time) {
+    int w = time >> WORD;
+    long bits = taken[vertex * words + w] & ((1L << time) - 1);
+    while (bits == 0) {
+      if (w == 0) {
+        return 0;
+      }
+      bits = taken[vertex * words + --w];
+    }
+    return (w << WORD) + Long.SIZE - Long.numberOfLeadingZeros(bits);
+  }
+
+  private int firstBit(long[] table, int base, int time, long flipped) {
+    if (time >= end()) {
+      return end();
+    }
+    int w = time >> WORD;
+    long bits = (table[base + w] ^ flipped) & (-1L << time);
+    while (bits == 0) {
+      if (++w == words) {
+        return end();
+      }
+      bits = table[base + w] ^ flipped;
+    }
+    return (w << WORD) + Long.numberOfTrailingZeros(bits);
+  }
+
+  private int word(int vertex, int time) {
+    return vertex * words + (time >> WORD);
+  }
+
+  private int edgeWord(int vertex, int direction, int time) {
+    return (vertex * DIRECTIONS + direction) * words + (time >> WORD);
+  }
+
+  private int direction(int from, int to) {
+    for (int d = 0; d < DIRECTIONS; d++) {
+      if (roads.neighbour(from, d) == to) {
+        return d;
+      }
+    }
+    throw new IllegalArgumentException(
+        "There is no road from " + roads.cell(from) + " to " + roads.cell(to) + ".");
+  }
+}
