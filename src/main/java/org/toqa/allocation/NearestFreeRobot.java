@@ -44,6 +44,8 @@ public final class NearestFreeRobot implements Allocator {
   }
 
   private static String kilograms(double load) {
-    return load == Math.rint(load) ? String.format(Locale.ROOT, "%.0f", load) : Double.toString(load);
+    return load == Math.rint(load)
+        ? String.format(Locale.ROOT, "%.0f", load)
+        : Double.toString(load);
   }
 }

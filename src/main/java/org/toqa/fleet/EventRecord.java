@@ -13,12 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param text a sentence for people
  */
 public record EventRecord(
-    Instant at,
-    String kind,
-    @Nullable Long task,
-    @Nullable String robot,
-    String who,
-    String text) {
+    Instant at, String kind, @Nullable Long task, @Nullable String robot, String who, String text) {
 
   /** Who acts when no person does. */
   public static final String SYSTEM = "toqa";

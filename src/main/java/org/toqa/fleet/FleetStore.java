@@ -14,7 +14,8 @@ import org.toqa.motion.Trajectory;
  * What the fleet must not forget.
  *
  * <ol>
- *   <li>At start the fleet reads {@link #robots}, {@link #openTasks} and each robot's {@link #drive}.
+ *   <li>At start the fleet reads {@link #robots}, {@link #openTasks} and each robot's {@link
+ *       #drive}.
  *   <li>From then on every change is written here before the command that follows from it is sent.
  * </ol>
  *
@@ -50,8 +51,7 @@ public interface FleetStore {
   /**
    * @param carriers empty while it is queued
    */
-  record OpenTask(
-      TransportTask task, TaskState state, List<Carrier> carriers, Instant changedAt) {
+  record OpenTask(TransportTask task, TaskState state, List<Carrier> carriers, Instant changedAt) {
     public OpenTask {
       carriers = List.copyOf(carriers);
     }

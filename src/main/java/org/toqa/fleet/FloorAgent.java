@@ -41,8 +41,8 @@ import org.toqa.mission.TransportTask;
  * The single writer of one floor: its map, its missions and who may drive where.
  *
  * <p>An event goes through {@code mission -> store -> command}: the mission's next state is stored,
- * and only then its commands become errands of robots. A robot that has an errand and stands is sent
- * a way for it; that is decided anew at every tick, so that whatever was lost on the road (a
+ * and only then its commands become errands of robots. A robot that has an errand and stands is
+ * sent a way for it; that is decided anew at every tick, so that whatever was lost on the road (a
  * message, a connection, a server) is made up for.
  */
 final class FloorAgent extends AbstractBehavior<FloorMessage> {
@@ -247,10 +247,17 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
           .tell(new Answer.Refused<>(null, m.robot() + " is not connected; try again when it is."));
     } else if (!floor.grid().isFree(m.pose().position())) {
       m.replyTo()
-          .tell(new Answer.Refused<>("x", "A robot cannot stand there: that is a wall or off the map."));
+          .tell(
+              new Answer.Refused<>(
+                  "x", "A robot cannot stand there: that is a wall or off the map."));
     } else {
       robot.agent.tell(new RobotMessage.Locate(m.pose()));
-      note("robot.located", null, m.robot(), m.user(), m.user() + " said where " + m.robot() + " is");
+      note(
+          "robot.located",
+          null,
+          m.robot(),
+          m.user(),
+          m.user() + " said where " + m.robot() + " is");
       m.replyTo().tell(new Answer.Accepted<>(robot.view(floor.name())));
     }
   }
@@ -373,7 +380,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     changed = true;
   }
 
-  /** A drive that nobody wants any more: as after a restart, or when a returning robot is needed. */
+  /**
+   * A drive that nobody wants any more: as after a restart, or when a returning robot is needed.
+   */
   private void cancelStrayDrive(FloorRobot robot) {
     if (!robot.connected || robot.cancelling || robot.driveUnderway) {
       return;
@@ -389,7 +398,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     for (FloorRobot other : robots.values()) {
       if (other != robot && other.pose != null) {
         BitSet reserved =
-            other.way == null ? new BitSet() : other.way.cellsFrom(other.driveUnderway ? 0 : other.segment);
+            other.way == null
+                ? new BitSet()
+                : other.way.cellsFrom(other.driveUnderway ? 0 : other.segment);
         reserved.or(
             org.toqa.traffic.SweptCells.standing(
                 floor.grid(), other.pose.position(), other.footprint / 2));
@@ -415,7 +426,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private void report() {
     changed = false;
     List<String> alerts =
-        writer.trouble() == null ? List.of() : List.of("The database does not answer: " + writer.trouble());
+        writer.trouble() == null
+            ? List.of()
+            : List.of("The database does not answer: " + writer.trouble());
     manager.tell(
         new ManagerMessage.FloorReport(
             floor.name(),
@@ -460,7 +473,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     return reasons.isEmpty() ? null : String.join("; ", reasons);
   }
 
-  private void note(String kind, @Nullable Long task, @Nullable String robot, String who, String text) {
+  private void note(
+      String kind, @Nullable Long task, @Nullable String robot, String who, String text) {
     EventRecord event = new EventRecord(clock.instant(), kind, task, robot, who, text);
     writer.write(() -> store.addEvents(List.of(event)), () -> {});
   }

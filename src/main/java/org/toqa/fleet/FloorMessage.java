@@ -12,7 +12,9 @@ import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
 
-/** What a floor agent is told: by the manager, by its robots' agents, by its store, by the clock. */
+/**
+ * What a floor agent is told: by the manager, by its robots' agents, by its store, by the clock.
+ */
 sealed interface FloorMessage {
 
   /** These robots shall carry out this task. */

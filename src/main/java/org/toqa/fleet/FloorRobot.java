@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
@@ -17,8 +16,8 @@ import org.toqa.link.message.AgentMessage.Mode;
 /**
  * What a floor agent knows of one of its robots. Confined to that agent.
  *
- * <p>What the robot says ({@code pose}, {@code mode}, {@code drive}, ...) and what the floor wants of
- * it ({@code errand}, {@code way}) stand side by side; the floor acts where they differ.
+ * <p>What the robot says ({@code pose}, {@code mode}, {@code drive}, ...) and what the floor wants
+ * of it ({@code errand}, {@code way}) stand side by side; the floor acts where they differ.
  */
 final class FloorRobot {
   /** The diameter assumed of a robot that was never heard of: the smallest of ours, metres. */
@@ -160,8 +159,7 @@ final class FloorRobot {
       case CONNECTING -> "Not heard of yet; trying to reach " + record.host() + ":" + record.port();
       case LOST -> "Lost: nothing heard from it. Its place stays reserved.";
       case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
-      case ERROR ->
-          errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
+      case ERROR -> errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
       case IDLE, DRIVING, HOLDING -> errand == null ? "Free" : working(errand);
     };
   }

@@ -102,8 +102,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       }
     }
     for (FloorMap floor : floorMaps) {
-      List<RobotRecord> here =
-          stored.stream().filter(r -> r.floor().equals(floor.name())).toList();
+      List<RobotRecord> here = stored.stream().filter(r -> r.floor().equals(floor.name())).toList();
       List<OpenTask> begun =
           open.stream()
               .filter(t -> t.state() != TaskState.QUEUED && t.task().floor().equals(floor.name()))
@@ -114,7 +113,11 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               "floor-" + floors.size());
       floors.put(floor.name(), agent);
     }
-    log.info("{} robots, {} tasks not ended, {} of them queued.", robots.size(), open.size(), queue.size());
+    log.info(
+        "{} robots, {} tasks not ended, {} of them queued.",
+        robots.size(),
+        open.size(),
+        queue.size());
   }
 
   @Override
@@ -143,7 +146,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   // --- wishes -----------------------------------------------------------------------------------
 
   private void submit(ManagerMessage.Submit m) {
-    double strongest = robots.values().stream().mapToDouble(RobotRecord::maxLoad).max().orElse(Double.MAX_VALUE);
+    double strongest =
+        robots.values().stream().mapToDouble(RobotRecord::maxLoad).max().orElse(Double.MAX_VALUE);
     Answer<TransportTask> checked = check.task(m.order(), m.user(), clock.instant(), strongest);
     if (checked instanceof Answer.Accepted<TransportTask>(TransportTask task)) {
       store(task, m.replyTo());
@@ -185,7 +189,12 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     ActorRef<ManagerMessage> self = getContext().getSelf();
     EventRecord event =
         new EventRecord(
-            clock.instant(), "robot.added", null, robot.name(), m.user(), m.user() + " added " + robot.name());
+            clock.instant(),
+            "robot.added",
+            null,
+            robot.name(),
+            m.user(),
+            m.user() + " added " + robot.name());
     writer.tryOnce(
         () -> {
           store.saveRobot(robot);
@@ -208,7 +217,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private void locate(ManagerMessage.Locate m) {
     Optional<ActorRef<FloorMessage>> floor =
-        Optional.ofNullable(robots.get(m.robot())).map(RobotRecord::floor).flatMap(this::floorAgent);
+        Optional.ofNullable(robots.get(m.robot()))
+            .map(RobotRecord::floor)
+            .flatMap(this::floorAgent);
     if (floor.isEmpty()) {
       m.replyTo().tell(new Answer.Unknown<>("There is no robot " + m.robot() + "."));
     } else {
@@ -319,7 +330,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     List<TaskView> newestFirst =
         tasks.values().stream().sorted(Comparator.comparingLong(TaskView::id).reversed()).toList();
     board.publish(
-        new FleetSnapshot(board.latest().version() + 1, clock.instant(), views, newestFirst, alerts));
+        new FleetSnapshot(
+            board.latest().version() + 1, clock.instant(), views, newestFirst, alerts));
   }
 
   private Behavior<ManagerMessage> closed() {

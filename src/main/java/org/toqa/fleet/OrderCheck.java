@@ -40,7 +40,8 @@ final class OrderCheck {
   Answer<TransportTask> task(TaskOrder order, String user, Instant now, double strongest) {
     Optional<FloorMap> floor = floor(order.floor());
     if (floor.isEmpty()) {
-      return new Answer.Refused<>("floor", "There is no floor " + order.floor() + ". " + floorNames());
+      return new Answer.Refused<>(
+          "floor", "There is no floor " + order.floor() + ". " + floorNames());
     }
     if (order.load() > strongest) {
       return new Answer.Refused<>(
@@ -92,7 +93,11 @@ final class OrderCheck {
     String parking = order.parking();
     if (parking == null) {
       parking =
-          floor.parking().stream().map(Place::name).filter(p -> !taken.contains(p)).findFirst().orElse(null);
+          floor.parking().stream()
+              .map(Place::name)
+              .filter(p -> !taken.contains(p))
+              .findFirst()
+              .orElse(null);
     } else if (floor.parking().stream().map(Place::name).noneMatch(parking::equals)) {
       return new Answer.Refused<>(
           "parking",
@@ -103,7 +108,13 @@ final class OrderCheck {
     }
     return new Answer.Accepted<>(
         new RobotRecord(
-            order.name(), floor.name(), order.host(), order.port(), order.maxLoad(), parking, false));
+            order.name(),
+            floor.name(),
+            order.host(),
+            order.port(),
+            order.maxLoad(),
+            parking,
+            false));
   }
 
   private Optional<FloorMap> floor(@Nullable String name) {
@@ -183,7 +194,9 @@ final class OrderCheck {
   }
 
   private String floorNames() {
-    return "There are " + floors.stream().map(FloorMap::name).collect(Collectors.joining(", ")) + ".";
+    return "There are "
+        + floors.stream().map(FloorMap::name).collect(Collectors.joining(", "))
+        + ".";
   }
 
   private static String names(List<Place> places) {

@@ -72,7 +72,8 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
     this.lastHeard = now;
     this.writer = new StoreWriter(robot.name());
     ActorRef<RobotMessage> self = context.getSelf();
-    writer.write(() -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot.name()))), () -> {});
+    writer.write(
+        () -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot.name()))), () -> {});
     this.link = links.open(robot.name(), robot.host(), robot.port(), new Mailbox(self));
   }
 

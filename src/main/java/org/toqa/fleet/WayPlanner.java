@@ -104,9 +104,12 @@ final class WayPlanner {
             case NO_PATH -> "There is no way for it to " + place + ".";
           };
       case PlanResult.Found found -> {
-        List<String> standing =
-            others.stream().filter(o -> !o.driving()).map(Other::name).toList();
-        yield "The way to " + place + " is blocked by standing robots: one of " + String.join(", ", standing) + ".";
+        List<String> standing = others.stream().filter(o -> !o.driving()).map(Other::name).toList();
+        yield "The way to "
+            + place
+            + " is blocked by standing robots: one of "
+            + String.join(", ", standing)
+            + ".";
       }
     };
   }

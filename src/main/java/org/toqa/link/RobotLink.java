@@ -9,8 +9,8 @@ import org.toqa.link.message.ServerMessage;
  *
  * <ol>
  *   <li>{@link Listener#connected} brings the robot's hello.
- *   <li>{@link #send} queues a message and never waits; what is sent while there is no connection is
- *       dropped, since the next hello tells what the robot knows.
+ *   <li>{@link #send} queues a message and never waits; what is sent while there is no connection
+ *       is dropped, since the next hello tells what the robot knows.
  *   <li>{@link Listener#received} brings what the robot says.
  *   <li>{@link Listener#disconnected} says why the connection ended or could not be made; the link
  *       goes on trying until {@link #close}.

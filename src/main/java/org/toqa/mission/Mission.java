@@ -79,24 +79,34 @@ public record Mission(TransportTask task, TaskState state, List<Carrier> carrier
       return unchanged();
     }
     return new Step(
-        with(TaskState.TO_OBJECT, carriers), List.of(), List.of(event.robot() + " set out for the load"));
+        with(TaskState.TO_OBJECT, carriers),
+        List.of(),
+        List.of(event.robot() + " set out for the load"));
   }
 
   private Step phaseEnded(MissionEvent.PhaseEnded event) {
     List<Carrier> arrived = replace(event.robot(), Carrier::arrivedAtEnd);
     return switch (event.phase()) {
       case 1 ->
-          together(arrived, TaskState.CARRYING, 2, event.robot() + " is at the load", "Picked up at " + task.start().text());
+          together(
+              arrived,
+              TaskState.CARRYING,
+              2,
+              event.robot() + " is at the load",
+              "Picked up at " + task.start().text());
       case 2 ->
           together(
-              arrived, TaskState.RETURNING, 3, event.robot() + " is at the goal", "Delivered at " + task.goal().text());
+              arrived,
+              TaskState.RETURNING,
+              3,
+              event.robot() + " is at the goal",
+              "Delivered at " + task.goal().text());
       default -> letGo(event.robot(), event.robot() + " has parked");
     };
   }
 
   /** Goes on to the next phase when the last robot has arrived. */
-  private Step together(
-      List<Carrier> arrived, TaskState next, int phase, String one, String all) {
+  private Step together(List<Carrier> arrived, TaskState next, int phase, String one, String all) {
     boolean complete = arrived.stream().allMatch(c -> c.arrived() || c.released());
     if (!complete) {
       TaskState now = state == TaskState.ASSIGNED ? TaskState.TO_OBJECT : state;

@@ -151,7 +151,10 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                 .map((rs, ctx) -> row(rs))
                 .list()
                 .stream()
-                .map(r -> new OpenTask(r.task(), r.state(), carriers(h, r.task().id()), r.changedAt()))
+                .map(
+                    r ->
+                        new OpenTask(
+                            r.task(), r.state(), carriers(h, r.task().id()), r.changedAt()))
                 .toList());
   }
 
@@ -193,7 +196,12 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
               h,
               List.of(
                   new EventRecord(
-                      task.createdAt(), "task.added", id, null, task.user(), "Asked for by " + task.user())));
+                      task.createdAt(),
+                      "task.added",
+                      id,
+                      null,
+                      task.user(),
+                      "Asked for by " + task.user())));
           return task.withId(id);
         });
   }
@@ -231,7 +239,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         .bind("released", carrier.released())
         .execute();
     // availability 1: can be given a task; phase 0: parked   (Tanta, "Database")
-    h.createUpdate("update robots set availability = :availability, phase = :phase where id = :robot")
+    h.createUpdate(
+            "update robots set availability = :availability, phase = :phase where id = :robot")
         .bind("availability", carrier.released() || carrier.phase() == 3 ? 1 : 0)
         .bind("phase", carrier.released() ? 0 : carrier.phase())
         .bind("robot", robot)
@@ -244,7 +253,9 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         h ->
             h
                 .createQuery(
-                    "select " + TASK_COLUMNS + " from tasks order by id desc limit :limit offset :offset")
+                    "select "
+                        + TASK_COLUMNS
+                        + " from tasks order by id desc limit :limit offset :offset")
                 .bind("limit", limit)
                 .bind("offset", offset)
                 .map((rs, ctx) -> row(rs))
@@ -282,9 +293,11 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             rs.getString("name"),
             rs.getDouble("load_kg"),
             new TaskPlace(
-                new Vec2(rs.getDouble("start_x"), rs.getDouble("start_y")), rs.getString("start_station")),
+                new Vec2(rs.getDouble("start_x"), rs.getDouble("start_y")),
+                rs.getString("start_station")),
             new TaskPlace(
-                new Vec2(rs.getDouble("goal_x"), rs.getDouble("goal_y")), rs.getString("goal_station")),
+                new Vec2(rs.getDouble("goal_x"), rs.getDouble("goal_y")),
+                rs.getString("goal_station")),
             rs.getString("floor"),
             rs.getInt("priority"),
             deadline == null ? null : deadline.toInstant(ZoneOffset.UTC),

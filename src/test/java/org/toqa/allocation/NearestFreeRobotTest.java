@@ -29,8 +29,7 @@ class NearestFreeRobotTest {
   @Test
   void saysWhatATaskWaitsFor() {
     Vec2 object = new Vec2(0, 0);
-    assertEquals(
-        "No robot has been added yet.", allocator.allocate(1, object, List.of()).why());
+    assertEquals("No robot has been added yet.", allocator.allocate(1, object, List.of()).why());
     List<Candidate> busy = List.of(new Candidate("r1", 5, object, false));
     assertEquals(
         "The only robot that can carry it is not free.", allocator.allocate(1, object, busy).why());

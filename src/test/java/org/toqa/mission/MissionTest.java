@@ -75,8 +75,7 @@ class MissionTest {
     mission = mission.on(new MissionEvent.PhaseEnded("r1", 1)).mission();
     assertFalse(mission.on(new MissionEvent.Retasked("r1")).changed());
     mission = mission.on(new MissionEvent.PhaseEnded("r1", 2)).mission();
-    assertEquals(
-        TaskState.DONE, mission.on(new MissionEvent.Retasked("r1")).mission().state());
+    assertEquals(TaskState.DONE, mission.on(new MissionEvent.Retasked("r1")).mission().state());
   }
 
   /** Whatever comes, in whatever order and however often: states only go forward. */

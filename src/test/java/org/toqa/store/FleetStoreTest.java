@@ -78,8 +78,7 @@ class FleetStoreTest {
             AT);
     TransportTask stored = store.addTask(asked);
     assertTrue(stored.id() > 0);
-    assertEquals(
-        List.of(new OpenTask(stored, TaskState.QUEUED, List.of(), AT)), store.openTasks());
+    assertEquals(List.of(new OpenTask(stored, TaskState.QUEUED, List.of(), AT)), store.openTasks());
     assertEquals(stored, store.task(stored.id()).orElseThrow().task());
     assertEquals("Asked for by Ann", store.history(stored.id()).getFirst().text());
   }
@@ -111,7 +110,9 @@ class FleetStoreTest {
     TransportTask first = store.addTask(task("first"));
     TransportTask second = store.addTask(task("second"));
     store.saveMission(
-        new Mission(first, TaskState.DONE, List.of(new Carrier("r1", 3, true, true))), AT, List.of());
+        new Mission(first, TaskState.DONE, List.of(new Carrier("r1", 3, true, true))),
+        AT,
+        List.of());
     assertEquals(List.of(second.id()), store.openTasks().stream().map(t -> t.task().id()).toList());
     assertEquals(
         List.of(second.id(), first.id()), store.tasks(0, 10).stream().map(t -> t.id()).toList());
@@ -125,7 +126,8 @@ class FleetStoreTest {
     assertEquals(Optional.empty(), store.drive("r1"));
     Trajectory way =
         new Trajectory(
-            new Pose(0.1, 1 / 3.0, -3), List.of(new Segment(0.25, 0, 1.2), new Segment(0, 0.5, 0.1)));
+            new Pose(0.1, 1 / 3.0, -3),
+            List.of(new Segment(0.25, 0, 1.2), new Segment(0, 0.5, 0.1)));
     store.saveDrive("r1", new StoredDrive(4, null, 0, way));
     StoredDrive second = new StoredDrive(9, 77L, 2, way);
     store.saveDrive("r1", second);

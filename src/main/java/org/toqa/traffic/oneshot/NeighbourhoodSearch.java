@@ -3,7 +3,6 @@ package org.toqa.traffic.oneshot;
 import static org.toqa.traffic.RoadGraph.DIRECTIONS;
 import static org.toqa.traffic.RoadGraph.NONE;
 
-import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.RoadGraph;
@@ -22,7 +21,8 @@ final class NeighbourhoodSearch {
   private int chosenCount;
   long tries, wins;
 
-  NeighbourhoodSearch(RoadGraph roads, char[][] distances, int[][] routes, SplittableRandom random) {
+  NeighbourhoodSearch(
+      RoadGraph roads, char[][] distances, int[][] routes, SplittableRandom random) {
     this.roads = roads;
     this.distances = distances;
     this.routes = routes;
@@ -65,7 +65,9 @@ final class NeighbourhoodSearch {
         int r = chosen[k];
         int lb = distances[r][old[k][0]];
         rest -= lb;
-        int[] route = search.route(old[k][0], goals[r], distances[r], (int) Math.min(oldSum - sum - rest, 60000));
+        int[] route =
+            search.route(
+                old[k][0], goals[r], distances[r], (int) Math.min(oldSum - sum - rest, 60000));
         if (route == null) break;
         sum += route.length - 1;
         timetable.add(route);
@@ -108,12 +110,14 @@ final class NeighbourhoodSearch {
         int pick = NONE, options = 0;
         for (int d = 0; d <= DIRECTIONS; d++) {
           int u = d == DIRECTIONS ? v : roads.neighbour(v, d);
-          if (u != NONE && t + 1 + distances[r][u] < latest && random.nextInt(++options) == 0) pick = u;
+          if (u != NONE && t + 1 + distances[r][u] < latest && random.nextInt(++options) == 0)
+            pick = u;
         }
         if (pick == NONE) break;
         v = pick;
         if (timetable.isTaken(v, t + 1)) {
-          for (int i = 0; i < routes.length; i++) if (routes[i][Math.min(t + 1, routes[i].length - 1)] == v) choose(i);
+          for (int i = 0; i < routes.length; i++)
+            if (routes[i][Math.min(t + 1, routes[i].length - 1)] == v) choose(i);
         }
       }
     }
@@ -122,7 +126,9 @@ final class NeighbourhoodSearch {
   private void shuffle() {
     for (int k = chosenCount - 1; k > 0; k--) {
       int j = random.nextInt(k + 1);
-      int s = chosen[k]; chosen[k] = chosen[j]; chosen[j] = s;
+      int s = chosen[k];
+      chosen[k] = chosen[j];
+      chosen[j] = s;
     }
   }
 }
