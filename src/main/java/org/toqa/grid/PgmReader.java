@@ -18,8 +18,8 @@ final class PgmReader {
   }
 
   private GreyImage image() throws MapFormatException {
-    boolean inText = bytes.length > 2 && bytes[0] == 'P' && bytes[1] == '2';
-    boolean binary = bytes.length > 2 && bytes[0] == 'P' && bytes[1] == '5';
+    boolean inText = bytes.length >= 2 && bytes[0] == 'P' && bytes[1] == '2';
+    boolean binary = bytes.length >= 2 && bytes[0] == 'P' && bytes[1] == '5';
     if (!inText && !binary) {
       throw new MapFormatException(
           file + " is not a grey map: it must start with P2 or P5; save it as PGM or PNG.");

@@ -8,6 +8,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.DoubleRange;
+import net.jqwik.api.statistics.Statistics;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -35,12 +36,12 @@ class DrivenWayPropertyTest {
 
   @Provide
   Arbitrary<Query> coarseStrewn() {
-    return RandomGrids.strewn(25, COARSE);
+    return RandomGrids.strewn(5, 25, 0.3, COARSE);
   }
 
   @Provide
   Arbitrary<Query> fineStrewn() {
-    return RandomGrids.strewn(40, FINE).filter(q -> q.grid().occupied().cardinality() < 60);
+    return RandomGrids.strewn(15, 40, 0.04, FINE);
   }
 
   @Property
@@ -65,7 +66,11 @@ class DrivenWayPropertyTest {
     OccupancyGrid walls = query.grid();
     OccupancyGrid inflated = Inflation.of(walls, ROBOT);
     Cell goal = query.goal();
-    if (!(new HeadingAStar().plan(inflated, query.start(), goal) instanceof Found(Path path))) {
+    PlanResult result = new HeadingAStar().plan(inflated, query.start(), goal);
+    Statistics.label("a way was found")
+        .collect(result instanceof Found)
+        .coverage(coverage -> coverage.check(true).percentage(p -> p > 30));
+    if (!(result instanceof Found(Path path))) {
       return;
     }
     Vec2 from = walls.centre(query.start());

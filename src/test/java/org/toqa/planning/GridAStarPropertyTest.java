@@ -22,7 +22,7 @@ class GridAStarPropertyTest {
 
   @Provide
   Arbitrary<Query> strewn() {
-    return RandomGrids.strewn(12, 1);
+    return RandomGrids.strewn(1, 12, 0.5, 1);
   }
 
   @Provide

@@ -30,10 +30,11 @@ final class RandomGrids {
   }
 
   /** Cells strewn at random, from empty to crowded; start and goal anywhere, walls included. */
-  static Arbitrary<Query> strewn(int longestSide, double resolution) {
-    Arbitrary<Integer> side = Arbitraries.integers().between(1, longestSide);
+  static Arbitrary<Query> strewn(
+      int shortestSide, int longestSide, double crowded, double resolution) {
+    Arbitrary<Integer> side = Arbitraries.integers().between(shortestSide, longestSide);
     return Combinators.combine(
-            side, side, Arbitraries.doubles().between(0, 0.5), Arbitraries.longs())
+            side, side, Arbitraries.doubles().between(0, crowded), Arbitraries.longs())
         .as(
             (width, height, density, seed) -> {
               Random random = new Random(seed);
@@ -74,7 +75,14 @@ final class RandomGrids {
   }
 
   private static Query query(OccupancyGrid grid, Random random) {
+    return new Query(grid, cell(grid, random), cell(grid, random));
+  }
+
+  /** Mostly a free cell. */
+  private static Cell cell(OccupancyGrid grid, Random random) {
     int cells = grid.width() * grid.height();
-    return new Query(grid, grid.cell(random.nextInt(cells)), grid.cell(random.nextInt(cells)));
+    int any = random.nextInt(cells);
+    int free = grid.occupied().nextClearBit(any);
+    return grid.cell(free < cells && random.nextInt(8) > 0 ? free : any);
   }
 }
