@@ -122,6 +122,13 @@ public record Configuration(
       if (Files.exists(folder) && !Files.isDirectory(folder)) {
         throw refused(setting, "this is a file; it must be a folder.");
       }
+      Path present = folder;
+      while (!Files.exists(present) && present.getParent() != null) {
+        present = present.getParent();
+      }
+      if (!Files.isWritable(present)) {
+        throw refused(setting, "nothing can be written to " + present + "; name another folder.");
+      }
       return folder;
     }
 

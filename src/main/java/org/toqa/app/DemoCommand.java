@@ -14,8 +14,7 @@ import picocli.CommandLine.Option;
 /** {@code toqa demo}: the main job on embedded defaults. */
 @Command(
     name = "demo",
-    description = "Shows three simulated robots at work, on nothing but this machine.",
-    mixinStandardHelpOptions = true)
+    description = "Shows three simulated robots at work, on nothing but this machine.")
 final class DemoCommand implements Callable<Integer> {
   private static final String ROBOTS = "3";
 
@@ -44,9 +43,12 @@ final class DemoCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     checkReport();
     Path webapp = Webapp.folder();
-    Path data = Files.createTempDirectory("toqa-demo");
-    Operation show = this::show;
-    return show.runOn(Configuration.of(webapp, List.of(options(data))), webapp);
+    try (StopSignal stop = new StopSignal();
+        TemporaryFolder data = TemporaryFolder.create("toqa-demo")) {
+      Configuration configuration = Configuration.of(webapp, List.of(options(data.path())));
+      Operation show = this::show;
+      return show.runOn(configuration, webapp, stop);
+    }
   }
 
   private int show(Toqa toqa, URI address, StopSignal stop) throws InterruptedException {

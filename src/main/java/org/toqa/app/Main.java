@@ -1,11 +1,13 @@
 package org.toqa.app;
 
 import java.io.PrintWriter;
-import java.util.List;
+import java.util.Set;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
 
@@ -13,8 +15,6 @@ import picocli.CommandLine.UnmatchedArgumentException;
 @Command(
     name = "toqa",
     description = "A fleet server for cooperating mobile robots.",
-    mixinStandardHelpOptions = true,
-    versionProvider = Main.Version.class,
     subcommands = {DemoCommand.class, ServerCommand.class})
 public final class Main implements Runnable {
 
@@ -23,6 +23,14 @@ public final class Main implements Runnable {
 
   /** A wrong argument or configuration. */
   static final int WRONG = 2;
+
+  @Option(
+      names = {"-h", "--help"},
+      usageHelp = true,
+      scope = ScopeType.INHERIT,
+      description = "Shows this.")
+  @SuppressWarnings("unused") // picocli asks the option, nobody the field
+  private boolean help;
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
@@ -45,17 +53,27 @@ public final class Main implements Runnable {
 
   private static int complain(ParameterException e) {
     CommandLine command = e.getCommandLine();
-    String sentence = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
-    List<String> meant =
-        e instanceof UnmatchedArgumentException unmatched ? unmatched.getSuggestions() : List.of();
+    String sentence =
+        e instanceof UnmatchedArgumentException unmatched
+            ? notKnown(unmatched.getUnmatched().getFirst(), command)
+            : String.valueOf(e.getMessage()).lines().findFirst().orElse("");
     line(
         command.getErr(),
         sentence
-            + (meant.isEmpty() ? "" : "; do you mean " + meant.getFirst() + "?")
             + " ("
             + command.getCommandSpec().qualifiedName()
             + " --help lists what there is)");
     return WRONG;
+  }
+
+  private static String notKnown(String written, CommandLine command) {
+    CommandSpec spec = command.getCommandSpec();
+    boolean isOption = written.startsWith("-");
+    Set<String> known = isOption ? spec.optionsMap().keySet() : spec.subcommands().keySet();
+    String sentence = "\"" + written + "\" is not known";
+    return known.isEmpty()
+        ? sentence
+        : sentence + "; the nearest is " + Spelling.nearest(written, known).word();
   }
 
   private static int fail(Exception e, CommandLine command) {
@@ -66,12 +84,5 @@ public final class Main implements Runnable {
   private static void line(PrintWriter err, String sentence) {
     err.println("toqa: " + sentence);
     err.flush();
-  }
-
-  static final class Version implements CommandLine.IVersionProvider {
-    @Override
-    public String[] getVersion() {
-      return new String[] {"toqa"};
-    }
   }
 }

@@ -18,11 +18,10 @@ interface Operation {
    * Starts the product, does this, and closes everything in order: no request meets a closed fleet,
    * and no robot is touched by a server whose port is another's.
    */
-  default int runOn(Configuration configuration, Path webapp) throws Exception {
+  default int runOn(Configuration configuration, Path webapp, StopSignal stop) throws Exception {
     Logging.setLevel(configuration.logLevel());
     Logging.adoptTomcat();
-    try (StopSignal stop = new StopSignal();
-        WebServer web = WebServer.bind(webapp, configuration.address(), configuration.port());
+    try (WebServer web = WebServer.bind(webapp, configuration);
         Toqa toqa = Toqa.start(configuration);
         WebServer.Site site = web.open(toqa)) {
       return run(toqa, site.uri(), stop);

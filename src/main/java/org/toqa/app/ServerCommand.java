@@ -1,5 +1,6 @@
 package org.toqa.app;
 
+import java.net.URI;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -16,11 +17,10 @@ import picocli.CommandLine.Option;
     description = "Runs the server until Ctrl-C, with real or simulated robots.",
     footer = {
       "",
-      "Each setting may also stand in the file or in the environment (such as TOQA_PORT);",
-      "the command line comes first, then the environment, then the file.",
+      "Each setting may also stand in the file or in the environment (TOQA_PORT).",
+      "The command line comes first, then the environment, then the file;",
       "docs/configuration.md explains them all."
-    },
-    mixinStandardHelpOptions = true)
+    })
 final class ServerCommand implements Callable<Integer> {
 
   @Option(names = "--config", paramLabel = "FILE", description = "A YAML file with settings.")
@@ -56,15 +56,18 @@ final class ServerCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     Path webapp = Webapp.folder();
-    return untilStopped().runOn(Configuration.of(webapp, layers()), webapp);
+    Configuration configuration = Configuration.of(webapp, layers());
+    Operation untilStopped = ServerCommand::untilStopped;
+    try (StopSignal stop = new StopSignal()) {
+      return untilStopped.runOn(configuration, webapp, stop);
+    }
   }
 
-  private static Operation untilStopped() {
-    return (toqa, address, stop) -> {
-      System.err.println("Toqa is at " + address + " (Ctrl-C ends it)");
-      stop.await();
-      return 0;
-    };
+  private static int untilStopped(Toqa toqa, URI address, StopSignal stop)
+      throws InterruptedException {
+    System.err.println("Toqa is at " + address + " (Ctrl-C ends it)");
+    stop.await();
+    return 0;
   }
 
   private List<Layer> layers() throws ConfigurationException {

@@ -38,14 +38,13 @@ final class WebServer implements AutoCloseable {
 
   /**
    * @param webapp the unpacked web application
-   * @param port 0 takes any free one
    * @throws IOException the port cannot be had; the message says why, for a person
    */
-  static WebServer bind(Path webapp, InetAddress address, int port) throws IOException {
+  static WebServer bind(Path webapp, Configuration configuration) throws IOException {
+    InetAddress address = configuration.address();
+    int port = configuration.port();
     Tomcat tomcat = new Tomcat();
-    Path base = Files.createTempDirectory("toqa-tomcat");
-    base.toFile().deleteOnExit();
-    tomcat.setBaseDir(base.toString());
+    tomcat.setBaseDir(Files.createDirectories(configuration.data().resolve("tomcat")).toString());
     tomcat.setConnector(connector(address, port));
     WebServer server = new WebServer(tomcat, context(tomcat, webapp), address);
     try {
