@@ -4,10 +4,10 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -23,11 +23,11 @@ import org.slf4j.LoggerFactory;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.FloorRobot.Errand;
-import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.link.RobotLinks;
+import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.mission.Carrier;
@@ -36,6 +36,12 @@ import org.toqa.mission.MissionCommand;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.motion.DriveSpeeds;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.floor.Decision;
+import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.traffic.floor.Route;
+import org.toqa.traffic.oneshot.LacamFloorPlanner;
 
 /**
  * The single writer of one floor: its map, its missions and who may drive where.
@@ -49,13 +55,16 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private static final Logger log = LoggerFactory.getLogger(FloorAgent.class);
   private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
 
+  /** For a plan for all robots; a function of the machine's speed, not of the floor's time. */
+  private static final Duration PLANNING_LIMIT = Duration.ofMillis(200);
+
   private final FloorMap floor;
   private final FleetStore store;
   private final RobotLinks links;
   private final InstantSource clock;
   private final ActorRef<ManagerMessage> manager;
   private final StoreWriter writer;
-  private final WayPlanner planner;
+  private final FloorTraffic traffic;
 
   private final Map<String, FloorRobot> robots = new TreeMap<>();
   private final Map<Long, OpenMission> missions = new LinkedHashMap<>();
@@ -98,7 +107,12 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     this.manager = manager;
     this.now = now;
     this.writer = new StoreWriter("floor-" + floor.name());
-    this.planner = new WayPlanner(floor.grid());
+    this.traffic =
+        new FloorTraffic(
+            floor.grid(),
+            DriveSpeeds.DEFAULT,
+            new LacamFloorPlanner(),
+            () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
     records.forEach(this::join);
     begun.forEach(this::recover);
   }
@@ -205,7 +219,6 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       }
     }
     changed = true;
-    dispatch(robot);
   }
 
   private Errand errand(Mission mission, String robot, int phase) {
@@ -258,7 +271,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
           m.robot(),
           m.user(),
           m.user() + " said where " + m.robot() + " is");
-      m.replyTo().tell(new Answer.Accepted<>(robot.view(floor.name())));
+      m.replyTo().tell(new Answer.Accepted<>(view(robot)));
     }
   }
 
@@ -273,12 +286,11 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.Disconnected m -> robot.connected = false;
       case FloorMessage.Silent m -> robot.silent = true;
       case FloorMessage.HeardAgain m -> robot.silent = false;
-      case FloorMessage.Heard m -> robot.hear(m.state(), clock.instant());
+      case FloorMessage.Heard m -> heard(robot, m.state());
       case FloorMessage.PhaseEnded m -> phaseEnded(robot, m.end());
-      case FloorMessage.DriveSent m -> driveSent(robot, m.drive());
+      case FloorMessage.DriveBegun m -> driveBegun(robot, m.drive());
       case FloorMessage.Rejected m -> rejected(robot, m.reason());
     }
-    dispatch(robot);
   }
 
   /** Compares what the robot says with what was stored, and goes on from there. */
@@ -286,13 +298,35 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     robot.hear(hello, clock.instant());
     robot.driveUnderway = false;
     robot.cancelling = false;
-    robot.way =
-        stored
-            .filter(d -> d.seq() == hello.drive())
-            .map(d -> Way.of(d, floor.grid(), hello.footprint()))
-            .orElse(null);
+    robot.told = stored.filter(d -> d.seq() == hello.drive()).orElse(null);
+    if (robot.told != null) {
+      traffic.drives(
+          robot.name(),
+          hello.pose(),
+          hello.footprint(),
+          robot.told.way(),
+          hello.segment(),
+          hello.released(),
+          now);
+    } else {
+      traffic.stands(robot.name(), hello.pose(), hello.footprint(), now);
+    }
     if (hello.done() != null) {
       phaseEnded(robot, hello.done());
+    }
+  }
+
+  private void heard(FloorRobot robot, AgentMessage.State state) {
+    robot.hear(state, clock.instant());
+    if (robot.told != null && state.drive() == robot.told.seq()) {
+      robot.driveUnderway = false;
+      traffic.moved(robot.name(), state.pose(), state.segment(), now);
+    } else if (!robot.driveUnderway) {
+      if (state.drive() == 0) {
+        robot.told = null;
+        robot.cancelling = false;
+      }
+      traffic.stands(robot.name(), state.pose(), robot.footprint, now);
     }
   }
 
@@ -312,104 +346,103 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     };
   }
 
-  private void driveSent(FloorRobot robot, StoredDrive drive) {
-    robot.way = Way.of(drive, floor.grid(), robot.footprint);
+  private void driveBegun(FloorRobot robot, StoredDrive drive) {
+    robot.told = drive;
     if (drive.task() != null) {
       handle(
           drive.task(), new MissionEvent.DriveStarted(robot.name(), drive.phase()), "task.started");
     }
   }
 
+  /** What the robot refused is given up: it stands, and is asked anew a little later. */
   private void rejected(FloorRobot robot, String reason) {
-    if (robot.driveUnderway) {
-      robot.driveUnderway = false;
-      robot.way = null;
-    }
+    robot.driveUnderway = false;
     robot.cancelling = false;
-    robot.trouble = robot.name() + " refused its way: " + reason;
+    robot.trouble = robot.name() + " refused a command: " + reason;
     robot.notBefore = now.plus(RETRY_AFTER);
+    if (robot.drive != 0) {
+      cancel(robot);
+    } else if (robot.pose != null) {
+      robot.told = null;
+      traffic.stands(robot.name(), robot.pose, robot.footprint, now);
+    }
   }
 
   // --- ways -------------------------------------------------------------------------------------
 
-  /** Sees to it that the robot is on the way of its errand, as far as that can be done now. */
-  private void dispatch(FloorRobot robot) {
-    if (robot.driveUnderway && robot.way != null && robot.drive == robot.way.drive().seq()) {
-      robot.driveUnderway = false; // it has set out
-    }
-    if (robot.drive == 0) {
-      robot.cancelling = false;
-      if (!robot.driveUnderway) {
-        robot.way = null;
+  /** Tells the traffic what is so and wanted, and the robots what it decides. */
+  private void drive() {
+    for (FloorRobot robot : robots.values()) {
+      if (traffic.knows(robot.name())) {
+        direct(robot);
       }
     }
+    for (Decision decision : traffic.decide(now)) {
+      FloorRobot robot = robots.get(decision.robot());
+      if (robot != null) {
+        tell(robot, decision);
+        changed = true;
+      }
+    }
+  }
+
+  private void direct(FloorRobot robot) {
     Errand errand = robot.errand;
-    if (robot.drive != 0 && (errand == null || !robot.isOnTheWayOf(errand))) {
-      cancelStrayDrive(robot);
-      return;
+    boolean isOnOtherWay = !robot.isStanding() && (errand == null || !robot.isOnTheWayOf(errand));
+    boolean isStray = isOnOtherWay && (robot.told == null || robot.told.task() != null);
+    if (isStray && !robot.driveUnderway) {
+      cancel(robot);
     }
-    Pose pose = robot.pose;
-    if (errand == null || pose == null || !robot.isReady() || robot.notBefore.isAfter(now)) {
-      return;
-    }
-    if (floor.grid().cellAt(pose.position()).equals(floor.grid().cellAt(errand.goal()))) {
-      robot.trouble = null;
+    boolean isWaiting = robot.notBefore.isAfter(now);
+    traffic.isFixed(robot.name(), !robot.isFit() || isStray || isWaiting);
+    traffic.wants(robot.name(), errand == null || isOnOtherWay ? null : errand.goal(), now);
+    if (errand != null && robot.isStanding() && robot.isFit() && traffic.isAtGoal(robot.name())) {
       handle(
           errand.task(),
           new MissionEvent.PhaseEnded(robot.name(), errand.phase()),
           kind(errand.phase()));
-      return;
     }
-    switch (planner.plan(pose, errand.goal(), robot.footprint, others(robot))) {
-      case WayPlanner.Found found -> {
-        robot.trouble = null;
+    if (!isWaiting) {
+      note(robot, errand == null ? null : traffic.reason(robot.name()));
+    }
+  }
+
+  private void note(FloorRobot robot, @Nullable String reason) {
+    if (!Objects.equals(robot.trouble, reason)) {
+      robot.trouble = reason;
+      changed = true;
+    }
+  }
+
+  private static void tell(FloorRobot robot, Decision decision) {
+    switch (decision) {
+      case Decision.Begin begin -> {
+        Errand errand = robot.errand;
         robot.driveUnderway = true;
-        // reserved from now on, before it is stored and sent
-        robot.way =
-            Way.of(
-                new StoredDrive(0, errand.task(), errand.phase(), found.way()),
-                floor.grid(),
-                robot.footprint);
-        robot.agent.tell(new RobotMessage.Drive(errand.task(), errand.phase(), found.way()));
+        robot.agent.tell(
+            new RobotMessage.Drive(
+                errand == null ? null : errand.task(),
+                errand == null ? 0 : errand.phase(),
+                begin.way(),
+                begin.released(),
+                begin.last()));
       }
-      case WayPlanner.None none -> {
-        robot.trouble = none.sentence();
-        robot.notBefore = now.plus(RETRY_AFTER);
-      }
+      case Decision.Extend extend ->
+          robot.agent.tell(
+              new RobotMessage.Extend(
+                  extend.from(), extend.segments(), extend.released(), extend.last()));
+      case Decision.Release release ->
+          robot.agent.tell(new RobotMessage.Release(release.released()));
     }
-    changed = true;
   }
 
-  /**
-   * A drive that nobody wants any more: as after a restart, or when a returning robot is needed.
-   */
-  private void cancelStrayDrive(FloorRobot robot) {
-    if (!robot.connected || robot.cancelling || robot.driveUnderway) {
-      return;
+  /** Ends a drive that nobody wants any more: as when a returning robot is needed elsewhere. */
+  private void cancel(FloorRobot robot) {
+    if (robot.connected && !robot.cancelling) {
+      robot.cancelling = true;
+      log.info("{}: its drive {} is not wanted any more.", robot.name(), robot.drive);
+      robot.agent.tell(new RobotMessage.Cancel(robot.reportedTask));
     }
-    robot.cancelling = true;
-    Long task = robot.way == null ? null : robot.way.drive().task();
-    log.info("{}: its drive {} is not wanted any more.", robot.name(), robot.drive);
-    robot.agent.tell(new RobotMessage.Cancel(task));
-  }
-
-  private List<WayPlanner.Other> others(FloorRobot robot) {
-    List<WayPlanner.Other> others = new ArrayList<>();
-    for (FloorRobot other : robots.values()) {
-      if (other != robot && other.pose != null) {
-        BitSet reserved =
-            other.way == null
-                ? new BitSet()
-                : other.way.cellsFrom(other.driveUnderway ? 0 : other.segment);
-        reserved.or(
-            org.toqa.traffic.SweptCells.standing(
-                floor.grid(), other.pose.position(), other.footprint / 2));
-        others.add(
-            new WayPlanner.Other(
-                other.name(), other.pose.position(), other.footprint, other.way != null, reserved));
-      }
-    }
-    return others;
   }
 
   // --- time and reports -------------------------------------------------------------------------
@@ -417,7 +450,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private void tick(Instant time) {
     now = time;
     robots.values().forEach(r -> r.agent.tell(new RobotMessage.Tick(now)));
-    robots.values().forEach(this::dispatch);
+    drive();
     if (changed) {
       report();
     }
@@ -432,11 +465,16 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     manager.tell(
         new ManagerMessage.FloorReport(
             floor.name(),
-            robots.values().stream().map(r -> r.view(floor.name())).toList(),
+            robots.values().stream().map(r -> view(r)).toList(),
             missions.values().stream().map(this::view).toList(),
             List.copyOf(ended),
             alerts));
     ended.clear();
+  }
+
+  private RobotView view(FloorRobot robot) {
+    Route route = traffic.knows(robot.name()) ? traffic.route(robot.name()) : Route.NONE;
+    return robot.view(floor.name(), route);
   }
 
   private TaskView view(OpenMission open) {

@@ -50,7 +50,8 @@ sealed interface FloorMessage {
 
   record PhaseEnded(String robot, PhaseEnd end) implements FromRobot {}
 
-  record DriveSent(String robot, StoredDrive drive) implements FromRobot {}
+  /** The robot is being sent this drive. */
+  record DriveBegun(String robot, StoredDrive drive) implements FromRobot {}
 
   record Rejected(String robot, long seq, String reason) implements FromRobot {}
 }

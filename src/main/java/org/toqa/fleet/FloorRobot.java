@@ -1,17 +1,17 @@
 package org.toqa.fleet;
 
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.traffic.floor.Route;
 
 /**
  * What a floor agent knows of one of its robots. Confined to that agent.
@@ -37,13 +37,19 @@ final class FloorRobot {
   Mode mode = Mode.IDLE;
   long drive;
   int segment;
+  @Nullable Long reportedTask;
   List<Fault> errors = List.of();
   @Nullable Instant lastSeen;
 
   // what the floor wants of it
   @Nullable Errand errand;
-  @Nullable Way way;
+
+  /** The drive that it was told, until it is over. */
+  @Nullable StoredDrive told;
+
+  /** A drive was told and the robot has not said yet that it drives it. */
   boolean driveUnderway;
+
   boolean cancelling;
   Instant notBefore = Instant.MIN;
   @Nullable String trouble;
@@ -70,6 +76,7 @@ final class FloorRobot {
     maxLoad = Math.min(record.maxLoad(), hello.maxLoad());
     mode = hello.mode();
     drive = hello.drive();
+    reportedTask = hello.task();
     segment = hello.segment();
     lastSeen = now;
   }
@@ -81,21 +88,27 @@ final class FloorRobot {
     battery = state.battery();
     mode = state.mode();
     drive = state.drive();
+    reportedTask = state.task();
     segment = state.segment();
     errors = state.errors();
     lastSeen = now;
   }
 
-  /** Stands still, knows where it is, and can be sent a way now. */
-  boolean isReady() {
-    return connected && !silent && localised && mode == Mode.IDLE && drive == 0 && !driveUnderway;
+  /** Hears, knows where it is, and is well. */
+  boolean isFit() {
+    return connected && !silent && localised && mode != Mode.ERROR;
   }
 
+  boolean isStanding() {
+    return drive == 0 && !driveUnderway;
+  }
+
+  /** Whether it drives, or was just told to drive, what this errand asks. */
   boolean isOnTheWayOf(Errand wanted) {
-    return way != null
-        && drive == way.drive().seq()
-        && way.drive().phase() == wanted.phase()
-        && Long.valueOf(wanted.task()).equals(way.drive().task());
+    return told != null
+        && (driveUnderway || drive == told.seq())
+        && told.phase() == wanted.phase()
+        && Long.valueOf(wanted.task()).equals(told.task());
   }
 
   RobotState state() {
@@ -116,23 +129,7 @@ final class FloorRobot {
     };
   }
 
-  /** The rest of the way as a line, from where the robot is. */
-  List<Vec2> route() {
-    if (way == null || pose == null || drive != way.drive().seq()) {
-      return List.of();
-    }
-    List<Vec2> route = new ArrayList<>();
-    route.add(pose.position());
-    route.addAll(way.pointsFrom(segment));
-    return route;
-  }
-
-  Optional<Long> task() {
-    return Optional.ofNullable(errand).map(Errand::task);
-  }
-
-  RobotView view(String floor) {
-    List<Vec2> route = route();
+  RobotView view(String floor, Route route) {
     return new RobotView(
         name(),
         floor,
@@ -147,8 +144,8 @@ final class FloorRobot {
         record.port(),
         record.parking(),
         record.simulated(),
-        route,
-        route.size(),
+        route.points(),
+        route.released(),
         errors,
         doing(),
         lastSeen);

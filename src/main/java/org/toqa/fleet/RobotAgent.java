@@ -2,6 +2,8 @@ package org.toqa.fleet;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
@@ -19,6 +21,9 @@ import org.toqa.link.RobotLinks;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage;
+import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
 
 /**
  * The server's side of one robot: it owns the link, the sequence numbers and the record of the last
@@ -42,7 +47,13 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private Optional<StoredDrive> drive = Optional.empty();
   private boolean driveKnown;
   private @Nullable Hello hello;
-  private long wantedDrive;
+
+  /** Counts the connections: what was meant for an old one is not sent on the next. */
+  private long connection;
+
+  /** Messages that wait for the store. */
+  private int unsent;
+
   private boolean silent;
   private Instant now;
   private Instant lastHeard;
@@ -87,10 +98,12 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private Behavior<RobotMessage> on(RobotMessage message) {
     switch (message) {
-      case RobotMessage.Drive m -> storeDrive(m);
-      case RobotMessage.DriveStored m -> sendDrive(m.drive());
-      case RobotMessage.Cancel m -> send(new ServerMessage.Cancel(++seq, m.task()));
-      case RobotMessage.Locate m -> send(new ServerMessage.Locate(++seq, m.pose()));
+      case RobotMessage.Drive m -> begin(m);
+      case RobotMessage.Extend m -> extend(m);
+      case RobotMessage.Release m -> release(m.released());
+      case RobotMessage.DriveStored m -> stored(m);
+      case RobotMessage.Cancel m -> sendInOrder(new ServerMessage.Cancel(++seq, m.task()));
+      case RobotMessage.Locate m -> sendInOrder(new ServerMessage.Locate(++seq, m.pose()));
       case RobotMessage.Acknowledge m -> send(new ServerMessage.AckDone(m.drive()));
       case RobotMessage.LinkUp m -> connected(m.hello());
       case RobotMessage.Heard m -> heard(m.message());
@@ -104,31 +117,65 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
     return this;
   }
 
-  private void storeDrive(RobotMessage.Drive m) {
+  private void begin(RobotMessage.Drive m) {
     StoredDrive next = new StoredDrive(++seq, m.task(), m.phase(), m.way());
-    wantedDrive = next.seq();
+    storeThenSend(
+        next,
+        new ServerMessage.Drive(
+            next.seq(),
+            m.task(),
+            m.phase(),
+            m.way().start(),
+            m.way().segments(),
+            m.released(),
+            m.last()));
+    floor.tell(new FloorMessage.DriveBegun(robot.name(), next));
+  }
+
+  private void extend(RobotMessage.Extend m) {
+    if (drive.isEmpty()) {
+      return;
+    }
+    StoredDrive old = drive.get();
+    List<Segment> segments = new ArrayList<>(old.way().segments().subList(0, m.from()));
+    segments.addAll(m.segments());
+    Trajectory way = new Trajectory(old.way().start(), segments);
+    storeThenSend(
+        new StoredDrive(old.seq(), old.task(), old.phase(), way),
+        new ServerMessage.Extend(++seq, old.seq(), m.from(), m.segments(), m.released(), m.last()));
+  }
+
+  private void release(int released) {
+    drive.ifPresent(d -> sendInOrder(new ServerMessage.Release(++seq, d.seq(), released)));
+  }
+
+  private void storeThenSend(StoredDrive next, Command message) {
+    drive = Optional.of(next);
+    unsent++;
+    long asked = connection;
     ActorRef<RobotMessage> self = getContext().getSelf();
     writer.write(
         () -> store.saveDrive(robot.name(), next),
-        () -> self.tell(new RobotMessage.DriveStored(next)));
+        () -> self.tell(new RobotMessage.DriveStored(asked, message)));
   }
 
-  private void sendDrive(StoredDrive stored) {
-    drive = Optional.of(stored);
-    if (hello == null || stored.seq() != wantedDrive) {
-      return; // overtaken by a newer wish, or by a hello that made the floor decide anew
+  /** Behind everything that still waits for the store, since sequence numbers must rise. */
+  private void sendInOrder(Command message) {
+    if (unsent == 0) {
+      send(message);
+      return;
     }
-    int segments = stored.way().segments().size();
-    send(
-        new ServerMessage.Drive(
-            stored.seq(),
-            stored.task(),
-            stored.phase(),
-            stored.way().start(),
-            stored.way().segments(),
-            segments,
-            true));
-    floor.tell(new FloorMessage.DriveSent(robot.name(), stored));
+    unsent++;
+    long asked = connection;
+    ActorRef<RobotMessage> self = getContext().getSelf();
+    writer.write(() -> {}, () -> self.tell(new RobotMessage.DriveStored(asked, message)));
+  }
+
+  private void stored(RobotMessage.DriveStored m) {
+    unsent--;
+    if (m.connection() == connection) {
+      send(m.message());
+    } // else the hello of the new connection made the floor decide anew
   }
 
   private void connected(Hello said) {
@@ -139,7 +186,7 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
         said.task(),
         said.phase());
     hello = said;
-    wantedDrive = 0;
+    connection++;
     lastHeard = now;
     silent = false;
     seq = Math.max(seq, said.lastSeq());
@@ -194,7 +241,7 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private void tick(Instant time) {
     now = time;
-    if (hello != null && !lastPing.plus(PING_EVERY).isAfter(now)) {
+    if (hello != null && unsent == 0 && !lastPing.plus(PING_EVERY).isAfter(now)) {
       lastPing = now;
       send(new ServerMessage.Ping(++seq));
     }

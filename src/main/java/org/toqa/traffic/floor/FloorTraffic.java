@@ -213,6 +213,12 @@ public final class FloorTraffic {
     return mover(robot).held();
   }
 
+  /** The rest of its way. */
+  public Route route(String robot) {
+    Mover m = mover(robot);
+    return m.course == null ? Route.NONE : Route.of(m.course, m.done, m.released, m.pose);
+  }
+
   // --- decisions --------------------------------------------------------------------------------
 
   /** Plans for whoever needs a way, and releases what can be. */
@@ -534,7 +540,7 @@ public final class FloorTraffic {
     }
     while (m.released < course.size() && !isEnoughAhead(m, course)) {
       if (!mayEnter(m, course, m.released)) {
-        if (!standsBefore(m, course, now) || !breakCorner(m, course, told)) {
+        if (!standsBefore(m, now) || !breakCorner(m, course, told)) {
           return;
         }
         course = java.util.Objects.requireNonNull(m.course);
@@ -589,7 +595,7 @@ public final class FloorTraffic {
         || other.course.visitAfterStretches(other.done) > wait.visit();
   }
 
-  private static boolean standsBefore(Mover m, Course course, Instant now) {
+  private static boolean standsBefore(Mover m, Instant now) {
     if (m.done < m.released) {
       return false;
     }
