@@ -33,21 +33,23 @@ public final class Inflation {
     int height = grid.height();
     double cells = radius / grid.resolution() - ROUNDING;
     int rows = cells <= 0 ? -1 : (int) Math.min(height, Math.ceil(cells - 0.5));
-    BitSet blocked = grid.occupied();
     if (rows < 0) {
       return grid;
     }
     int[] gap = rowGaps(grid);
+    boolean[] touched = new boolean[gap.length];
     for (int dRow = -rows; dRow <= rows; dRow++) {
       int reach = reach(cells, dRow);
-      for (int row = Math.max(0, -dRow); row < Math.min(height, height - dRow); row++) {
-        int other = (row + dRow) * width;
-        for (int column = 0; column < width; column++) {
-          if (gap[other + column] <= reach) {
-            blocked.set(row * width + column);
-          }
-        }
+      int first = Math.max(0, -dRow) * width;
+      int end = Math.min(height, height - dRow) * width;
+      int shift = dRow * width;
+      for (int i = first; i < end; i++) {
+        touched[i] |= gap[i + shift] <= reach;
       }
+    }
+    BitSet blocked = new BitSet(touched.length);
+    for (int i = 0; i < touched.length; i++) {
+      blocked.set(i, touched[i]);
     }
     blockBorder(blocked, width, height, cells);
     return grid.withOccupied(blocked);

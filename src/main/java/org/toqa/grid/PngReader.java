@@ -3,6 +3,7 @@ package org.toqa.grid;
 import java.awt.image.BufferedImage;
 import java.awt.image.IndexColorModel;
 import java.awt.image.Raster;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
@@ -17,8 +18,7 @@ final class PngReader {
   static GreyImage read(Path file) throws MapFormatException {
     byte[] bytes = MapLimits.readBytes(file, MapLimits.MAX_MAP_BYTES);
     ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
-    try (ImageInputStream in =
-        new MemoryCacheImageInputStream(new java.io.ByteArrayInputStream(bytes))) {
+    try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
       reader.setInput(in);
       MapLimits.checkSize(file, reader.getWidth(0), reader.getHeight(0));
       return grey(reader.read(0));

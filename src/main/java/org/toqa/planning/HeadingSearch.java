@@ -47,6 +47,7 @@ final class HeadingSearch {
    * The moves of a shortest way, empty where there is none; {@link OctileSearch#begin} was called
    * with the goal as its source.
    *
+   * @param start not the goal
    * @param turnsOnSpot whether the robot may also turn on the spot
    */
   List<Heading> way(int start, int goal, boolean turnsOnSpot) {

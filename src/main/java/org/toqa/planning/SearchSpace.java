@@ -1,6 +1,7 @@
 package org.toqa.planning;
 
 import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
 import org.toqa.grid.OccupancyGrid;
 
 /** What searches on one grid need; used by one thread at a time, then by the next. */
@@ -17,8 +18,7 @@ final class SearchSpace {
 
   /** Keeps the last space for the next search on the same grid; any thread may use it. */
   static final class Pool {
-    private final AtomicReference<@org.jspecify.annotations.Nullable SearchSpace> spare =
-        new AtomicReference<>();
+    private final AtomicReference<@Nullable SearchSpace> spare = new AtomicReference<>();
 
     SearchSpace take(OccupancyGrid grid) {
       SearchSpace space = spare.getAndSet(null);

@@ -6,8 +6,10 @@ import static org.toqa.grid.MapFiles.assertRefused;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -41,8 +43,8 @@ class MapServerReaderTest {
   @Test
   void binaryPictureIsRead() throws IOException {
     byte[] pixels = {(byte) 254, (byte) 205, 0, (byte) 255, (byte) 254, (byte) 254};
-    byte[] header = "P5\n3 2\n255\n".getBytes(java.nio.charset.StandardCharsets.US_ASCII);
-    byte[] picture = java.util.Arrays.copyOf(header, header.length + pixels.length);
+    byte[] header = "P5\n3 2\n255\n".getBytes(StandardCharsets.US_ASCII);
+    byte[] picture = Arrays.copyOf(header, header.length + pixels.length);
     System.arraycopy(pixels, 0, picture, header.length, pixels.length);
     Files.write(folder.resolve("floor.pgm"), picture);
     assertSixCells(MapServerReader.read(files.write("floor.yaml", MapFiles.YAML)));
