@@ -4,7 +4,15 @@ package org.toqa.app;
 public final class ConfigurationException extends Exception {
   private static final long serialVersionUID = 1;
 
-  ConfigurationException(String message) {
-    super(message);
+  private final String sentence;
+
+  ConfigurationException(String sentence) {
+    super(sentence);
+    this.sentence = sentence;
+  }
+
+  @Override
+  public String getMessage() {
+    return sentence;
   }
 }

@@ -73,6 +73,9 @@ final class WebServer implements AutoCloseable {
     WebappLoader loader = new WebappLoader();
     loader.setDelegate(true);
     context.setLoader(loader);
+    // What would leak when only the application ends; here the process ends with it.
+    context.setClearReferencesThreadLocals(false);
+    context.setClearReferencesRmiTargets(false);
     context.setJarScanner(tagLibrariesOnly());
     return context;
   }
