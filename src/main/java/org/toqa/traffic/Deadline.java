@@ -20,6 +20,12 @@ public record Deadline(LongSupplier ticker, long end) {
     return new Deadline(() -> 0, Long.MAX_VALUE);
   }
 
+  /** The moment when a part of the time left from now will have passed. */
+  public Deadline after(double share) {
+    long now = ticker.getAsLong();
+    return new Deadline(ticker, now + (long) (share * (end - now)));
+  }
+
   public boolean isPassed() {
     return ticker.getAsLong() - end >= 0;
   }

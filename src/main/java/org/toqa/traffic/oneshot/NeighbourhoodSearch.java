@@ -3,132 +3,220 @@ package org.toqa.traffic.oneshot;
 import static org.toqa.traffic.RoadGraph.DIRECTIONS;
 import static org.toqa.traffic.RoadGraph.NONE;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.RoadGraph;
 
+/**
+ * Makes a plan better until the time is up, by large neighbourhood search.
+ *
+ * <p>Idea: take the routes of a few robots that are in each other's way out of the plan, and put
+ * them in again one after the other, each as quick as the rest allows ({@link SafeIntervalSearch});
+ * keep what is not worse. The few are a delayed robot and those it meets on shorter ways, or any
+ * few. How many, and which of the two, is chosen by what has paid so far.
+ *
+ * <p>Cost: the plan is valid after every step, so it can stop at any time.
+ *
+ * <p>J. Li et al., "Anytime multi-agent path finding via large neighborhood search", IJCAI 2021.
+ */
 final class NeighbourhoodSearch {
-  private static final int STRATEGIES = 3;
+  private static final int[] SIZES = {2, 4, 8, 16};
+  private static final int CHOICES = 2 * SIZES.length;
+  private static final double MEMORY = 0.98;
+  private static final int WALKS = 10;
+
   private final RoadGraph roads;
   private final char[][] distances;
   private final int[][] routes;
-  private final int[] goals;
   private final Timetable timetable;
   private final SafeIntervalSearch search;
   private final SplittableRandom random;
-  private final boolean[] isChosen;
-  private final int[] chosen;
-  private int chosenCount;
-  long tries, wins;
 
+  /** The robots taken out at present, and their routes before. */
+  private final int[] group;
+
+  private final int[][] former;
+  private final boolean[] isInGroup;
+  private int groupSize;
+
+  /** Steps gained for each way of choosing a group, and the work spent on it. */
+  private final double[] gains = new double[CHOICES];
+
+  private final double[] efforts = new double[CHOICES];
+
+  /**
+   * @param routes the plan, a route a robot; changed in place
+   */
   NeighbourhoodSearch(
       RoadGraph roads, char[][] distances, int[][] routes, SplittableRandom random) {
     this.roads = roads;
     this.distances = distances;
     this.routes = routes;
     this.random = random;
-    int makespan = 0;
-    goals = new int[routes.length];
-    for (int i = 0; i < routes.length; i++) {
-      makespan = Math.max(makespan, routes[i].length);
-      goals[i] = routes[i][routes[i].length - 1];
+    int last = Arrays.stream(routes).mapToInt(route -> route.length).max().orElse(0);
+    timetable = new Timetable(roads, last + last / 4);
+    for (int[] route : routes) {
+      timetable.add(route);
     }
-    timetable = new Timetable(roads, makespan + makespan / 4 + 64);
-    for (int[] r : routes) timetable.add(r);
     search = new SafeIntervalSearch(roads, timetable);
-    isChosen = new boolean[routes.length];
-    chosen = new int[routes.length];
+    group = new int[routes.length];
+    former = new int[routes.length][];
+    isInGroup = new boolean[routes.length];
+    Arrays.fill(gains, 1);
+    Arrays.fill(efforts, 1);
   }
 
-  void run(Deadline deadline, int minSize, int maxSize) {
-    int[][] old = new int[routes.length][];
-    while (!deadline.isPassed()) {
-      tries++;
-      chosenCount = 0;
-      int size = Math.min(routes.length, minSize + random.nextInt(maxSize - minSize + 1));
-      int strategy = random.nextInt(10);
-      if (strategy < 6) walk(size);
-      while (chosenCount < size) choose(random.nextInt(routes.length));
-      shuffle();
-      long oldSum = 0, rest = 0;
-      for (int k = 0; k < chosenCount; k++) {
-        int r = chosen[k];
-        isChosen[r] = false;
-        old[k] = routes[r];
-        timetable.remove(old[k]);
-        oldSum += old[k].length - 1;
-        rest += distances[r][old[k][0]];
-      }
-      long sum = 0;
-      int k = 0;
-      for (; k < chosenCount; k++) {
-        int r = chosen[k];
-        int lb = distances[r][old[k][0]];
-        rest -= lb;
-        int[] route =
-            search.route(
-                old[k][0], goals[r], distances[r], (int) Math.min(oldSum - sum - rest, 60000));
-        if (route == null) break;
-        sum += route.length - 1;
-        timetable.add(route);
-        routes[r] = route;
-      }
-      if (k < chosenCount) {
-        for (int j = 0; j < chosenCount; j++) {
-          if (j < k) timetable.remove(routes[chosen[j]]);
-          routes[chosen[j]] = old[j];
-        }
-        for (int j = 0; j < chosenCount; j++) timetable.add(old[j]);
-      } else if (sum < oldSum) wins++;
+  /** Goes on until the deadline, or until the sum of costs has come down to the lower bound. */
+  void improve(long lowerBound, Deadline deadline) {
+    long cost = Routes.sumOfCosts(routes);
+    while (cost > lowerBound && !deadline.isPassed()) {
+      int choice = mostPaying();
+      long effortBefore = search.effort();
+      chooseGroup(Math.min(routes.length, SIZES[choice / 2]), choice % 2 == 0);
+      int gain = replanGroup();
+      cost -= gain;
+      gains[choice] = MEMORY * gains[choice] + gain;
+      efforts[choice] = MEMORY * efforts[choice] + (search.effort() - effortBefore) / 1000.0;
     }
   }
 
-  private void choose(int r) {
-    if (!isChosen[r]) {
-      isChosen[r] = true;
-      chosen[chosenCount++] = r;
+  /** By chance, in proportion to what has been gained for the work. */
+  private int mostPaying() {
+    double sum = 0;
+    for (int k = 0; k < CHOICES; k++) {
+      sum += rate(k);
+    }
+    double left = random.nextDouble() * sum;
+    int choice = 0;
+    while (choice < CHOICES - 1 && (left -= rate(choice)) > 0) {
+      choice++;
+    }
+    return choice;
+  }
+
+  private double rate(int choice) {
+    return (gains[choice] + 0.01) / (efforts[choice] + 0.01);
+  }
+
+  private void chooseGroup(int size, boolean isAroundDelay) {
+    groupSize = 0;
+    if (isAroundDelay) {
+      addAroundDelay(size);
+    }
+    while (groupSize < size) {
+      add(random.nextInt(routes.length));
+    }
+    for (int k = groupSize - 1; k > 0; k--) {
+      int other = random.nextInt(k + 1);
+      int robot = group[k];
+      group[k] = group[other];
+      group[other] = robot;
+    }
+    for (int k = 0; k < groupSize; k++) {
+      isInGroup[group[k]] = false;
     }
   }
 
-  private int delay(int r) {
-    return routes[r].length - 1 - distances[r][routes[r][0]];
+  private void add(int robot) {
+    if (!isInGroup[robot]) {
+      isInGroup[robot] = true;
+      group[groupSize++] = robot;
+    }
   }
 
-  private void walk(int size) {
+  /** A robot with much delay, and whom it meets where it tries to be quicker. */
+  private void addAroundDelay(int size) {
     int seed = random.nextInt(routes.length);
     for (int k = 0; k < 3; k++) {
       int other = random.nextInt(routes.length);
-      if (delay(other) > delay(seed)) seed = other;
+      seed = delay(other) > delay(seed) ? other : seed;
     }
-    choose(seed);
-    for (int tries = 0; tries < 10 && chosenCount < size; tries++) {
-      int r = chosen[random.nextInt(chosenCount)];
-      int t = random.nextInt(routes[r].length);
-      int v = routes[r][t];
-      int latest = routes[r].length - 1;
-      for (; chosenCount < size; t++) {
-        int pick = NONE, options = 0;
-        for (int d = 0; d <= DIRECTIONS; d++) {
-          int u = d == DIRECTIONS ? v : roads.neighbour(v, d);
-          if (u != NONE && t + 1 + distances[r][u] < latest && random.nextInt(++options) == 0)
-            pick = u;
-        }
-        if (pick == NONE) break;
-        v = pick;
-        if (timetable.isTaken(v, t + 1)) {
-          for (int i = 0; i < routes.length; i++)
-            if (routes[i][Math.min(t + 1, routes[i].length - 1)] == v) choose(i);
-        }
+    add(seed);
+    for (int k = 0; k < WALKS && groupSize < size; k++) {
+      walk(group[random.nextInt(groupSize)], size);
+    }
+  }
+
+  /** Leaves a robot's route at some moment and goes on at random, only where that is quicker. */
+  private void walk(int robot, int size) {
+    int[] route = routes[robot];
+    int t = random.nextInt(route.length);
+    int v = route[t];
+    while (groupSize < size && v != NONE) {
+      v = quickerStep(robot, v, ++t, route.length - 1);
+      if (v != NONE && timetable.isTaken(v, t)) {
+        addRobotAt(v, t);
       }
     }
   }
 
-  private void shuffle() {
-    for (int k = chosenCount - 1; k > 0; k--) {
-      int j = random.nextInt(k + 1);
-      int s = chosen[k];
-      chosen[k] = chosen[j];
-      chosen[j] = s;
+  private int quickerStep(int robot, int from, int time, int arrival) {
+    int step = NONE;
+    int options = 0;
+    for (int d = 0; d <= DIRECTIONS; d++) {
+      int v = d == DIRECTIONS ? from : roads.neighbour(from, d);
+      if (v != NONE && time + distances[robot][v] < arrival && random.nextInt(++options) == 0) {
+        step = v;
+      }
+    }
+    return step;
+  }
+
+  private void addRobotAt(int vertex, int time) {
+    for (int robot = 0; robot < routes.length; robot++) {
+      if (Routes.at(routes[robot], time) == vertex) {
+        add(robot);
+        return;
+      }
+    }
+  }
+
+  private int delay(int robot) {
+    return routes[robot].length - 1 - shortest(robot);
+  }
+
+  private int shortest(int robot) {
+    return distances[robot][routes[robot][0]];
+  }
+
+  /** Answers the steps gained; 0 where the plan has not become shorter. */
+  private int replanGroup() {
+    int costBefore = 0;
+    int toGo = 0;
+    for (int k = 0; k < groupSize; k++) {
+      int robot = group[k];
+      former[k] = routes[robot];
+      timetable.remove(former[k]);
+      costBefore += former[k].length - 1;
+      toGo += shortest(robot);
+    }
+    int cost = 0;
+    for (int k = 0; k < groupSize; k++) {
+      int robot = group[k];
+      int[] old = former[k];
+      toGo -= shortest(robot);
+      int latest = costBefore - cost - toGo;
+      int[] route = search.route(old[0], old[old.length - 1], distances[robot], latest);
+      if (route == null) {
+        restore(k);
+        return 0;
+      }
+      cost += route.length - 1;
+      routes[robot] = route;
+      timetable.add(route);
+    }
+    return costBefore - cost;
+  }
+
+  /** Puts the former routes back, after the first {@code replanned} have got others. */
+  private void restore(int replanned) {
+    for (int k = 0; k < replanned; k++) {
+      timetable.remove(routes[group[k]]);
+    }
+    for (int k = 0; k < groupSize; k++) {
+      routes[group[k]] = former[k];
+      timetable.add(former[k]);
     }
   }
 }

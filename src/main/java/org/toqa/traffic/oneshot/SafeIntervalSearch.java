@@ -29,6 +29,7 @@ final class SafeIntervalSearch {
   private int[] parents = new int[1024];
   private int[] below = new int[1024];
   private int count;
+  private long effort;
 
   /** The top of the stack of each key; the key is arrival plus distance to go. */
   private final int[] tops;
@@ -70,7 +71,13 @@ final class SafeIntervalSearch {
     }
     int[] route = found == NONE ? null : trace(found);
     clear(distances[start], bound);
+    effort += count;
     return route;
+  }
+
+  /** Arrivals looked at in all searches so far: a measure of work that needs no clock. */
+  long effort() {
+    return effort;
   }
 
   /** Answers the state itself where it is the goal, else {@code NONE}. */

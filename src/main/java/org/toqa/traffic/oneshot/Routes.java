@@ -1,0 +1,57 @@
+package org.toqa.traffic.oneshot;
+
+import java.util.List;
+
+/** Routes as planners hold them: vertices at the times 0, 1, 2 ... up to the arrival. */
+final class Routes {
+  private Routes() {}
+
+  /** The vertex at a time; the goal from the arrival on. */
+  static int at(int[] route, int time) {
+    return route[Math.min(time, route.length - 1)];
+  }
+
+  /** Whether two robots meet in a vertex or change places. */
+  static boolean collide(int[] one, int[] other) {
+    if (one[0] == other[0]) {
+      return true;
+    }
+    int last = Math.max(one.length, other.length);
+    for (int t = 1; t < last; t++) {
+      int a = at(one, t);
+      int b = at(other, t);
+      if (a == b || (a == at(other, t - 1) && b == at(one, t - 1))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** A route a robot, from the places of all robots step by step. */
+  static int[][] of(List<int[]> configurations) {
+    int last = configurations.size() - 1;
+    int robots = configurations.getFirst().length;
+    int[][] routes = new int[robots][];
+    for (int robot = 0; robot < robots; robot++) {
+      int goal = configurations.get(last)[robot];
+      int arrival = last;
+      while (arrival > 0 && configurations.get(arrival - 1)[robot] == goal) {
+        arrival--;
+      }
+      routes[robot] = new int[arrival + 1];
+      for (int t = 0; t <= arrival; t++) {
+        routes[robot][t] = configurations.get(t)[robot];
+      }
+    }
+    return routes;
+  }
+
+  /** Steps until the arrival, summed over the robots. */
+  static long sumOfCosts(int[][] routes) {
+    long sum = 0;
+    for (int[] route : routes) {
+      sum += route.length - 1;
+    }
+    return sum;
+  }
+}
