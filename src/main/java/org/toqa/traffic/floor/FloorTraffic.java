@@ -70,7 +70,7 @@ public final class FloorTraffic {
   private final PathPlanner planner = new HeadingAStar();
   private final JointPlanner joint;
   private final Supplier<Deadline> patience;
-  private final Map<String, Mover> movers = new TreeMap<>();
+  final Map<String, Mover> movers = new TreeMap<>();
   private final Map<Double, OccupancyGrid> inflated = new HashMap<>();
 
   /** Whether something changed since the robots were last planned together. */
@@ -161,6 +161,7 @@ public final class FloorTraffic {
     Mover m = mover(robot);
     if (!java.util.Objects.equals(m.goal, goal)) {
       m.goal = goal;
+      m.wish = new BitSet();
       m.waitingSince = goal == null ? null : now;
       m.reason = null;
       changed = true;
@@ -205,7 +206,8 @@ public final class FloorTraffic {
 
   /** Why it does not go on, for people; null while it does. */
   public @Nullable String reason(String robot) {
-    return mover(robot).reason;
+    Mover m = mover(robot);
+    return m.isDriving() || m.reason != null ? m.reason : m.obstruction;
   }
 
   /** The cells that are its own now, as bits by {@link OccupancyGrid#index}. */
@@ -338,6 +340,7 @@ public final class FloorTraffic {
                 m.take(Course.meetingNobody(m.releasedEnd(), stretches));
                 m.reason = null;
                 m.waitingSince = null;
+                m.wish = new BitSet();
                 told.redriven(m, stood);
               });
     }
@@ -381,9 +384,17 @@ public final class FloorTraffic {
     for (Mover other : movers.values()) {
       if (other != m) {
         claimed.or(other.claimed());
+        if (waitsLonger(other, m)) {
+          claimed.or(other.wish);
+        }
       }
     }
     return claimed;
+  }
+
+  private static boolean waitsLonger(Mover other, Mover m) {
+    return other.waitingSince != null
+        && (m.waitingSince == null || other.waitingSince.isBefore(m.waitingSince));
   }
 
   private OccupancyGrid clear(double radius) {
@@ -416,7 +427,8 @@ public final class FloorTraffic {
     planned.forEach(m -> closed.clear(grid.index(m.releasedCell())));
     RoadGraph roads = new RoadGraph(grid.withOccupied(closed));
     int[] starts = planned.stream().mapToInt(m -> roads.vertex(m.releasedCell())).toArray();
-    int[] goals = new Goals(roads, planned, starts).assigned();
+    BitSet wished = wishes(planned);
+    int[] goals = new Goals(roads, planned, starts, wished).assigned();
     Optional<List<int[]>> steps = joint.plan(roads, starts, goals, patience.get());
     if (steps.isEmpty()) {
       planned.stream()
@@ -438,6 +450,27 @@ public final class FloorTraffic {
     }
   }
 
+  /** The ways of robots that are too large to be planned with the others, as if these were not. */
+  private BitSet wishes(List<Mover> planned) {
+    BitSet wished = new BitSet();
+    for (Mover m : movers.values()) {
+      Cell goal = m.goalCell();
+      if (planned.contains(m) || !m.isUnserved() || m.course != null || goal == null) {
+        continue;
+      }
+      m.wish = new BitSet();
+      if (planner.plan(clear(m.radius), m.releasedCell(), goal)
+          instanceof PlanResult.Found(var path)) {
+        fitter.fit(m.pose, path.waypoints(grid), m.radius).forEach(s -> m.wish.or(s.cells()));
+        m.reason = "Waits for room on its way.";
+        wished.or(m.wish);
+      } else {
+        m.reason = "Waits: there is no way to its goal that is wide enough.";
+      }
+    }
+    return wished;
+  }
+
   /** A robot that fits a cell, can be told to move, and does not share its cell. */
   private boolean canBePlanned(Mover m) {
     return m.movable && !m.stalled && m.radius <= grid.resolution() / 2 && isOnFreeCell(m);
@@ -451,7 +484,8 @@ public final class FloorTraffic {
 
   /**
    * A goal for each robot, all different: its own if it can have it, else a place near to it; and
-   * for a robot that wants nothing the place where it stands, unless another wants that.
+   * for a robot that wants nothing the place where it stands, unless another wants that. Whoever
+   * has a place or a way to it keeps it, then whoever waits longest chooses.
    */
   private final class Goals {
     private final RoadGraph roads;
@@ -459,12 +493,17 @@ public final class FloorTraffic {
     private final int[] starts;
     private final int[] assigned;
     private final Map<Integer, String> taken = new HashMap<>();
+    private final BitSet wished;
 
-    Goals(RoadGraph roads, List<Mover> planned, int[] starts) {
+    /**
+     * @param wished cells where nobody shall stay
+     */
+    Goals(RoadGraph roads, List<Mover> planned, int[] starts, BitSet wished) {
       this.roads = roads;
       this.planned = planned;
       this.starts = starts;
       this.assigned = new int[planned.size()];
+      this.wished = wished;
     }
 
     int[] assigned() {
@@ -474,6 +513,7 @@ public final class FloorTraffic {
       }
       order.sort(
           Comparator.<Integer, Boolean>comparing(i -> planned.get(i).goal == null)
+              .thenComparing(i -> planned.get(i).isUnserved())
               .thenComparing(
                   i -> planned.get(i).waitingSince, nullsLast(Comparator.<Instant>naturalOrder())));
       for (int i : order) {
@@ -499,7 +539,15 @@ public final class FloorTraffic {
         m.reason = "Waits for " + other + " to leave the place.";
         return nearest(vertex, starts[i]);
       }
+      if (isWished(vertex)) {
+        m.reason = "Waits for a larger robot to pass.";
+        return nearest(vertex, starts[i]);
+      }
       return vertex;
+    }
+
+    private boolean isWished(int vertex) {
+      return wished.get(grid.index(roads.cell(vertex)));
     }
 
     private String blocker(Cell wanted) {
@@ -517,7 +565,7 @@ public final class FloorTraffic {
       Set<Integer> seen = new LinkedHashSet<>(queue);
       while (!queue.isEmpty()) {
         int vertex = queue.poll();
-        if (!taken.containsKey(vertex)) {
+        if (!taken.containsKey(vertex) && !isWished(vertex)) {
           return vertex;
         }
         for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
@@ -551,7 +599,7 @@ public final class FloorTraffic {
       }
       m.released++;
       m.blockedSince = null;
-      m.reason = null;
+      m.obstruction = null;
     }
   }
 
@@ -567,7 +615,7 @@ public final class FloorTraffic {
     Stretch stretch = course.stretches().get(index);
     for (Mover other : movers.values()) {
       if (other != m && stretch.cells().intersects(other.held())) {
-        m.reason = "Waits for " + other.name + " to pass.";
+        m.obstruction = "Waits for " + other.name + " to pass.";
         return false;
       }
     }
@@ -576,18 +624,16 @@ public final class FloorTraffic {
     }
     int last = course.visitAfterStretches(index + 1);
     for (int v = course.visitAfterStretches(index) + 1; v <= last; v++) {
-      if (!isOver(course.waits().get(v))) {
-        m.reason = "Waits for " + course.waits().get(v).robot() + " to pass.";
+      Wait wait = course.waits().get(v);
+      if (wait != null && !isOver(wait)) {
+        m.obstruction = "Waits for " + wait.robot() + " to pass.";
         return false;
       }
     }
     return true;
   }
 
-  private boolean isOver(@Nullable Wait wait) {
-    if (wait == null) {
-      return true;
-    }
+  private boolean isOver(Wait wait) {
     Mover other = movers.get(wait.robot());
     return other == null
         || other.courseNumber != wait.course()

@@ -141,20 +141,26 @@ final class JointPlan {
     return way;
   }
 
-  /** By stretch: which visit its end is; the stretches begin at visit {@code from}. */
+  /**
+   * By stretch: which visit its end is; the stretches begin at visit {@code from}. A stretch goes
+   * on through the corners that it rounds, and ends at the first cell that it does not.
+   */
   static List<Integer> visitsAfter(
       OccupancyGrid grid, List<Stretch> stretches, List<Cell> visits, int from) {
     List<Integer> after = new ArrayList<>();
     int visit = from;
     for (Stretch s : stretches) {
-      Cell end = grid.cellAt(s.end().position());
-      boolean moves = s.segments().stream().anyMatch(seg -> seg.v() != 0);
-      if (moves) {
-        int ahead = visit + 1;
-        while (ahead < visits.size() && !visits.get(ahead).equals(end)) {
-          ahead++;
+      if (s.segments().stream().anyMatch(segment -> segment.v() != 0)) {
+        Cell end = grid.cellAt(s.end().position());
+        int arcs =
+            (int)
+                s.segments().stream()
+                    .filter(segment -> segment.v() != 0 && segment.w() != 0)
+                    .count();
+        visit = Math.min(visit + 1 + arcs, visits.size() - 1);
+        while (visit < visits.size() - 1 && !visits.get(visit).equals(end)) {
+          visit++;
         }
-        visit = ahead < visits.size() ? ahead : visit;
       }
       after.add(visit);
     }

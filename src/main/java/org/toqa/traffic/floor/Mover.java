@@ -45,8 +45,14 @@ final class Mover {
   /** Whether its own smooth way was looked for since something last changed. */
   boolean triedAlone;
 
-  /** Why it does not go on, for people. */
+  /** Why it has no way to its goal, for people. */
   @Nullable String reason;
+
+  /** Why it does not go on with its way, for people. */
+  @Nullable String obstruction;
+
+  /** The cells that a robot too large to be planned with the others waits for to become free. */
+  BitSet wish = new BitSet();
 
   Mover(String name, OccupancyGrid grid, Pose pose, double radius, Instant now) {
     this.name = name;

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
@@ -73,6 +74,10 @@ final class DrivenFloor {
     return new OccupancyGrid(unit.width(), unit.height(), 0.3, Vec2.ZERO, unit.occupied());
   }
 
+  Body body(String robot) {
+    return Objects.requireNonNull(bodies.get(robot), robot);
+  }
+
   void put(String robot, Cell cell) {
     put(robot, cell, DIAMETER);
   }
@@ -87,17 +92,17 @@ final class DrivenFloor {
 
   void send(String robot, @Nullable Cell goal) {
     Vec2 to = goal == null ? null : grid.centre(goal);
-    bodies.get(robot).goal = to;
+    body(robot).goal = to;
     traffic.wants(robot, to, now);
   }
 
   boolean isAt(String robot, Cell cell) {
-    Body body = bodies.get(robot);
+    Body body = body(robot);
     return body.way == null && body.pose.position().distanceTo(grid.centre(cell)) < 1e-3;
   }
 
   boolean isArrived(String robot) {
-    Body body = bodies.get(robot);
+    Body body = body(robot);
     return body.goal == null
         || (body.way == null && body.pose.position().distanceTo(body.goal) < 1e-3);
   }
@@ -131,7 +136,7 @@ final class DrivenFloor {
   }
 
   private void obey(Decision decision) {
-    Body body = bodies.get(decision.robot());
+    Body body = body(decision.robot());
     switch (decision) {
       case Decision.Begin begin -> {
         require(body.way == null, decision.robot() + " was told to begin while it drives");
@@ -145,8 +150,9 @@ final class DrivenFloor {
         body.last = begin.last();
       }
       case Decision.Extend extend -> {
-        Trajectory way = body.way;
-        require(way != null, decision.robot() + " was told to go on while it stands");
+        Trajectory way =
+            Objects.requireNonNull(
+                body.way, () -> decision.robot() + " was told to go on while it stands");
         require(extend.from() >= body.released, decision.robot() + ": a released way was changed");
         List<Segment> segments = new ArrayList<>(way.segments().subList(0, extend.from()));
         segments.addAll(extend.segments());
@@ -219,12 +225,17 @@ final class DrivenFloor {
     return true;
   }
 
+  /** What a robot says that has not arrived. */
+  String reason(String robot) {
+    return String.valueOf(traffic.reason(robot));
+  }
+
   /** What each robot that has not arrived says. */
   Map<String, String> reasons() {
     Map<String, String> reasons = new HashMap<>();
     for (String robot : bodies.keySet()) {
       if (!isArrived(robot)) {
-        reasons.put(robot, String.valueOf(traffic.reason(robot)));
+        reasons.put(robot, reason(robot));
       }
     }
     return reasons;

@@ -120,7 +120,7 @@ class FloorTrafficTest {
       if (floor.isArrived(r)) {
         there.add(r);
       } else {
-        assertTrue(floor.reasons().get(r).startsWith("Waits for"), floor.reasons().get(r));
+        assertTrue(floor.reason(r).startsWith("Waits for"), floor.reason(r));
       }
     }
     assertEquals(1, there.size());
@@ -138,7 +138,7 @@ class FloorTrafficTest {
     floor.send("b", new Cell(2, 2));
     floor.drive(Duration.ofSeconds(30));
     assertTrue(floor.isAt("b", new Cell(2, 2)));
-    assertTrue(floor.reasons().get("a").startsWith("Waits"), floor.reasons().get("a"));
+    assertTrue(floor.reason("a").startsWith("Waits"), floor.reason("a"));
   }
 
   @Test
@@ -151,12 +151,12 @@ class FloorTrafficTest {
     for (int i = 0; i < 40; i++) {
       floor.step();
     }
-    floor.bodies.get("a").isStuck = true;
+    floor.body("a").isStuck = true;
     for (int i = 0; i < 1500 && !floor.isArrived("b"); i++) {
       floor.step();
     }
     assertTrue(floor.isArrived("b"), () -> floor.reasons().toString());
-    floor.bodies.get("a").isStuck = false;
+    floor.body("a").isStuck = false;
     floor.drive(LIMIT);
     assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
   }
