@@ -28,7 +28,7 @@ class ArchitectureTest {
             adhereToPlantUmlDiagram(
                     Path.of("docs/architecture.puml").toUri().toURL(),
                     consideringOnlyDependenciesInAnyPackage("org.toqa.."))
-                .ignoreDependenciesWithTargets(resideInAPackage("org.toqa.geometry..")))
+                .ignoreDependenciesWithTarget(resideInAPackage("org.toqa.geometry..")))
         .check(PRODUCT);
   }
 
