@@ -41,7 +41,8 @@ unpack() {
   fi
 } >&2
 
-# apt-get as if nothing was installed, with everything it writes in one folder.
+# apt-get as if nothing was installed, with everything it writes in one folder. A mirror may be
+# weeks behind sid: its signature is checked, its date is not.
 private_apt() {
   folder=$1
   shift
@@ -49,7 +50,7 @@ private_apt() {
     -o Dir::Etc::sourcelist="$folder/sources.list" -o Dir::Etc::sourceparts=/nonexistent \
     -o Dir::State::lists="$folder/lists" -o Dir::State::status=/dev/null \
     -o Dir::Cache="$folder/cache" -o APT::Get::List-Cleanup=0 -o APT::Sandbox::User=root \
-    -o Debug::NoLocking=1 "$@"
+    -o Acquire::Check-Valid-Until=false -o Debug::NoLocking=1 "$@"
 }
 
 # within FOLDER PROGRAM ARGUMENTS...: runs an unpacked program with the libraries beside it.

@@ -5,8 +5,8 @@ import java.net.ServerSocket;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -34,17 +34,19 @@ public final class StockTomcat implements AutoCloseable {
    */
   public static StockTomcat start(Path base, Path war) throws IOException {
     Path home = home();
-    for (String folder : new String[] {"conf", "webapps", "temp", "logs", "work"}) {
+    for (String folder : List.of("conf", "webapps", "temp", "logs", "work")) {
       Files.createDirectories(base.resolve(folder));
     }
+    for (String file : List.of("web.xml", "tomcat-users.xml")) {
+      Files.copy(home.resolve("conf").resolve(file), base.resolve("conf").resolve(file));
+    }
     int port = freePort();
-    Files.copy(home.resolve("conf/web.xml"), base.resolve("conf/web.xml"));
-    Files.copy(war, base.resolve("webapps/ROOT.war"), StandardCopyOption.REPLACE_EXISTING);
     Files.writeString(
         base.resolve("conf/server.xml"),
         Files.readString(home.resolve("conf/server.xml"))
             .replace("port=\"8005\"", "port=\"-1\"")
             .replace("port=\"8080\"", "address=\"127.0.0.1\" port=\"" + port + "\""));
+    Files.copy(war, base.resolve("webapps/ROOT.war"));
     ProcessBuilder builder =
         new ProcessBuilder("sh", home.resolve("bin/catalina.sh").toString(), "run")
             .redirectErrorStream(true)
