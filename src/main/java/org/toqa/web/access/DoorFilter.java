@@ -15,6 +15,7 @@ import org.toqa.web.Right;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.api.Problem;
+import org.toqa.web.page.ErrorServlet;
 
 /**
  * Stands before everything and lets through who may pass, by the list of {@link Doors}.
@@ -125,7 +126,7 @@ public final class DoorFilter extends HttpFilter {
     if (Door.isApi(path(request))) {
       Problem.of(status, sentence).send(response);
     } else {
-      response.sendError(status, sentence);
+      ErrorServlet.send(request, response, status, sentence);
     }
   }
 
