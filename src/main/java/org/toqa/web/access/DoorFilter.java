@@ -54,11 +54,10 @@ public final class DoorFilter extends HttpFilter {
   private static boolean mayPass(
       Door door, String path, HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    if (door.path().startsWith("/assets/")) {
-      return true;
+    if (door.right() == Right.ANYBODY) {
+      return isOwnPageOrRead(door, request, response);
     }
-    Services services = Services.from(request.getServletContext());
-    if (door.right() != Right.ANYBODY && !services.accounts().hasManager()) {
+    if (!Services.from(request.getServletContext()).accounts().hasManager()) {
       if (door.isApi()) {
         refuse(request, response, 503, "problem.noManager");
       } else {
@@ -67,10 +66,7 @@ public final class DoorFilter extends HttpFilter {
       }
       return false;
     }
-    Optional<Caller> caller =
-        Credential.of(request)
-            .flatMap(shown -> shown.account(services).map(account -> new Caller(account, shown)));
-    caller.ifPresent(c -> c.keepIn(request));
+    Optional<Caller> caller = Caller.ifKnown(request);
     boolean forUsers = door.right() == Right.USER || door.right() == Right.MANAGER;
     if (forUsers && caller.isEmpty()) {
       askToLogIn(door, path, request, response);
@@ -80,20 +76,26 @@ public final class DoorFilter extends HttpFilter {
       refuse(request, response, 403, "problem.managersOnly");
       return false;
     }
-    if (door.method().equals("POST") && !comesFromOwnPage(door, caller, request)) {
-      refuse(request, response, 403, door.isApi() ? "problem.csrfHeader" : "problem.csrfForm");
-      return false;
-    }
-    return true;
+    return isOwnPageOrRead(door, request, response);
   }
 
-  private static boolean comesFromOwnPage(
-      Door door, Optional<Caller> caller, HttpServletRequest request) {
+  private static boolean isOwnPageOrRead(
+      Door door, HttpServletRequest request, HttpServletResponse response) throws IOException {
+    if (door.method().equals("GET") || comesFromOwnPage(door, request)) {
+      return true;
+    }
+    refuse(request, response, 403, door.isApi() ? "problem.csrfHeader" : "problem.csrfForm");
+    return false;
+  }
+
+  private static boolean comesFromOwnPage(Door door, HttpServletRequest request) {
     if (!door.isApi()) {
       return CsrfToken.matches(request, request.getParameter(CsrfToken.FIELD));
     }
     boolean bySession =
-        caller.isPresent() && caller.get().credential() instanceof Credential.SessionLogin;
+        Caller.ifKnown(request)
+            .filter(caller -> caller.credential() instanceof Credential.SessionLogin)
+            .isPresent();
     return door.right() == Right.STRANGER
         || !bySession
         || CsrfToken.matches(request, request.getHeader(CsrfToken.HEADER));

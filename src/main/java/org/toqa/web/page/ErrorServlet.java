@@ -41,7 +41,7 @@ public final class ErrorServlet extends PageServlet {
     request.setAttribute("status", status);
     request.setAttribute("sentence", sentence);
     request.setAttribute("heading", texts.get(headingKey(status)));
-    request.getRequestDispatcher("/WEB-INF/views/error.jsp").forward(request, response);
+    show(request, response, "error");
   }
 
   private static int status(HttpServletRequest request) {
