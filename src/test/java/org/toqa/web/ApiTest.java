@@ -147,8 +147,8 @@ class ApiTest {
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"deadline":"soon"} | 422 | The deadline is a time with its zone, as in 2026-11-21T15:00:00Z.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"size":{"length":1}} | 422 | The size needs a length and a width in metres.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"x":0.1,"y":0.1}} | 422 | The goal is not a free place of the floor. Choose another one.
-          {"name":"x","load":NaN} | 400 | The body is not valid JSON, at line 1, column 20. Mend it there.
-          {"name":"x","name":"y"} | 400 | The body is not valid JSON, at line 1, column 20. Mend it there.
+          {"name":"x","load":NaN} | 400 | The body is not valid JSON, at line 1, column 23. Mend it there.
+          {"name":"x","name":"y"} | 400 | The body is not valid JSON, at line 1, column 19. Mend it there.
           {"name":"x"} {} | 400 | The body is not valid JSON, at line 1, column 14. Mend it there.
           [1] | 400 | The body must be one JSON object in braces.
           7 | 400 | The body must be one JSON object in braces.

@@ -9,8 +9,9 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.Texts;
 import tools.jackson.core.JacksonException;
+import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.core.exc.StreamConstraintsException;
 import tools.jackson.databind.JsonNode;
-import tools.jackson.databind.exc.JsonNodeException;
 
 /**
  * The fields of a JSON object that somebody sent. Each is asked for by its name; what was not asked
@@ -73,7 +74,7 @@ final class JsonFields {
         .flatMap(
             value ->
                 value.isNumber()
-                    ? Optional.of(asDouble(value))
+                    ? Optional.of(value.doubleValueOpt().orElse(Double.POSITIVE_INFINITY))
                     : this.<Double>wrongType(name, "error.type.number"))
         .orElse(null);
   }
@@ -116,22 +117,14 @@ final class JsonFields {
     return Optional.empty();
   }
 
-  private static double asDouble(JsonNode value) {
-    try {
-      return value.doubleValue();
-    } catch (JsonNodeException beyondDouble) {
-      return Double.POSITIVE_INFINITY;
-    }
-  }
-
   private static JsonNode parse(byte[] body, Texts texts) {
     try {
       return Json.MAPPER.readTree(body);
+    } catch (StreamConstraintsException e) {
+      throw Problem.of(400, texts.get("problem.jsonLimits")).raised();
     } catch (JacksonException e) {
-      throw Problem.of(
-              400,
-              texts.get(
-                  "problem.notJson", e.getLocation().getLineNr(), e.getLocation().getColumnNr()))
+      TokenStreamLocation where = e.getLocation();
+      throw Problem.of(400, texts.get("problem.notJson", where.getLineNr(), where.getColumnNr()))
           .raised();
     }
   }

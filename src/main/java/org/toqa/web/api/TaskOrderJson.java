@@ -56,18 +56,21 @@ final class TaskOrderJson {
   }
 
   private Where where(String name, JsonFields place) {
-    if (place.has("station")) {
-      String station = place.text("station");
-      if (station == null || place.has("x") || place.has("y")) {
-        errors.add(name, texts.get("error.place.missing", name));
-      }
+    String station = place.text("station");
+    if (!place.has("station")) {
+      Vec2 position =
+          new Vec2(
+              rules.coordinate(place.path("x"), place.number("x")),
+              rules.coordinate(place.path("y"), place.number("y")));
       place.refuseUnknown();
-      return new Where.Station(station == null ? "" : station);
+      return new Where.Point(position);
     }
-    double x = rules.coordinate(place.path("x"), place.number("x"));
-    double y = rules.coordinate(place.path("y"), place.number("y"));
-    place.refuseUnknown();
-    return new Where.Point(new Vec2(x, y));
+    if (station == null || place.has("x") || place.has("y")) {
+      errors.add(name, texts.get("error.place.missing", name));
+    } else {
+      place.refuseUnknown();
+    }
+    return new Where.Station(station == null ? "" : station);
   }
 
   private @Nullable Instant deadline() {
