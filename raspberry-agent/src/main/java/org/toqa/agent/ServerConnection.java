@@ -11,8 +11,6 @@ import org.slf4j.LoggerFactory;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
-import org.toqa.link.message.MessageReading;
-import org.toqa.link.message.ServerMessage;
 
 /**
  * One connection of a server. Its reading thread waits while the inbox is full, so that a peer that
@@ -75,7 +73,7 @@ final class ServerConnection implements AutoCloseable {
       inbox.put(new Inbound.Opened(this));
       LineReader lines = new LineReader(socket.getInputStream());
       for (LineReader.Line line = lines.next(); line != null; line = lines.next()) {
-        inbox.put(new Inbound.Heard(this, reading(line)));
+        inbox.put(new Inbound.Heard(this, LinkCodec.serverMessage(line)));
       }
       ended = "the server closed it";
     } catch (IOException e) {
@@ -85,14 +83,6 @@ final class ServerConnection implements AutoCloseable {
       ended = "it was closed here";
     }
     close();
-  }
-
-  private static MessageReading<ServerMessage> reading(LineReader.Line line) {
-    return switch (line) {
-      case LineReader.Text(byte[] utf8) -> LinkCodec.serverMessage(utf8);
-      case LineReader.TooLong(long bytes) ->
-          new MessageReading.Refused<>(0, LinkCodec.tooLong(bytes));
-    };
   }
 
   private void write() {

@@ -84,22 +84,15 @@ public final class LinkCodec {
     return line((Object) message);
   }
 
-  /**
-   * @param line without its line feed
-   */
-  public static MessageReading<ServerMessage> serverMessage(byte[] line) {
+  public static MessageReading<ServerMessage> serverMessage(LineReader.Line line) {
     return read(line, ServerMessage.class);
   }
 
-  /**
-   * @param line without its line feed
-   */
-  public static MessageReading<AgentMessage> agentMessage(byte[] line) {
+  public static MessageReading<AgentMessage> agentMessage(LineReader.Line line) {
     return read(line, AgentMessage.class);
   }
 
-  /** What to answer to a line that was not even read. */
-  public static String tooLong(long bytes) {
+  private static String tooLong(long bytes) {
     return "The line has "
         + bytes
         + " bytes; a line has at most "
@@ -115,6 +108,13 @@ public final class LinkCodec {
     byte[] line = Arrays.copyOf(json, json.length + 1);
     line[json.length] = '\n';
     return line;
+  }
+
+  private static <M> MessageReading<M> read(LineReader.Line line, Class<M> messages) {
+    return switch (line) {
+      case LineReader.Text(byte[] utf8) -> read(utf8, messages);
+      case LineReader.TooLong(long bytes) -> new MessageReading.Refused<>(0, tooLong(bytes));
+    };
   }
 
   private static <M> MessageReading<M> read(byte[] line, Class<M> messages) {

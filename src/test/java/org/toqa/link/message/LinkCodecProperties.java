@@ -42,7 +42,7 @@ class LinkCodecProperties {
     byte[] line = withoutLineFeed(LinkCodec.line(drive));
 
     assertTrue(
-        LinkCodec.serverMessage(Arrays.copyOf(line, place % line.length))
+        LinkCodec.serverMessage(new LineReader.Text(Arrays.copyOf(line, place % line.length)))
             instanceof MessageReading.Refused);
   }
 
@@ -50,7 +50,7 @@ class LinkCodecProperties {
   void driveIsReadAsItWasWritten(@ForAll("drives") ServerMessage.Drive drive) {
     assertEquals(
         new MessageReading.Understood<ServerMessage>(drive),
-        LinkCodec.serverMessage(withoutLineFeed(LinkCodec.line(drive))));
+        LinkCodec.serverMessage(new LineReader.Text(withoutLineFeed(LinkCodec.line(drive)))));
   }
 
   @Property
@@ -131,7 +131,10 @@ class LinkCodecProperties {
 
   private static void assertAnswered(byte[] line) {
     for (MessageReading<?> reading :
-        Stream.of(LinkCodec.serverMessage(line), LinkCodec.agentMessage(line)).toList()) {
+        Stream.of(
+                LinkCodec.serverMessage(new LineReader.Text(line)),
+                LinkCodec.agentMessage(new LineReader.Text(line)))
+            .toList()) {
       if (reading instanceof MessageReading.Refused<?>(long _, String reason)) {
         assertFalse(reason.isBlank());
         assertTrue(reason.endsWith(".") && reason.length() < 300, reason);

@@ -28,13 +28,13 @@ class LinkCodecTest {
   @ParameterizedTest
   @MethodSource("serverLines")
   void serverLineReadsAndWritesAsItIs(String line) {
-    assertEquals(line, text(LinkCodec.line(understood(LinkCodec.serverMessage(utf8(line))))));
+    assertEquals(line, text(LinkCodec.line(understood(LinkCodec.serverMessage(line(line))))));
   }
 
   @ParameterizedTest
   @MethodSource("agentLines")
   void agentLineReadsAndWritesAsItIs(String line) {
-    assertEquals(line, text(LinkCodec.line(understood(LinkCodec.agentMessage(utf8(line))))));
+    assertEquals(line, text(LinkCodec.line(understood(LinkCodec.agentMessage(line(line))))));
   }
 
   @Test
@@ -56,7 +56,7 @@ class LinkCodecTest {
             List.of(new Segment(0.25, 0, 1.2), new Segment(0.25, 0.69, 1.138)),
             1,
             true),
-        understood(LinkCodec.serverMessage(utf8(drive))));
+        understood(LinkCodec.serverMessage(line(drive))));
   }
 
   @Test
@@ -64,7 +64,7 @@ class LinkCodecTest {
     assertEquals(
         new ServerMessage.Ping(3),
         understood(
-            LinkCodec.serverMessage(utf8("{\"type\":\"ping\",\"seq\":3,\"mood\":{\"x\":[1]}}"))));
+            LinkCodec.serverMessage(line("{\"type\":\"ping\",\"seq\":3,\"mood\":{\"x\":[1]}}"))));
   }
 
   @ParameterizedTest
@@ -101,7 +101,7 @@ class LinkCodecTest {
     var refused =
         assertInstanceOf(
             MessageReading.Refused.class,
-            LinkCodec.serverMessage(utf8(Objects.requireNonNullElse(line, ""))));
+            LinkCodec.serverMessage(line(Objects.requireNonNullElse(line, ""))));
 
     assertEquals(seq, refused.seq(), refused.reason());
     assertTrue(refused.reason().startsWith(start), refused.reason());
@@ -109,8 +109,8 @@ class LinkCodecTest {
 
   @Test
   void bytesThatAreNoUtf8AreRefused() {
-    byte[] line = utf8("{\"type\":\"hold\",\"seq\":4,\"x\":\"??\"}");
-    line[line.length - 3] = (byte) 0xff;
+    LineReader.Text line = line("{\"type\":\"hold\",\"seq\":4,\"x\":\"??\"}");
+    line.utf8()[line.utf8().length - 3] = (byte) 0xff;
 
     assertInstanceOf(MessageReading.Refused.class, LinkCodec.serverMessage(line));
   }
@@ -119,7 +119,7 @@ class LinkCodecTest {
   void deepNestingIsRefused() {
     assertInstanceOf(
         MessageReading.Refused.class,
-        LinkCodec.serverMessage(utf8("{\"type\":\"hold\",\"seq\":4,\"x\":" + "[".repeat(30_000))));
+        LinkCodec.serverMessage(line("{\"type\":\"hold\",\"seq\":4,\"x\":" + "[".repeat(30_000))));
   }
 
   @Test
@@ -187,8 +187,8 @@ class LinkCodecTest {
     };
   }
 
-  private static byte[] utf8(String text) {
-    return text.getBytes(StandardCharsets.UTF_8);
+  private static LineReader.Text line(String text) {
+    return new LineReader.Text(text.getBytes(StandardCharsets.UTF_8));
   }
 
   private static String text(byte[] line) {
