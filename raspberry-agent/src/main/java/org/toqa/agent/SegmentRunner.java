@@ -1,0 +1,75 @@
+package org.toqa.agent;
+
+import org.toqa.geometry.Angles;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+
+/**
+ * Drives a robot along a {@link Way}: the reference runs ahead, the robot is steered after it, and
+ * where it stands the robot is drawn onto it until it stands within {@link #SETTLED_METRES}. The
+ * reference waits for a robot that falls behind, so that a blocked robot is not left alone by it.
+ */
+final class SegmentRunner {
+
+  static final double SETTLED_METRES = 0.001;
+  static final double SETTLED_RADIANS = 0.002;
+
+  /** Settled stays settled within this many times the tolerance. */
+  private static final double HYSTERESIS = 3;
+
+  /** From this error on the reference slows down; at the second it waits. */
+  private static final double SLOWING_METRES = 0.05;
+
+  private static final double WAITING_METRES = 0.15;
+
+  private final Way way;
+  private boolean settled;
+  private double error;
+
+  SegmentRunner(Way way) {
+    this.way = way;
+  }
+
+  Way way() {
+    return way;
+  }
+
+  /** Metres between the robot and where it should be by now. */
+  double error() {
+    return error;
+  }
+
+  boolean isOffWay() {
+    return error > WAITING_METRES;
+  }
+
+  /** Stands on the reference, which stands too. */
+  boolean stands() {
+    return settled;
+  }
+
+  boolean isAtEnd() {
+    return settled && way.completed() == way.size();
+  }
+
+  /**
+   * @param actual where the robot is, map frame
+   * @param seconds since the last call
+   * @param onward whether the reference may run; if not, it slows down and stands
+   * @return the velocity to command, in the robot's frame
+   */
+  Twist steer(Pose actual, double seconds, boolean onward) {
+    error = way.pose().distanceTo(actual);
+    double slack = (WAITING_METRES - error) / (WAITING_METRES - SLOWING_METRES);
+    way.advance(seconds, onward ? Math.clamp(slack, 0, 1) : 0);
+    Pose reference = way.pose();
+    settled = way.stands() && isNear(reference, actual, settled ? HYSTERESIS : 1);
+    return settled ? Twist.ZERO : TrackingLaw.towards(reference, way.twist(), actual);
+  }
+
+  private static boolean isNear(Pose reference, Pose actual, double tolerances) {
+    return reference.distanceTo(actual) <= SETTLED_METRES * tolerances
+        && Math.abs(Angles.difference(reference.theta(), actual.theta()))
+            <= SETTLED_RADIANS * tolerances;
+  }
+}
