@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
  * @param simulate how many simulated robots
  * @param speed how many times faster than real time the simulated robots live
  * @param manager the manager to make while there is none
+ * @param plainLinks whether robots on other machines may be spoken to without encryption
  */
 public record Configuration(
     InetAddress address,
@@ -32,6 +33,7 @@ public record Configuration(
     int simulate,
     double speed,
     @Nullable FirstManager manager,
+    boolean plainLinks,
     Level logLevel) {
 
   /**
@@ -79,6 +81,7 @@ public record Configuration(
           simulate,
           speed,
           manager(),
+          yesOrNo(Setting.PLAIN_LINKS),
           logLevel());
     }
 
@@ -187,6 +190,14 @@ public record Configuration(
         throw outside(Setting.MANAGER);
       }
       return new FirstManager(text.substring(0, colon), text.substring(colon + 1));
+    }
+
+    private boolean yesOrNo(Setting setting) throws ConfigurationException {
+      return switch (text(setting).strip()) {
+        case "true" -> true;
+        case "false" -> false;
+        default -> throw outside(setting);
+      };
     }
 
     private Level logLevel() throws ConfigurationException {

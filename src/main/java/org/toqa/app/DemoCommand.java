@@ -17,6 +17,8 @@ import picocli.CommandLine.Option;
     description = "Shows three simulated robots at work, on nothing but this machine.")
 final class DemoCommand implements Callable<Integer> {
   private static final String ROBOTS = "3";
+  private static final String USER = "demo";
+  private static final String PASSWORD = "demo-robots";
 
   @Option(names = "--once", description = "Runs the demo tasks, prints a table, and ends.")
   private boolean once;
@@ -51,17 +53,33 @@ final class DemoCommand implements Callable<Integer> {
     }
   }
 
-  private int show(Toqa toqa, URI address, StopSignal stop) throws InterruptedException {
-    System.err.println("Toqa is at " + address + " (Ctrl-C ends it)");
-    if (!once) {
-      stop.await();
+  private int show(Toqa toqa, URI address, StopSignal stop) throws Exception {
+    System.err.println();
+    System.err.println("  Toqa is at " + address);
+    System.err.println("  Log in as " + USER + " with the password " + PASSWORD);
+    System.err.println("  Ctrl-C ends everything; nothing is kept.");
+    System.err.println();
+    DemoTasks tasks = new DemoTasks(toqa.fleet(), toqa.fleetTime());
+    tasks.submit(USER);
+    if (once) {
+      boolean isDone = tasks.untilEnded(stop, System.err::println);
+      System.err.println();
+      System.err.print(tasks.table());
+      if (report != null) {
+        Files.writeString(report, tasks.json());
+      }
+      return isDone ? 0 : Main.FAILED;
     }
+    tasks.untilEnded(stop, System.err::println);
+    stop.await();
     return 0;
   }
 
   private Layer options(Path data) {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     options.put(Setting.SIMULATE, ROBOTS);
+    options.put(Setting.MANAGER, USER + ":" + PASSWORD);
+    options.put(Setting.LOG_LEVEL, "WARN");
     options.put(Setting.DATA, data.toString());
     options.put(Setting.SPEED, speed);
     options.put(Setting.PORT, port);

@@ -16,6 +16,7 @@ enum Setting {
   SIMULATE("simulate", "0", "a whole number from 0 to 500"),
   SPEED("speed", "1", "a number from 0.1 to 100"),
   MANAGER("manager", "", "name:password of the first manager"),
+  PLAIN_LINKS("plainLinks", "false", "true or false"),
   LOG_LEVEL("logLevel", "INFO", "one of ERROR, WARN, INFO, DEBUG, TRACE");
 
   private final String key;

@@ -28,6 +28,10 @@ final class StopSignal implements AutoCloseable {
     }
   }
 
+  boolean isWished() {
+    return wished.getCount() == 0;
+  }
+
   void await() throws InterruptedException {
     wished.await();
   }

@@ -4,6 +4,7 @@ import jakarta.servlet.ServletContext;
 import jakarta.servlet.ServletContextEvent;
 import jakarta.servlet.ServletContextListener;
 import jakarta.servlet.annotation.WebListener;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -11,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.web.Services;
 
 /**
  * Begins and ends the product with its web application. Where a command has started it already, it
@@ -31,7 +33,8 @@ public final class ToqaContextListener implements ServletContextListener {
   @Override
   public void contextInitialized(ServletContextEvent event) {
     ServletContext context = event.getServletContext();
-    if (context.getAttribute(RUNNING) != null) {
+    if (context.getAttribute(RUNNING) instanceof Toqa running) {
+      context.setAttribute(Services.ATTRIBUTE, running.services());
       return;
     }
     try {
@@ -39,7 +42,8 @@ public final class ToqaContextListener implements ServletContextListener {
       Logging.setLevel(configuration.logLevel());
       owned = Toqa.start(configuration);
       context.setAttribute(RUNNING, owned);
-    } catch (ConfigurationException e) {
+      context.setAttribute(Services.ATTRIBUTE, owned.services());
+    } catch (ConfigurationException | IOException e) {
       // The container shows the message in its log, and does not serve the application.
       throw new IllegalStateException(e.getMessage(), e);
     }
@@ -48,6 +52,7 @@ public final class ToqaContextListener implements ServletContextListener {
   @Override
   public void contextDestroyed(ServletContextEvent event) {
     event.getServletContext().removeAttribute(RUNNING);
+    event.getServletContext().removeAttribute(Services.ATTRIBUTE);
     if (owned != null) {
       owned.close();
       owned = null;

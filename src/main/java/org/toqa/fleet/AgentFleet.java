@@ -14,6 +14,7 @@ import org.apache.pekko.actor.BootstrapSetup;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.ActorSystem;
 import org.apache.pekko.actor.typed.javadsl.AskPattern;
+import org.apache.pekko.pattern.StatusReply;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
@@ -96,8 +97,8 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   private <T> CompletionStage<Answer<T>> ask(
-      Function<ActorRef<Answer<T>>, ManagerMessage> message) {
-    return AskPattern.ask(system, message::apply, ANSWER_LIMIT, system.scheduler());
+      Function<ActorRef<StatusReply<Answer<T>>>, ManagerMessage> message) {
+    return AskPattern.askWithStatus(system, message::apply, ANSWER_LIMIT, system.scheduler());
   }
 
   @Override

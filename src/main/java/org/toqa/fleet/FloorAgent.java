@@ -17,6 +17,7 @@ import org.apache.pekko.actor.typed.javadsl.AbstractBehavior;
 import org.apache.pekko.actor.typed.javadsl.ActorContext;
 import org.apache.pekko.actor.typed.javadsl.Behaviors;
 import org.apache.pekko.actor.typed.javadsl.Receive;
+import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -252,27 +253,24 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   }
 
   private void locate(FloorMessage.Locate m) {
+    m.replyTo().tell(StatusReply.success(located(m)));
+  }
+
+  private Answer<RobotView> located(FloorMessage.Locate m) {
     FloorRobot robot = robots.get(m.robot());
     if (robot == null) {
-      m.replyTo().tell(new Answer.Unknown<>("There is no robot " + m.robot() + " on this floor."));
-    } else if (!robot.connected) {
-      m.replyTo()
-          .tell(new Answer.Refused<>(null, m.robot() + " is not connected; try again when it is."));
-    } else if (!floor.grid().isFree(m.pose().position())) {
-      m.replyTo()
-          .tell(
-              new Answer.Refused<>(
-                  "x", "A robot cannot stand there: that is a wall or off the map."));
-    } else {
-      robot.agent.tell(new RobotMessage.Locate(m.pose()));
-      note(
-          "robot.located",
-          null,
-          m.robot(),
-          m.user(),
-          m.user() + " said where " + m.robot() + " is");
-      m.replyTo().tell(new Answer.Accepted<>(view(robot)));
+      return new Answer.Unknown<>("There is no robot " + m.robot() + " on this floor.");
     }
+    if (!robot.connected) {
+      return new Answer.Refused<>(null, m.robot() + " is not connected; try again when it is.");
+    }
+    if (!floor.grid().isFree(m.pose().position())) {
+      return new Answer.Refused<>(
+          "x", "A robot cannot stand there: that is a wall or off the map.");
+    }
+    robot.agent.tell(new RobotMessage.Locate(m.pose()));
+    note("robot.located", null, m.robot(), m.user(), m.user() + " said where " + m.robot() + " is");
+    return new Answer.Accepted<>(view(robot));
   }
 
   private void fromRobot(FloorMessage.FromRobot message) {

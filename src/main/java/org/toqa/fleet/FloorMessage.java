@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.pattern.StatusReply;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
@@ -22,7 +23,8 @@ sealed interface FloorMessage {
 
   record RobotJoined(RobotRecord robot) implements FloorMessage {}
 
-  record Locate(String robot, Pose pose, String user, ActorRef<Answer<RobotView>> replyTo)
+  record Locate(
+      String robot, Pose pose, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
   /** The mission's new state is safe: now do what follows from it. */

@@ -19,6 +19,7 @@ import org.apache.pekko.actor.typed.javadsl.AbstractBehavior;
 import org.apache.pekko.actor.typed.javadsl.ActorContext;
 import org.apache.pekko.actor.typed.javadsl.Behaviors;
 import org.apache.pekko.actor.typed.javadsl.Receive;
+import org.apache.pekko.pattern.StatusReply;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
@@ -152,25 +153,25 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     if (checked instanceof Answer.Accepted<TransportTask>(TransportTask task)) {
       store(task, m.replyTo());
     } else {
-      m.replyTo().tell(checked.refusal());
+      m.replyTo().tell(StatusReply.success(checked.refusal()));
     }
   }
 
-  private void store(TransportTask task, ActorRef<Answer<TaskView>> replyTo) {
+  private void store(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo) {
     ActorRef<ManagerMessage> self = getContext().getSelf();
     writer.tryOnce(
         () -> self.tell(new ManagerMessage.TaskStored(store.addTask(task), replyTo)),
         () -> {},
         failure ->
             replyTo.tell(
-                new Answer.Unavailable<>(
+                StatusReply.error(
                     "The database does not answer, so the task was not accepted; try again.")));
   }
 
   private void taskStored(ManagerMessage.TaskStored m) {
     Waiting waiting = new Waiting(m.task(), "Looking for a robot.", m.task().createdAt());
     queue.put(m.task().id(), waiting);
-    m.replyTo().tell(new Answer.Accepted<>(waiting.view()));
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(waiting.view())));
     changed = true;
     reconsider = true;
   }
@@ -180,7 +181,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     if (checked instanceof Answer.Accepted<RobotRecord>(RobotRecord robot)) {
       store(robot, m);
     } else {
-      m.replyTo().tell(checked.refusal());
+      m.replyTo().tell(StatusReply.success(checked.refusal()));
     }
   }
 
@@ -205,14 +206,14 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
           self.tell(new ManagerMessage.RobotNotStored(robot.name()));
           m.replyTo()
               .tell(
-                  new Answer.Unavailable<>(
+                  StatusReply.error(
                       "The database does not answer, so the robot was not added; try again."));
         });
   }
 
   private void robotStored(ManagerMessage.RobotStored m) {
     floorAgent(m.robot().floor()).ifPresent(f -> f.tell(new FloorMessage.RobotJoined(m.robot())));
-    m.replyTo().tell(new Answer.Accepted<>(RobotView.unheard(m.robot())));
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(RobotView.unheard(m.robot()))));
   }
 
   private void locate(ManagerMessage.Locate m) {
@@ -221,7 +222,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             .map(RobotRecord::floor)
             .flatMap(this::floorAgent);
     if (floor.isEmpty()) {
-      m.replyTo().tell(new Answer.Unknown<>("There is no robot " + m.robot() + "."));
+      m.replyTo()
+          .tell(StatusReply.success(new Answer.Unknown<>("There is no robot " + m.robot() + ".")));
     } else {
       floor.get().tell(new FloorMessage.Locate(m.robot(), m.pose(), m.user(), m.replyTo()));
     }

@@ -3,27 +3,29 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.pattern.StatusReply;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TransportTask;
 
 /** What the manager agent is told: by users, by floors, by its store, by the clock. */
 sealed interface ManagerMessage {
 
-  record Submit(TaskOrder order, String user, ActorRef<Answer<TaskView>> replyTo)
+  record Submit(TaskOrder order, String user, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements ManagerMessage {}
 
-  record TaskStored(TransportTask task, ActorRef<Answer<TaskView>> replyTo)
+  record TaskStored(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements ManagerMessage {}
 
-  record AddRobot(RobotOrder order, String user, ActorRef<Answer<RobotView>> replyTo)
+  record AddRobot(RobotOrder order, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
-  record RobotStored(RobotRecord robot, ActorRef<Answer<RobotView>> replyTo)
+  record RobotStored(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
   record RobotNotStored(String robot) implements ManagerMessage {}
 
-  record Locate(String robot, Pose pose, String user, ActorRef<Answer<RobotView>> replyTo)
+  record Locate(
+      String robot, Pose pose, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
   /** The floor has the task; its reports from now on tell of it. */

@@ -50,6 +50,15 @@ public final class Database implements AutoCloseable {
     return open("jdbc:h2:mem:" + name + H2_OPTIONS + ";DB_CLOSE_DELAY=-1", "toqa", "");
   }
 
+  /** The innermost cause, which is the database's own word, in one line. */
+  public static String reason(Throwable failure) {
+    Throwable cause = failure;
+    while (cause.getCause() != null) {
+      cause = cause.getCause();
+    }
+    return String.valueOf(cause.getMessage()).lines().findFirst().orElse(cause.toString());
+  }
+
   public Jdbi jdbi() {
     return jdbi;
   }
