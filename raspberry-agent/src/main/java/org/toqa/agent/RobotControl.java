@@ -93,7 +93,7 @@ final class RobotControl {
               "RESTARTED",
               "The daemon was restarted during drive %d, after %d of its segments; it waits for a new drive."
                   .formatted(old.drive(), old.segment()));
-      log.warn("{} task {}: {}", config.name(), old.task(), interrupted.text());
+      log.warn("{}: {}", config.name(), interrupted.text());
     }
     return old.drivenNoMore()
         .anchoredAt(
@@ -146,9 +146,8 @@ final class RobotControl {
       objection = Optional.of("The robot cannot write its journal, so it did nothing.");
     }
     log.warn(
-        "{} task {}: refused {} {}: {}",
-        config.name(),
-        entry.task(),
+        "{}: refused {} {}: {}",
+        who(),
         command.getClass().getSimpleName(),
         command.seq(),
         objection.get());
@@ -203,7 +202,7 @@ final class RobotControl {
     entry = entry.phaseEnded();
     if (keep(true)) {
       runner = null;
-      log.info("{} task {}: phase {} is done.", config.name(), entry.task(), entry.phase());
+      log.info("{}: phase {} is done.", who(), entry.phase());
     } else {
       entry = driving;
     }
@@ -296,13 +295,16 @@ final class RobotControl {
     cancelled = false;
     interrupted = null;
     log.info(
-        "{} task {}: drive {} of phase {}, {} segments, {} released.",
-        config.name(),
-        drive.task(),
+        "{}: drive {} of phase {}, {} segments, {} released.",
+        who(),
         drive.seq(),
         drive.phase(),
         drive.segments().size(),
         drive.released());
+  }
+
+  private String who() {
+    return entry.task() == null ? config.name() : config.name() + " task " + entry.task();
   }
 
   /** Whether the entry is in the journal now. */

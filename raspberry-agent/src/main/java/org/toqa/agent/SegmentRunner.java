@@ -1,5 +1,7 @@
 package org.toqa.agent;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
@@ -22,12 +24,21 @@ final class SegmentRunner {
 
   private static final double WAITING_METRES = 0.15;
 
+  /**
+   * Ticks after which a body is as fast as it was told: one until the next exchange, two of motor
+   * lag. The robot is compared with where the reference was then; else it would be pushed while it
+   * speeds up and run on when it slows down.
+   */
+  private static final int RESPONSE_TICKS = 3;
+
   private final Way way;
+  private final Deque<Pose> trail = new ArrayDeque<>();
   private boolean settled;
   private double error;
 
   SegmentRunner(Way way) {
     this.way = way;
+    trail.add(way.pose());
   }
 
   Way way() {
@@ -59,12 +70,16 @@ final class SegmentRunner {
    * @return the velocity to command, in the robot's frame
    */
   Twist steer(Pose actual, double seconds, boolean onward) {
-    error = way.pose().distanceTo(actual);
+    error = trail.getFirst().distanceTo(actual);
     double slack = (WAITING_METRES - error) / (WAITING_METRES - SLOWING_METRES);
     way.advance(seconds, onward ? Math.clamp(slack, 0, 1) : 0);
-    Pose reference = way.pose();
-    settled = way.stands() && isNear(reference, actual, settled ? HYSTERESIS : 1);
-    return settled ? Twist.ZERO : TrackingLaw.towards(reference, way.twist(), actual);
+    settled = way.stands() && isNear(way.pose(), actual, settled ? HYSTERESIS : 1);
+    return settled ? Twist.ZERO : TrackingLaw.towards(expected(), way.twist(), actual);
+  }
+
+  private Pose expected() {
+    trail.addLast(way.pose());
+    return trail.size() > RESPONSE_TICKS ? trail.removeFirst() : trail.getFirst();
   }
 
   private static boolean isNear(Pose reference, Pose actual, double tolerances) {

@@ -41,22 +41,38 @@ final class Rig implements AutoCloseable {
   }
 
   AgentConfig config() {
+    return config(folder, 0);
+  }
+
+  AgentConfig config(Path data, int port) {
     return new AgentConfig(
         "r1",
         InetAddress.getLoopbackAddress(),
-        0,
-        folder,
+        port,
+        data,
         5,
         0.255,
         LIMITS,
         new AgentConfig.Simulated(START, noise, 7));
   }
 
-  /** A server that has said nothing yet. */
+  /** A server that was greeted and has said nothing yet. */
   TestServer connect() {
+    TestServer server = connectDeaf();
+    server.listen();
+    server.awaitHello();
+    return server;
+  }
+
+  /** A server that connects and never reads a byte. */
+  TestServer connectDeaf() {
     TestServer server = new TestServer(this);
     servers.add(server);
     return server;
+  }
+
+  boolean awaitsServer() {
+    return daemon.awaitsServer(nanos);
   }
 
   /** Time goes on; nobody says anything. */
@@ -76,6 +92,10 @@ final class Rig implements AutoCloseable {
   /** Ends the daemon and starts it anew over the same folder, after time in which nothing ran. */
   void restart() {
     closeDaemon();
+    reopen();
+  }
+
+  void reopen() {
     nanos += Duration.ofSeconds(30).toNanos();
     daemon = open();
   }

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -39,7 +40,7 @@ final class TestServer implements AutoCloseable {
   private final Socket socket;
   private final BlockingQueue<AgentMessage> incoming = new LinkedBlockingQueue<>();
   private final List<AgentMessage> heard = new ArrayList<>();
-  private final Hello hello;
+  private @Nullable Hello hello;
   private volatile boolean ended;
   private long nextPing = FIRST_PING;
 
@@ -50,12 +51,19 @@ final class TestServer implements AutoCloseable {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  /** Begins to read; until then it is a server that connects and never listens. */
+  void listen() {
     Thread.ofVirtual().start(this::read);
+  }
+
+  void awaitHello() {
     hello = assertInstanceOf(Hello.class, await(m -> m instanceof Hello));
   }
 
   Hello hello() {
-    return hello;
+    return Objects.requireNonNull(hello);
   }
 
   /** Everything heard so far, oldest first. */
