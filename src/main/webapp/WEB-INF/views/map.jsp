@@ -13,7 +13,7 @@
 <t:page title="${title}" here="map" script="map.js" layout="live-map">
   <h1 class="unseen">${title}</h1>
   <section class="board">
-    <div class="bar">
+    <div class="summary">
       <ul id="counts" class="counts" aria-label="${countsLabel}"></ul>
       <c:if test="${fn:length(floors) > 1}">
         <label class="floor"><span class="unseen"><fmt:message key="map.floor"/></span>

@@ -13,7 +13,7 @@
       <h1><c:out value="${title}"/></h1>
       <t:state of="robot" state="${robot.state}"/>
     </div>
-    <c:forEach items="${robot.errors}" var="fault"><p class="notice bad"><c:out value="${fault.text}"/> <small>(<c:out value="${fault.code}"/>)</small></p></c:forEach>
+    <c:forEach items="${robot.errors}" var="fault"><p class="notice bad"><c:out value="${fault.text}"/>${" "}<small>(<c:out value="${fault.code}"/>)</small></p></c:forEach>
     <article>
       <dl>
         <dt><fmt:message key="robot.doing"/></dt><dd><c:out value="${robot.doing}"/></dd>

@@ -33,7 +33,7 @@
             <tr>
               <th scope="row"><a href="<c:out value="${link}"/>"><c:out value="${robot.name}"/></a></th>
               <td><t:state of="robot" state="${robot.state}"/></td>
-              <td><c:out value="${robot.doing}"/></td>
+              <td class="whole"><c:out value="${robot.doing}"/></td>
               <td class="number" data-label="<fmt:message key="robots.column.battery"/>"><c:choose><c:when test="${empty robot.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.battery}" type="percent"/></c:otherwise></c:choose></td>
               <td data-label="<fmt:message key="robots.column.task"/>"><c:choose><c:when test="${empty robot.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.task}"><fmt:message key="task.title"><fmt:param value="${robot.task}"/></fmt:message></a></c:otherwise></c:choose></td>
               <td class="number" data-label="<fmt:message key="robots.column.maxLoad"/>"><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></td>

@@ -15,9 +15,9 @@
       </div>
       <t:state of="task" state="${task.state}"/>
     </div>
-    <c:if test="${not empty task.waitingFor}"><p class="notice"><strong><fmt:message key="task.waitingFor"/></strong> <c:out value="${task.waitingFor}"/></p></c:if>
+    <c:if test="${not empty task.waitingFor}"><p class="notice"><strong><fmt:message key="task.waitingFor"/></strong>${" "}<c:out value="${task.waitingFor}"/></p></c:if>
     <c:if test="${task.held}"><p class="notice"><fmt:message key="task.held"/></p></c:if>
-    <c:if test="${not empty task.needs}"><p class="notice bad"><strong><fmt:message key="task.needs"/></strong> <c:out value="${task.needs.question}"/></p></c:if>
+    <c:if test="${not empty task.needs}"><p class="notice bad"><strong><fmt:message key="task.needs"/></strong>${" "}<c:out value="${task.needs.question}"/></p></c:if>
     <c:if test="${reached >= 0}">
       <fmt:message key="task.road" var="label"/>
       <ol class="road" aria-label="${label}">

@@ -18,7 +18,7 @@
         <div>
           <strong><c:out value="${user.name}"/></strong>
           <c:if test="${own}"><span class="faint">(<fmt:message key="users.you"/>)</span></c:if>
-          <p class="faint"><fmt:message key="users.role.${user.role}"/> · <fmt:message key="users.column.since"/> <t:time at="${user.createdAt}"/></p>
+          <p class="faint"><fmt:message key="users.role.${user.role}"/> · <fmt:message key="users.since"/>${" "}<t:time at="${user.createdAt}"/></p>
           <c:if test="${not empty errors[field]}"><p class="wrong" id="${field}-help"><c:out value="${errors[field]}"/></p></c:if>
         </div>
         <div class="actions">

@@ -1,7 +1,8 @@
 import {drawLabel} from './floor.js';
 import {text} from './texts.js';
 
-const SMALLEST = 9; // pixels of a robot's radius
+const SMALLEST = 11; // pixels of a robot's radius
+const SHOULDER = 0.8; // radians from its heading at which the robot's disc becomes its nose
 const COLOURS = {
   CONNECTING: 'state-silent',
   IDLE: 'state-idle',
@@ -75,7 +76,7 @@ function drawRoute(context, viewport, colours, robot, pose) {
   context.globalAlpha = 1;
 }
 
-/** A disc of the robot's size with a nose; its colour and its letter say the state. */
+/** A drop of the robot's size that points ahead; its colour and its letter say the state. */
 function drawRobot(context, viewport, colours, robot, pose) {
   const [x, y] = viewport.toScreen(pose.x, pose.y);
   const r = radius(viewport, robot);
@@ -84,18 +85,12 @@ function drawRobot(context, viewport, colours, robot, pose) {
   context.save();
   context.translate(x, y);
   context.rotate(-pose.theta);
-  context.fillStyle = colour;
   context.strokeStyle = colours['map-halo'];
-  context.lineWidth = 2;
+  context.lineWidth = 2.5;
   context.beginPath();
-  context.moveTo(1.5 * r, 0);
-  context.lineTo(0.75 * r, 0.62 * r);
-  context.lineTo(0.75 * r, -0.62 * r);
+  context.arc(0, 0, r, SHOULDER, 2 * Math.PI - SHOULDER);
+  context.lineTo(1.75 * r, 0);
   context.closePath();
-  context.stroke();
-  context.fill();
-  context.beginPath();
-  context.arc(0, 0, r, 0, 2 * Math.PI);
   context.stroke();
   context.fillStyle = away ? colours['map-free'] : colour;
   context.fill();
@@ -110,7 +105,7 @@ function drawRobot(context, viewport, colours, robot, pose) {
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   context.fillText(text(`robot.letter.${robot.state}`), x, y + 0.05 * r);
-  drawLabel(context, colours, robot.name, x, y - 1.5 * r - 2, 'bottom');
+  drawLabel(context, colours, robot.name, x, y - 1.75 * r, 'bottom');
 }
 
 /** Half of the load's length and width in pixels. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
@@ -214,6 +215,30 @@ class AccessTest {
 
       assertTrue(answer.body().contains("Too many attempts failed. Try again in 1 s."));
       assertEquals("1", answer.headers().firstValue("Retry-After").orElseThrow());
+    }
+  }
+
+  @Test
+  void aFormThatCannotBeReadIsTheSendersFault() {
+    for (String body : new String[] {"name=%zz&password=x", "name=" + "x".repeat(3_000_000)}) {
+      HttpResponse<String> answer =
+          stranger.send(
+              stranger
+                  .request("")
+                  .header("Content-Type", "application/x-www-form-urlencoded")
+                  .POST(BodyPublishers.ofString(body))
+                  .build());
+
+      assertTrue(answer.statusCode() >= 400 && answer.statusCode() < 500, "" + answer.statusCode());
+      assertTrue(answer.body().contains("toqa.css"), answer.body());
+      assertFalse(answer.body().contains("Exception"), answer.body());
+    }
+  }
+
+  @Test
+  void aPageThatIsNotThereMakesNoSession() {
+    try (Visitor visitor = new Visitor(server.root())) {
+      assertEquals(List.of(), visitor.get("nothing").headers().allValues("Set-Cookie"));
     }
   }
 

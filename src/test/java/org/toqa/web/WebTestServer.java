@@ -11,6 +11,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 import org.apache.catalina.LifecycleException;
+import org.apache.catalina.LifecycleState;
 import org.apache.catalina.WebResourceRoot;
 import org.apache.catalina.connector.Connector;
 import org.apache.catalina.core.StandardContext;
@@ -114,6 +115,9 @@ final class WebTestServer implements AutoCloseable {
 
   @Override
   public void close() throws LifecycleException, IOException {
+    if (tomcat.getServer().getState() == LifecycleState.DESTROYED) {
+      return;
+    }
     tomcat.stop();
     tomcat.destroy();
     try (Stream<Path> files = Files.walk(baseDir)) {

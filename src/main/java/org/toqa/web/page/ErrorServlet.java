@@ -9,6 +9,7 @@ import java.io.IOException;
 import org.toqa.web.Door;
 import org.toqa.web.FleetSilentException;
 import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
 import org.toqa.web.api.Problem;
 
 /** Shows every error as a page in the style of the others, or as a problem where the API was. */
@@ -41,7 +42,11 @@ public final class ErrorServlet extends PageServlet {
     request.setAttribute("status", status);
     request.setAttribute("sentence", sentence);
     request.setAttribute("heading", texts.get(headingKey(status)));
-    show(request, response, "error");
+    if (Caller.ifKnown(request).isPresent()) {
+      show(request, response, "error");
+    } else {
+      showBare(request, response, "error");
+    }
   }
 
   private static int status(HttpServletRequest request) {

@@ -27,6 +27,12 @@ abstract class PageServlet extends HttpServlet {
   static void show(HttpServletRequest request, HttpServletResponse response, String view)
       throws ServletException, IOException {
     request.setAttribute("csrf", CsrfToken.of(request));
+    showBare(request, response, view);
+  }
+
+  /** Shows a view that has no form, without making a session for it. */
+  static void showBare(HttpServletRequest request, HttpServletResponse response, String view)
+      throws ServletException, IOException {
     request.getRequestDispatcher("/WEB-INF/views/" + view + ".jsp").forward(request, response);
   }
 
