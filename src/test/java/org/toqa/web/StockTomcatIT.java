@@ -20,12 +20,12 @@ class StockTomcatIT {
   @TempDir private Path folder;
 
   @Test
-  void servesTheFirstPageAndEndsCleanly() throws Exception {
+  void servesTheLoginAndEndsCleanly() throws Exception {
     try (StockTomcat tomcat = StockTomcat.start(folder, Path.of("target/toqa.war"))) {
       tomcat.awaitStart();
       HttpResponse<String> page = get(tomcat.uri());
       assertEquals(200, page.statusCode(), tomcat.log());
-      assertTrue(page.body().contains("Toqa"), page.body());
+      assertTrue(page.body().contains("name=\"password\""), page.body());
       assertEquals(403, get(tomcat.uri().resolve("org/toqa/launch/Launcher.class")).statusCode());
 
       tomcat.stop();
