@@ -141,6 +141,10 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   // --- missions ---------------------------------------------------------------------------------
 
   private void begin(FloorMessage.Begin m) {
+    if (m.robots().stream().anyMatch(this::isEngaged)) {
+      manager.tell(new ManagerMessage.NotBegun(m.task()));
+      return;
+    }
     for (String name : m.robots()) {
       missionOf(name)
           .ifPresent(old -> apply(old.on(new MissionEvent.Retasked(name)), "task.retasked", name));
@@ -157,9 +161,17 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     for (Carrier c : mission.carriers()) {
       FloorRobot robot = robots.get(c.robot());
       if (c.isDriving() && robot != null) {
-        robot.errand = errand(mission, c.robot(), c.phase());
+        robot.errand = errand(mission, c.robot());
       }
     }
+  }
+
+  /** Whether it works for a mission that it cannot be taken from: it is not on its way home. */
+  private boolean isEngaged(String robot) {
+    return missionOf(robot)
+        .flatMap(mission -> mission.carrier(robot))
+        .filter(carrier -> carrier.phase() < 3)
+        .isPresent();
   }
 
   private Optional<Mission> missionOf(String robot) {
@@ -208,7 +220,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     long task = step.mission().id();
     switch (command) {
       case MissionCommand.Drive drive -> {
-        robot.errand = errand(step.mission(), drive.robot(), drive.phase());
+        robot.errand = errand(step.mission(), drive.robot());
         robot.trouble = null;
         robot.notBefore = Instant.MIN;
       }
@@ -222,8 +234,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     changed = true;
   }
 
-  private Errand errand(Mission mission, String robot, int phase) {
+  private Errand errand(Mission mission, String robot) {
     TransportTask task = mission.task();
+    int phase = mission.carrier(robot).map(Carrier::phase).orElse(3);
     Vec2 goal =
         switch (phase) {
           case 1 -> task.start().position();
@@ -472,7 +485,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
 
   private RobotView view(FloorRobot robot) {
     Route route = traffic.knows(robot.name()) ? traffic.route(robot.name()) : Route.NONE;
-    return robot.view(floor.name(), route);
+    Errand work = missionOf(robot.name()).map(m -> errand(m, robot.name())).orElse(robot.errand);
+    return robot.view(floor.name(), work, route);
   }
 
   private TaskView view(OpenMission open) {

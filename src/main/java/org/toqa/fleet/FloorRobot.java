@@ -100,7 +100,7 @@ final class FloorRobot {
   }
 
   boolean isStanding() {
-    return drive == 0 && !driveUnderway;
+    return mode == Mode.IDLE && drive == 0 && !driveUnderway;
   }
 
   /** Whether it drives, or was just told to drive, what this errand asks. */
@@ -129,15 +129,18 @@ final class FloorRobot {
     };
   }
 
-  RobotView view(String floor, Route route) {
+  /**
+   * @param work its part in the mission that it belongs to
+   */
+  RobotView view(String floor, @Nullable Errand work, Route route) {
     return new RobotView(
         name(),
         floor,
         state(),
         pose,
         battery,
-        errand == null ? null : errand.task(),
-        errand == null ? 0 : errand.phase(),
+        work == null ? null : work.task(),
+        work == null ? 0 : work.phase(),
         maxLoad,
         footprint,
         record.host(),
@@ -147,17 +150,17 @@ final class FloorRobot {
         route.points(),
         route.released(),
         errors,
-        doing(),
+        doing(work),
         lastSeen);
   }
 
-  private String doing() {
+  private String doing(@Nullable Errand work) {
     return switch (state()) {
       case CONNECTING -> "Not heard of yet; trying to reach " + record.host() + ":" + record.port();
       case LOST -> "Lost: nothing heard from it. Its place stays reserved.";
       case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
       case ERROR -> errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
-      case IDLE, DRIVING, HOLDING -> errand == null ? "Free" : working(errand);
+      case IDLE, DRIVING, HOLDING -> work == null ? "Free" : working(work);
     };
   }
 

@@ -138,6 +138,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.RobotNotStored m -> robots.remove(m.robot());
       case ManagerMessage.Locate m -> locate(m);
       case ManagerMessage.Begun m -> handedOver.remove(m.task());
+      case ManagerMessage.NotBegun m -> requeue(m.task());
       case ManagerMessage.FloorReport m -> reported(m);
       case ManagerMessage.Tick m -> tick(m.now());
     }
@@ -254,7 +255,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     reconsider = false;
     List<Waiting> inOrder =
         queue.values().stream()
-            .sorted(Comparator.comparingInt((Waiting w) -> -w.task().priority()))
+            .sorted(
+                Comparator.comparingInt((Waiting w) -> -w.task().priority())
+                    .thenComparing(w -> w.task().id()))
             .toList();
     for (Waiting w : inOrder) {
       TransportTask task = w.task();
@@ -281,6 +284,13 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         new TaskView(task, TaskState.ASSIGNED, false, chosen, null, null, clock.instant()));
     floor.get().tell(new FloorMessage.Begin(task, chosen, why));
     changed = true;
+  }
+
+  private void requeue(TransportTask task) {
+    handedOver.remove(task.id());
+    queue.put(task.id(), new Waiting(task, "Looking for a robot.", clock.instant()));
+    changed = true;
+    reconsider = true;
   }
 
   private List<Candidate> candidates(String floor) {

@@ -31,6 +31,9 @@ sealed interface ManagerMessage {
   /** The floor has the task; its reports from now on tell of it. */
   record Begun(long task) implements ManagerMessage {}
 
+  /** A robot of the task's was taken meanwhile: it goes back to its place in the queue. */
+  record NotBegun(TransportTask task) implements ManagerMessage {}
+
   /**
    * @param robots all robots of the floor
    * @param missions its tasks that have not ended

@@ -190,6 +190,7 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
     lastHeard = now;
     silent = false;
     seq = Math.max(seq, said.lastSeq());
+    ping();
     tellConnected();
   }
 
@@ -242,13 +243,17 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private void tick(Instant time) {
     now = time;
     if (hello != null && unsent == 0 && !lastPing.plus(PING_EVERY).isAfter(now)) {
-      lastPing = now;
-      send(new ServerMessage.Ping(++seq));
+      ping();
     }
     if (!silent && lastHeard.plus(LOST_AFTER).isBefore(now)) {
       silent = true;
       floor.tell(new FloorMessage.Silent(robot.name(), lastHeard));
     }
+  }
+
+  private void ping() {
+    lastPing = now;
+    send(new ServerMessage.Ping(++seq));
   }
 
   private void send(ServerMessage message) {
