@@ -4,18 +4,17 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One line of what happened, as it was stored.
+ * One line of the history.
  *
- * @param kind a short word for its sort, such as the task state that was reached
- * @param task the task it belongs to, if any
- * @param robot the robot it belongs to, if any
- * @param who the user or the part of the fleet that caused it
+ * @param kind a word for programs, such as {@code task.carrying}
+ * @param task the task it concerns, if any
+ * @param robot the robot it concerns, if any
+ * @param who a user's name, or {@code toqa}
  * @param text a sentence for people
  */
 public record EventRecord(
-    Instant at,
-    String kind,
-    @Nullable Long task,
-    @Nullable String robot,
-    String who,
-    String text) {}
+    Instant at, String kind, @Nullable Long task, @Nullable String robot, String who, String text) {
+
+  /** Who acts when no person does. */
+  public static final String SYSTEM = "toqa";
+}

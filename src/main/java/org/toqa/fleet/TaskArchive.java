@@ -3,20 +3,16 @@ package org.toqa.fleet;
 import java.util.List;
 import java.util.Optional;
 
-/** Every task that was ever stored. Any thread may read; it sees what is committed. */
+/** Reads stored tasks and their history, ended ones too. Called by threads that may wait. */
 public interface TaskArchive {
 
-  /**
-   * @param offset how many of the newest to leave out
-   * @param limit how many to answer at most
-   * @return newest first
-   */
+  /** Newest first. */
   List<TaskView> tasks(int offset, int limit);
 
   Optional<TaskView> task(long id);
 
-  /** What happened to a task, oldest first; empty for an unknown one. */
-  List<EventRecord> history(long id);
+  /** Oldest first. */
+  List<EventRecord> history(long task);
 
   long count();
 }

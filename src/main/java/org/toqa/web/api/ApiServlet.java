@@ -39,7 +39,7 @@ abstract class ApiServlet extends HttpServlet {
   }
 
   /**
-   * @throws Problem.Raised when the fleet refused
+   * @throws Problem.Raised when the fleet says no
    */
   static <T> T accepted(Answer<T> answer) {
     return switch (answer) {
@@ -53,6 +53,7 @@ abstract class ApiServlet extends HttpServlet {
         throw Problem.of(errors).raised();
       }
       case Answer.Unknown<T>(String sentence) -> throw Problem.of(404, sentence).raised();
+      case Answer.Unavailable<T>(String sentence) -> throw Problem.of(503, sentence).raised();
     };
   }
 
