@@ -10,7 +10,6 @@ import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Map;
 import java.util.Scanner;
 import java.util.Set;
 import java.util.TreeSet;
@@ -294,25 +293,6 @@ class ApiTest {
     assertEquals(503, answer.statusCode());
     assertTrue(detail(answer).startsWith("The fleet did not answer in time."));
     assertFalse(answer.body().contains("Exception"));
-  }
-
-  @Test
-  void whatCannotBeStoredNowIsSaidAtBothDoors() {
-    server.fleet().loseStore();
-
-    HttpResponse<String> answer = post(token, "api/v1/tasks", GOOD_TASK);
-    assertEquals(503, answer.statusCode());
-    assertEquals("The task could not be stored. Try again later.", detail(answer));
-
-    try (Visitor clerk = Visitor.loggedIn(server.root(), WebTestServer.CLERK)) {
-      HttpResponse<String> page =
-          clerk.post(
-              "tasks/new",
-              Map.of(
-                  "name", "Box", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
-      assertTrue(page.body().contains("The task could not be stored. Try again later."));
-      assertTrue(page.body().contains("value=\"Box\""), "What was entered stays.");
-    }
   }
 
   @Test

@@ -48,16 +48,10 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   private final Condition changed = lock.newCondition();
   private FleetSnapshot latest = new FleetSnapshot(1, START, List.of(), List.of(), List.of());
   private boolean silent;
-  private boolean storeAway;
 
   /** From now on the store does not answer. */
   void fallSilent() {
     silent = true;
-  }
-
-  /** From now on orders cannot be stored, and the fleet says so. */
-  void loseStore() {
-    storeAway = true;
   }
 
   /** Publishes other robots. */
@@ -90,10 +84,6 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user) {
     if (silent) {
       return CompletableFuture.failedFuture(new IllegalStateException("no store"));
-    }
-    if (storeAway) {
-      return CompletableFuture.completedFuture(
-          new Answer.Unavailable<>("The task could not be stored. Try again later."));
     }
     lock.lock();
     try {

@@ -53,7 +53,6 @@ abstract class ApiServlet extends HttpServlet {
         throw Problem.of(errors).raised();
       }
       case Answer.Unknown<T>(String sentence) -> throw Problem.of(404, sentence).raised();
-      case Answer.Unavailable<T>(String sentence) -> throw Problem.of(503, sentence).raised();
     };
   }
 

@@ -73,7 +73,6 @@ abstract class PageServlet extends HttpServlet {
       case Answer.Refused<T>(String field, String sentence) ->
           no(errors, field == null ? FORM : field, sentence);
       case Answer.Unknown<T>(String sentence) -> no(errors, FORM, sentence);
-      case Answer.Unavailable<T>(String sentence) -> no(errors, FORM, sentence);
     };
   }
 
