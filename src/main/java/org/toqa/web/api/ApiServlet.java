@@ -39,7 +39,7 @@ abstract class ApiServlet extends HttpServlet {
   }
 
   /**
-   * @throws Problem.Raised when the fleet refused
+   * @throws Problem.Raised when the fleet says no
    */
   static <T> T accepted(Answer<T> answer) {
     return switch (answer) {

@@ -6,7 +6,6 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
-import org.toqa.fleet.Answer;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
@@ -43,18 +42,8 @@ public final class NewTaskServlet extends PageServlet {
 
   private Optional<TaskView> submit(
       TaskOrder order, HttpServletRequest request, FieldErrors errors) {
-    return switch (FleetAnswers.await(
-        services().fleet().submit(order, Caller.of(request).name()))) {
-      case Answer.Accepted<TaskView>(TaskView task) -> Optional.of(task);
-      case Answer.Refused<TaskView> refused -> {
-        file(refused, errors);
-        yield Optional.empty();
-      }
-      case Answer.Unknown<TaskView>(String sentence) -> {
-        errors.add("form", sentence);
-        yield Optional.empty();
-      }
-    };
+    String user = Caller.of(request).name();
+    return accepted(FleetAnswers.await(services().fleet().submit(order, user)), errors);
   }
 
   private static Optional<TaskOrder> read(HttpServletRequest request, FieldErrors errors) {

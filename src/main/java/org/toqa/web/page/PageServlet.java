@@ -5,6 +5,7 @@ import jakarta.servlet.http.HttpServlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.Optional;
 import org.toqa.fleet.Answer;
 import org.toqa.web.Doors;
 import org.toqa.web.FieldErrors;
@@ -18,6 +19,9 @@ import org.toqa.web.access.CsrfToken;
  */
 abstract class PageServlet extends HttpServlet {
   private static final int UNPROCESSABLE = 422;
+
+  /** Stands for the whole form where no field is at fault. */
+  private static final String FORM = "form";
 
   final Services services() {
     return Services.from(getServletContext());
@@ -62,9 +66,18 @@ abstract class PageServlet extends HttpServlet {
     return given.matches("[1-9][0-9]{0,17}") ? Long.parseLong(given) : 0;
   }
 
-  /** Files the fleet's refusal under the field it names, or under {@code form}. */
-  static void file(Answer.Refused<?> refused, FieldErrors errors) {
-    String field = refused.field();
-    errors.add(field == null ? "form" : field, refused.sentence());
+  /** The value, if the fleet said yes; its no is filed under the field it names, or the form. */
+  static <T> Optional<T> accepted(Answer<T> answer, FieldErrors errors) {
+    return switch (answer) {
+      case Answer.Accepted<T>(T value) -> Optional.of(value);
+      case Answer.Refused<T>(String field, String sentence) ->
+          no(errors, field == null ? FORM : field, sentence);
+      case Answer.Unknown<T>(String sentence) -> no(errors, FORM, sentence);
+    };
+  }
+
+  private static <T> Optional<T> no(FieldErrors errors, String field, String sentence) {
+    errors.add(field, sentence);
+    return Optional.empty();
   }
 }

@@ -5,7 +5,6 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
-import org.toqa.fleet.Answer;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.Doors;
@@ -35,8 +34,23 @@ public final class RobotServlet extends PageServlet {
       notFound(request, response, "problem.noSuchRobot");
       return;
     }
-    String name = Doors.parameter(request, "name");
     FieldErrors errors = new FieldErrors();
+    Optional<RobotView> robot =
+        read(request, errors).flatMap(pose -> locate(pose, request, errors));
+    if (robot.isPresent()) {
+      goTo(request, response, "/robots/" + robot.get().name());
+    } else {
+      showAgain(request, response, "robot", errors);
+    }
+  }
+
+  private Optional<RobotView> locate(Pose pose, HttpServletRequest request, FieldErrors errors) {
+    String name = Doors.parameter(request, "name");
+    String user = Caller.of(request).name();
+    return accepted(FleetAnswers.await(services().fleet().locate(name, pose, user)), errors);
+  }
+
+  private static Optional<Pose> read(HttpServletRequest request, FieldErrors errors) {
     FormFields fields = new FormFields(request, errors);
     InputRules rules = new InputRules(Texts.of(request), errors);
     Pose pose =
@@ -44,18 +58,7 @@ public final class RobotServlet extends PageServlet {
             rules.coordinate("x", fields.number("x")),
             rules.coordinate("y", fields.number("y")),
             Math.toRadians(rules.angle("heading", fields.number("heading"))));
-    if (errors.isEmpty()) {
-      switch (FleetAnswers.await(
-          services().fleet().locate(name, pose, Caller.of(request).name()))) {
-        case Answer.Accepted<RobotView> accepted -> {
-          goTo(request, response, "/robots/" + accepted.value().name());
-          return;
-        }
-        case Answer.Refused<RobotView> refused -> file(refused, errors);
-        case Answer.Unknown<RobotView>(String sentence) -> errors.add("form", sentence);
-      }
-    }
-    showAgain(request, response, "robot", errors);
+    return errors.isEmpty() ? Optional.of(pose) : Optional.empty();
   }
 
   private boolean offerRobot(HttpServletRequest request) {

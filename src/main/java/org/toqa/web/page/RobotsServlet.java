@@ -4,7 +4,7 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import org.toqa.fleet.Answer;
+import java.util.Optional;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotView;
 import org.toqa.web.FieldErrors;
@@ -26,30 +26,32 @@ public final class RobotsServlet extends PageServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
-    RobotOrder order = read(request, errors);
-    if (errors.isEmpty()) {
-      switch (FleetAnswers.await(services().fleet().addRobot(order, Caller.of(request).name()))) {
-        case Answer.Accepted<RobotView>(RobotView robot) -> {
-          goTo(request, response, "/robots/" + robot.name());
-          return;
-        }
-        case Answer.Refused<RobotView> refused -> file(refused, errors);
-        case Answer.Unknown<RobotView>(String sentence) -> errors.add("form", sentence);
-      }
+    Optional<RobotView> robot = read(request, errors).flatMap(order -> add(order, request, errors));
+    if (robot.isPresent()) {
+      goTo(request, response, "/robots/" + robot.get().name());
+    } else {
+      offerFleet(request);
+      showAgain(request, response, "robots", errors);
     }
-    offerFleet(request);
-    showAgain(request, response, "robots", errors);
   }
 
-  private static RobotOrder read(HttpServletRequest request, FieldErrors errors) {
+  private Optional<RobotView> add(
+      RobotOrder order, HttpServletRequest request, FieldErrors errors) {
+    String user = Caller.of(request).name();
+    return accepted(FleetAnswers.await(services().fleet().addRobot(order, user)), errors);
+  }
+
+  private static Optional<RobotOrder> read(HttpServletRequest request, FieldErrors errors) {
     FormFields fields = new FormFields(request, errors);
     InputRules rules = new InputRules(Texts.of(request), errors);
-    return new RobotOrder(
-        rules.robotName("name", fields.text("name")),
-        rules.host("host", fields.text("host")),
-        rules.port("port", fields.number("port")),
-        rules.load("maxLoad", fields.number("maxLoad")),
-        fields.text("parking"));
+    RobotOrder order =
+        new RobotOrder(
+            rules.robotName("name", fields.text("name")),
+            rules.host("host", fields.text("host")),
+            rules.port("port", fields.number("port")),
+            rules.load("maxLoad", fields.number("maxLoad")),
+            fields.text("parking"));
+    return errors.isEmpty() ? Optional.of(order) : Optional.empty();
   }
 
   private void offerFleet(HttpServletRequest request) {
