@@ -26,7 +26,7 @@
     <noscript><p class="notice bad"><fmt:message key="map.noscript"/></p></noscript>
     <div class="canvas">
       <canvas id="map" tabindex="0" role="img" aria-label="${canvasLabel}"></canvas>
-      <div class="zoom" role="group">
+      <div class="zoom">
         <button type="button" id="zoom-in" aria-label="${zoomIn}" title="${zoomIn}">+</button>
         <button type="button" id="zoom-out" aria-label="${zoomOut}" title="${zoomOut}">−</button>
         <button type="button" id="zoom-fit" aria-label="${fit}" title="${fit}"><t:icon name="fit"/></button>

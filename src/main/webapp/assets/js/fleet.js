@@ -1,4 +1,4 @@
-import {drawLabel} from './floor.js';
+import {drawLabel} from './labels.js';
 import {text} from './texts.js';
 
 const SMALLEST = 11; // pixels of a robot's radius

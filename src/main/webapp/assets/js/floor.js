@@ -1,4 +1,8 @@
+import {Labels} from './labels.js';
 import {fetchJson} from './server.js';
+
+/** A flash in a square from -1 to 1. */
+const BOLT = [[0.15, -0.75], [-0.5, 0.15], [-0.05, 0.15], [-0.15, 0.75], [0.5, -0.15], [0.05, -0.15]];
 
 /** A floor as the API gives it, and how it is drawn. */
 export class Floor {
@@ -91,19 +95,23 @@ export class Floor {
   #drawPlaces(context, viewport, colours) {
     const {stations, parking, charging, resolution} = this.#map;
     const half = Math.min(16, Math.max(4, 0.42 * resolution * viewport.scale));
-    for (const place of parking) {
-      drawPlace(context, viewport, colours, place, half, colours['map-parking'], 'P');
-    }
-    for (const place of charging) {
-      drawPlace(context, viewport, colours, place, half, colours['map-charging'], 'bolt');
-    }
-    for (const place of stations) {
-      drawPlace(context, viewport, colours, place, half, colours['map-place'], 'dot');
+    const labels = new Labels(context, colours);
+    const kinds = [
+      [stations, 'map-place', 'dot'],
+      [charging, 'map-charging', 'bolt'],
+      [parking, 'map-parking', 'P'],
+    ];
+    for (const [places, colour, sign] of kinds) {
+      const style = {half, sign, colour: colours[colour], font: colours.font};
+      for (const place of places) {
+        drawPlace(context, viewport, labels, place, style);
+      }
     }
   }
 }
 
-function drawPlace(context, viewport, colours, place, half, colour, sign) {
+function drawPlace(context, viewport, labels, place, style) {
+  const {half, sign, colour} = style;
   const [x, y] = viewport.toScreen(place.x, place.y);
   context.beginPath();
   context.roundRect(x - half, y - half, 2 * half, 2 * half, half / 2.5);
@@ -115,16 +123,16 @@ function drawPlace(context, viewport, colours, place, half, colour, sign) {
   context.lineWidth = 1.5;
   context.stroke();
   if (half >= 6) {
-    drawSign(context, colours, sign, x, y, half);
+    drawSign(context, x, y, style);
   }
   if (half >= 6 || sign === 'dot') {
-    drawLabel(context, colours, place.name, x, y + half + 3, 'top', colour);
+    labels.draw(place.name, x, y, half, colour);
   }
 }
 
-function drawSign(context, colours, sign, x, y, half) {
+function drawSign(context, x, y, {half, sign, font}) {
   if (sign === 'P') {
-    context.font = `600 ${1.2 * half}px ${colours.font}`;
+    context.font = `600 ${1.2 * half}px ${font}`;
     context.textAlign = 'center';
     context.textBaseline = 'middle';
     context.fillText('P', x, y + 0.06 * half);
@@ -132,8 +140,7 @@ function drawSign(context, colours, sign, x, y, half) {
   }
   context.beginPath();
   if (sign === 'bolt') {
-    const points = [[0.15, -0.75], [-0.5, 0.15], [-0.05, 0.15], [-0.15, 0.75], [0.5, -0.15], [0.05, -0.15]];
-    for (const [px, py] of points) {
+    for (const [px, py] of BOLT) {
       context.lineTo(x + px * half, y + py * half);
     }
     context.closePath();
@@ -141,17 +148,4 @@ function drawSign(context, colours, sign, x, y, half) {
     context.arc(x, y, half / 3, 0, 2 * Math.PI);
   }
   context.fill();
-}
-
-/** Text that can be read on any ground. */
-export function drawLabel(context, colours, label, x, y, baseline, colour = colours['map-text']) {
-  context.font = `600 12px ${colours.font}`;
-  context.textAlign = 'center';
-  context.textBaseline = baseline;
-  context.lineJoin = 'round';
-  context.lineWidth = 3.5;
-  context.strokeStyle = colours['map-halo'];
-  context.strokeText(label, x, y);
-  context.fillStyle = colour;
-  context.fillText(label, x, y);
 }

@@ -1,5 +1,6 @@
 import {Board} from './board.js';
-import {drawLabel, Floor} from './floor.js';
+import {Floor} from './floor.js';
+import {drawLabel} from './labels.js';
 import {text} from './texts.js';
 
 const SNAP = 14; // pixels around a station that choose it

@@ -17,6 +17,7 @@ public final class Passwords {
   private static final int PASSES = 2;
   private static final int LANES = 1;
   private static final int HASH_BYTES = 32;
+  private static final int SALT_BYTES = 16;
 
   private final Argon2Function argon2 =
       Argon2Function.getInstance(MEMORY_KIB, PASSES, LANES, HASH_BYTES, Argon2.ID);
@@ -26,7 +27,7 @@ public final class Passwords {
   public String hash(String password) {
     atOnce.acquireUninterruptibly();
     try {
-      return Password.hash(password).addRandomSalt().with(argon2).getResult();
+      return Password.hash(password).addRandomSalt(SALT_BYTES).with(argon2).getResult();
     } finally {
       atOnce.release();
     }

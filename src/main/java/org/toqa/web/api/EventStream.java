@@ -43,7 +43,15 @@ final class EventStream implements Runnable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
+      complete();
+    }
+  }
+
+  private void complete() {
+    try {
       async.complete();
+    } catch (IllegalStateException containerWasFirst) {
+      // it saw the reader go
     }
   }
 

@@ -1,6 +1,8 @@
 package org.toqa.web.api;
 
 import jakarta.servlet.AsyncContext;
+import jakarta.servlet.AsyncEvent;
+import jakarta.servlet.AsyncListener;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.util.Set;
@@ -18,18 +20,13 @@ public final class EventsServlet extends ApiServlet {
     Caller caller = Caller.of(request);
     AsyncContext async = request.startAsync();
     async.setTimeout(0);
-    EventStream stream = new EventStream(async, services(), caller, events);
-    Thread.ofVirtual()
-        .name("events of " + caller.name())
-        .start(
-            () -> {
-              streams.add(Thread.currentThread());
-              try {
-                stream.run();
-              } finally {
-                streams.remove(Thread.currentThread());
-              }
-            });
+    Thread thread =
+        Thread.ofVirtual()
+            .name("events of " + caller.name())
+            .unstarted(new EventStream(async, services(), caller, events));
+    async.addListener(new StreamEnd(thread));
+    streams.add(thread);
+    thread.start();
   }
 
   @Override
@@ -43,5 +40,31 @@ public final class EventsServlet extends ApiServlet {
   @Override
   public void destroy() {
     streams.forEach(Thread::interrupt);
+  }
+
+  /** The container ended the request, perhaps because the reader has gone: so ends its thread. */
+  private final class StreamEnd implements AsyncListener {
+    private final Thread thread;
+
+    StreamEnd(Thread thread) {
+      this.thread = thread;
+    }
+
+    @Override
+    public void onComplete(AsyncEvent event) {
+      streams.remove(thread);
+      thread.interrupt();
+    }
+
+    @Override
+    public void onError(AsyncEvent event) {
+      thread.interrupt();
+    }
+
+    @Override
+    public void onTimeout(AsyncEvent event) {}
+
+    @Override
+    public void onStartAsync(AsyncEvent event) {}
   }
 }
