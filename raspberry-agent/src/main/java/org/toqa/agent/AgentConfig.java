@@ -37,6 +37,21 @@ public record AgentConfig(
     MotionLimits limits,
     Simulated chassis) {
 
+  private static final String[] KEYS = {
+    "name",
+    "address",
+    "port",
+    "plainTcpOffLoopback",
+    "dataDir",
+    "maxLoad",
+    "footprint",
+    "maxSpeed",
+    "maxTurnRate",
+    "acceleration",
+    "turnAcceleration",
+    "chassis"
+  };
+
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_-]{0,31}");
 
   /**
@@ -49,20 +64,16 @@ public record AgentConfig(
 
   /** Reads a file; a relative data folder lies beside it. */
   public static AgentConfig read(Path file) throws ConfigException {
-    String name = file.toString();
-    ConfigSection top = new ConfigSection(name, "", keys(file));
-    AgentConfig config =
-        new AgentConfig(
-            robotName(top),
-            address(top),
-            (int) top.whole("port", 7275, 0, 65_535),
-            file.toAbsolutePath().resolveSibling(top.text("dataDir")).normalize(),
-            top.number("maxLoad", 5, 0, 10_000),
-            top.number("footprint", 0.255, 0.05, 5),
-            limits(top),
-            chassis(top.section("chassis")));
-    top.end();
-    return config;
+    ConfigSection top = new ConfigSection(file.toString(), "", keys(file), KEYS);
+    return new AgentConfig(
+        robotName(top),
+        address(top),
+        (int) top.whole("port", 7275, 0, 65_535),
+        file.toAbsolutePath().resolveSibling(top.text("dataDir")).normalize(),
+        top.number("maxLoad", 5, 0, 10_000),
+        top.number("footprint", 0.255, 0.05, 5),
+        limits(top),
+        chassis(top.section("chassis", "type", "start", "noise", "seed")));
   }
 
   private static Map<?, ?> keys(Path file) throws ConfigException {
@@ -129,19 +140,15 @@ public record AgentConfig(
     if (!type.equals("simulated")) {
       throw chassis.wrong("type", type, "simulated");
     }
-    ConfigSection start = chassis.section("start");
+    ConfigSection start = chassis.section("start", "x", "y", "heading");
     Pose pose =
         new Pose(
             start.number("x", 0, -100_000, 100_000),
             start.number("y", 0, -100_000, 100_000),
             Math.toRadians(start.number("heading", 0, -360, 360)));
-    start.end();
-    Simulated simulated =
-        new Simulated(
-            pose,
-            chassis.number("noise", 0.01, 0, 1),
-            chassis.whole("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE));
-    chassis.end();
-    return simulated;
+    return new Simulated(
+        pose,
+        chassis.number("noise", 0.01, 0, 1),
+        chassis.whole("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE));
   }
 }

@@ -1,44 +1,50 @@
 package org.toqa.agent;
 
 import java.util.Comparator;
-import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
-import java.util.Set;
-import org.jspecify.annotations.Nullable;
+import java.util.stream.Stream;
 
 /**
- * A part of a configuration file. Each question names a key, its default and its range; at the end
- * {@link #end} refuses keys that nobody asked for.
+ * A part of a configuration file. It has no key that it does not know; each question names a key,
+ * its default and its range.
  */
 final class ConfigSection {
 
   private final String file;
   private final String path;
   private final Map<?, ?> values;
-  private final Set<String> known = new LinkedHashSet<>();
 
   /**
    * @param path the keys that lead here, each followed by a dot; empty for the whole file
    */
-  ConfigSection(String file, String path, Map<?, ?> values) {
+  ConfigSection(String file, String path, Map<?, ?> values, String... known)
+      throws ConfigException {
     this.file = file;
     this.path = path;
     this.values = values;
+    for (Object key : values.keySet()) {
+      if (!List.of(known).contains(String.valueOf(key))) {
+        throw new ConfigException(
+            "%s: there is no key \"%s%s\"; did you mean \"%s%s\"?"
+                .formatted(file, path, key, path, nearest(String.valueOf(key), known)));
+      }
+    }
   }
 
-  ConfigSection section(String key) throws ConfigException {
-    Object value = value(key);
+  ConfigSection section(String key, String... known) throws ConfigException {
+    Object value = values.get(key);
     if (value == null) {
-      return new ConfigSection(file, path + key + ".", Map.of());
+      return new ConfigSection(file, path + key + ".", Map.of(), known);
     }
     if (value instanceof Map<?, ?> map) {
-      return new ConfigSection(file, path + key + ".", map);
+      return new ConfigSection(file, path + key + ".", map, known);
     }
     throw wrong(key, value, "keys of its own, indented below it");
   }
 
   String text(String key) throws ConfigException {
-    Object value = value(key);
+    Object value = values.get(key);
     if (value == null) {
       throw new ConfigException("%s: the key \"%s%s\" is missing.".formatted(file, path, key));
     }
@@ -46,12 +52,12 @@ final class ConfigSection {
   }
 
   String text(String key, String otherwise) throws ConfigException {
-    Object value = value(key);
+    Object value = values.get(key);
     return value == null ? otherwise : text(key, value);
   }
 
   double number(String key, double otherwise, double least, double most) throws ConfigException {
-    Object value = value(key);
+    Object value = values.get(key);
     if (value == null) {
       return otherwise;
     }
@@ -62,7 +68,7 @@ final class ConfigSection {
   }
 
   long whole(String key, long otherwise, long least, long most) throws ConfigException {
-    Object value = value(key);
+    Object value = values.get(key);
     if (value == null) {
       return otherwise;
     }
@@ -74,7 +80,7 @@ final class ConfigSection {
   }
 
   boolean flag(String key, boolean otherwise) throws ConfigException {
-    Object value = value(key);
+    Object value = values.get(key);
     if (value == null) {
       return otherwise;
     }
@@ -89,21 +95,6 @@ final class ConfigSection {
         "%s: \"%s%s\" is %s; it must be %s.".formatted(file, path, key, value, wanted));
   }
 
-  void end() throws ConfigException {
-    for (Object key : values.keySet()) {
-      if (!known.contains(String.valueOf(key))) {
-        throw new ConfigException(
-            "%s: there is no key \"%s%s\"; did you mean \"%s%s\"?"
-                .formatted(file, path, key, path, nearest(String.valueOf(key))));
-      }
-    }
-  }
-
-  private @Nullable Object value(String key) {
-    known.add(key);
-    return values.get(key);
-  }
-
   private String text(String key, Object value) throws ConfigException {
     if (value instanceof String text && !text.isBlank()) {
       return text;
@@ -111,8 +102,8 @@ final class ConfigSection {
     throw wrong(key, value, "a text");
   }
 
-  private String nearest(String key) {
-    return known.stream().min(Comparator.comparingInt(k -> editDistance(k, key))).orElseThrow();
+  private static String nearest(String key, String... known) {
+    return Stream.of(known).min(Comparator.comparingInt(k -> editDistance(k, key))).orElseThrow();
   }
 
   private static String plain(double number) {

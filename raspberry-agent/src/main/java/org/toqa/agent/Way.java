@@ -13,8 +13,9 @@ import org.toqa.motion.Segment;
  * <p>Slowing down scales time and not the path, so that a robot that brakes stays on the curve that
  * was planned and checked. The pace rises and falls with the acceleration limits; before the end of
  * what is released, and before a corner where the velocity jumps, it falls in time: with braking
- * rate a and planned time T left to a place where the pace may be p, the pace is at most sqrt(p^2 +
- * 2 a T) (the look-ahead of machine-tool controllers, with a junction limit as in grbl).
+ * rate a and planned time T left to a place where the pace may be p, the pace P of the next tick is
+ * as high as P^2 = p^2 + 2 a (T - P tick) allows (the look-ahead of machine-tool controllers, with
+ * a junction limit as in grbl).
  */
 final class Way {
 
@@ -25,6 +26,9 @@ final class Way {
 
   /** Paces a second at most, also for segments that only wait. */
   private static final double STEEPEST_PACE = 10;
+
+  /** Seconds; a segment with less than this left is completed. */
+  private static final double INSTANT = 1e-6;
 
   private final MotionLimits limits;
   private final List<Segment> segments = new ArrayList<>();
@@ -92,11 +96,11 @@ final class Way {
   void advance(double seconds, double wantedPace) {
     double step = paceRate * seconds;
     double reachable = Math.max(pace - step, Math.min(pace + step, wantedPace));
-    pace = Math.min(reachable, allowedPace());
+    pace = Math.min(reachable, allowedPace(step));
     double time = pace * seconds;
-    while (completed < released && timeInSegment + time >= segments.get(completed).t()) {
+    while (completed < released && timeInSegment + time >= segments.get(completed).t() - INSTANT) {
       Segment done = segments.get(completed);
-      time -= done.t() - timeInSegment;
+      time = Math.max(0, timeInSegment + time - done.t());
       segmentStart = segmentStart.advanced(done.twist(), done.t());
       timeInSegment = 0;
       completed++;
@@ -108,13 +112,18 @@ final class Way {
     }
   }
 
-  private double allowedPace() {
+  /**
+   * @param step by how much the pace may change in the tick
+   */
+  private double allowedPace(double step) {
     double allowed = 1;
     double timeAhead = -timeInSegment;
-    for (int i = completed; i < released && 2 * paceRate * timeAhead < 1; i++) {
+    for (int i = completed; i < released && 2 * paceRate * timeAhead < 1 + 2 * step; i++) {
       timeAhead += segments.get(i).t();
       double there = i + 1 == released ? 0 : paceOverJunction(segments.get(i), segments.get(i + 1));
-      allowed = Math.min(allowed, Math.sqrt(there * there + 2 * paceRate * timeAhead));
+      allowed =
+          Math.min(
+              allowed, Math.sqrt(there * there + 2 * paceRate * timeAhead + step * step) - step);
     }
     return completed == released ? 0 : allowed;
   }

@@ -17,7 +17,6 @@ import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.State;
-import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
@@ -234,7 +233,7 @@ class DrivingTest {
     // at once, and after 1, 2, 3 and 4 s
     assertEquals(5, server.heard(Done.class).size());
 
-    server.say(new AckDone(1));
+    server.acknowledge(1);
     server.live(Duration.ofSeconds(3));
     assertEquals(5, server.heard(Done.class).size());
     assertEquals(5L, server.state().task(), "the task goes on with its next phase");
@@ -244,7 +243,7 @@ class DrivingTest {
   void acknowledgementOfAnotherDriveIsNone() {
     server.accepted(TestServer.drive(3, 5L, 1, Rig.START, List.of()));
     server.live(Duration.ofMillis(500));
-    server.say(new AckDone(2));
+    server.acknowledge(2);
     server.live(Duration.ofMillis(900));
 
     // at once, and after 1 s
@@ -255,7 +254,7 @@ class DrivingTest {
   void acknowledgedEndOfPhaseThreeEndsTheTask() {
     server.accepted(TestServer.drive(1, 5L, 3, Rig.START, List.of()));
     server.live(Duration.ofMillis(500));
-    server.say(new AckDone(1));
+    server.acknowledge(1);
     server.live(Duration.ofMillis(500));
 
     assertNull(server.state().task());

@@ -22,7 +22,6 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
-import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Hold;
 import org.toqa.link.message.ServerMessage.Locate;
@@ -114,8 +113,7 @@ class RestartTest {
     assertEquals(new PhaseEnd(5L, 1, 7), again.hello().done());
     again.live(Duration.ofMillis(1_500));
     assertEquals(List.of(new Done(5L, 1, 7)), again.heard(Done.class));
-    again.say(new AckDone(7));
-    again.synchronise();
+    again.acknowledge(7);
     rig.restart();
     assertNull(rig.connect().hello().done());
   }

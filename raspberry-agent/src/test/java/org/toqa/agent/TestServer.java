@@ -111,6 +111,12 @@ final class TestServer implements AutoCloseable {
     return assertInstanceOf(Reject.class, ask(command)).reason();
   }
 
+  /** Says that the end of this drive is stored; it has arrived when this returns. */
+  void acknowledge(long drive) {
+    say(new ServerMessage.AckDone(drive));
+    synchronise();
+  }
+
   void say(ServerMessage message) {
     say(LinkCodec.line(message));
   }
