@@ -3,7 +3,6 @@ package org.toqa.app;
 import jakarta.servlet.ServletContext;
 import jakarta.servlet.ServletContextEvent;
 import jakarta.servlet.ServletContextListener;
-import jakarta.servlet.annotation.WebListener;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -20,7 +19,6 @@ import org.toqa.web.Services;
  * the file that {@code TOQA_CONFIG}, the system property or the context parameter {@code
  * toqa.config} names.
  */
-@WebListener
 public final class ToqaContextListener implements ServletContextListener {
 
   /** The attribute that hands a running product to the web application. */

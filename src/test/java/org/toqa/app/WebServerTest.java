@@ -34,7 +34,7 @@ class WebServerTest {
       try (WebServer.Site site = web.open(toqa)) {
         address = site.uri();
         assertEquals(200, get(address).statusCode());
-        assertEquals(200, get(address.resolve("assets/pico.min.css")).statusCode());
+        assertEquals(200, get(address.resolve("assets/pico/pico.blue.min.css")).statusCode());
       }
     }
 
@@ -73,6 +73,7 @@ class WebServerTest {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     options.put(Setting.PORT, String.valueOf(port));
     options.put(Setting.DATA, folder.toString());
+    options.put(Setting.MANAGER, "boss:boss-password");
     return Configuration.of(WEBAPP, List.of(Layer.ofCommandLine(options)));
   }
 
