@@ -21,9 +21,6 @@ import org.toqa.web.Services;
  */
 public final class ToqaContextListener implements ServletContextListener {
 
-  /** The attribute that hands a running product to the web application. */
-  static final String RUNNING = "org.toqa.running";
-
   private static final String FILE = "toqa.config";
 
   private @Nullable Toqa owned;
@@ -31,15 +28,13 @@ public final class ToqaContextListener implements ServletContextListener {
   @Override
   public void contextInitialized(ServletContextEvent event) {
     ServletContext context = event.getServletContext();
-    if (context.getAttribute(RUNNING) instanceof Toqa running) {
-      context.setAttribute(Services.ATTRIBUTE, running.services());
+    if (context.getAttribute(Services.ATTRIBUTE) != null) {
       return;
     }
     try {
       Configuration configuration = configuration(context);
       Logging.setLevel(configuration.logLevel());
       owned = Toqa.start(configuration);
-      context.setAttribute(RUNNING, owned);
       context.setAttribute(Services.ATTRIBUTE, owned.services());
     } catch (ConfigurationException | IOException e) {
       // The container shows the message in its log, and does not serve the application.
@@ -49,9 +44,8 @@ public final class ToqaContextListener implements ServletContextListener {
 
   @Override
   public void contextDestroyed(ServletContextEvent event) {
-    event.getServletContext().removeAttribute(RUNNING);
-    event.getServletContext().removeAttribute(Services.ATTRIBUTE);
     if (owned != null) {
+      event.getServletContext().removeAttribute(Services.ATTRIBUTE);
       owned.close();
       owned = null;
     }

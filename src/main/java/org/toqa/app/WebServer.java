@@ -13,6 +13,7 @@ import org.apache.catalina.loader.WebappLoader;
 import org.apache.catalina.startup.Tomcat;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
+import org.toqa.web.Services;
 
 /**
  * The embedded Tomcat with the one web application.
@@ -110,7 +111,7 @@ final class WebServer implements AutoCloseable {
 
   /** Lets requests in, for this product. */
   Site open(Toqa toqa) throws IOException {
-    context.getServletContext().setAttribute(ToqaContextListener.RUNNING, toqa);
+    context.getServletContext().setAttribute(Services.ATTRIBUTE, toqa.services());
     try {
       tomcat.start();
     } catch (LifecycleException e) {
