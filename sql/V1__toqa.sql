@@ -53,7 +53,6 @@ create table tasks (
   priority int not null,
   deadline datetime(3),
   state enum('QUEUED', 'ASSIGNED', 'TO_OBJECT', 'CARRYING', 'RETURNING', 'DONE', 'FAILED', 'CANCELLED') not null,
-  waiting_for varchar(500),
   created_at datetime(3) not null,
   changed_at datetime(3) not null,
   constraint tasks_user foreign key (user_id) references users (id) on delete set null,
@@ -80,7 +79,6 @@ create table drives (
   task_id bigint,
   phase tinyint not null,
   way text not null, -- start pose and segments, JSON
-  done boolean not null,
   created_at datetime(3) not null,
   constraint drives_robot foreign key (robot_id) references robots (id) on delete cascade
 );

@@ -15,4 +15,13 @@ public sealed interface Answer<T> {
 
   /** Nothing of that name or number exists. */
   record Unknown<T>(String sentence) implements Answer<T> {}
+
+  /** This "no", for an asker who wanted another kind of value. */
+  default <R> Answer<R> refusal() {
+    return switch (this) {
+      case Accepted<T> accepted -> throw new IllegalStateException("Accepted: " + accepted);
+      case Refused<T>(String field, String sentence) -> new Refused<>(field, sentence);
+      case Unknown<T>(String sentence) -> new Unknown<>(sentence);
+    };
+  }
 }

@@ -27,4 +27,9 @@ public record TransportTask(
 
   /** Metres. */
   public record LoadSize(double length, double width) {}
+
+  public TransportTask withId(long stored) {
+    return new TransportTask(
+        stored, name, load, start, goal, floor, priority, deadline, size, user, createdAt);
+  }
 }

@@ -44,6 +44,16 @@ public enum Heading {
     return ALL[Math.floorMod(ordinal() + eighths, ALL.length)];
   }
 
+  /** The heading with that ordinal. */
+  static Heading of(int ordinal) {
+    return ALL[ordinal];
+  }
+
+  /** Eighths of a turn that lead to another heading, counter-clockwise, from -3 to 4. */
+  public int eighthsTo(Heading other) {
+    return Math.floorMod(other.ordinal() - ordinal() + 3, ALL.length) - 3;
+  }
+
   /** The nearest of the eight to a direction in radians. */
   public static Heading nearest(double angle) {
     return ALL[Math.floorMod(Math.round(angle / (Math.PI / 4)), ALL.length)];

@@ -1,8 +1,10 @@
 package org.toqa.link.message;
 
+import com.fasterxml.jackson.annotation.JsonSetter;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonSubTypes.Type;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import com.fasterxml.jackson.annotation.Nulls;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
@@ -60,18 +62,18 @@ public sealed interface AgentMessage {
       boolean localised,
       Pose pose,
       Mode mode,
-      @Nullable Long task,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Long task,
       int phase,
       Role role,
       long drive,
       int segment,
       int released,
       long lastSeq,
-      @Nullable PhaseEnd done)
+      @JsonSetter(nulls = Nulls.SET) @Nullable PhaseEnd done)
       implements AgentMessage {}
 
   /** A phase flag: this drive ended this phase of this task. */
-  record PhaseEnd(@Nullable Long task, int phase, long drive) {}
+  record PhaseEnd(@JsonSetter(nulls = Nulls.SET) @Nullable Long task, int phase, long drive) {}
 
   /**
    * Five times a second and on change.
@@ -86,7 +88,7 @@ public sealed interface AgentMessage {
       Pose pose,
       Speed twist,
       Mode mode,
-      @Nullable Long task,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Long task,
       int phase,
       Role role,
       long drive,
@@ -111,7 +113,8 @@ public sealed interface AgentMessage {
   record Fault(String code, String text) {}
 
   /** Sent again until the server has acknowledged it. */
-  record Done(@Nullable Long task, int phase, long drive) implements AgentMessage {}
+  record Done(@JsonSetter(nulls = Nulls.SET) @Nullable Long task, int phase, long drive)
+      implements AgentMessage {}
 
   record Ack(long seq) implements AgentMessage {}
 

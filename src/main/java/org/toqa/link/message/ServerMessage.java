@@ -1,8 +1,11 @@
 package org.toqa.link.message;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
+import com.fasterxml.jackson.annotation.JsonSetter;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonSubTypes.Type;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import com.fasterxml.jackson.annotation.Nulls;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
@@ -46,12 +49,12 @@ public sealed interface ServerMessage {
    */
   record Drive(
       long seq,
-      @Nullable Long task,
+      @JsonSetter(nulls = Nulls.SET) @Nullable Long task,
       int phase,
       Pose start,
       List<Segment> segments,
       int released,
-      @com.fasterxml.jackson.annotation.JsonProperty("final") boolean last)
+      @JsonProperty("final") boolean last)
       implements Command {}
 
   /**
@@ -66,7 +69,7 @@ public sealed interface ServerMessage {
       int from,
       List<Segment> segments,
       int released,
-      @com.fasterxml.jackson.annotation.JsonProperty("final") boolean last)
+      @JsonProperty("final") boolean last)
       implements Command {}
 
   /**
@@ -76,7 +79,11 @@ public sealed interface ServerMessage {
 
   record Lead(long seq, long task, double tolerance, List<Follower> followers) implements Command {}
 
-  record Follower(String robot, String host, int port, @Nullable String fingerprint) {}
+  record Follower(
+      String robot,
+      String host,
+      int port,
+      @JsonSetter(nulls = Nulls.SET) @Nullable String fingerprint) {}
 
   /**
    * @param offset in the leader's frame: x forward, y left
@@ -85,7 +92,7 @@ public sealed interface ServerMessage {
       long seq,
       long task,
       String leader,
-      @Nullable String fingerprint,
+      @JsonSetter(nulls = Nulls.SET) @Nullable String fingerprint,
       Vec2 offset,
       double tolerance)
       implements Command {}
@@ -97,7 +104,7 @@ public sealed interface ServerMessage {
   /**
    * @param task null for a drive without a task
    */
-  record Cancel(long seq, @Nullable Long task) implements Command {}
+  record Cancel(long seq, @JsonSetter(nulls = Nulls.SET) @Nullable Long task) implements Command {}
 
   /** The operator or a parking dock says where the robot is. */
   record Locate(long seq, Pose pose) implements Command {}

@@ -38,13 +38,22 @@ final class Lacam {
   private final Pibt pibt;
   private final SplittableRandom random;
 
-  Lacam(RoadGraph roads, char[][] distances, int[] starts, int[] goals, SplittableRandom random) {
+  /**
+   * @param mayRing whether robots in a ring may all move on at once
+   */
+  Lacam(
+      RoadGraph roads,
+      char[][] distances,
+      int[] starts,
+      int[] goals,
+      SplittableRandom random,
+      boolean mayRing) {
     this.roads = roads;
     this.distances = distances;
     this.starts = starts;
     this.goals = goals;
     this.random = random;
-    this.pibt = new Pibt(roads, distances, goals, random);
+    this.pibt = new Pibt(roads, distances, goals, random, mayRing);
   }
 
   /**

@@ -17,9 +17,9 @@ import org.toqa.traffic.route.Timetable;
  * Makes a plan better until the time is up, by large neighbourhood search.
  *
  * <p>Idea: take the routes of a few robots that are in each other's way out of the plan, and put
- * them in again one after the other, each as quick as the rest allows ({@link
- * SafeIntervalSearch}); keep what is not worse. The few are a delayed robot and those it meets on
- * shorter ways, or any few. How many, and which of the two, is chosen by what has paid so far.
+ * them in again one after the other, each as quick as the rest allows ({@link SafeIntervalSearch});
+ * keep what is not worse. The few are a delayed robot and those it meets on shorter ways, or any
+ * few. How many, and which of the two, is chosen by what has paid so far.
  *
  * <p>Cost: the plan is valid after every step, so it can stop at any time.
  *

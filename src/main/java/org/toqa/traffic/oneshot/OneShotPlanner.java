@@ -84,7 +84,7 @@ public final class OneShotPlanner {
       return new Unsolved(Reason.OUT_OF_TIME, null);
     }
     SplittableRandom random = new SplittableRandom(seed);
-    Lacam lacam = new Lacam(roads, distances, starts, goals, random.split());
+    Lacam lacam = new Lacam(roads, distances, starts, goals, random.split(), true);
     return switch (lacam.search(deadline)) {
       case Lacam.Outcome.Exhausted() -> new Unsolved(Reason.NO_PLAN, null);
       case Lacam.Outcome.OutOfTime() -> new Unsolved(Reason.OUT_OF_TIME, null);

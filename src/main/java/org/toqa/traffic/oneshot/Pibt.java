@@ -32,6 +32,7 @@ final class Pibt {
   private final char[][] distances;
   private final int[] goals;
   private final SplittableRandom random;
+  private final boolean mayRing;
 
   /** Who stands on a vertex before the step, and who after. */
   private final int[] before;
@@ -52,12 +53,14 @@ final class Pibt {
   /**
    * @param distances a table a robot: steps to its goal
    * @param goals a vertex a robot
+   * @param mayRing whether robots in a ring may all move on at once
    */
-  Pibt(RoadGraph roads, char[][] distances, int[] goals, SplittableRandom random) {
+  Pibt(RoadGraph roads, char[][] distances, int[] goals, SplittableRandom random, boolean mayRing) {
     this.roads = roads;
     this.distances = distances;
     this.goals = goals;
     this.random = random;
+    this.mayRing = mayRing;
     int robots = goals.length;
     before = new int[roads.vertices()];
     after = new int[roads.vertices()];
@@ -112,7 +115,7 @@ final class Pibt {
       int occupant = before[place];
       boolean meets = after[place] != NONE;
       boolean swaps = occupant != NONE && occupant != robot && to[occupant] == from[robot];
-      if (meets || swaps) {
+      if (meets || swaps || (!mayRing && closesRing(robot, place))) {
         return false;
       }
       to[robot] = place;
@@ -143,7 +146,9 @@ final class Pibt {
       while (!isPlaced && nextChoice[robot] < choiceCount[robot]) {
         int place = choices[robot * CHOICES + nextChoice[robot]++];
         occupant = before[place];
-        if (after[place] != NONE || (occupant != NONE && to[occupant] == here)) {
+        if (after[place] != NONE
+            || (occupant != NONE && to[occupant] == here)
+            || (!mayRing && closesRing(robot, place))) {
           continue;
         }
         after[place] = robot;
@@ -165,6 +170,15 @@ final class Pibt {
     return false;
   }
 
+  /** Whether a robot that goes to a place would follow robots that end up following itself. */
+  private boolean closesRing(int robot, int place) {
+    int ahead = before[place];
+    while (ahead != NONE && ahead != robot && to[ahead] != NONE && to[ahead] != from[ahead]) {
+      ahead = before[to[ahead]];
+    }
+    return ahead == robot && place != from[robot];
+  }
+
   /** Whoever went where it liked best drags along the robot it has to swap with. */
   private void pull(int depth) {
     for (int k = depth; k >= 0; k--) {
@@ -175,7 +189,8 @@ final class Pibt {
           && nextChoice[robot] == 1
           && to[partner] == NONE
           && after[here] == NONE
-          && to[robot] != here) {
+          && to[robot] != here
+          && (mayRing || !closesRing(partner, here))) {
         to[partner] = here;
         after[here] = partner;
       }

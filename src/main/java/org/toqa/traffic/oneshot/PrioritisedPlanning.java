@@ -22,13 +22,13 @@ import org.toqa.traffic.route.Timetable;
  *
  * <p>Idea: whoever has the shortest way goes first, because a long way bends around a short one at
  * less cost than the other way about, and because nobody has to wait until the last has passed
- * before it may stay at its goal. On a floor that is not crowded this comes within a few
- * hundredths of the lower bound, where the step by step rule of {@link Pibt} takes half as long
- * again. A robot rises in rank each time it finds no route, and only its equals and betters stay,
- * so that two do not turn each other out for ever.
+ * before it may stay at its goal. On a floor that is not crowded this comes within a few hundredths
+ * of the lower bound, where the step by step rule of {@link Pibt} takes half as long again. A robot
+ * rises in rank each time it finds no route, and only its equals and betters stay, so that two do
+ * not turn each other out for ever.
  *
- * <p>Cost: a search a robot and a turning-out. On a crowded floor the queue does not empty: then
- * it gives up after some rounds.
+ * <p>Cost: a search a robot and a turning-out. On a crowded floor the queue does not empty: then it
+ * gives up after some rounds.
  *
  * <p>M. Erdmann and T. Lozano-Perez, "On multiple moving objects", Algorithmica 1987; turning out
  * as in J. Li et al., "MAPF-LNS2", AAAI 2022, but whole robots instead of counted collisions.
@@ -52,8 +52,7 @@ final class PrioritisedPlanning {
   /**
    * @param known any plan; gives the starts and goals
    */
-  PrioritisedPlanning(
-      RoadGraph roads, char[][] distances, int[][] known, SplittableRandom random) {
+  PrioritisedPlanning(RoadGraph roads, char[][] distances, int[][] known, SplittableRandom random) {
     this.distances = distances;
     starts = Arrays.stream(known).mapToInt(route -> route[0]).toArray();
     goals = Arrays.stream(known).mapToInt(route -> route[route.length - 1]).toArray();

@@ -1,0 +1,154 @@
+package org.toqa.agent;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.charset.MalformedInputException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.regex.Pattern;
+import org.toqa.geometry.Pose;
+import org.yaml.snakeyaml.LoaderOptions;
+import org.yaml.snakeyaml.Yaml;
+import org.yaml.snakeyaml.constructor.SafeConstructor;
+import org.yaml.snakeyaml.error.MarkedYAMLException;
+import org.yaml.snakeyaml.error.YAMLException;
+
+/**
+ * What a daemon is told before it starts. The keys of the file are explained in {@code
+ * raspberry-agent/agent.yaml}.
+ *
+ * @param name the robot's
+ * @param address to listen on
+ * @param port to listen on; 0 for any free one
+ * @param dataDir where the journal and a simulated body are kept
+ * @param maxLoad kilograms
+ * @param footprint diameter in metres
+ */
+public record AgentConfig(
+    String name,
+    InetAddress address,
+    int port,
+    Path dataDir,
+    double maxLoad,
+    double footprint,
+    MotionLimits limits,
+    Simulated chassis) {
+
+  private static final String[] KEYS = {
+    "name",
+    "address",
+    "port",
+    "plainTcpOffLoopback",
+    "dataDir",
+    "maxLoad",
+    "footprint",
+    "maxSpeed",
+    "maxTurnRate",
+    "acceleration",
+    "turnAcceleration",
+    "chassis"
+  };
+
+  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_-]{0,31}");
+
+  /**
+   * A simulated body.
+   *
+   * @param start where a new body is put, map frame
+   * @param noise standard deviation of a wheel's slip, as a share of what it turns
+   */
+  public record Simulated(Pose start, double noise, long seed) {}
+
+  /** Reads a file; a relative data folder lies beside it. */
+  public static AgentConfig read(Path file) throws ConfigException {
+    ConfigSection top = new ConfigSection(file.toString(), "", keys(file), KEYS);
+    return new AgentConfig(
+        robotName(top),
+        address(top),
+        (int) top.whole("port", 7275, 0, 65_535),
+        file.toAbsolutePath().resolveSibling(top.text("dataDir")).normalize(),
+        top.number("maxLoad", 5, 0, 10_000),
+        top.number("footprint", 0.255, 0.05, 5),
+        limits(top),
+        chassis(top.section("chassis", "type", "start", "noise", "seed")));
+  }
+
+  private static Map<?, ?> keys(Path file) throws ConfigException {
+    try {
+      LoaderOptions options = new LoaderOptions();
+      options.setAllowDuplicateKeys(false);
+      Object content = new Yaml(new SafeConstructor(options)).load(Files.readString(file));
+      if (content instanceof Map<?, ?> map) {
+        return map;
+      }
+      throw new ConfigException(file + ": this is not a list of keys and values.");
+    } catch (NoSuchFileException e) {
+      throw new ConfigException(file + ": there is no such file.");
+    } catch (MalformedInputException e) {
+      throw new ConfigException(file + ": this is not text in UTF-8.");
+    } catch (IOException e) {
+      throw new ConfigException(file + ": cannot be read: " + e.getMessage());
+    } catch (MarkedYAMLException e) {
+      int line = e.getProblemMark() == null ? 1 : e.getProblemMark().getLine() + 1;
+      throw new ConfigException(
+          "%s, line %d: this is not YAML: %s.".formatted(file, line, e.getProblem()));
+    } catch (YAMLException e) {
+      throw new ConfigException(file + ": this is not YAML.");
+    }
+  }
+
+  private static String robotName(ConfigSection top) throws ConfigException {
+    String name = top.text("name");
+    if (!NAME.matcher(name).matches()) {
+      throw top.wrong("name", name, "1 to 32 letters, digits, - and _");
+    }
+    return name;
+  }
+
+  private static InetAddress address(ConfigSection top) throws ConfigException {
+    String text = top.text("address", "127.0.0.1");
+    boolean plainAllowed = top.flag("plainTcpOffLoopback", false);
+    InetAddress address;
+    try {
+      address = InetAddress.getByName(text);
+    } catch (UnknownHostException e) {
+      throw top.wrong("address", text, "an address of this machine");
+    }
+    if (!address.isLoopbackAddress() && !plainAllowed) {
+      throw top.wrong(
+          "address",
+          text,
+          "on loopback, since the link is not encrypted;"
+              + " \"plainTcpOffLoopback: true\" allows it all the same");
+    }
+    return address;
+  }
+
+  private static MotionLimits limits(ConfigSection top) throws ConfigException {
+    return new MotionLimits(
+        top.number("maxSpeed", 0.5, 0.01, 5),
+        top.number("maxTurnRate", 3.5, 0.01, 20),
+        top.number("acceleration", 0.5, 0.01, 10),
+        top.number("turnAcceleration", 3, 0.01, 50));
+  }
+
+  private static Simulated chassis(ConfigSection chassis) throws ConfigException {
+    String type = chassis.text("type");
+    if (!type.equals("simulated")) {
+      throw chassis.wrong("type", type, "simulated");
+    }
+    ConfigSection start = chassis.section("start", "x", "y", "heading");
+    Pose pose =
+        new Pose(
+            start.number("x", 0, -100_000, 100_000),
+            start.number("y", 0, -100_000, 100_000),
+            Math.toRadians(start.number("heading", 0, -360, 360)));
+    return new Simulated(
+        pose,
+        chassis.number("noise", 0.01, 0, 1),
+        chassis.whole("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE));
+  }
+}

@@ -1,0 +1,227 @@
+package org.toqa.agent;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.SimulatedChassis;
+import org.toqa.geometry.Twist;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Done;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.PhaseEnd;
+import org.toqa.link.message.AgentMessage.Reject;
+import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.MessageReading.Refused;
+import org.toqa.link.message.MessageReading.Understood;
+import org.toqa.link.message.ServerMessage.AckDone;
+import org.toqa.link.message.ServerMessage.Command;
+
+/**
+ * A robot's daemon: the link's end, the control and the body together.
+ *
+ * <ol>
+ *   <li>{@link #open} takes the data folder, finds the body and the journal, and listens.
+ *   <li>{@link #tick} is called every {@link #TICK}, always by one thread: it exchanges command and
+ *       reading with the body, obeys what was heard, reports, and steers.
+ *   <li>{@link #close}, when no tick is under way, ends it in the opposite order.
+ * </ol>
+ */
+public final class Daemon implements AutoCloseable {
+
+  public static final Duration TICK = Duration.ofMillis(20);
+
+  private static final Logger log = LoggerFactory.getLogger(Daemon.class);
+
+  private static final long SILENCE_NANOS = 2_000_000_000;
+  private static final long STATE_NANOS = 200_000_000;
+  private static final long DONE_NANOS = 1_000_000_000;
+
+  /** A tick that comes later than this moves the reference as if it came then. */
+  private static final double LONGEST_STEP_SECONDS = 0.1;
+
+  private static final int INBOX = 1_000;
+
+  private final AgentConfig config;
+  private final InstantSource clock;
+  private final DataFolder folder;
+  private final Chassis chassis;
+  private final RobotControl control;
+  private final BlockingQueue<Inbound> inbox = new ArrayBlockingQueue<>(INBOX);
+  private final ServerDoor door;
+
+  private Twist command = Twist.ZERO;
+  private @Nullable ServerConnection server;
+  private long nanos;
+  private long heardNanos;
+  private @Nullable State lastState;
+  private long lastStateNanos;
+  private @Nullable PhaseEnd lastDone;
+  private long lastDoneNanos;
+
+  /**
+   * @param clock what time it is, for the stamps of reports only
+   * @param nanos the time of the ticks to come, on a monotonic clock
+   * @throws IOException with one line for people: the port or the data folder is taken or not
+   *     usable
+   */
+  public static Daemon open(AgentConfig config, InstantSource clock, long nanos)
+      throws IOException {
+    DataFolder folder = new DataFolder(config.dataDir());
+    AgentConfig.Simulated body = config.chassis();
+    Chassis chassis =
+        new SimulatedChassis(
+            folder.path().resolve("body"), body.start(), body.noise(), body.seed());
+    try {
+      return new Daemon(config, clock, nanos, folder, chassis);
+    } catch (IOException e) {
+      chassis.close();
+      folder.close();
+      throw e;
+    }
+  }
+
+  private Daemon(
+      AgentConfig config, InstantSource clock, long nanos, DataFolder folder, Chassis chassis)
+      throws IOException {
+    this.config = config;
+    this.clock = clock;
+    this.nanos = nanos;
+    this.heardNanos = nanos;
+    this.folder = folder;
+    this.chassis = chassis;
+    control =
+        new RobotControl(config, new Journal(folder.path()), chassis.exchange(Twist.ZERO, nanos));
+    door = new ServerDoor(config, inbox);
+    log.info("{}: listening on {} port {}.", config.name(), config.address(), port());
+  }
+
+  public String robot() {
+    return config.name();
+  }
+
+  /** The port that it listens on. */
+  public int port() {
+    return door.port();
+  }
+
+  /**
+   * Whether a server is connected that was not heard for a second, nor has anything waiting to be
+   * heard. A simulated world that runs server and daemon in one process waits for it then: a slow
+   * machine is no lost link.
+   *
+   * @param now the time of the ticks
+   */
+  public boolean awaitsServer(long now) {
+    return server != null && inbox.isEmpty() && now - heardNanos > SILENCE_NANOS / 2;
+  }
+
+  /**
+   * @param now on the monotonic clock of {@link #open}
+   */
+  public void tick(long now) {
+    double seconds = Math.min((now - nanos) / 1e9, LONGEST_STEP_SECONDS);
+    nanos = now;
+    control.sense(chassis.exchange(command, now));
+    hear();
+    command = control.drive(seconds, now - heardNanos > SILENCE_NANOS);
+    report();
+  }
+
+  @Override
+  public void close() throws IOException {
+    door.close();
+    if (server != null) {
+      server.close();
+    }
+    inbox.forEach(inbound -> inbound.connection().close());
+    chassis.exchange(Twist.ZERO, nanos);
+    chassis.close();
+    folder.close();
+    log.info("{}: ended.", config.name());
+  }
+
+  private void hear() {
+    for (Inbound inbound = inbox.poll(); inbound != null; inbound = inbox.poll()) {
+      switch (inbound) {
+        case Inbound.Opened(ServerConnection connection) -> welcome(connection);
+        case Inbound.Heard(ServerConnection connection, Understood(var message))
+            when connection == server -> {
+          heardNanos = nanos;
+          switch (message) {
+            case AckDone(long drive) -> control.acknowledged(drive);
+            case Command order -> say(control.obey(order));
+          }
+        }
+        case Inbound.Heard(ServerConnection connection, Refused(long seq, String reason))
+            when connection == server -> {
+          log.warn("{}: refused a line: {}", config.name(), reason);
+          say(new Reject(seq, reason));
+        }
+        case Inbound.Heard _ -> {} // said by a server that was replaced
+      }
+    }
+    if (server != null && server.ended() != null && inbox.isEmpty()) {
+      log.warn("{}: the connection of the server ended: {}.", config.name(), server.ended());
+      server.close();
+      server = null;
+    }
+  }
+
+  private void welcome(ServerConnection connection) {
+    if (server != null) {
+      log.info("{}: a newer connection replaces the older.", config.name());
+      server.close();
+    }
+    server = connection;
+    lastState = null;
+    lastDone = control.done().orElse(null);
+    lastDoneNanos = nanos;
+    say(control.hello());
+  }
+
+  private void report() {
+    State state = control.state(clock.millis());
+    if (nanos - lastStateNanos >= STATE_NANOS || isChange(state)) {
+      say(state);
+      lastState = state;
+      lastStateNanos = nanos;
+    }
+    PhaseEnd done = control.done().orElse(null);
+    if (done != null && (!done.equals(lastDone) || nanos - lastDoneNanos >= DONE_NANOS)) {
+      say(new Done(done.task(), done.phase(), done.drive()));
+      lastDoneNanos = nanos;
+    }
+    lastDone = done;
+  }
+
+  private boolean isChange(State state) {
+    State before = lastState;
+    return before == null
+        || state.mode() != before.mode()
+        || state.localised() != before.localised()
+        || state.drive() != before.drive()
+        || state.segment() != before.segment()
+        || state.released() != before.released()
+        || state.phase() != before.phase()
+        || !Objects.equals(state.task(), before.task())
+        || !codes(state).equals(codes(before));
+  }
+
+  private static List<String> codes(State state) {
+    return state.errors().stream().map(Fault::code).toList();
+  }
+
+  private void say(AgentMessage message) {
+    if (server != null) {
+      server.send(message);
+    }
+  }
+}

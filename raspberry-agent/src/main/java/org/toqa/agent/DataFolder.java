@@ -1,0 +1,45 @@
+package org.toqa.agent;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import org.jspecify.annotations.Nullable;
+
+/** A daemon's folder, owned by one daemon at a time. */
+final class DataFolder implements AutoCloseable {
+
+  private final Path path;
+  private final FileChannel lockFile;
+
+  DataFolder(Path path) throws IOException {
+    this.path = path;
+    Files.createDirectories(path);
+    lockFile =
+        FileChannel.open(path.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+    if (lock() == null) {
+      lockFile.close();
+      throw new IOException("The data folder " + path + " is in use by another daemon.");
+    }
+  }
+
+  Path path() {
+    return path;
+  }
+
+  @Override
+  public void close() throws IOException {
+    lockFile.close(); // and with it the lock
+  }
+
+  private @Nullable FileLock lock() throws IOException {
+    try {
+      return lockFile.tryLock();
+    } catch (OverlappingFileLockException e) {
+      return null;
+    }
+  }
+}

@@ -1,0 +1,79 @@
+package org.toqa.agent;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.InstantSource;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** The command line of a robot's daemon. */
+@Command(
+    name = "agent",
+    mixinStandardHelpOptions = true,
+    description = "Runs the daemon of a robot until it is stopped.")
+public final class Main implements Callable<Integer> {
+
+  private static final int FAILED = 1;
+  private static final int WRONG_CONFIGURATION = 2;
+  private static final long LONGEST_END_SECONDS = 3;
+
+  @Option(
+      names = "--config",
+      required = true,
+      paramLabel = "FILE",
+      description = "the robot's configuration; agent.yaml explains every key")
+  @SuppressWarnings("NullAway.Init") // set by picocli
+  private Path config;
+
+  @Spec
+  @SuppressWarnings("NullAway.Init") // set by picocli
+  private CommandSpec spec;
+
+  public static void main(String[] args) {
+    System.exit(new CommandLine(new Main()).execute(args));
+  }
+
+  @Override
+  public Integer call() {
+    try {
+      runUntilStopped(AgentConfig.read(config));
+      return 0;
+    } catch (ConfigException e) {
+      return complain(e, WRONG_CONFIGURATION);
+    } catch (IOException e) {
+      return complain(e, FAILED);
+    }
+  }
+
+  private static void runUntilStopped(AgentConfig config) throws IOException {
+    Daemon daemon = Daemon.open(config, InstantSource.system(), System.nanoTime());
+    CountDownLatch closed = new CountDownLatch(1);
+    try (daemon) {
+      RealTimeLoop loop = new RealTimeLoop(daemon);
+      Runtime.getRuntime().addShutdownHook(new Thread(() -> end(loop, closed)));
+      loop.run();
+    } finally {
+      closed.countDown();
+    }
+  }
+
+  private static void end(RealTimeLoop loop, CountDownLatch closed) {
+    loop.stop();
+    try {
+      closed.await(LONGEST_END_SECONDS, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private int complain(Exception e, int exitCode) {
+    spec.commandLine().getErr().println(e.getMessage());
+    return exitCode;
+  }
+}

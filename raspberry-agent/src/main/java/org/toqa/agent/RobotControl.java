@@ -1,0 +1,408 @@
+package org.toqa.agent;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.agent.chassis.ChassisReading;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Ack;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.PhaseEnd;
+import org.toqa.link.message.AgentMessage.Reject;
+import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.link.message.AgentMessage.Speed;
+import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.ServerMessage.Cancel;
+import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.message.ServerMessage.Extend;
+import org.toqa.link.message.ServerMessage.Follow;
+import org.toqa.link.message.ServerMessage.Hold;
+import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.message.ServerMessage.Locate;
+import org.toqa.link.message.ServerMessage.Ping;
+import org.toqa.link.message.ServerMessage.Release;
+import org.toqa.link.message.ServerMessage.Resume;
+
+/**
+ * What the robot does: obeys commands that are legal, drives its way, and knows what of it must
+ * outlive the daemon. A command is written to the journal before it has an effect, and has no
+ * effect if that fails.
+ *
+ * <p>Rules beyond the message's own text:
+ *
+ * <ul>
+ *   <li>A ping has no effect, so it does not count as the last sequence number.
+ *   <li>A drive that is accepted tells that the server knows of the end of the one before.
+ *   <li>{@code cancel} names what the robot shall not work for any more; a robot that does not work
+ *       for it acknowledges and goes on. A robot that drives comes to a stand on its way.
+ *   <li>A hold outlasts drives and restarts until {@code resume}; a drive that comes meanwhile is
+ *       accepted and waits.
+ *   <li>A daemon that starts anew does not go on with the drive under way: it stands, keeps task
+ *       and phase, tells so in its hello, and waits for a new drive from where it is. What moved
+ *       while no daemon watched is known by odometry, but nobody has looked whether the way is
+ *       still free.
+ *   <li>A phase 3 whose end is acknowledged ends the task for this robot.
+ * </ul>
+ */
+final class RobotControl {
+
+  private static final Logger log = LoggerFactory.getLogger(RobotControl.class);
+  private static final Pose ORIGIN = new Pose(0, 0, 0);
+
+  private final AgentConfig config;
+  private final DriveRules rules;
+  private final Journal journal;
+  private JournalEntry entry;
+  private ChassisReading body;
+
+  private @Nullable SegmentRunner runner;
+  private boolean last;
+  private boolean cancelled;
+  private boolean silent;
+  private @Nullable Fault interrupted;
+  private @Nullable Fault journalFault;
+
+  RobotControl(AgentConfig config, Journal journal, ChassisReading body) throws IOException {
+    this.config = config;
+    this.rules = new DriveRules(config.limits());
+    this.journal = journal;
+    this.body = body;
+    this.entry = recovered(journal.read());
+    journal.secure(entry);
+  }
+
+  private JournalEntry recovered(Optional<JournalEntry> kept) {
+    if (kept.isEmpty()) {
+      return JournalEntry.of(body.powerCycle(), body.placedAt());
+    }
+    JournalEntry old = kept.get();
+    if (old.drive() != 0) {
+      interrupted =
+          new Fault(
+              "RESTARTED",
+              "The daemon was restarted during drive %d, after %d of its segments; it waits for a new drive."
+                  .formatted(old.drive(), old.segment()));
+      log.warn("{}: {}", config.name(), interrupted.text());
+    }
+    return old.drivenNoMore()
+        .anchoredAt(
+            body.powerCycle(),
+            old.powerCycle() == body.powerCycle() ? old.anchor() : body.placedAt());
+  }
+
+  /** Takes in what the body says; to be called first in every tick. */
+  void sense(ChassisReading reading) {
+    if (reading.powerCycle() != body.powerCycle()) {
+      lostPower(reading);
+    }
+    body = reading;
+  }
+
+  private void lostPower(ChassisReading reading) {
+    log.warn("{}: the body was powered up anew; its place is not known.", config.name());
+    runner = null;
+    entry = entry.drivenNoMore().anchoredAt(reading.powerCycle(), reading.placedAt());
+    keep(true);
+  }
+
+  boolean isLocalised() {
+    return entry.anchor() != null;
+  }
+
+  /** Map frame; an arbitrary frame while the robot is not localised. */
+  Pose pose() {
+    return entry.anchor() == null ? body.odometry() : entry.anchor().compose(body.odometry());
+  }
+
+  Optional<PhaseEnd> done() {
+    return Optional.ofNullable(entry.done());
+  }
+
+  /** The answer to a command, which has its effect by then. */
+  AgentMessage obey(Command command) {
+    if (command instanceof Ping || command.seq() <= entry.lastSeq()) {
+      return new Ack(command.seq());
+    }
+    Optional<String> objection = objectionTo(command);
+    if (objection.isEmpty()) {
+      JournalEntry before = entry;
+      entry = after(command).accepted(command.seq());
+      if (keep(!(command instanceof Extend || command instanceof Release))) {
+        begin(command);
+        return new Ack(command.seq());
+      }
+      entry = before;
+      objection = Optional.of("The robot cannot write its journal, so it did nothing.");
+    }
+    log.warn(
+        "{}: refused {} {}: {}",
+        who(),
+        command.getClass().getSimpleName(),
+        command.seq(),
+        objection.get());
+    return new Reject(command.seq(), objection.get());
+  }
+
+  /** The server has stored the end of this drive. */
+  void acknowledged(long drive) {
+    PhaseEnd done = entry.done();
+    if (done == null || done.drive() != drive) {
+      return;
+    }
+    boolean isTaskOver = done.phase() == 3 && entry.drive() == 0;
+    entry = isTaskOver ? entry.released() : entry.doneAcknowledged();
+    keep(true);
+  }
+
+  /**
+   * Drives on.
+   *
+   * @param seconds since the last call
+   * @param serverSilent whether the server was not heard for too long
+   * @return the velocity to command, in the robot's frame
+   */
+  Twist drive(double seconds, boolean serverSilent) {
+    silent = serverSilent;
+    if (runner == null) {
+      return Twist.ZERO;
+    }
+    Way way = runner.way();
+    boolean onward = !entry.held() && !cancelled && body.faults().isEmpty();
+    Twist command = runner.steer(pose(), seconds, onward);
+    if (cancelled) {
+      endCancelledWhenItStands(way);
+    } else if (last && runner.isAtEnd()) {
+      endPhase();
+    } else if (way.completed() != entry.segment()) {
+      entry = entry.at(way.completed());
+      keep(false);
+    }
+    return runner == null || !body.faults().isEmpty() ? Twist.ZERO : command;
+  }
+
+  private void endCancelledWhenItStands(Way way) {
+    if (way.stands() && body.stands()) {
+      runner = null;
+    }
+  }
+
+  private void endPhase() {
+    JournalEntry driving = entry;
+    entry = entry.phaseEnded();
+    if (keep(true)) {
+      runner = null;
+      log.info("{}: phase {} is done.", who(), entry.phase());
+    } else {
+      entry = driving;
+    }
+  }
+
+  private Optional<String> objectionTo(Command command) {
+    return switch (command) {
+      case Drive drive -> objectionToDriving().or(() -> rules.objectionTo(drive, pose()));
+      case Extend extend ->
+          objectionToChanging(extend.drive())
+              .or(() -> rules.objectionTo(extend, Objects.requireNonNull(runner).way()));
+      case Release release ->
+          objectionToChanging(release.drive())
+              .or(() -> rules.objectionTo(release, Objects.requireNonNull(runner).way()));
+      case Locate locate ->
+          runner == null && body.stands()
+              ? rules.objectionTo(locate)
+              : Optional.of("A robot that drives cannot be told where it is; send cancel first.");
+      case Lead _, Follow _ -> Optional.of("This robot does not drive in formation.");
+      case Hold _, Resume _, Cancel _, Ping _ -> Optional.empty();
+    };
+  }
+
+  private Optional<String> objectionToDriving() {
+    if (!body.faults().isEmpty()) {
+      return Optional.of("The robot cannot drive: " + body.faults().getFirst().text());
+    }
+    if (!isLocalised()) {
+      return Optional.of("The robot does not know where it is; send locate first.");
+    }
+    if (runner != null && !cancelled) {
+      return Optional.of(
+          "The robot has not ended drive %d; wait for its end or send cancel."
+              .formatted(entry.drive()));
+    }
+    return runner == null && body.stands()
+        ? Optional.empty()
+        : Optional.of("The robot is still moving; wait until it stands.");
+  }
+
+  private Optional<String> objectionToChanging(long drive) {
+    if (runner != null && entry.drive() == drive) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        entry.drive() == 0
+            ? "There is no drive %d any more; the robot has none.".formatted(drive)
+            : "There is no drive %d any more; the robot has drive %d."
+                .formatted(drive, entry.drive()));
+  }
+
+  private JournalEntry after(Command command) {
+    return switch (command) {
+      case Drive drive -> entry.driving(drive.seq(), drive.task(), drive.phase());
+      case Hold _ -> entry.holding(true);
+      case Resume _ -> entry.holding(false);
+      case Cancel cancel -> Objects.equals(cancel.task(), entry.task()) ? entry.released() : entry;
+      case Locate locate ->
+          // anchor * odometry = pose
+          entry.anchoredAt(
+              body.powerCycle(), locate.pose().compose(body.odometry().relative(ORIGIN)));
+      case Extend _, Release _, Lead _, Follow _, Ping _ -> entry;
+    };
+  }
+
+  private void begin(Command command) {
+    switch (command) {
+      case Drive drive -> begin(drive);
+      case Extend extend -> {
+        Objects.requireNonNull(runner)
+            .way()
+            .replace(extend.from(), extend.segments(), extend.released());
+        last = extend.last();
+      }
+      case Release release -> Objects.requireNonNull(runner).way().release(release.released());
+      case Cancel _ -> {
+        cancelled = runner != null && entry.drive() == 0;
+        interrupted = entry.task() == null ? null : interrupted;
+      }
+      case Locate _ -> log.info("{}: told to be at {}.", config.name(), pose());
+      case Hold _, Resume _, Lead _, Follow _, Ping _ -> {}
+    }
+  }
+
+  private void begin(Drive drive) {
+    runner =
+        new SegmentRunner(
+            new Way(drive.start(), drive.segments(), drive.released(), config.limits()));
+    last = drive.last();
+    cancelled = false;
+    interrupted = null;
+    log.info(
+        "{}: drive {} of phase {}, {} segments, {} released.",
+        who(),
+        drive.seq(),
+        drive.phase(),
+        drive.segments().size(),
+        drive.released());
+  }
+
+  private String who() {
+    return entry.task() == null ? config.name() : config.name() + " task " + entry.task();
+  }
+
+  /** Whether the entry is in the journal now. */
+  private boolean keep(boolean againstPowerLoss) {
+    try {
+      if (againstPowerLoss) {
+        journal.secure(entry);
+      } else {
+        journal.save(entry);
+      }
+      journalFault = null;
+      return true;
+    } catch (IOException e) {
+      if (journalFault == null) {
+        log.error("{}: the journal cannot be written.", config.name(), e);
+      }
+      journalFault = new Fault("JOURNAL", "The journal cannot be written: " + e.getMessage());
+      return false;
+    }
+  }
+
+  private Mode mode() {
+    if (!body.faults().isEmpty()) {
+      return Mode.ERROR;
+    }
+    if (entry.held() || isHeldBySilence()) {
+      return Mode.HOLDING;
+    }
+    return runner == null ? Mode.IDLE : Mode.DRIVING;
+  }
+
+  private boolean isHeldBySilence() {
+    return silent
+        && runner != null
+        && runner.way().completed() == runner.way().released()
+        && runner.way().stands();
+  }
+
+  private int released() {
+    return runner == null || cancelled ? 0 : runner.way().released();
+  }
+
+  private List<Fault> errors() {
+    List<Fault> errors = new ArrayList<>(body.faults());
+    if (interrupted != null) {
+      errors.add(interrupted);
+    }
+    if (journalFault != null) {
+      errors.add(journalFault);
+    }
+    if (runner != null && runner.isOffWay()) {
+      errors.add(
+          new Fault(
+              "OFF_WAY",
+              String.format(Locale.ROOT, "The robot is %.2f m off its way.", runner.error())));
+    }
+    return errors;
+  }
+
+  Hello hello() {
+    return new Hello(
+        AgentMessage.VERSION,
+        config.name(),
+        config.maxLoad(),
+        config.limits().speed(),
+        config.footprint(),
+        isLocalised(),
+        pose(),
+        mode(),
+        entry.task(),
+        entry.phase(),
+        Role.ALONE,
+        entry.drive(),
+        entry.segment(),
+        released(),
+        entry.lastSeq(),
+        entry.done());
+  }
+
+  /**
+   * @param stamp milliseconds since 1970
+   */
+  State state(long stamp) {
+    return new State(
+        stamp,
+        isLocalised(),
+        pose(),
+        new Speed(body.twist().vx(), body.twist().w()),
+        mode(),
+        entry.task(),
+        entry.phase(),
+        Role.ALONE,
+        entry.drive(),
+        entry.segment(),
+        released(),
+        body.battery(),
+        body.ranges(),
+        List.of(),
+        errors());
+  }
+}

@@ -1,0 +1,90 @@
+package org.toqa.agent;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import org.toqa.geometry.Angles;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+
+/**
+ * Drives a robot along a {@link Way}: the reference runs ahead, the robot is steered after it, and
+ * where it stands the robot is drawn onto it until it stands within {@link #SETTLED_METRES}. The
+ * reference waits for a robot that falls behind, so that a blocked robot is not left alone by it.
+ */
+final class SegmentRunner {
+
+  static final double SETTLED_METRES = 0.001;
+  static final double SETTLED_RADIANS = 0.002;
+
+  /** Settled stays settled within this many times the tolerance. */
+  private static final double HYSTERESIS = 3;
+
+  /** From this error on the reference slows down; at the second it waits. */
+  private static final double SLOWING_METRES = 0.05;
+
+  private static final double WAITING_METRES = 0.15;
+
+  /**
+   * Ticks after which a body is as fast as it was told: one until the next exchange, two of motor
+   * lag. The robot is compared with where the reference was then; else it would be pushed while it
+   * speeds up and run on when it slows down.
+   */
+  private static final int RESPONSE_TICKS = 3;
+
+  private final Way way;
+  private final Deque<Pose> trail = new ArrayDeque<>();
+  private boolean settled;
+  private double error;
+
+  SegmentRunner(Way way) {
+    this.way = way;
+    trail.add(way.pose());
+  }
+
+  Way way() {
+    return way;
+  }
+
+  /** Metres between the robot and where it should be by now. */
+  double error() {
+    return error;
+  }
+
+  boolean isOffWay() {
+    return error > WAITING_METRES;
+  }
+
+  /** Stands on the reference, which stands too. */
+  boolean stands() {
+    return settled;
+  }
+
+  boolean isAtEnd() {
+    return settled && way.completed() == way.size();
+  }
+
+  /**
+   * @param actual where the robot is, map frame
+   * @param seconds since the last call
+   * @param onward whether the reference may run; if not, it slows down and stands
+   * @return the velocity to command, in the robot's frame
+   */
+  Twist steer(Pose actual, double seconds, boolean onward) {
+    error = trail.getFirst().distanceTo(actual);
+    double slack = (WAITING_METRES - error) / (WAITING_METRES - SLOWING_METRES);
+    way.advance(seconds, onward ? Math.clamp(slack, 0, 1) : 0);
+    settled = way.stands() && isNear(way.pose(), actual, settled ? HYSTERESIS : 1);
+    return settled ? Twist.ZERO : TrackingLaw.towards(expected(), way.twist(), actual);
+  }
+
+  private Pose expected() {
+    trail.addLast(way.pose());
+    return trail.size() > RESPONSE_TICKS ? trail.removeFirst() : trail.getFirst();
+  }
+
+  private static boolean isNear(Pose reference, Pose actual, double tolerances) {
+    return reference.distanceTo(actual) <= SETTLED_METRES * tolerances
+        && Math.abs(Angles.difference(reference.theta(), actual.theta()))
+            <= SETTLED_RADIANS * tolerances;
+  }
+}

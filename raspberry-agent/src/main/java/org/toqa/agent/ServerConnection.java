@@ -1,0 +1,100 @@
+package org.toqa.agent;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.net.Socket;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.LineReader;
+import org.toqa.link.message.LinkCodec;
+
+/**
+ * One connection of a server. Its reading thread waits while the inbox is full, so that a peer that
+ * talks too much is slowed down by TCP; its writing thread takes from a bounded queue, and a peer
+ * that does not listen is dropped. {@link #send} and {@link #close} never wait.
+ */
+final class ServerConnection implements AutoCloseable {
+
+  private static final Logger log = LoggerFactory.getLogger(ServerConnection.class);
+
+  /** About a minute of states. */
+  private static final int QUEUED_LINES = 300;
+
+  private final String robot;
+  private final Socket socket;
+  private final BlockingQueue<Inbound> inbox;
+  private final BlockingQueue<byte[]> outbox = new ArrayBlockingQueue<>(QUEUED_LINES);
+  private final Thread reader;
+  private final Thread writer;
+  private volatile @Nullable String ended;
+
+  ServerConnection(String robot, Socket socket, BlockingQueue<Inbound> inbox) {
+    this.robot = robot;
+    this.socket = socket;
+    this.inbox = inbox;
+    reader = Thread.ofVirtual().name(robot + "-reader").unstarted(this::read);
+    writer = Thread.ofVirtual().name(robot + "-writer").unstarted(this::write);
+  }
+
+  void start() {
+    reader.start();
+    writer.start();
+  }
+
+  void send(AgentMessage message) {
+    if (!outbox.offer(LinkCodec.line(message))) {
+      log.warn("{}: the server does not take its lines; the connection is dropped.", robot);
+      close();
+    }
+  }
+
+  /** Why nothing more will be heard, a clause; null while the connection lives. */
+  @Nullable String ended() {
+    return ended;
+  }
+
+  @Override
+  public void close() {
+    reader.interrupt();
+    writer.interrupt();
+    try {
+      socket.close();
+    } catch (IOException e) {
+      log.debug("{}: closing the connection failed.", robot, e);
+    }
+  }
+
+  private void read() {
+    try {
+      inbox.put(new Inbound.Opened(this));
+      LineReader lines = new LineReader(socket.getInputStream());
+      for (LineReader.Line line = lines.next(); line != null; line = lines.next()) {
+        inbox.put(new Inbound.Heard(this, LinkCodec.serverMessage(line)));
+      }
+      ended = "the server closed it";
+    } catch (IOException e) {
+      ended = String.valueOf(e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      ended = "it was closed here";
+    }
+    close();
+  }
+
+  private void write() {
+    try {
+      OutputStream out = socket.getOutputStream();
+      while (true) {
+        out.write(outbox.take());
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (IOException e) {
+      log.debug("{}: writing ended.", robot, e);
+    }
+  }
+}

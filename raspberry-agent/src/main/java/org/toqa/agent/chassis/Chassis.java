@@ -1,0 +1,26 @@
+package org.toqa.agent.chassis;
+
+import org.toqa.geometry.Twist;
+
+/**
+ * A robot's body: wheels, odometry, battery and range sensors. The body is apart from the daemon:
+ * its odometry counts on while no daemon runs, and it stops its wheels by itself when it has heard
+ * no command for {@link #COMMAND_LIFE_NANOS}.
+ *
+ * <p>The conversation: the daemon calls {@link #exchange} at every tick, always from the same
+ * thread; the answer is the body as it is now, at the end of what the previous command did.
+ */
+public interface Chassis extends AutoCloseable {
+
+  /** A command older than this stops the wheels. */
+  long COMMAND_LIFE_NANOS = 200_000_000;
+
+  /**
+   * @param command the velocity wanted from now on, in the robot's frame
+   * @param nanos the daemon's monotonic time; a simulated body lives by it
+   */
+  ChassisReading exchange(Twist command, long nanos);
+
+  @Override
+  void close();
+}

@@ -1,0 +1,39 @@
+package org.toqa.agent.chassis;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+import org.toqa.link.message.AgentMessage.Fault;
+
+/**
+ * A body as it is.
+ *
+ * @param powerCycle another number after every power-up: odometry of two power cycles has nothing
+ *     to do with each other
+ * @param placedAt where the body stood at its power-up, map frame, if that is known for sure
+ * @param odometry moved since power-up, in the frame of the place where it stood then
+ * @param twist in the robot's frame
+ * @param battery 0 to 1
+ * @param ranges metres, in the order of the range sensors
+ * @param faults why the body cannot drive; empty when it can
+ */
+public record ChassisReading(
+    long powerCycle,
+    @Nullable Pose placedAt,
+    Pose odometry,
+    Twist twist,
+    double battery,
+    List<Double> ranges,
+    List<Fault> faults) {
+
+  public ChassisReading {
+    ranges = List.copyOf(ranges);
+    faults = List.copyOf(faults);
+  }
+
+  /** Within what its encoders can tell. */
+  public boolean stands() {
+    return Math.hypot(twist.vx(), twist.vy()) < 0.01 && Math.abs(twist.w()) < 0.05;
+  }
+}

@@ -1,0 +1,164 @@
+package org.toqa.agent.chassis;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+import org.toqa.motion.Odometry;
+import org.toqa.motion.ThreeWheelKinematics;
+
+/**
+ * The body of the three-wheeled robot, simulated: motors that follow a command with a lag and a
+ * limited acceleration, wheels that slip a little (seeded noise between what turns and what moves),
+ * odometry from encoder counts alone, a battery that drains by time and distance. Its state is kept
+ * in a file, see {@link SimulatedBodyFile}.
+ */
+public final class SimulatedChassis implements Chassis {
+
+  private static final ThreeWheelKinematics WHEELS = ThreeWheelKinematics.DEFAULT;
+
+  private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
+
+  /** 220 turns a minute, as rated. */
+  private static final double FASTEST_RATE = 220 / 60.0 * 2 * Math.PI;
+
+  /** Radians a second squared: 1.5 m/s2 at the rim. */
+  private static final double WHEEL_ACCELERATION = 1.5 / WHEELS.wheelRadius();
+
+  private static final double MOTOR_LAG_SECONDS = 0.04;
+  private static final double LONGEST_STEP_SECONDS = 0.02;
+
+  /** Eight hours of standing, or 80 minutes of driving at 0.25 m/s, empty the battery. */
+  private static final double DRAIN_A_SECOND = 1 / 28_800.0;
+
+  private static final double DRAIN_A_METRE = 1 / 1_440.0;
+
+  private final SimulatedBodyFile file;
+  private final double noise;
+  private final SplittableRandom random;
+  private SimulatedBody body;
+  private Odometry odometry;
+  private boolean started;
+  private long lastNanos;
+
+  /**
+   * Finds the body that the file keeps, or puts a new one.
+   *
+   * @param file keeps the body
+   * @param start where a new body is put, map frame
+   * @param noise standard deviation of a wheel's slip, as a share of what it turns
+   */
+  public SimulatedChassis(Path file, Pose start, double noise, long seed) throws IOException {
+    this.file = new SimulatedBodyFile(file);
+    this.noise = noise;
+    body = this.file.read().orElseGet(() -> SimulatedBody.placed(start));
+    random = new SplittableRandom(seed + body.steps());
+    odometry = odometryOf(body);
+    rollOut();
+    this.file.write(body);
+  }
+
+  @Override
+  public ChassisReading exchange(Twist command, long nanos) {
+    if (started) {
+      live(nanos - lastNanos);
+    }
+    started = true;
+    lastNanos = nanos;
+    body = body.commanded(command);
+    file.write(body);
+    return new ChassisReading(
+        body.powerCycle(),
+        body.powerCycle() == 1 ? body.start() : null,
+        body.odometry(),
+        WHEELS.twist(body.rates().values()),
+        body.battery(),
+        List.of(),
+        List.of());
+  }
+
+  /** Where the body really is, map frame: what no robot knows of itself. */
+  public Pose truth() {
+    return body.truth();
+  }
+
+  /** Takes the power away and gives it back: the robot no longer knows where it is. */
+  public void cyclePower() {
+    body = body.powerCycled();
+    odometry = odometryOf(body);
+    file.write(body);
+  }
+
+  @Override
+  public void close() {
+    file.close();
+  }
+
+  private void live(long nanos) {
+    double commanded = Math.min(nanos, COMMAND_LIFE_NANOS) / 1e9;
+    move(body.command(), commanded);
+    move(Twist.ZERO, nanos / 1e9 - commanded);
+  }
+
+  /** The body of a daemon that died: its last command ran out, then it came to a stand. */
+  private void rollOut() {
+    move(body.command(), COMMAND_LIFE_NANOS / 1e9);
+    while (body.rates().largest() > 1e-3) {
+      move(Twist.ZERO, LONGEST_STEP_SECONDS);
+    }
+  }
+
+  private void move(Twist command, double seconds) {
+    double left = seconds;
+    while (left > 1e-9) {
+      double step = Math.min(left, LONGEST_STEP_SECONDS);
+      move(ThreeWheels.of(WHEELS.rates(command)).limited(FASTEST_RATE), step);
+      left -= step;
+    }
+  }
+
+  private void move(ThreeWheels wanted, double dt) {
+    // first-order lag; the acceleration limited alike for all wheels, so that its direction stays
+    ThreeWheels change =
+        wanted
+            .minus(body.rates())
+            .times(1 - Math.exp(-dt / MOTOR_LAG_SECONDS))
+            .limited(WHEEL_ACCELERATION * dt);
+    ThreeWheels rates = body.rates().plus(change);
+    ThreeWheels turns = body.rates().plus(rates).times(dt / 2);
+    ThreeWheels turned = body.turned().plus(turns);
+    Twist moves = WHEELS.twist(slip(turns.one()), slip(turns.two()), slip(turns.three()));
+    double drain = DRAIN_A_SECOND * dt + DRAIN_A_METRE * Math.hypot(moves.vx(), moves.vy());
+    body =
+        new SimulatedBody(
+            body.powerCycle(),
+            body.start(),
+            body.truth().advanced(moves, 1),
+            turned,
+            rates,
+            odometry.update(counts(turned)),
+            body.command(),
+            Math.max(0, body.battery() - drain),
+            body.steps() + 1);
+  }
+
+  private double slip(double turns) {
+    return turns * (1 + noise * random.nextGaussian());
+  }
+
+  private static Odometry odometryOf(SimulatedBody body) {
+    return new Odometry(
+        WHEELS, Odometry.COUNTS_PER_WHEEL_TURN, body.odometry(), counts(body.turned()));
+  }
+
+  /** Whole counts; the counters wrap around like the 32-bit registers that they stand for. */
+  private static int[] counts(ThreeWheels turned) {
+    return new int[] {count(turned.one()), count(turned.two()), count(turned.three())};
+  }
+
+  private static int count(double turned) {
+    return (int) (long) Math.floor(turned / RADIANS_A_COUNT);
+  }
+}

@@ -1,0 +1,124 @@
+package org.toqa.agent;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.toqa.geometry.Pose;
+
+/** A real daemon over a simulated body, in time that only the test moves. */
+final class Rig implements AutoCloseable {
+
+  static final Pose START = new Pose(2, 3, 0);
+  static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
+
+  private final Path folder;
+  private final double noise;
+  private final List<TestServer> servers = new ArrayList<>();
+  private long nanos;
+  private Daemon daemon;
+
+  Rig(Path folder) {
+    this(folder, 0.01);
+  }
+
+  Rig(Path folder, double noise) {
+    this.folder = folder;
+    this.noise = noise;
+    daemon = open();
+  }
+
+  Daemon daemon() {
+    return daemon;
+  }
+
+  Path folder() {
+    return folder;
+  }
+
+  AgentConfig config() {
+    return config(folder, 0);
+  }
+
+  AgentConfig config(Path data, int port) {
+    return new AgentConfig(
+        "r1",
+        InetAddress.getLoopbackAddress(),
+        port,
+        data,
+        5,
+        0.255,
+        LIMITS,
+        new AgentConfig.Simulated(START, noise, 7));
+  }
+
+  /** A server that was greeted and has said nothing yet. */
+  TestServer connect() {
+    TestServer server = connectDeaf();
+    server.listen();
+    server.awaitHello();
+    return server;
+  }
+
+  /** A server that connects and never reads a byte. */
+  TestServer connectDeaf() {
+    TestServer server = new TestServer(this);
+    servers.add(server);
+    return server;
+  }
+
+  boolean awaitsServer() {
+    return daemon.awaitsServer(nanos);
+  }
+
+  /** Time goes on; nobody says anything. */
+  void live(Duration time) {
+    long end = nanos + time.toNanos();
+    while (nanos < end) {
+      nanos += Daemon.TICK.toNanos();
+      daemon.tick(nanos);
+    }
+  }
+
+  /** The daemon hears and answers, but no time passes. */
+  void listen() {
+    daemon.tick(nanos);
+  }
+
+  /** Ends the daemon and starts it anew over the same folder, after time in which nothing ran. */
+  void restart() {
+    closeDaemon();
+    reopen();
+  }
+
+  void reopen() {
+    nanos += Duration.ofSeconds(30).toNanos();
+    daemon = open();
+  }
+
+  @Override
+  public void close() {
+    servers.forEach(TestServer::close);
+    closeDaemon();
+  }
+
+  void closeDaemon() {
+    try {
+      daemon.close();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private Daemon open() {
+    try {
+      return Daemon.open(config(), () -> Instant.EPOCH.plusNanos(nanos), nanos);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,231 @@
+package org.toqa.agent;
+
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Ack;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Reject;
+import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.LineReader;
+import org.toqa.link.message.LinkCodec;
+import org.toqa.link.message.MessageReading;
+import org.toqa.link.message.ServerMessage;
+import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.motion.Segment;
+
+/** The other end of the link, over a real socket. Its pings have numbers of their own. */
+final class TestServer implements AutoCloseable {
+
+  private static final Duration LIMIT = Duration.ofSeconds(10);
+  private static final long FIRST_PING = 1_000_000_000;
+
+  private final Rig rig;
+  private final Socket socket;
+  private final BlockingQueue<AgentMessage> incoming = new LinkedBlockingQueue<>();
+  private final List<AgentMessage> heard = new ArrayList<>();
+  private @Nullable Hello hello;
+  private volatile boolean ended;
+  private long nextPing = FIRST_PING;
+
+  TestServer(Rig rig) {
+    this.rig = rig;
+    try {
+      socket = new Socket(InetAddress.getLoopbackAddress(), rig.daemon().port());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Begins to read; until then it is a server that connects and never listens. */
+  void listen() {
+    Thread.ofVirtual().start(this::read);
+  }
+
+  void awaitHello() {
+    hello = assertInstanceOf(Hello.class, await(m -> m instanceof Hello));
+  }
+
+  Hello hello() {
+    return Objects.requireNonNull(hello);
+  }
+
+  /** Everything heard so far, oldest first. */
+  List<AgentMessage> heard() {
+    synchronise();
+    return List.copyOf(heard);
+  }
+
+  <M extends AgentMessage> List<M> heard(Class<M> type) {
+    return heard().stream().filter(type::isInstance).map(type::cast).toList();
+  }
+
+  /** The last state, no older than a fifth of a second of the robot's time. */
+  State state() {
+    return heard(State.class).getLast();
+  }
+
+  Pose pose() {
+    return state().pose();
+  }
+
+  /** Sends the command; what the robot answers to it at once. */
+  AgentMessage ask(Command command) {
+    say(command);
+    return await(m -> isAnswer(m, command.seq()));
+  }
+
+  private static boolean isAnswer(AgentMessage message, long asked) {
+    return switch (message) {
+      case Ack(long seq) -> seq == asked;
+      case Reject(long seq, String _) -> seq == asked;
+      default -> false;
+    };
+  }
+
+  void accepted(Command command) {
+    AgentMessage answer = ask(command);
+    if (answer instanceof Reject(long _, String reason)) {
+      fail(reason);
+    }
+  }
+
+  /** Sends a command that is to be refused; why it was. */
+  String refused(Command command) {
+    return assertInstanceOf(Reject.class, ask(command)).reason();
+  }
+
+  /** Says that the end of this drive is stored; it has arrived when this returns. */
+  void acknowledge(long drive) {
+    say(new ServerMessage.AckDone(drive));
+    synchronise();
+  }
+
+  void say(ServerMessage message) {
+    say(LinkCodec.line(message));
+  }
+
+  /** Sends a line of text, whatever it is; the answer's reason. */
+  String refusedLine(String line) {
+    say((line + "\n").getBytes(StandardCharsets.UTF_8));
+    return assertInstanceOf(Reject.class, await(m -> m instanceof Reject)).reason();
+  }
+
+  void say(byte[] bytes) {
+    try {
+      socket.getOutputStream().write(bytes);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Time goes on while the server pings as servers do. */
+  void live(Duration time) {
+    Duration ping = Duration.ofMillis(500);
+    for (Duration left = time; left.isPositive(); left = left.minus(ping)) {
+      rig.live(left.compareTo(ping) < 0 ? left : ping);
+      synchronise();
+    }
+  }
+
+  /** Time goes on until a state is as wished. */
+  State liveUntil(Predicate<State> wished, Duration most) {
+    Duration step = Duration.ofMillis(100);
+    for (Duration left = most; left.isPositive(); left = left.minus(step)) {
+      live(step);
+      if (wished.test(state())) {
+        return state();
+      }
+    }
+    return fail("Not within " + most + "; the last state was " + state());
+  }
+
+  /** Waits, while no time of the robot passes, until the daemon has closed the connection. */
+  void awaitEnd() {
+    long limit = System.nanoTime() + LIMIT.toNanos();
+    while (!ended) {
+      rig.listen();
+      drain();
+      if (System.nanoTime() > limit) {
+        fail("The connection was not closed.");
+      }
+    }
+  }
+
+  /** Everything that either side has said until now has arrived. */
+  void synchronise() {
+    ask(new ServerMessage.Ping(nextPing++));
+  }
+
+  @Override
+  public void close() {
+    try {
+      socket.close();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  static ServerMessage.Drive drive(
+      long seq, @Nullable Long task, int phase, Pose start, List<Segment> segments) {
+    return new ServerMessage.Drive(seq, task, phase, start, segments, segments.size(), true);
+  }
+
+  private AgentMessage await(Predicate<AgentMessage> wished) {
+    long limit = System.nanoTime() + LIMIT.toNanos();
+    while (System.nanoTime() < limit) {
+      rig.listen();
+      AgentMessage message = drain();
+      if (message != null && wished.test(message)) {
+        return message;
+      }
+    }
+    return fail("The answer did not come; heard " + heard);
+  }
+
+  private @Nullable AgentMessage drain() {
+    try {
+      AgentMessage message = incoming.poll(1, TimeUnit.MILLISECONDS);
+      if (message != null) {
+        heard.add(message);
+      }
+      return message;
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private void read() {
+    try {
+      LineReader lines = new LineReader(socket.getInputStream());
+      for (LineReader.Line line = lines.next(); line != null; line = lines.next()) {
+        switch (LinkCodec.agentMessage(line)) {
+          case MessageReading.Understood<AgentMessage>(AgentMessage message) ->
+              incoming.add(message);
+          case MessageReading.Refused<AgentMessage>(long _, String reason) ->
+              throw new AssertionError(reason);
+        }
+      }
+    } catch (IOException e) {
+      // closed by either side: the same end
+    } finally {
+      ended = true;
+    }
+  }
+}

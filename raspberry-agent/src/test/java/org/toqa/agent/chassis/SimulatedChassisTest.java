@@ -1,0 +1,166 @@
+package org.toqa.agent.chassis;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+
+class SimulatedChassisTest {
+
+  private static final Pose START = new Pose(1, 2, 0.5);
+  private static final long TICK = 20_000_000;
+  private static final int SECOND = 50;
+
+  @TempDir Path folder;
+  private long nanos;
+
+  @ParameterizedTest
+  @CsvSource({"0.25, 0, 0", "0, 0.2, 0", "0, 0, 1.5", "0.2, -0.1, 0.7", "-0.3, 0, -1"})
+  void bodyMovesAsItIsTold(double vx, double vy, double w) throws IOException {
+    try (SimulatedChassis body = body(0)) {
+      run(body, new Twist(vx, vy, w), 2 * SECOND);
+      ChassisReading then = body.exchange(new Twist(vx, vy, w), nanos);
+      ChassisReading now = run(body, new Twist(vx, vy, w), SECOND);
+
+      Pose expected = then.odometry().advanced(new Twist(vx, vy, w), 1);
+      assertEquals(0, expected.distanceTo(now.odometry()), 0.001);
+      assertEquals(vx, now.twist().vx(), 0.001);
+      assertEquals(vy, now.twist().vy(), 0.001);
+      assertEquals(w, now.twist().w(), 0.001);
+    }
+  }
+
+  @Test
+  void odometryOfABodyThatDoesNotSlipIsTheTruthWithinItsEncoders() throws IOException {
+    try (SimulatedChassis body = body(0)) {
+      ChassisReading now = run(body, new Twist(0.25, 0.05, 0.6), 20 * SECOND);
+
+      // 5 m with 0.09 mm a count
+      assertEquals(0, START.compose(now.odometry()).distanceTo(body.truth()), 0.005);
+    }
+  }
+
+  @Test
+  void slipTakesOdometryAwayFromTheTruthTheSameWayEveryTime() throws IOException {
+    Pose first = truthAfterAMinute(folder.resolve("one"), 3);
+    Pose again = truthAfterAMinute(folder.resolve("two"), 3);
+    Pose other = truthAfterAMinute(folder.resolve("three"), 4);
+
+    assertEquals(first, again);
+    assertNotEquals(first, other);
+  }
+
+  @Test
+  void speedRisesNoFasterThanTheMotorsCan() throws IOException {
+    try (SimulatedChassis body = body(0)) {
+      body.exchange(new Twist(0.5, 0, 0), nanos);
+      double before = 0;
+      for (int i = 0; i < SECOND; i++) {
+        double now = run(body, new Twist(0.5, 0, 0), 1).twist().vx();
+        // 1.5 m/s2 at the rim is 1.5 / (sqrt(3)/2) forward
+        assertTrue(now - before <= 1.733 * 0.02, "from " + before + " to " + now);
+        before = now;
+      }
+      assertEquals(0.5, before, 0.001);
+    }
+  }
+
+  @Test
+  void wheelsTurnNoFasterThanRated() throws IOException {
+    try (SimulatedChassis body = body(0)) {
+      ChassisReading now = run(body, new Twist(5, 0, 0), 5 * SECOND);
+
+      // 220 turns a minute of a wheel of 0.04 m: 0.9215 m/s; forward by 2/sqrt(3) of it
+      assertEquals(0.9215 * 2 / Math.sqrt(3), now.twist().vx(), 0.001);
+      assertEquals(0, now.twist().w(), 0.001);
+    }
+  }
+
+  @Test
+  void oldCommandStopsTheWheels() throws IOException {
+    try (SimulatedChassis body = body(0)) {
+      Pose before = run(body, new Twist(0.25, 0, 0), 2 * SECOND).odometry();
+      nanos += 60_000_000_000L;
+      ChassisReading later = body.exchange(Twist.ZERO, nanos);
+
+      // 0.2 s at 0.25 m/s, and the way to a stand
+      double rolled = before.distanceTo(later.odometry());
+      assertTrue(rolled > 0.05 && rolled < 0.09, "rolled " + rolled);
+      assertTrue(later.stands());
+    }
+  }
+
+  @Test
+  void bodyOfADaemonThatDiedIsFoundWhereItRolledOut() throws IOException {
+    Pose before;
+    try (SimulatedChassis body = body(0)) {
+      before = run(body, new Twist(0.25, 0, 0), 2 * SECOND).odometry();
+    }
+    try (SimulatedChassis body = body(0)) {
+      ChassisReading found = body.exchange(Twist.ZERO, 0);
+
+      double rolled = before.distanceTo(found.odometry());
+      assertTrue(rolled > 0.05 && rolled < 0.09, "rolled " + rolled);
+      assertTrue(found.stands());
+      assertEquals(1, found.powerCycle());
+      assertEquals(0, START.compose(found.odometry()).distanceTo(body.truth()), 0.001);
+    }
+  }
+
+  @Test
+  void powerCycleTakesTheKnowledgeOfThePlaceAndNotThePlace() throws IOException {
+    try (SimulatedChassis body = body(0)) {
+      ChassisReading before = run(body, new Twist(0.25, 0, 0), SECOND);
+      Pose truth = body.truth();
+      body.cyclePower();
+      ChassisReading after = body.exchange(Twist.ZERO, nanos);
+
+      assertEquals(START, before.placedAt());
+      assertNull(after.placedAt());
+      assertNotEquals(before.powerCycle(), after.powerCycle());
+      assertEquals(new Pose(0, 0, 0), after.odometry());
+      assertEquals(truth, body.truth());
+    }
+  }
+
+  @Test
+  void batteryLastsEightyMinutesOfDriving() throws IOException {
+    try (SimulatedChassis body = body(0)) {
+      double full = run(body, new Twist(0.25, 0, 0), SECOND).battery();
+      double later = run(body, new Twist(0.25, 0, 0), 60 * SECOND).battery();
+
+      assertEquals(1 / 80.0, full - later, 1e-4);
+    }
+  }
+
+  private Pose truthAfterAMinute(Path file, long seed) throws IOException {
+    try (SimulatedChassis body = new SimulatedChassis(file, START, 0.05, seed)) {
+      nanos = 0;
+      ChassisReading now = run(body, new Twist(0.2, 0, 0.1), 60 * SECOND);
+      assertNotEquals(0, START.compose(now.odometry()).distanceTo(body.truth()), 0.001);
+      return body.truth();
+    }
+  }
+
+  private SimulatedChassis body(double noise) throws IOException {
+    return new SimulatedChassis(folder.resolve("body"), START, noise, 1);
+  }
+
+  private ChassisReading run(SimulatedChassis body, Twist command, int ticks) {
+    ChassisReading last = body.exchange(command, nanos);
+    for (int i = 0; i < ticks; i++) {
+      nanos += TICK;
+      last = body.exchange(command, nanos);
+    }
+    return last;
+  }
+}

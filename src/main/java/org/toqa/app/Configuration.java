@@ -1,0 +1,243 @@
+package org.toqa.app;
+
+import ch.qos.logback.classic.Level;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How this server is to run, every value checked. {@code docs/configuration.md} explains each.
+ *
+ * @param address where HTTP listens
+ * @param port 0: any free one
+ * @param data the folder for what the server keeps
+ * @param map the floor's map
+ * @param simulate how many simulated robots
+ * @param speed how many times faster than real time the simulated robots live
+ * @param manager the manager to make while there is none
+ * @param plainLinks whether robots on other machines may be spoken to without encryption
+ */
+public record Configuration(
+    InetAddress address,
+    int port,
+    Path data,
+    Path map,
+    Database database,
+    int simulate,
+    double speed,
+    @Nullable FirstManager manager,
+    boolean plainLinks,
+    Level logLevel) {
+
+  /**
+   * @param url JDBC
+   */
+  public record Database(String url, @Nullable String user, @Nullable String password) {
+    @Override
+    public String toString() {
+      return "Database[" + url + "]";
+    }
+  }
+
+  /** The account that a new installation begins with. */
+  public record FirstManager(String name, String password) {
+    @Override
+    public String toString() {
+      return "FirstManager[" + name + "]";
+    }
+  }
+
+  /**
+   * @param webapp the folder of the web application, which holds the shipped map
+   * @param layers the first one that gives a setting decides
+   */
+  static Configuration of(Path webapp, List<Layer> layers) throws ConfigurationException {
+    return new Reader(layers).read(webapp.resolve("WEB-INF/maps/lab.yaml"));
+  }
+
+  private record Reader(List<Layer> layers) {
+
+    Configuration read(Path shippedMap) throws ConfigurationException {
+      Path data = folder(Setting.DATA);
+      int simulate = wholeNumber(Setting.SIMULATE, 0, 500);
+      double speed = number(Setting.SPEED, 0.1, 100);
+      if (speed != 1 && simulate == 0) {
+        throw refused(
+            Setting.SPEED, "only simulated robots can be made faster: set simulate as well.");
+      }
+      return new Configuration(
+          address(),
+          wholeNumber(Setting.PORT, 0, 65_535),
+          data,
+          map(shippedMap),
+          database(data),
+          simulate,
+          speed,
+          manager(),
+          yesOrNo(Setting.PLAIN_LINKS),
+          logLevel());
+    }
+
+    private InetAddress address() throws ConfigurationException {
+      String text = text(Setting.ADDRESS);
+      try {
+        return InetAddress.getByName(text);
+      } catch (UnknownHostException e) {
+        throw outside(Setting.ADDRESS);
+      }
+    }
+
+    private int wholeNumber(Setting setting, int least, int most) throws ConfigurationException {
+      int number = parsed(setting, Integer::valueOf);
+      if (number < least || number > most) {
+        throw outside(setting);
+      }
+      return number;
+    }
+
+    private double number(Setting setting, double least, double most)
+        throws ConfigurationException {
+      double number = parsed(setting, Double::valueOf);
+      if (!(number >= least && number <= most)) {
+        throw outside(setting);
+      }
+      return number;
+    }
+
+    private <T> T parsed(Setting setting, Function<String, T> parser)
+        throws ConfigurationException {
+      try {
+        return parser.apply(text(setting).strip());
+      } catch (NumberFormatException e) {
+        throw outside(setting);
+      }
+    }
+
+    private Path folder(Setting setting) throws ConfigurationException {
+      Path folder = path(setting);
+      if (Files.exists(folder) && !Files.isDirectory(folder)) {
+        throw refused(setting, "this is a file; it must be a folder.");
+      }
+      Path present = folder;
+      while (!Files.exists(present) && present.getParent() != null) {
+        present = present.getParent();
+      }
+      if (!Files.isWritable(present)) {
+        throw refused(setting, "nothing can be written to " + present + "; name another folder.");
+      }
+      return folder;
+    }
+
+    private Path map(Path shipped) throws ConfigurationException {
+      if (text(Setting.MAP).isEmpty()) {
+        return shipped;
+      }
+      Path file = path(Setting.MAP);
+      if (!file.toString().matches(".*\\.(yaml|map)")) {
+        throw outside(Setting.MAP);
+      }
+      if (!Files.isReadable(file)) {
+        throw refused(Setting.MAP, "there is no such file that can be read.");
+      }
+      return file;
+    }
+
+    private Path path(Setting setting) throws ConfigurationException {
+      Layer.Value value = value(setting);
+      if (value.text().isBlank()) {
+        throw outside(setting);
+      }
+      try {
+        return value.folder().resolve(value.text()).toAbsolutePath().normalize();
+      } catch (InvalidPathException e) {
+        throw outside(setting);
+      }
+    }
+
+    private Database database(Path data) throws ConfigurationException {
+      String url = text(Setting.DATABASE_URL);
+      if (url.isEmpty()) {
+        // Without WRITE_DELAY=0 a killed process loses rows that it had committed.
+        return new Database(
+            "jdbc:h2:file:"
+                + data.resolve("toqa")
+                + ";MODE=MySQL;DATABASE_TO_LOWER=TRUE;CASE_INSENSITIVE_IDENTIFIERS=TRUE"
+                + ";WRITE_DELAY=0",
+            null,
+            null);
+      }
+      if (!url.startsWith("jdbc:mysql:") && !url.startsWith("jdbc:h2:")) {
+        throw outside(Setting.DATABASE_URL);
+      }
+      return new Database(
+          url, orNull(text(Setting.DATABASE_USER)), orNull(text(Setting.DATABASE_PASSWORD)));
+    }
+
+    private @Nullable FirstManager manager() throws ConfigurationException {
+      String text = text(Setting.MANAGER);
+      if (text.isEmpty()) {
+        return null;
+      }
+      int colon = text.indexOf(':');
+      if (colon < 1 || colon == text.length() - 1) {
+        throw outside(Setting.MANAGER);
+      }
+      return new FirstManager(text.substring(0, colon), text.substring(colon + 1));
+    }
+
+    private boolean yesOrNo(Setting setting) throws ConfigurationException {
+      return switch (text(setting).strip()) {
+        case "true" -> true;
+        case "false" -> false;
+        default -> throw outside(setting);
+      };
+    }
+
+    private Level logLevel() throws ConfigurationException {
+      String text = text(Setting.LOG_LEVEL).toUpperCase(Locale.ROOT);
+      if (!Set.of("ERROR", "WARN", "INFO", "DEBUG", "TRACE").contains(text)) {
+        throw outside(Setting.LOG_LEVEL);
+      }
+      return Level.valueOf(text);
+    }
+
+    private String text(Setting setting) {
+      return value(setting).text();
+    }
+
+    private Layer.Value value(Setting setting) {
+      for (Layer layer : layers) {
+        Layer.Value value = layer.value(setting);
+        if (value != null) {
+          return value;
+        }
+      }
+      return new Layer.Value(setting.fallback(), setting.key(), Path.of(""));
+    }
+
+    private ConfigurationException outside(Setting setting) {
+      return refused(setting, "it must be " + setting.allowed() + ".");
+    }
+
+    private ConfigurationException refused(Setting setting, String remedy) {
+      Layer.Value value = value(setting);
+      String shown = setting.isSecret() ? "" : " \"" + abbreviated(value.text()) + "\"";
+      return new ConfigurationException(value.origin() + shown + ": " + remedy);
+    }
+
+    private static String abbreviated(String text) {
+      return text.length() <= 100 ? text : text.substring(0, 100) + "...";
+    }
+
+    private static @Nullable String orNull(String text) {
+      return text.isEmpty() ? null : text;
+    }
+  }
+}

@@ -1,0 +1,99 @@
+package org.toqa.app;
+
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code toqa demo}: the main job on embedded defaults. */
+@Command(
+    name = "demo",
+    description = "Shows three simulated robots at work, on nothing but this machine.")
+final class DemoCommand implements Callable<Integer> {
+  private static final String ROBOTS = "3";
+  private static final String USER = "demo";
+  private static final String PASSWORD = "demo-robots";
+
+  @Option(names = "--once", description = "Runs the demo tasks, prints a table, and ends.")
+  private boolean once;
+
+  @Option(
+      names = "--speed",
+      paramLabel = "N",
+      description = "Lets simulated time run N times faster.")
+  private @Nullable String speed;
+
+  @Option(
+      names = "--port",
+      paramLabel = "P",
+      description = "Where the web pages are served, 0 for any free port (default: 8080).")
+  private @Nullable String port;
+
+  @Option(
+      names = "--report",
+      paramLabel = "FILE",
+      description = "Writes what became of the demo tasks, as JSON.")
+  private @Nullable Path report;
+
+  @Override
+  public Integer call() throws Exception {
+    checkReport();
+    Path webapp = Webapp.folder();
+    try (StopSignal stop = new StopSignal();
+        TemporaryFolder data = TemporaryFolder.create("toqa-demo")) {
+      Configuration configuration = Configuration.of(webapp, List.of(options(data.path())));
+      Operation show = this::show;
+      return show.runOn(configuration, webapp, stop);
+    }
+  }
+
+  private int show(Toqa toqa, URI address, StopSignal stop) throws Exception {
+    System.err.println();
+    System.err.println("  Toqa is at " + address);
+    System.err.println("  Log in as " + USER + " with the password " + PASSWORD);
+    System.err.println("  Ctrl-C ends everything; nothing is kept.");
+    System.err.println();
+    DemoTasks tasks = new DemoTasks(toqa.fleet(), toqa.fleetTime());
+    tasks.submit(USER);
+    if (once) {
+      boolean isDone = tasks.untilEnded(stop, System.err::println);
+      System.err.println();
+      System.err.print(tasks.table());
+      if (report != null) {
+        Files.writeString(report, tasks.json());
+      }
+      return isDone ? 0 : Main.FAILED;
+    }
+    tasks.untilEnded(stop, System.err::println);
+    stop.await();
+    return 0;
+  }
+
+  private Layer options(Path data) {
+    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    options.put(Setting.SIMULATE, ROBOTS);
+    options.put(Setting.MANAGER, USER + ":" + PASSWORD);
+    options.put(Setting.LOG_LEVEL, "WARN");
+    options.put(Setting.DATA, data.toString());
+    options.put(Setting.SPEED, speed);
+    options.put(Setting.PORT, port);
+    return Layer.ofCommandLine(options);
+  }
+
+  private void checkReport() throws ConfigurationException {
+    if (report == null) {
+      return;
+    }
+    Path folder = report.toAbsolutePath().getParent();
+    if (folder == null || !Files.isWritable(folder) || Files.isDirectory(report)) {
+      throw new ConfigurationException(
+          "--report \"" + report + "\": it must be a file in a folder that can be written.");
+    }
+  }
+}

@@ -1,0 +1,94 @@
+package org.toqa.app;
+
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code toqa server}: for real use, until it is told to end. */
+@Command(
+    name = "server",
+    description = "Runs the server until Ctrl-C, with real or simulated robots.",
+    footer = {
+      "",
+      "Each setting may also stand in the file or in the environment (TOQA_PORT).",
+      "The command line comes first, then the environment, then the file;",
+      "docs/configuration.md explains them all."
+    })
+final class ServerCommand implements Callable<Integer> {
+
+  @Option(names = "--config", paramLabel = "FILE", description = "A YAML file with settings.")
+  private @Nullable Path config;
+
+  @Option(
+      names = "--port",
+      paramLabel = "P",
+      description = "Where the web pages are served, 0 for any free port (default: 8080).")
+  private @Nullable String port;
+
+  @Option(
+      names = "--data",
+      paramLabel = "DIR",
+      description = "The folder for what the server keeps (default: toqa-data).")
+  private @Nullable String data;
+
+  @Option(
+      names = "--map",
+      paramLabel = "FILE",
+      description = "The floor's map, .yaml or .map (default: the shipped map).")
+  private @Nullable String map;
+
+  @Option(names = "--simulate", paramLabel = "N", description = "Makes N simulated robots.")
+  private @Nullable String simulate;
+
+  @Option(
+      names = "--speed",
+      paramLabel = "N",
+      description = "Lets the simulated robots live N times faster.")
+  private @Nullable String speed;
+
+  @Override
+  public Integer call() throws Exception {
+    Path webapp = Webapp.folder();
+    Configuration configuration = Configuration.of(webapp, layers());
+    Operation untilStopped = ServerCommand::untilStopped;
+    try (StopSignal stop = new StopSignal()) {
+      return untilStopped.runOn(configuration, webapp, stop);
+    }
+  }
+
+  private static int untilStopped(Toqa toqa, URI address, StopSignal stop)
+      throws InterruptedException {
+    System.err.println("Toqa is at " + address + " (Ctrl-C ends it)");
+    stop.await();
+    return 0;
+  }
+
+  private List<Layer> layers() throws ConfigurationException {
+    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    options.put(Setting.PORT, port);
+    options.put(Setting.DATA, data);
+    options.put(Setting.MAP, map);
+    options.put(Setting.SIMULATE, simulate);
+    options.put(Setting.SPEED, speed);
+    List<Layer> layers = new ArrayList<>();
+    layers.add(Layer.ofCommandLine(options));
+    layers.add(Layer.ofEnvironment(System.getenv()));
+    Path file = config == null ? fileOfEnvironment() : config;
+    if (file != null) {
+      layers.add(Layer.ofFile(file));
+    }
+    return layers;
+  }
+
+  private static @Nullable Path fileOfEnvironment() {
+    String name = System.getenv(Layer.FILE_VARIABLE);
+    return name == null || name.isEmpty() ? null : Path.of(name);
+  }
+}

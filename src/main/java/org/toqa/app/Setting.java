@@ -1,0 +1,64 @@
+package org.toqa.app;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+
+/** What can be configured: the key in the file, and what its value may be. */
+enum Setting {
+  ADDRESS("address", "127.0.0.1", "a host name or IP address of this machine"),
+  PORT("port", "8080", "a whole number from 0 to 65535; 0 takes any free port"),
+  DATA("data", "toqa-data", "a folder"),
+  MAP("map", "", "a .yaml (ROS map_server) or .map (MovingAI) file"),
+  DATABASE_URL("database.url", "", "a JDBC URL that begins with jdbc:mysql: or jdbc:h2:"),
+  DATABASE_USER("database.user", "", "a user of the database"),
+  DATABASE_PASSWORD("database.password", "", "that user's password"),
+  SIMULATE("simulate", "0", "a whole number from 0 to 500"),
+  SPEED("speed", "1", "a number from 0.1 to 100"),
+  MANAGER("manager", "", "name:password of the first manager"),
+  PLAIN_LINKS("plainLinks", "false", "true or false"),
+  LOG_LEVEL("logLevel", "INFO", "one of ERROR, WARN, INFO, DEBUG, TRACE");
+
+  private final String key;
+  private final String fallback;
+  private final String allowed;
+
+  Setting(String key, String fallback, String allowed) {
+    this.key = key;
+    this.fallback = fallback;
+    this.allowed = allowed;
+  }
+
+  /** In the file; a dot stands for a level of nesting. */
+  String key() {
+    return key;
+  }
+
+  /** The value where nobody gives one; empty: see {@link Configuration}. */
+  String fallback() {
+    return fallback;
+  }
+
+  /** What the value may be, for a sentence. */
+  String allowed() {
+    return allowed;
+  }
+
+  /** The environment variable, such as {@code TOQA_DATABASE_URL}. */
+  String variable() {
+    return "TOQA_" + name();
+  }
+
+  /** The option of the command line, such as {@code --port}. */
+  String option() {
+    return "--" + key.toLowerCase(Locale.ROOT);
+  }
+
+  boolean isSecret() {
+    return this == DATABASE_PASSWORD || this == MANAGER;
+  }
+
+  static Optional<Setting> ofKey(String key) {
+    return Arrays.stream(values()).filter(s -> s.key.equals(key)).findFirst();
+  }
+}

@@ -1,0 +1,207 @@
+package org.toqa.app;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.stream.Stream;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.allocation.NearestFreeRobot;
+import org.toqa.fleet.AgentFleet;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.FloorReader;
+import org.toqa.grid.Place;
+import org.toqa.link.TcpRobotLinks;
+import org.toqa.sim.SimulatedFleet;
+import org.toqa.sim.SimulatedRobot;
+import org.toqa.sim.VirtualClock;
+import org.toqa.store.Accounts;
+import org.toqa.store.ApiTokens;
+import org.toqa.store.Database;
+import org.toqa.store.JdbiFleetStore;
+import org.toqa.web.Services;
+import org.toqa.web.access.Passwords;
+
+/**
+ * The product behind its web pages: store, fleet and simulated robots. It has one owner, the
+ * command that started it or, on a stock Tomcat, {@link ToqaContextListener}.
+ *
+ * <p>Started in order: map, database, first manager, simulated robots, fleet, time. Closed in the
+ * reverse order.
+ */
+final class Toqa implements AutoCloseable {
+  private static final Logger log = LoggerFactory.getLogger(Toqa.class);
+  private static final Duration FLEET_TICK = Duration.ofMillis(100);
+  private static final Duration TOKEN_LIFE = Duration.ofHours(12);
+  private static final double SIMULATED_LOAD = 5;
+
+  private final Configuration configuration;
+  private final InstantSource fleetTime;
+  private final Services services;
+
+  /** What is to be closed, the last one first. */
+  private final Deque<AutoCloseable> parts;
+
+  private Toqa(
+      Configuration configuration,
+      InstantSource fleetTime,
+      Services services,
+      Deque<AutoCloseable> parts) {
+    this.configuration = configuration;
+    this.fleetTime = fleetTime;
+    this.services = services;
+    this.parts = parts;
+  }
+
+  /**
+   * @throws IOException the map or the database cannot be used, or a robot cannot be simulated; the
+   *     message says what to do
+   */
+  static Toqa start(Configuration configuration) throws IOException {
+    Deque<AutoCloseable> parts = new ArrayDeque<>();
+    try {
+      return start(configuration, parts);
+    } catch (IOException | RuntimeException e) {
+      close(parts);
+      throw e;
+    }
+  }
+
+  private static Toqa start(Configuration configuration, Deque<AutoCloseable> parts)
+      throws IOException {
+    FloorMap floor = FloorReader.read(configuration.map());
+    Files.createDirectories(configuration.data());
+    Database database = database(configuration.database());
+    parts.push(database);
+    JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+    InstantSource wallClock = InstantSource.system();
+    Accounts accounts = new Accounts(database.jdbi(), wallClock);
+    Passwords passwords = new Passwords();
+    addFirstManager(configuration, accounts, passwords);
+
+    VirtualClock clock = new VirtualClock(wallClock.instant(), configuration.speed());
+    if (configuration.simulate() > 0) {
+      parts.push(simulate(configuration, floor, store, clock));
+    }
+    AgentFleet fleet =
+        new AgentFleet(
+            List.of(floor),
+            store,
+            new TcpRobotLinks(configuration.plainLinks()),
+            new NearestFreeRobot(),
+            wallClock,
+            clock.instant());
+    parts.push(fleet);
+    clock.add(nanos -> fleet.tick(clock.instant()), FLEET_TICK);
+    clock.start();
+    parts.push(clock);
+    ApiTokens tokens = new ApiTokens(database.jdbi(), wallClock, TOKEN_LIFE);
+    Services services = Services.of(fleet, store, accounts, tokens, passwords, wallClock);
+    return new Toqa(configuration, clock, services, parts);
+  }
+
+  private static Database database(Configuration.Database settings) throws IOException {
+    try {
+      String user = settings.user() == null ? "" : settings.user();
+      String password = settings.password() == null ? "" : settings.password();
+      return Database.open(settings.url(), user, password);
+    } catch (RuntimeException e) {
+      throw new IOException(
+          "The database " + settings.url() + " cannot be used: " + Database.reason(e), e);
+    }
+  }
+
+  private static void addFirstManager(
+      Configuration configuration, Accounts accounts, Passwords passwords) {
+    Configuration.FirstManager manager = configuration.manager();
+    if (manager != null && !accounts.hasManager()) {
+      accounts.addFirstManager(manager.name(), passwords.hash(manager.password()));
+      log.info("The first manager is {}.", manager.name());
+    }
+  }
+
+  /** Makes the robots r1 to rN, or finds them again, and tells the store where they listen. */
+  private static SimulatedFleet simulate(
+      Configuration configuration, FloorMap floor, FleetStore store, VirtualClock clock)
+      throws IOException {
+    List<Place> places = places(floor, configuration.simulate());
+    List<SimulatedRobot> robots = new ArrayList<>();
+    for (int i = 0; i < configuration.simulate(); i++) {
+      Pose start = new Pose(places.get(i).position().x(), places.get(i).position().y(), 0);
+      robots.add(new SimulatedRobot("r" + (i + 1), start, SIMULATED_LOAD));
+    }
+    SimulatedFleet simulated =
+        SimulatedFleet.open(configuration.data().resolve("robots"), robots, clock);
+    try {
+      for (int i = 0; i < robots.size(); i++) {
+        String name = robots.get(i).name();
+        int port = simulated.ports().getOrDefault(name, 0);
+        String parking = i < floor.parking().size() ? places.get(i).name() : null;
+        store.saveRobot(
+            new RobotRecord(name, floor.name(), "127.0.0.1", port, SIMULATED_LOAD, parking, true));
+      }
+      return simulated;
+    } catch (StoreException e) {
+      simulated.close();
+      throw new IOException("The simulated robots cannot be stored: " + e.getMessage(), e);
+    }
+  }
+
+  /** Where robots begin: the parking points, and where these do not suffice, free cells. */
+  private static List<Place> places(FloorMap floor, int count) throws IOException {
+    List<Place> places =
+        Stream.concat(floor.parking().stream(), FreeCells.of(floor)).limit(count).toList();
+    if (places.size() < count) {
+      throw new IOException(
+          "The map "
+              + floor.name()
+              + " has room for "
+              + places.size()
+              + " robots: simulate fewer.");
+    }
+    return places;
+  }
+
+  Configuration configuration() {
+    return configuration;
+  }
+
+  /** The fleet's own time: it goes faster than real time where robots are simulated so. */
+  InstantSource fleetTime() {
+    return fleetTime;
+  }
+
+  Fleet fleet() {
+    return services.fleet();
+  }
+
+  Services services() {
+    return services;
+  }
+
+  @Override
+  public void close() {
+    close(parts);
+  }
+
+  private static void close(Deque<AutoCloseable> parts) {
+    while (!parts.isEmpty()) {
+      AutoCloseable part = parts.pop();
+      try {
+        part.close();
+      } catch (Exception e) {
+        log.warn("{} did not close cleanly.", part.getClass().getSimpleName(), e);
+      }
+    }
+  }
+}

@@ -1,0 +1,161 @@
+package org.toqa.app;
+
+import java.io.IOException;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.apache.catalina.LifecycleException;
+import org.apache.catalina.connector.Connector;
+import org.apache.catalina.core.StandardContext;
+import org.apache.catalina.loader.WebappLoader;
+import org.apache.catalina.startup.Tomcat;
+import org.apache.tomcat.util.scan.StandardJarScanFilter;
+import org.apache.tomcat.util.scan.StandardJarScanner;
+import org.toqa.web.Services;
+
+/**
+ * The embedded Tomcat with the one web application.
+ *
+ * <ol>
+ *   <li>{@link #bind} takes the port, so that a second server fails before it touches anything.
+ *   <li>{@link #open} lets requests in, until {@link Site#close} lets no more in.
+ *   <li>{@link #close} gives the port back.
+ * </ol>
+ *
+ * The thread that bound it calls the rest.
+ */
+final class WebServer implements AutoCloseable {
+  private final Tomcat tomcat;
+  private final StandardContext context;
+  private final InetAddress address;
+
+  private WebServer(Tomcat tomcat, StandardContext context, InetAddress address) {
+    this.tomcat = tomcat;
+    this.context = context;
+    this.address = address;
+  }
+
+  /**
+   * @param webapp the unpacked web application
+   * @throws IOException the port cannot be had; the message says why, for a person
+   */
+  static WebServer bind(Path webapp, Configuration configuration) throws IOException {
+    InetAddress address = configuration.address();
+    int port = configuration.port();
+    Tomcat tomcat = new Tomcat();
+    tomcat.setBaseDir(Files.createDirectories(configuration.data().resolve("tomcat")).toString());
+    tomcat.setConnector(connector(address, port));
+    WebServer server = new WebServer(tomcat, context(tomcat, webapp), address);
+    try {
+      tomcat.init();
+      return server;
+    } catch (LifecycleException e) {
+      server.close();
+      throw new IOException(sentence(e, address, port), e);
+    }
+  }
+
+  private static Connector connector(InetAddress address, int port) {
+    Connector connector = new Connector("org.apache.coyote.http11.Http11NioProtocol");
+    connector.setPort(port);
+    connector.setProperty("address", address.getHostAddress());
+    connector.setProperty("useVirtualThreads", "true");
+    connector.setThrowOnFailure(true);
+    connector.setXpoweredBy(false);
+    return connector;
+  }
+
+  private static StandardContext context(Tomcat tomcat, Path webapp) {
+    StandardContext context = (StandardContext) tomcat.addWebapp("", webapp.toString());
+    context.setParentClassLoader(WebServer.class.getClassLoader());
+    // The parent has the application's classes already: load each of them once.
+    WebappLoader loader = new WebappLoader();
+    loader.setDelegate(true);
+    context.setLoader(loader);
+    // What would leak when only the application ends; here the process ends with it.
+    context.setClearReferencesThreadLocals(false);
+    context.setClearReferencesRmiTargets(false);
+    context.setJarScanner(tagLibrariesOnly());
+    return context;
+  }
+
+  /** Looks for tag libraries where they are, not in every library: this halves the start. */
+  private static StandardJarScanner tagLibrariesOnly() {
+    StandardJarScanFilter filter = new StandardJarScanFilter();
+    filter.setDefaultTldScan(false);
+    filter.setDefaultPluggabilityScan(false);
+    filter.setTldScan("jakarta.servlet.jsp.jstl-*.jar");
+    StandardJarScanner scanner = new StandardJarScanner();
+    scanner.setJarScanFilter(filter);
+    scanner.setScanClassPath(false);
+    scanner.setScanManifest(false);
+    return scanner;
+  }
+
+  private static String sentence(LifecycleException e, InetAddress address, int port) {
+    for (Throwable cause = e; cause != null; cause = cause.getCause()) {
+      if (cause instanceof BindException) {
+        return "Port "
+            + port
+            + " on "
+            + address.getHostAddress()
+            + " cannot be had ("
+            + cause.getMessage()
+            + "); another program may use it: choose another one by --port.";
+      }
+    }
+    return "The web server cannot start: " + e.getMessage();
+  }
+
+  /** Lets requests in, for this product. */
+  Site open(Toqa toqa) throws IOException {
+    context.getServletContext().setAttribute(Services.ATTRIBUTE, toqa.services());
+    try {
+      tomcat.start();
+    } catch (LifecycleException e) {
+      throw new IOException("The web server cannot start: " + e.getMessage(), e);
+    }
+    Site site = new Site();
+    if (!context.getState().isAvailable()) {
+      site.close();
+      throw new IOException("The web application cannot start; the log above says why.");
+    }
+    return site;
+  }
+
+  @Override
+  public void close() throws IOException {
+    try {
+      tomcat.destroy();
+    } catch (LifecycleException e) {
+      throw new IOException("The web server did not end cleanly: " + e.getMessage(), e);
+    }
+  }
+
+  /** The web application while requests reach it. */
+  final class Site implements AutoCloseable {
+    private Site() {}
+
+    /** Where a browser finds it. */
+    URI uri() {
+      String host = address.isAnyLocalAddress() ? "localhost" : address.getHostAddress();
+      return URI.create(
+          "http://"
+              + (host.contains(":") ? "[" + host + "]" : host)
+              + ":"
+              + tomcat.getConnector().getLocalPort()
+              + "/");
+    }
+
+    @Override
+    public void close() throws IOException {
+      try {
+        tomcat.stop();
+      } catch (LifecycleException e) {
+        throw new IOException("The web server did not end cleanly: " + e.getMessage(), e);
+      }
+    }
+  }
+}

@@ -1,0 +1,126 @@
+package org.toqa.fleet;
+
+import com.typesafe.config.Config;
+import com.typesafe.config.ConfigFactory;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Function;
+import org.apache.pekko.actor.BootstrapSetup;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.actor.typed.ActorSystem;
+import org.apache.pekko.actor.typed.javadsl.AskPattern;
+import org.apache.pekko.pattern.StatusReply;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.allocation.Allocator;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.FloorMap;
+import org.toqa.link.RobotLinks;
+
+/**
+ * The fleet as a system of agents: one manager, one agent a floor, one a robot.
+ *
+ * <p>It reads no clock for its decisions: whoever started it calls {@link #tick} about ten times a
+ * second, with real or with simulated time.
+ */
+public final class AgentFleet implements Fleet, AutoCloseable {
+  private static final Logger log = LoggerFactory.getLogger(AgentFleet.class);
+  private static final Duration ANSWER_LIMIT = Duration.ofSeconds(10);
+  private static final Config CONFIG =
+      ConfigFactory.parseString(
+          """
+          pekko {
+            loggers = ["org.apache.pekko.event.slf4j.Slf4jLogger"]
+            logging-filter = "org.apache.pekko.event.slf4j.Slf4jLoggingFilter"
+            loglevel = "WARNING"
+            stdout-loglevel = "OFF"
+            log-dead-letters = off
+            log-dead-letters-during-shutdown = off
+            jvm-exit-on-fatal-error = off
+            coordinated-shutdown.run-by-jvm-shutdown-hook = off
+          }
+          """);
+
+  private final List<FloorMap> floors;
+  private final SnapshotBoard board;
+  private final ActorSystem<ManagerMessage> system;
+
+  /**
+   * Reads the store and goes on with what is in it.
+   *
+   * @param floors at least one; the first is the default
+   * @param clock for the times in the history
+   * @param now of the time that {@link #tick} brings
+   */
+  public AgentFleet(
+      List<FloorMap> floors,
+      FleetStore store,
+      RobotLinks links,
+      Allocator allocator,
+      InstantSource clock,
+      Instant now) {
+    this.floors = List.copyOf(floors);
+    this.board =
+        new SnapshotBoard(new FleetSnapshot(0, clock.instant(), List.of(), List.of(), List.of()));
+    ClassLoader loader = AgentFleet.class.getClassLoader();
+    this.system =
+        ActorSystem.create(
+            ManagerAgent.of(floors, store, links, allocator, clock, now, board),
+            "toqa",
+            BootstrapSetup.create(CONFIG.withFallback(ConfigFactory.load(loader)))
+                .withClassloader(loader));
+  }
+
+  /** Time goes on: timers fire, robots are pinged, waiting tasks are looked at. */
+  public void tick(Instant now) {
+    system.tell(new ManagerMessage.Tick(now));
+  }
+
+  @Override
+  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user) {
+    return ask(replyTo -> new ManagerMessage.Submit(order, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user) {
+    return ask(replyTo -> new ManagerMessage.AddRobot(order, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> locate(String robot, Pose pose, String user) {
+    return ask(replyTo -> new ManagerMessage.Locate(robot, pose, user, replyTo));
+  }
+
+  private <T> CompletionStage<Answer<T>> ask(
+      Function<ActorRef<StatusReply<Answer<T>>>, ManagerMessage> message) {
+    return AskPattern.askWithStatus(system, message::apply, ANSWER_LIMIT, system.scheduler());
+  }
+
+  @Override
+  public List<FloorMap> floors() {
+    return floors;
+  }
+
+  @Override
+  public SnapshotFeed feed() {
+    return board;
+  }
+
+  /** Ends the agents: links are closed, what was handed to the store is written. */
+  @Override
+  public void close() {
+    system.terminate();
+    try {
+      system.getWhenTerminated().toCompletableFuture().get(10, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (TimeoutException | java.util.concurrent.ExecutionException e) {
+      log.warn("The agents did not end in time.", e);
+    }
+  }
+}

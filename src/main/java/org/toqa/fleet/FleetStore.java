@@ -1,0 +1,74 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask;
+import org.toqa.motion.Trajectory;
+
+/**
+ * What the fleet must not forget.
+ *
+ * <ol>
+ *   <li>At start the fleet reads {@link #robots}, {@link #openTasks} and each robot's {@link
+ *       #drive}.
+ *   <li>From then on every change is written here before the command that follows from it is sent.
+ * </ol>
+ *
+ * Each call is one transaction: when it returns, a crash loses nothing of it; when it throws {@link
+ * StoreException}, nothing of it has happened. Calls may wait; they come from virtual threads.
+ */
+public interface FleetStore {
+
+  List<RobotRecord> robots();
+
+  /** Tasks that have not ended, in the order in which they came. */
+  List<OpenTask> openTasks();
+
+  /** The last drive that was stored for the robot. */
+  Optional<StoredDrive> drive(String robot);
+
+  /**
+   * @param task its id is not known yet
+   * @return the task with its id
+   */
+  TransportTask addTask(TransportTask task);
+
+  /** Adds the robot, or gives the robot of that name another address. */
+  void saveRobot(RobotRecord robot);
+
+  void saveMission(Mission mission, Instant at, List<EventRecord> events);
+
+  /** Replaces the robot's last drive, and remembers its sequence number. */
+  void saveDrive(String robot, StoredDrive drive);
+
+  void addEvents(List<EventRecord> events);
+
+  /**
+   * @param carriers empty while it is queued
+   */
+  record OpenTask(TransportTask task, TaskState state, List<Carrier> carriers, Instant changedAt) {
+    public OpenTask {
+      carriers = List.copyOf(carriers);
+    }
+  }
+
+  /**
+   * @param seq of the robot link
+   * @param task null when it drives for no task
+   */
+  record StoredDrive(long seq, @Nullable Long task, int phase, Trajectory way) {}
+
+  /** The store did not answer, or refused. */
+  final class StoreException extends RuntimeException {
+    private static final long serialVersionUID = 1;
+
+    public StoreException(String message, @Nullable Throwable cause) {
+      super(message, cause);
+    }
+  }
+}

@@ -1,0 +1,536 @@
+package org.toqa.fleet;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.actor.typed.Behavior;
+import org.apache.pekko.actor.typed.PostStop;
+import org.apache.pekko.actor.typed.javadsl.AbstractBehavior;
+import org.apache.pekko.actor.typed.javadsl.ActorContext;
+import org.apache.pekko.actor.typed.javadsl.Behaviors;
+import org.apache.pekko.actor.typed.javadsl.Receive;
+import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.fleet.FleetStore.OpenTask;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.FloorRobot.Errand;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.Place;
+import org.toqa.link.RobotLinks;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.PhaseEnd;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionCommand;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask;
+import org.toqa.motion.DriveSpeeds;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.floor.Decision;
+import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.traffic.floor.Route;
+import org.toqa.traffic.oneshot.LacamFloorPlanner;
+
+/**
+ * The single writer of one floor: its map, its missions and who may drive where.
+ *
+ * <p>An event goes through {@code mission -> store -> command}: the mission's next state is stored,
+ * and only then its commands become errands of robots. A robot that has an errand and stands is
+ * sent a way for it; that is decided anew at every tick, so that whatever was lost on the road (a
+ * message, a connection, a server) is made up for.
+ */
+final class FloorAgent extends AbstractBehavior<FloorMessage> {
+  private static final Logger log = LoggerFactory.getLogger(FloorAgent.class);
+  private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
+
+  /** For a plan for all robots; a function of the machine's speed, not of the floor's time. */
+  private static final Duration PLANNING_LIMIT = Duration.ofMillis(200);
+
+  private final FloorMap floor;
+  private final FleetStore store;
+  private final RobotLinks links;
+  private final InstantSource clock;
+  private final ActorRef<ManagerMessage> manager;
+  private final StoreWriter writer;
+  private final FloorTraffic traffic;
+
+  private final Map<String, FloorRobot> robots = new TreeMap<>();
+  private final Map<Long, OpenMission> missions = new LinkedHashMap<>();
+  private final List<TaskView> ended = new ArrayList<>();
+  private Instant now;
+  private boolean changed = true;
+
+  /** A mission, and when it last changed. */
+  private record OpenMission(Mission mission, Instant changedAt) {}
+
+  static Behavior<FloorMessage> of(
+      FloorMap floor,
+      List<RobotRecord> robots,
+      List<OpenTask> begun,
+      FleetStore store,
+      RobotLinks links,
+      InstantSource clock,
+      Instant now,
+      ActorRef<ManagerMessage> manager) {
+    return Behaviors.setup(
+        context ->
+            new FloorAgent(context, floor, robots, begun, store, links, clock, now, manager));
+  }
+
+  private FloorAgent(
+      ActorContext<FloorMessage> context,
+      FloorMap floor,
+      List<RobotRecord> records,
+      List<OpenTask> begun,
+      FleetStore store,
+      RobotLinks links,
+      InstantSource clock,
+      Instant now,
+      ActorRef<ManagerMessage> manager) {
+    super(context);
+    this.floor = floor;
+    this.store = store;
+    this.links = links;
+    this.clock = clock;
+    this.manager = manager;
+    this.now = now;
+    this.writer = new StoreWriter("floor-" + floor.name());
+    this.traffic =
+        new FloorTraffic(
+            floor.grid(),
+            DriveSpeeds.DEFAULT,
+            new LacamFloorPlanner(),
+            () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
+    records.forEach(this::join);
+    begun.forEach(this::recover);
+  }
+
+  @Override
+  public Receive<FloorMessage> createReceive() {
+    return newReceiveBuilder()
+        .onAnyMessage(this::on)
+        .onSignal(PostStop.class, signal -> closed())
+        .build();
+  }
+
+  private Behavior<FloorMessage> on(FloorMessage message) {
+    switch (message) {
+      case FloorMessage.Begin m -> begin(m);
+      case FloorMessage.RobotJoined m -> join(m.robot());
+      case FloorMessage.Locate m -> locate(m);
+      case FloorMessage.Stored m -> m.step().commands().forEach(c -> carryOut(m.step(), c));
+      case FloorMessage.Tick m -> tick(m.now());
+      case FloorMessage.FromRobot m -> fromRobot(m);
+    }
+    return this;
+  }
+
+  // --- missions ---------------------------------------------------------------------------------
+
+  private void begin(FloorMessage.Begin m) {
+    if (m.robots().stream().anyMatch(this::isEngaged)) {
+      manager.tell(new ManagerMessage.NotBegun(m.task()));
+      return;
+    }
+    for (String name : m.robots()) {
+      missionOf(name)
+          .ifPresent(old -> apply(old.on(new MissionEvent.Retasked(name)), "task.retasked", name));
+    }
+    apply(Mission.assign(m.task(), m.robots(), m.why()), "task.assigned", null);
+    manager.tell(new ManagerMessage.Begun(m.task().id()));
+    report();
+  }
+
+  /** A mission that was under way when the server stopped goes on in the phase it was stored in. */
+  private void recover(OpenTask open) {
+    Mission mission = new Mission(open.task(), open.state(), open.carriers());
+    missions.put(mission.id(), new OpenMission(mission, open.changedAt()));
+    for (Carrier c : mission.carriers()) {
+      FloorRobot robot = robots.get(c.robot());
+      if (c.isDriving() && robot != null) {
+        robot.errand = errand(mission, c.robot());
+      }
+    }
+  }
+
+  /** Whether it works for a mission that it cannot be taken from: it is not on its way home. */
+  private boolean isEngaged(String robot) {
+    return missionOf(robot)
+        .flatMap(mission -> mission.carrier(robot))
+        .filter(carrier -> carrier.phase() < 3)
+        .isPresent();
+  }
+
+  private Optional<Mission> missionOf(String robot) {
+    return missions.values().stream()
+        .map(OpenMission::mission)
+        .filter(m -> m.carrier(robot).filter(c -> !c.released()).isPresent())
+        .findFirst();
+  }
+
+  private void handle(long task, MissionEvent event, String kind) {
+    OpenMission open = missions.get(task);
+    if (open != null) {
+      apply(open.mission().on(event), kind, event.robot());
+    }
+  }
+
+  /** Stores the step; its commands are carried out when it is safe. */
+  private void apply(Mission.Step step, String kind, @Nullable String robot) {
+    if (!step.changed()) {
+      return;
+    }
+    Mission mission = step.mission();
+    Instant at = clock.instant();
+    if (mission.state().isEnded()) {
+      missions.remove(mission.id());
+      ended.add(view(new OpenMission(mission, at)));
+    } else {
+      missions.put(mission.id(), new OpenMission(mission, at));
+    }
+    changed = true;
+    List<EventRecord> events =
+        step.history().stream()
+            .map(text -> new EventRecord(at, kind, mission.id(), robot, EventRecord.SYSTEM, text))
+            .toList();
+    ActorRef<FloorMessage> self = getContext().getSelf();
+    writer.write(
+        () -> store.saveMission(mission, at, events),
+        () -> self.tell(new FloorMessage.Stored(step)));
+  }
+
+  private void carryOut(Mission.Step step, MissionCommand command) {
+    FloorRobot robot = robots.get(command.robot());
+    if (robot == null) {
+      return;
+    }
+    long task = step.mission().id();
+    switch (command) {
+      case MissionCommand.Drive drive -> {
+        robot.errand = errand(step.mission(), drive.robot());
+        robot.trouble = null;
+        robot.notBefore = Instant.MIN;
+      }
+      case MissionCommand.LetGo letGo -> {
+        if (robot.errand != null && robot.errand.task() == task) {
+          robot.errand = null;
+          robot.trouble = null;
+        }
+      }
+    }
+    changed = true;
+  }
+
+  private Errand errand(Mission mission, String robot) {
+    TransportTask task = mission.task();
+    int phase = mission.carrier(robot).map(Carrier::phase).orElse(3);
+    Vec2 goal =
+        switch (phase) {
+          case 1 -> task.start().position();
+          case 2 -> task.goal().position();
+          default -> home(robot).orElse(task.goal().position());
+        };
+    return new Errand(task.id(), phase, goal);
+  }
+
+  private Optional<Vec2> home(String robot) {
+    return Optional.ofNullable(robots.get(robot))
+        .map(r -> r.record.parking())
+        .flatMap(floor::place)
+        .map(Place::position);
+  }
+
+  // --- robots -----------------------------------------------------------------------------------
+
+  private void join(RobotRecord record) {
+    ActorRef<RobotMessage> agent =
+        getContext()
+            .spawn(
+                RobotAgent.of(record, getContext().getSelf(), store, links, now),
+                "robot-" + robots.size());
+    robots.put(record.name(), new FloorRobot(record, agent));
+    changed = true;
+  }
+
+  private void locate(FloorMessage.Locate m) {
+    m.replyTo().tell(StatusReply.success(located(m)));
+  }
+
+  private Answer<RobotView> located(FloorMessage.Locate m) {
+    FloorRobot robot = robots.get(m.robot());
+    if (robot == null) {
+      return new Answer.Unknown<>("There is no robot " + m.robot() + " on this floor.");
+    }
+    if (!robot.connected) {
+      return new Answer.Refused<>(null, m.robot() + " is not connected; try again when it is.");
+    }
+    if (!floor.grid().isFree(m.pose().position())) {
+      return new Answer.Refused<>(
+          "x", "A robot cannot stand there: that is a wall or off the map.");
+    }
+    robot.agent.tell(new RobotMessage.Locate(m.pose()));
+    note("robot.located", null, m.robot(), m.user(), m.user() + " said where " + m.robot() + " is");
+    return new Answer.Accepted<>(view(robot));
+  }
+
+  private void fromRobot(FloorMessage.FromRobot message) {
+    FloorRobot robot = robots.get(message.robot());
+    if (robot == null) {
+      return;
+    }
+    changed = true;
+    switch (message) {
+      case FloorMessage.Connected m -> connected(robot, m.hello(), m.drive());
+      case FloorMessage.Disconnected m -> robot.connected = false;
+      case FloorMessage.Silent m -> robot.silent = true;
+      case FloorMessage.HeardAgain m -> robot.silent = false;
+      case FloorMessage.Heard m -> heard(robot, m.state());
+      case FloorMessage.PhaseEnded m -> phaseEnded(robot, m.end());
+      case FloorMessage.DriveBegun m -> driveBegun(robot, m.drive());
+      case FloorMessage.Rejected m -> rejected(robot, m.reason());
+    }
+  }
+
+  /** Compares what the robot says with what was stored, and goes on from there. */
+  private void connected(FloorRobot robot, Hello hello, Optional<StoredDrive> stored) {
+    robot.hear(hello, clock.instant());
+    robot.driveUnderway = false;
+    robot.cancelling = false;
+    robot.told = stored.filter(d -> d.seq() == hello.drive()).orElse(null);
+    if (robot.told != null) {
+      traffic.drives(
+          robot.name(),
+          hello.pose(),
+          hello.footprint(),
+          robot.told.way(),
+          hello.segment(),
+          hello.released(),
+          now);
+    } else {
+      traffic.stands(robot.name(), hello.pose(), hello.footprint(), now);
+    }
+    if (hello.done() != null) {
+      phaseEnded(robot, hello.done());
+    }
+  }
+
+  private void heard(FloorRobot robot, AgentMessage.State state) {
+    robot.hear(state, clock.instant());
+    if (robot.told != null && state.drive() == robot.told.seq()) {
+      robot.driveUnderway = false;
+      traffic.moved(robot.name(), state.pose(), state.segment(), now);
+    } else if (!robot.driveUnderway) {
+      if (state.drive() == 0) {
+        robot.told = null;
+        robot.cancelling = false;
+      }
+      traffic.stands(robot.name(), state.pose(), robot.footprint, now);
+    }
+  }
+
+  private void phaseEnded(FloorRobot robot, PhaseEnd end) {
+    if (end.task() != null) {
+      handle(end.task(), new MissionEvent.PhaseEnded(robot.name(), end.phase()), kind(end.phase()));
+    }
+    // written in order: acknowledged only when what follows from the flag is safe
+    writer.write(() -> {}, () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));
+  }
+
+  private static String kind(int phase) {
+    return switch (phase) {
+      case 1 -> "task.at-object";
+      case 2 -> "task.delivered";
+      default -> "task.parked";
+    };
+  }
+
+  private void driveBegun(FloorRobot robot, StoredDrive drive) {
+    robot.told = drive;
+    if (drive.task() != null) {
+      handle(
+          drive.task(), new MissionEvent.DriveStarted(robot.name(), drive.phase()), "task.started");
+    }
+  }
+
+  /** What the robot refused is given up: it stands, and is asked anew a little later. */
+  private void rejected(FloorRobot robot, String reason) {
+    robot.driveUnderway = false;
+    robot.cancelling = false;
+    robot.trouble = robot.name() + " refused a command: " + reason;
+    robot.notBefore = now.plus(RETRY_AFTER);
+    if (robot.drive != 0) {
+      cancel(robot);
+    } else if (robot.pose != null) {
+      robot.told = null;
+      traffic.stands(robot.name(), robot.pose, robot.footprint, now);
+    }
+  }
+
+  // --- ways -------------------------------------------------------------------------------------
+
+  /** Tells the traffic what is so and wanted, and the robots what it decides. */
+  private void drive() {
+    for (FloorRobot robot : robots.values()) {
+      if (traffic.knows(robot.name())) {
+        direct(robot);
+      }
+    }
+    for (Decision decision : traffic.decide(now)) {
+      FloorRobot robot = robots.get(decision.robot());
+      if (robot != null) {
+        tell(robot, decision);
+        changed = true;
+      }
+    }
+  }
+
+  private void direct(FloorRobot robot) {
+    Errand errand = robot.errand;
+    boolean isOnOtherWay = !robot.isStanding() && (errand == null || !robot.isOnTheWayOf(errand));
+    boolean isStray = isOnOtherWay && (robot.told == null || robot.told.task() != null);
+    if (isStray && !robot.driveUnderway) {
+      cancel(robot);
+    }
+    boolean isWaiting = robot.notBefore.isAfter(now);
+    traffic.isFixed(robot.name(), !robot.isFit() || isStray || isWaiting);
+    traffic.wants(robot.name(), errand == null || isOnOtherWay ? null : errand.goal(), now);
+    if (errand != null && robot.isStanding() && robot.isFit() && traffic.isAtGoal(robot.name())) {
+      handle(
+          errand.task(),
+          new MissionEvent.PhaseEnded(robot.name(), errand.phase()),
+          kind(errand.phase()));
+    }
+    if (!isWaiting) {
+      note(robot, errand == null ? null : traffic.reason(robot.name()));
+    }
+  }
+
+  private void note(FloorRobot robot, @Nullable String reason) {
+    if (!Objects.equals(robot.trouble, reason)) {
+      robot.trouble = reason;
+      changed = true;
+    }
+  }
+
+  private static void tell(FloorRobot robot, Decision decision) {
+    switch (decision) {
+      case Decision.Begin begin -> {
+        Errand errand = robot.errand;
+        robot.driveUnderway = true;
+        robot.agent.tell(
+            new RobotMessage.Drive(
+                errand == null ? null : errand.task(),
+                errand == null ? 0 : errand.phase(),
+                begin.way(),
+                begin.released(),
+                begin.last()));
+      }
+      case Decision.Extend extend ->
+          robot.agent.tell(
+              new RobotMessage.Extend(
+                  extend.from(), extend.segments(), extend.released(), extend.last()));
+      case Decision.Release release ->
+          robot.agent.tell(new RobotMessage.Release(release.released()));
+    }
+  }
+
+  /** Ends a drive that nobody wants any more: as when a returning robot is needed elsewhere. */
+  private void cancel(FloorRobot robot) {
+    if (robot.connected && !robot.cancelling) {
+      robot.cancelling = true;
+      log.info("{}: its drive {} is not wanted any more.", robot.name(), robot.drive);
+      robot.agent.tell(new RobotMessage.Cancel(robot.reportedTask));
+    }
+  }
+
+  // --- time and reports -------------------------------------------------------------------------
+
+  private void tick(Instant time) {
+    now = time;
+    robots.values().forEach(r -> r.agent.tell(new RobotMessage.Tick(now)));
+    drive();
+    if (changed) {
+      report();
+    }
+  }
+
+  private void report() {
+    changed = false;
+    List<String> alerts =
+        writer.trouble() == null
+            ? List.of()
+            : List.of("The database does not answer: " + writer.trouble());
+    manager.tell(
+        new ManagerMessage.FloorReport(
+            floor.name(),
+            robots.values().stream().map(r -> view(r)).toList(),
+            missions.values().stream().map(this::view).toList(),
+            List.copyOf(ended),
+            alerts));
+    ended.clear();
+  }
+
+  private RobotView view(FloorRobot robot) {
+    Route route = traffic.knows(robot.name()) ? traffic.route(robot.name()) : Route.NONE;
+    Errand work = missionOf(robot.name()).map(m -> errand(m, robot.name())).orElse(robot.errand);
+    return robot.view(floor.name(), work, route);
+  }
+
+  private TaskView view(OpenMission open) {
+    Mission mission = open.mission();
+    return new TaskView(
+        mission.task(),
+        mission.state(),
+        false,
+        mission.robots(),
+        mission.state() == TaskState.DONE ? null : waitingFor(mission),
+        null,
+        open.changedAt());
+  }
+
+  private @Nullable String waitingFor(Mission mission) {
+    List<String> reasons = new ArrayList<>();
+    for (Carrier c : mission.carriers()) {
+      FloorRobot robot = robots.get(c.robot());
+      if (c.released() || robot == null) {
+        continue;
+      }
+      switch (robot.state()) {
+        case CONNECTING, LOST -> reasons.add(robot.name() + " is not connected");
+        case NOT_LOCALISED ->
+            reasons.add(robot.name() + " does not know where it is: say it on the robot's page");
+        case ERROR -> reasons.add(robot.name() + " reports an error");
+        case IDLE, DRIVING, HOLDING -> {
+          if (robot.trouble != null) {
+            reasons.add(robot.trouble);
+          }
+        }
+      }
+    }
+    return reasons.isEmpty() ? null : String.join("; ", reasons);
+  }
+
+  private void note(
+      String kind, @Nullable Long task, @Nullable String robot, String who, String text) {
+    EventRecord event = new EventRecord(clock.instant(), kind, task, robot, who, text);
+    writer.write(() -> store.addEvents(List.of(event)), () -> {});
+  }
+
+  private Behavior<FloorMessage> closed() {
+    writer.close();
+    return this;
+  }
+}

@@ -1,0 +1,59 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.pattern.StatusReply;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.geometry.Pose;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.PhaseEnd;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TransportTask;
+
+/**
+ * What a floor agent is told: by the manager, by its robots' agents, by its store, by the clock.
+ */
+sealed interface FloorMessage {
+
+  /** These robots shall carry out this task. */
+  record Begin(TransportTask task, List<String> robots, String why) implements FloorMessage {}
+
+  record RobotJoined(RobotRecord robot) implements FloorMessage {}
+
+  record Locate(
+      String robot, Pose pose, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
+
+  /** The mission's new state is safe: now do what follows from it. */
+  record Stored(Mission.Step step) implements FloorMessage {}
+
+  record Tick(Instant now) implements FloorMessage {}
+
+  /** A robot's agent speaks. */
+  sealed interface FromRobot extends FloorMessage {
+    String robot();
+  }
+
+  /**
+   * @param drive the last drive that was stored for it
+   */
+  record Connected(String robot, Hello hello, Optional<StoredDrive> drive) implements FromRobot {}
+
+  record Disconnected(String robot, String why) implements FromRobot {}
+
+  record Silent(String robot, Instant since) implements FromRobot {}
+
+  record HeardAgain(String robot) implements FromRobot {}
+
+  record Heard(String robot, AgentMessage.State state) implements FromRobot {}
+
+  record PhaseEnded(String robot, PhaseEnd end) implements FromRobot {}
+
+  /** The robot is being sent this drive. */
+  record DriveBegun(String robot, StoredDrive drive) implements FromRobot {}
+
+  record Rejected(String robot, long seq, String reason) implements FromRobot {}
+}

@@ -1,0 +1,177 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.List;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.traffic.floor.Route;
+
+/**
+ * What a floor agent knows of one of its robots. Confined to that agent.
+ *
+ * <p>What the robot says ({@code pose}, {@code mode}, {@code drive}, ...) and what the floor wants
+ * of it ({@code errand}, {@code way}) stand side by side; the floor acts where they differ.
+ */
+final class FloorRobot {
+  /** The diameter assumed of a robot that was never heard of: the smallest of ours, metres. */
+  private static final double UNKNOWN_FOOTPRINT = 0.255;
+
+  final RobotRecord record;
+  final ActorRef<RobotMessage> agent;
+
+  // what the robot says
+  boolean connected;
+  boolean silent;
+  boolean localised;
+  @Nullable Pose pose;
+  @Nullable Double battery;
+  double footprint = UNKNOWN_FOOTPRINT;
+  double maxLoad;
+  Mode mode = Mode.IDLE;
+  long drive;
+  int segment;
+  @Nullable Long reportedTask;
+  List<Fault> errors = List.of();
+  @Nullable Instant lastSeen;
+
+  // what the floor wants of it
+  @Nullable Errand errand;
+
+  /** The drive that it was told, until it is over. */
+  @Nullable StoredDrive told;
+
+  /** A drive was told and the robot has not said yet that it drives it. */
+  boolean driveUnderway;
+
+  boolean cancelling;
+  Instant notBefore = Instant.MIN;
+  @Nullable String trouble;
+
+  /** A phase that the robot shall drive. */
+  record Errand(long task, int phase, Vec2 goal) {}
+
+  FloorRobot(RobotRecord record, ActorRef<RobotMessage> agent) {
+    this.record = record;
+    this.agent = agent;
+    this.maxLoad = record.maxLoad();
+  }
+
+  String name() {
+    return record.name();
+  }
+
+  void hear(Hello hello, Instant now) {
+    connected = true;
+    silent = false;
+    localised = hello.localised();
+    pose = hello.pose();
+    footprint = hello.footprint();
+    maxLoad = Math.min(record.maxLoad(), hello.maxLoad());
+    mode = hello.mode();
+    drive = hello.drive();
+    reportedTask = hello.task();
+    segment = hello.segment();
+    lastSeen = now;
+  }
+
+  void hear(AgentMessage.State state, Instant now) {
+    silent = false;
+    localised = state.localised();
+    pose = state.pose();
+    battery = state.battery();
+    mode = state.mode();
+    drive = state.drive();
+    reportedTask = state.task();
+    segment = state.segment();
+    errors = state.errors();
+    lastSeen = now;
+  }
+
+  /** Hears, knows where it is, and is well. */
+  boolean isFit() {
+    return connected && !silent && localised && mode != Mode.ERROR;
+  }
+
+  boolean isStanding() {
+    return mode == Mode.IDLE && drive == 0 && !driveUnderway;
+  }
+
+  /** Whether it drives, or was just told to drive, what this errand asks. */
+  boolean isOnTheWayOf(Errand wanted) {
+    return told != null
+        && (driveUnderway || drive == told.seq())
+        && told.phase() == wanted.phase()
+        && Long.valueOf(wanted.task()).equals(told.task());
+  }
+
+  RobotState state() {
+    if (lastSeen == null) {
+      return RobotState.CONNECTING;
+    }
+    if (silent || !connected) {
+      return RobotState.LOST;
+    }
+    if (!localised) {
+      return RobotState.NOT_LOCALISED;
+    }
+    return switch (mode) {
+      case IDLE -> RobotState.IDLE;
+      case DRIVING, FOLLOWING -> RobotState.DRIVING;
+      case HOLDING -> RobotState.HOLDING;
+      case ERROR -> RobotState.ERROR;
+    };
+  }
+
+  /**
+   * @param work its part in the mission that it belongs to
+   */
+  RobotView view(String floor, @Nullable Errand work, Route route) {
+    return new RobotView(
+        name(),
+        floor,
+        state(),
+        pose,
+        battery,
+        work == null ? null : work.task(),
+        work == null ? 0 : work.phase(),
+        maxLoad,
+        footprint,
+        record.host(),
+        record.port(),
+        record.parking(),
+        record.simulated(),
+        route.points(),
+        route.released(),
+        errors,
+        doing(work),
+        lastSeen);
+  }
+
+  private String doing(@Nullable Errand work) {
+    return switch (state()) {
+      case CONNECTING -> "Not heard of yet; trying to reach " + record.host() + ":" + record.port();
+      case LOST -> "Lost: nothing heard from it. Its place stays reserved.";
+      case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
+      case ERROR -> errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
+      case IDLE, DRIVING, HOLDING -> work == null ? "Free" : working(work);
+    };
+  }
+
+  private String working(Errand work) {
+    if (trouble != null) {
+      return trouble;
+    }
+    return switch (work.phase()) {
+      case 1 -> "Drives to the load of task " + work.task();
+      case 2 -> "Carries the load of task " + work.task();
+      default -> "Drives home from task " + work.task();
+    };
+  }
+}

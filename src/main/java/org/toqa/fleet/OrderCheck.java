@@ -1,0 +1,207 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.Inflation;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
+import org.toqa.planning.HeadingAStar;
+import org.toqa.planning.PlanResult;
+
+/** Checks wishes against the floors before anything of them is stored. */
+final class OrderCheck {
+  /** Half the diameter of the smallest robot there is, metres: where it cannot stand, none can. */
+  private static final double SMALLEST_RADIUS = 0.1275;
+
+  private final List<FloorMap> floors;
+  private final Map<String, OccupancyGrid> standable = new HashMap<>();
+
+  OrderCheck(List<FloorMap> floors) {
+    this.floors = List.copyOf(floors);
+    floors.forEach(f -> standable.put(f.name(), Inflation.of(f.grid(), SMALLEST_RADIUS)));
+  }
+
+  /**
+   * @param strongest the most that a robot carries, kilograms
+   */
+  Answer<TransportTask> task(TaskOrder order, String user, Instant now, double strongest) {
+    Optional<FloorMap> floor = floor(order.floor());
+    if (floor.isEmpty()) {
+      return new Answer.Refused<>(
+          "floor", "There is no floor " + order.floor() + ". " + floorNames());
+    }
+    if (order.load() > strongest) {
+      return new Answer.Refused<>(
+          "load",
+          String.format(
+              Locale.ROOT,
+              "No robot can carry %s kg: the strongest carries %s kg. Split the load.",
+              order.load(),
+              strongest));
+    }
+    Answer<TaskPlace> start = place(floor.get(), "start", order.start());
+    if (!(start instanceof Answer.Accepted<TaskPlace>(TaskPlace from))) {
+      return start.refusal();
+    }
+    Answer<TaskPlace> goal = place(floor.get(), "goal", order.goal());
+    if (!(goal instanceof Answer.Accepted<TaskPlace>(TaskPlace to))) {
+      return goal.refusal();
+    }
+    String obstacle = obstacle(floor.get(), from, to);
+    if (obstacle != null) {
+      return new Answer.Refused<>("goal", obstacle);
+    }
+    return new Answer.Accepted<>(
+        new TransportTask(
+            0,
+            order.name(),
+            order.load(),
+            from,
+            to,
+            floor.get().name(),
+            order.priority(),
+            order.deadline(),
+            order.size(),
+            user,
+            now));
+  }
+
+  Answer<RobotRecord> robot(RobotOrder order, List<RobotRecord> existing) {
+    if (existing.stream().anyMatch(r -> r.name().equalsIgnoreCase(order.name()))) {
+      return new Answer.Refused<>(
+          "name", "There is a robot " + order.name() + " already; choose another name.");
+    }
+    FloorMap floor = floors.getFirst();
+    Set<String> taken =
+        existing.stream()
+            .map(RobotRecord::parking)
+            .filter(p -> p != null)
+            .collect(Collectors.toSet());
+    String parking = order.parking();
+    if (parking == null) {
+      parking =
+          floor.parking().stream()
+              .map(Place::name)
+              .filter(p -> !taken.contains(p))
+              .findFirst()
+              .orElse(null);
+    } else if (floor.parking().stream().map(Place::name).noneMatch(parking::equals)) {
+      return new Answer.Refused<>(
+          "parking",
+          "There is no parking point " + parking + "; there are " + names(floor.parking()) + ".");
+    } else if (taken.contains(parking)) {
+      return new Answer.Refused<>(
+          "parking", "Another robot parks at " + parking + "; choose another parking point.");
+    }
+    return new Answer.Accepted<>(
+        new RobotRecord(
+            order.name(),
+            floor.name(),
+            order.host(),
+            order.port(),
+            order.maxLoad(),
+            parking,
+            false));
+  }
+
+  private Optional<FloorMap> floor(@Nullable String name) {
+    return name == null
+        ? Optional.of(floors.getFirst())
+        : floors.stream().filter(f -> f.name().equals(name)).findFirst();
+  }
+
+  private Answer<TaskPlace> place(FloorMap floor, String field, Where where) {
+    return switch (where) {
+      case Where.Station(String name) ->
+          floor.stations().stream()
+              .filter(s -> s.name().equals(name))
+              .findFirst()
+              .map(s -> standing(floor, field, new TaskPlace(s.position(), s.name())))
+              .orElseGet(
+                  () ->
+                      new Answer.Refused<>(
+                          field,
+                          "There is no station "
+                              + name
+                              + "; there are "
+                              + names(floor.stations())
+                              + "."));
+      case Where.Point(Vec2 position) -> standing(floor, field, new TaskPlace(position, null));
+    };
+  }
+
+  private Answer<TaskPlace> standing(FloorMap floor, String field, TaskPlace place) {
+    OccupancyGrid grid = floor.grid();
+    Cell cell = grid.cellAt(place.position());
+    if (!grid.contains(cell)) {
+      Vec2 low = grid.origin();
+      Vec2 high = low.plus(new Vec2(grid.width(), grid.height()).times(grid.resolution()));
+      return new Answer.Refused<>(
+          field,
+          String.format(
+              Locale.ROOT,
+              "The %s %s lies off the map, which goes from (%.2f, %.2f) to (%.2f, %.2f).",
+              field,
+              place.text(),
+              low.x(),
+              low.y(),
+              high.x(),
+              high.y()));
+    }
+    if (!standable(floor).isFree(cell)) {
+      return new Answer.Refused<>(
+          field,
+          "The "
+              + field
+              + " "
+              + place.text()
+              + " lies in a wall or too near to one for a robot; choose a free place.");
+    }
+    return new Answer.Accepted<>(place);
+  }
+
+  /** Why nothing can be carried from the one to the other; null if it can. */
+  private @Nullable String obstacle(FloorMap floor, TaskPlace from, TaskPlace to) {
+    OccupancyGrid grid = standable(floor);
+    Cell start = grid.cellAt(from.position());
+    Cell goal = grid.cellAt(to.position());
+    if (start.equals(goal)) {
+      return "Start and goal are the same place; choose another goal.";
+    }
+    return switch (new HeadingAStar().plan(grid, start, goal)) {
+      case PlanResult.Found found -> null;
+      case PlanResult.NotFound none ->
+          "There is no way for a robot from " + from.text() + " to " + to.text() + ".";
+    };
+  }
+
+  private OccupancyGrid standable(FloorMap floor) {
+    return standable.computeIfAbsent(
+        floor.name(), name -> Inflation.of(floor.grid(), SMALLEST_RADIUS));
+  }
+
+  private String floorNames() {
+    return "There are "
+        + floors.stream().map(FloorMap::name).collect(Collectors.joining(", "))
+        + ".";
+  }
+
+  private static String names(List<Place> places) {
+    return places.isEmpty()
+        ? "none on this floor"
+        : places.stream().map(Place::name).collect(Collectors.joining(", "));
+  }
+}

@@ -1,0 +1,288 @@
+package org.toqa.fleet;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.actor.typed.Behavior;
+import org.apache.pekko.actor.typed.PostStop;
+import org.apache.pekko.actor.typed.javadsl.AbstractBehavior;
+import org.apache.pekko.actor.typed.javadsl.ActorContext;
+import org.apache.pekko.actor.typed.javadsl.Behaviors;
+import org.apache.pekko.actor.typed.javadsl.Receive;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.link.RobotLink;
+import org.toqa.link.RobotLinks;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.ServerMessage;
+import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/**
+ * The server's side of one robot: it owns the link, the sequence numbers and the record of the last
+ * drive, pings every 500 ms, and notices silence.
+ *
+ * <p>A drive is stored before it is sent. What is told while the link is down is dropped: the next
+ * hello says what the robot knows, and the floor decides anew.
+ */
+final class RobotAgent extends AbstractBehavior<RobotMessage> {
+  private static final Logger log = LoggerFactory.getLogger(RobotAgent.class);
+  private static final Duration PING_EVERY = Duration.ofMillis(500);
+  private static final Duration LOST_AFTER = Duration.ofSeconds(2);
+
+  private final RobotRecord robot;
+  private final ActorRef<FloorMessage> floor;
+  private final FleetStore store;
+  private final StoreWriter writer;
+  private final RobotLink link;
+
+  private long seq;
+  private Optional<StoredDrive> drive = Optional.empty();
+  private boolean driveKnown;
+  private @Nullable Hello hello;
+
+  /** Counts the connections: what was meant for an old one is not sent on the next. */
+  private long connection;
+
+  /** Messages that wait for the store. */
+  private int unsent;
+
+  private boolean silent;
+  private Instant now;
+  private Instant lastHeard;
+  private Instant lastPing = Instant.MIN;
+
+  static Behavior<RobotMessage> of(
+      RobotRecord robot,
+      ActorRef<FloorMessage> floor,
+      FleetStore store,
+      RobotLinks links,
+      Instant now) {
+    return Behaviors.setup(context -> new RobotAgent(context, robot, floor, store, links, now));
+  }
+
+  private RobotAgent(
+      ActorContext<RobotMessage> context,
+      RobotRecord robot,
+      ActorRef<FloorMessage> floor,
+      FleetStore store,
+      RobotLinks links,
+      Instant now) {
+    super(context);
+    this.robot = robot;
+    this.floor = floor;
+    this.store = store;
+    this.now = now;
+    this.lastHeard = now;
+    this.writer = new StoreWriter(robot.name());
+    ActorRef<RobotMessage> self = context.getSelf();
+    writer.write(
+        () -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot.name()))), () -> {});
+    this.link = links.open(robot.name(), robot.host(), robot.port(), new Mailbox(self));
+  }
+
+  @Override
+  public Receive<RobotMessage> createReceive() {
+    return newReceiveBuilder()
+        .onAnyMessage(this::on)
+        .onSignal(PostStop.class, signal -> closed())
+        .build();
+  }
+
+  private Behavior<RobotMessage> on(RobotMessage message) {
+    switch (message) {
+      case RobotMessage.Drive m -> begin(m);
+      case RobotMessage.Extend m -> extend(m);
+      case RobotMessage.Release m -> release(m.released());
+      case RobotMessage.DriveStored m -> stored(m);
+      case RobotMessage.Cancel m -> sendInOrder(new ServerMessage.Cancel(++seq, m.task()));
+      case RobotMessage.Locate m -> sendInOrder(new ServerMessage.Locate(++seq, m.pose()));
+      case RobotMessage.Acknowledge m -> send(new ServerMessage.AckDone(m.drive()));
+      case RobotMessage.LinkUp m -> connected(m.hello());
+      case RobotMessage.Heard m -> heard(m.message());
+      case RobotMessage.LinkDown m -> disconnected(m.why());
+      case RobotMessage.DriveLoaded m -> driveLoaded(m.drive());
+      case RobotMessage.Tick m -> tick(m.now());
+      case RobotMessage.Stop m -> {
+        return Behaviors.stopped();
+      }
+    }
+    return this;
+  }
+
+  private void begin(RobotMessage.Drive m) {
+    StoredDrive next = new StoredDrive(++seq, m.task(), m.phase(), m.way());
+    storeThenSend(
+        next,
+        new ServerMessage.Drive(
+            next.seq(),
+            m.task(),
+            m.phase(),
+            m.way().start(),
+            m.way().segments(),
+            m.released(),
+            m.last()));
+    floor.tell(new FloorMessage.DriveBegun(robot.name(), next));
+  }
+
+  private void extend(RobotMessage.Extend m) {
+    if (drive.isEmpty()) {
+      return;
+    }
+    StoredDrive old = drive.get();
+    List<Segment> segments = new ArrayList<>(old.way().segments().subList(0, m.from()));
+    segments.addAll(m.segments());
+    Trajectory way = new Trajectory(old.way().start(), segments);
+    storeThenSend(
+        new StoredDrive(old.seq(), old.task(), old.phase(), way),
+        new ServerMessage.Extend(++seq, old.seq(), m.from(), m.segments(), m.released(), m.last()));
+  }
+
+  private void release(int released) {
+    drive.ifPresent(d -> sendInOrder(new ServerMessage.Release(++seq, d.seq(), released)));
+  }
+
+  private void storeThenSend(StoredDrive next, Command message) {
+    drive = Optional.of(next);
+    unsent++;
+    long asked = connection;
+    ActorRef<RobotMessage> self = getContext().getSelf();
+    writer.write(
+        () -> store.saveDrive(robot.name(), next),
+        () -> self.tell(new RobotMessage.DriveStored(asked, message)));
+  }
+
+  /** Behind everything that still waits for the store, since sequence numbers must rise. */
+  private void sendInOrder(Command message) {
+    if (unsent == 0) {
+      send(message);
+      return;
+    }
+    unsent++;
+    long asked = connection;
+    ActorRef<RobotMessage> self = getContext().getSelf();
+    writer.write(() -> {}, () -> self.tell(new RobotMessage.DriveStored(asked, message)));
+  }
+
+  private void stored(RobotMessage.DriveStored m) {
+    unsent--;
+    if (m.connection() == connection) {
+      send(m.message());
+    } // else the hello of the new connection made the floor decide anew
+  }
+
+  private void connected(Hello said) {
+    log.info(
+        "{}: connected; mode {}, task {}, phase {}.",
+        robot.name(),
+        said.mode(),
+        said.task(),
+        said.phase());
+    hello = said;
+    connection++;
+    lastHeard = now;
+    silent = false;
+    seq = Math.max(seq, said.lastSeq());
+    ping();
+    tellConnected();
+  }
+
+  private void driveLoaded(Optional<StoredDrive> stored) {
+    driveKnown = true;
+    if (drive.isEmpty()) {
+      drive = stored;
+      seq = Math.max(seq, stored.map(StoredDrive::seq).orElse(0L));
+    }
+    tellConnected();
+  }
+
+  private void tellConnected() {
+    if (hello != null && driveKnown) {
+      floor.tell(new FloorMessage.Connected(robot.name(), hello, drive));
+    }
+  }
+
+  private void heard(AgentMessage message) {
+    lastHeard = now;
+    if (silent && hello != null && driveKnown) {
+      silent = false;
+      log.info("{}: heard again.", robot.name());
+      floor.tell(new FloorMessage.HeardAgain(robot.name()));
+    }
+    switch (message) {
+      case AgentMessage.State state -> floor.tell(new FloorMessage.Heard(robot.name(), state));
+      case AgentMessage.Done done ->
+          floor.tell(
+              new FloorMessage.PhaseEnded(
+                  robot.name(),
+                  new AgentMessage.PhaseEnd(done.task(), done.phase(), done.drive())));
+      case AgentMessage.Reject reject -> {
+        log.warn("{}: refused command {}: {}", robot.name(), reject.seq(), reject.reason());
+        floor.tell(new FloorMessage.Rejected(robot.name(), reject.seq(), reject.reason()));
+      }
+      case AgentMessage.Hello ignored -> {}
+      case AgentMessage.Ack ignored -> {}
+    }
+  }
+
+  private void disconnected(String why) {
+    if (hello != null) {
+      log.warn("{}: connection lost: {}", robot.name(), why);
+    }
+    hello = null;
+    floor.tell(new FloorMessage.Disconnected(robot.name(), why));
+  }
+
+  private void tick(Instant time) {
+    now = time;
+    if (hello != null && unsent == 0 && !lastPing.plus(PING_EVERY).isAfter(now)) {
+      ping();
+    }
+    if (!silent && lastHeard.plus(LOST_AFTER).isBefore(now)) {
+      silent = true;
+      floor.tell(new FloorMessage.Silent(robot.name(), lastHeard));
+    }
+  }
+
+  private void ping() {
+    lastPing = now;
+    send(new ServerMessage.Ping(++seq));
+  }
+
+  private void send(ServerMessage message) {
+    if (hello != null) {
+      link.send(message);
+    }
+  }
+
+  private Behavior<RobotMessage> closed() {
+    link.close();
+    writer.close();
+    return this;
+  }
+
+  /** Turns the link's calls into messages. */
+  private record Mailbox(ActorRef<RobotMessage> self) implements RobotLink.Listener {
+    @Override
+    public void connected(Hello said) {
+      self.tell(new RobotMessage.LinkUp(said));
+    }
+
+    @Override
+    public void received(AgentMessage message) {
+      self.tell(new RobotMessage.Heard(message));
+    }
+
+    @Override
+    public void disconnected(String sentence) {
+      self.tell(new RobotMessage.LinkDown(sentence));
+    }
+  }
+}

@@ -1,0 +1,58 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.geometry.Pose;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/** What a robot agent is told: by its floor, by its link, by its store, by the clock. */
+sealed interface RobotMessage {
+
+  /**
+   * Drive this way.
+   *
+   * @param released so many segments of it for now
+   * @param last whether it ends the phase
+   */
+  record Drive(@Nullable Long task, int phase, Trajectory way, int released, boolean last)
+      implements RobotMessage {}
+
+  /** Drive other segments from {@code from} on. */
+  record Extend(int from, List<Segment> segments, int released, boolean last)
+      implements RobotMessage {}
+
+  record Release(int released) implements RobotMessage {}
+
+  record Cancel(@Nullable Long task) implements RobotMessage {}
+
+  record Locate(Pose pose) implements RobotMessage {}
+
+  /** What followed from the end of this drive is stored. */
+  record Acknowledge(long drive) implements RobotMessage {}
+
+  record LinkUp(Hello hello) implements RobotMessage {}
+
+  record Heard(AgentMessage message) implements RobotMessage {}
+
+  record LinkDown(String why) implements RobotMessage {}
+
+  record DriveLoaded(Optional<StoredDrive> drive) implements RobotMessage {}
+
+  /**
+   * What this message is about is safe: it may be sent.
+   *
+   * @param connection the one it was meant for
+   */
+  record DriveStored(long connection, Command message) implements RobotMessage {}
+
+  record Tick(Instant now) implements RobotMessage {}
+
+  record Stop() implements RobotMessage {}
+}

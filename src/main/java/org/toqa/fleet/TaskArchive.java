@@ -1,0 +1,18 @@
+package org.toqa.fleet;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Reads stored tasks and their history, ended ones too. Called by threads that may wait. */
+public interface TaskArchive {
+
+  /** Newest first. */
+  List<TaskView> tasks(int offset, int limit);
+
+  Optional<TaskView> task(long id);
+
+  /** Oldest first. */
+  List<EventRecord> history(long task);
+
+  long count();
+}

@@ -1,0 +1,104 @@
+package org.toqa.grid;
+
+import java.util.Arrays;
+import java.util.BitSet;
+
+/**
+ * Grows the obstacles by a robot's radius, so that a planner may treat the robot as a point.
+ *
+ * <p>The rule: a cell is blocked when an open disc of the radius round its centre overlaps the
+ * square of an occupied cell or leaves the grid. A disc that merely touches a wall fits, so a robot
+ * passes an aisle exactly as wide as itself; straight and corner-respecting diagonal moves between
+ * free centres then keep the whole disc off the walls.
+ *
+ * <p>Along each row the distance to the nearest occupied cell is found once; a cell is then blocked
+ * if in some row within the radius that distance is within the disc's reach in that row. Cost:
+ * cells times rows in the disc, exact.
+ */
+public final class Inflation {
+  /** In cells: far below what a map can mean, far above what rounding does to a radius. */
+  private static final double ROUNDING = 1e-9;
+
+  private Inflation() {}
+
+  /**
+   * @param radius metres; 0 leaves the grid as it is
+   */
+  public static OccupancyGrid of(OccupancyGrid grid, double radius) {
+    if (!(radius >= 0) || Double.isInfinite(radius)) {
+      throw new IllegalArgumentException(
+          "A margin is a number of metres from 0 up, not " + radius + ".");
+    }
+    int width = grid.width();
+    int height = grid.height();
+    double cells = radius / grid.resolution() - ROUNDING;
+    int rows = cells <= 0 ? -1 : (int) Math.min(height, Math.ceil(cells - 0.5));
+    if (rows < 0) {
+      return grid;
+    }
+    int[] gap = rowGaps(grid);
+    boolean[] touched = new boolean[gap.length];
+    for (int dRow = -rows; dRow <= rows; dRow++) {
+      int reach = reach(cells, dRow);
+      int first = Math.max(0, -dRow) * width;
+      int end = Math.min(height, height - dRow) * width;
+      int shift = dRow * width;
+      for (int i = first; i < end; i++) {
+        touched[i] |= gap[i + shift] <= reach;
+      }
+    }
+    BitSet blocked = new BitSet(touched.length);
+    for (int i = 0; i < touched.length; i++) {
+      blocked.set(i, touched[i]);
+    }
+    blockBorder(blocked, width, height, cells);
+    return grid.withOccupied(blocked);
+  }
+
+  /** Columns from each cell to the nearest occupied one in its row. */
+  private static int[] rowGaps(OccupancyGrid grid) {
+    int width = grid.width();
+    int[] gap = new int[width * grid.height()];
+    Arrays.fill(gap, Integer.MAX_VALUE);
+    for (int row = 0; row < grid.height(); row++) {
+      int last = -1;
+      for (int column = 0; column < width; column++) {
+        last = grid.isFree(column, row) ? last : column;
+        if (last >= 0) {
+          gap[row * width + column] = column - last;
+        }
+      }
+      int next = -1;
+      for (int column = width - 1; column >= 0; column--) {
+        next = grid.isFree(column, row) ? next : column;
+        if (next >= 0) {
+          gap[row * width + column] = Math.min(gap[row * width + column], next - column);
+        }
+      }
+    }
+    return gap;
+  }
+
+  /**
+   * How many columns away an occupied square, {@code dRow} rows away, still overlaps the disc.
+   *
+   * @param radius in cells, positive
+   */
+  private static int reach(double radius, int dRow) {
+    double dy = Math.max(0, Math.abs(dRow) - 0.5);
+    double dx = Math.sqrt(radius * radius - dy * dy);
+    return (int) Math.min(Integer.MAX_VALUE - 1, Math.ceil(dx + 0.5) - 1);
+  }
+
+  private static void blockBorder(BitSet blocked, int width, int height, double radius) {
+    int border = (int) Math.min(Math.max(width, height), Math.ceil(radius - 0.5));
+    for (int row = 0; row < height; row++) {
+      if (row < border || row >= height - border) {
+        blocked.set(row * width, (row + 1) * width);
+      } else {
+        blocked.set(row * width, row * width + Math.min(width, border));
+        blocked.set(row * width + Math.max(0, width - border), (row + 1) * width);
+      }
+    }
+  }
+}

@@ -1,0 +1,54 @@
+package org.toqa.grid;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+
+/** What a map file may be at most; checked before memory is taken for it. */
+final class MapLimits {
+  /** 4 million cells: 2048 x 2048, or 600 m x 600 m at 0.30 m. */
+  static final int MAX_CELLS = 1 << 22;
+
+  /** Bytes of an image or of a map in text. */
+  static final long MAX_MAP_BYTES = 64L << 20;
+
+  /** Bytes of a YAML file. */
+  static final long MAX_YAML_BYTES = 1L << 20;
+
+  /** Metres from the frame's origin. */
+  static final double FARTHEST = 100_000;
+
+  private MapLimits() {}
+
+  static void checkSize(Path file, long width, long height) throws MapFormatException {
+    if (width < 1 || height < 1) {
+      throw new MapFormatException(
+          file + ": the map is " + width + " x " + height + " cells; both must be at least 1.");
+    }
+    if (width > MAX_CELLS || height > MAX_CELLS || width * height > MAX_CELLS) {
+      throw new MapFormatException(
+          "%s: the map is %d x %d cells, more than %d; use larger cells or split the floor."
+              .formatted(file, width, height, MAX_CELLS));
+    }
+  }
+
+  static byte[] readBytes(Path file, long limit) throws MapFormatException {
+    try {
+      long size = Files.size(file);
+      if (size > limit) {
+        throw new MapFormatException(
+            "%s has %d bytes, more than the %d that a map file may have."
+                .formatted(file, size, limit));
+      }
+      return Files.readAllBytes(file);
+    } catch (NoSuchFileException e) {
+      throw new MapFormatException("There is no file " + file + "; check the map's path.", e);
+    } catch (MapFormatException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new MapFormatException(
+          file + " cannot be read; check that it is a file and its permissions.", e);
+    }
+  }
+}

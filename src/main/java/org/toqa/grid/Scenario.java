@@ -1,0 +1,12 @@
+package org.toqa.grid;
+
+/**
+ * One query of a MovingAI scenario file.
+ *
+ * @param map the map file's name, as the file has it
+ * @param width cells
+ * @param height cells
+ * @param optimal length in cells of the shortest octile way that cuts no corner
+ */
+public record Scenario(
+    int bucket, String map, int width, int height, Cell start, Cell goal, double optimal) {}

@@ -1,0 +1,39 @@
+package org.toqa.link;
+
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.ServerMessage;
+
+/**
+ * The server's end of the link to one robot; it connects, and connects again, by itself.
+ *
+ * <ol>
+ *   <li>{@link Listener#connected} brings the robot's hello.
+ *   <li>{@link #send} queues a message and never waits; what is sent while there is no connection
+ *       is dropped, since the next hello tells what the robot knows.
+ *   <li>{@link Listener#received} brings what the robot says.
+ *   <li>{@link Listener#disconnected} says why the connection ended or could not be made; the link
+ *       goes on trying until {@link #close}.
+ * </ol>
+ *
+ * Any thread may call it; the listener is called by the link's own threads, one call at a time.
+ */
+public interface RobotLink extends AutoCloseable {
+
+  void send(ServerMessage message);
+
+  @Override
+  void close();
+
+  /** Hears what happens on a link. */
+  interface Listener {
+    void connected(Hello hello);
+
+    void received(AgentMessage message);
+
+    /**
+     * @param sentence why, for people
+     */
+    void disconnected(String sentence);
+  }
+}

@@ -1,0 +1,90 @@
+package org.toqa.link;
+
+import org.jspecify.annotations.Nullable;
+import org.toqa.link.message.ServerMessage;
+
+/** A link that connects, listens, and connects again, on a virtual thread of its own. */
+final class TcpRobotLink implements RobotLink {
+
+  private final String robot;
+  private final String host;
+  private final int port;
+  private final boolean offLoopbackToo;
+  private final Listener listener;
+  private final Backoff backoff = new Backoff();
+  private final Thread thread;
+  private volatile boolean closed;
+  private volatile @Nullable RobotConnection connection;
+  private String told = "";
+
+  TcpRobotLink(String robot, String host, int port, boolean offLoopbackToo, Listener listener) {
+    this.robot = robot;
+    this.host = host;
+    this.port = port;
+    this.offLoopbackToo = offLoopbackToo;
+    this.listener = listener;
+    thread = Thread.ofVirtual().name("link-" + robot).unstarted(this::run);
+  }
+
+  void start() {
+    thread.start();
+  }
+
+  @Override
+  public void send(ServerMessage message) {
+    RobotConnection now = connection;
+    if (now != null) {
+      now.send(message);
+    }
+  }
+
+  @Override
+  public void close() {
+    closed = true;
+    thread.interrupt(); // ends a wait, and a socket that is being connected or read
+  }
+
+  private void run() {
+    while (!closed) {
+      try {
+        converse();
+      } catch (LinkException e) {
+        tell(String.valueOf(e.getMessage()));
+      }
+      pause();
+    }
+  }
+
+  private void converse() throws LinkException {
+    try (RobotConnection made = RobotConnection.open(robot, host, port, offLoopbackToo)) {
+      var hello = made.hello();
+      backoff.reset();
+      told = "";
+      connection = made;
+      listener.connected(hello);
+      while (!closed) {
+        listener.received(made.next());
+      }
+    } finally {
+      connection = null;
+    }
+  }
+
+  /** Once for each reason, not once for each attempt. */
+  private void tell(String sentence) {
+    if (!closed && !sentence.equals(told)) {
+      told = sentence;
+      listener.disconnected(sentence);
+    }
+  }
+
+  private void pause() {
+    try {
+      if (!closed) {
+        Thread.sleep(backoff.next());
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // only close() interrupts, and the loop sees it
+    }
+  }
+}

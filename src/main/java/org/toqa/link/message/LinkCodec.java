@@ -1,0 +1,199 @@
+package org.toqa.link.message;
+
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.Nulls;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.JsonParser;
+import tools.jackson.core.StreamReadConstraints;
+import tools.jackson.core.StreamReadFeature;
+import tools.jackson.core.json.JsonFactory;
+import tools.jackson.databind.DeserializationContext;
+import tools.jackson.databind.DeserializationFeature;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.MapperFeature;
+import tools.jackson.databind.cfg.EnumFeature;
+import tools.jackson.databind.deser.std.StdScalarDeserializer;
+import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.module.SimpleModule;
+
+/**
+ * Messages of the robot link as lines: one JSON object, UTF-8, ended by a line feed, at most {@link
+ * #MAX_LINE_BYTES} long. Reading never throws: whatever a peer sends becomes a message that is
+ * complete, well typed and finite in every number, or a sentence about what is wrong with it.
+ * Fields that are not known are ignored; a field of the record that is not sent is an error.
+ */
+public final class LinkCodec {
+
+  /** Of a line with its line feed. */
+  public static final int MAX_LINE_BYTES = 65_536;
+
+  /** So many segments fit into one line, whatever their numbers; the rest follows by extend. */
+  public static final int SEGMENTS_A_LINE = 500;
+
+  /** 2^53: up to here every whole number is exact in any language's JSON. */
+  private static final double LARGEST_NUMBER = 0x1p53;
+
+  private static final int LONGEST_ECHO = 40;
+
+  private static final JsonMapper MAPPER =
+      JsonMapper.builder(
+              JsonFactory.builder()
+                  .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+                  .streamReadConstraints(
+                      StreamReadConstraints.builder()
+                          .maxNestingDepth(16)
+                          .maxNumberLength(64)
+                          .build())
+                  .build())
+          .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+          .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
+          .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
+          .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+          .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
+          .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
+          .enable(EnumFeature.FAIL_ON_NUMBERS_FOR_ENUMS)
+          .changeDefaultNullHandling(
+              nulls -> nulls.withValueNulls(Nulls.FAIL).withContentNulls(Nulls.FAIL))
+          .addModule(
+              new SimpleModule()
+                  .addDeserializer(double.class, new PlainNumber())
+                  .addDeserializer(Double.class, new PlainNumber()))
+          .build();
+
+  private LinkCodec() {}
+
+  /**
+   * The message as a line with its line feed.
+   *
+   * @throws IllegalArgumentException if it would be longer than a line may be
+   */
+  public static byte[] line(ServerMessage message) {
+    return line((Object) message);
+  }
+
+  /**
+   * The message as a line with its line feed.
+   *
+   * @throws IllegalArgumentException if it would be longer than a line may be
+   */
+  public static byte[] line(AgentMessage message) {
+    return line((Object) message);
+  }
+
+  public static MessageReading<ServerMessage> serverMessage(LineReader.Line line) {
+    return read(line, ServerMessage.class);
+  }
+
+  public static MessageReading<AgentMessage> agentMessage(LineReader.Line line) {
+    return read(line, AgentMessage.class);
+  }
+
+  private static String tooLong(long bytes) {
+    return "The line has "
+        + bytes
+        + " bytes; a line has at most "
+        + MAX_LINE_BYTES
+        + ". Send a longer way by extend.";
+  }
+
+  private static byte[] line(Object message) {
+    byte[] json = MAPPER.writeValueAsBytes(message);
+    if (json.length >= MAX_LINE_BYTES) {
+      throw new IllegalArgumentException(tooLong(json.length + 1L));
+    }
+    byte[] line = Arrays.copyOf(json, json.length + 1);
+    line[json.length] = '\n';
+    return line;
+  }
+
+  private static <M> MessageReading<M> read(LineReader.Line line, Class<M> messages) {
+    return switch (line) {
+      case LineReader.Text(byte[] utf8) -> read(utf8, messages);
+      case LineReader.TooLong(long bytes) -> new MessageReading.Refused<>(0, tooLong(bytes));
+    };
+  }
+
+  private static <M> MessageReading<M> read(byte[] line, Class<M> messages) {
+    JsonNode tree;
+    try {
+      tree = MAPPER.readTree(line);
+    } catch (JacksonException e) {
+      return new MessageReading.Refused<>(0, "The line is not one JSON object in UTF-8.");
+    }
+    if (!tree.isObject()) {
+      return new MessageReading.Refused<>(0, "The line is not one JSON object in UTF-8.");
+    }
+    long seq = tree.path("seq").isIntegralNumber() ? tree.path("seq").asLong(0) : 0;
+    String fault = faultOf(tree, messages);
+    if (fault != null) {
+      return new MessageReading.Refused<>(seq, fault);
+    }
+    try {
+      return new MessageReading.Understood<>(MAPPER.treeToValue(tree, messages));
+    } catch (JacksonException e) {
+      return new MessageReading.Refused<>(seq, sentence(tree.path("type").stringValue(), e));
+    }
+  }
+
+  private static @Nullable String faultOf(JsonNode tree, Class<?> messages) {
+    JsonNode type = tree.path("type");
+    if (!type.isString()) {
+      return "The message has no type.";
+    }
+    List<String> known = types(messages);
+    if (!known.contains(type.stringValue())) {
+      return "The type \"%s\" is not known; known are %s."
+          .formatted(shortened(type.stringValue()), String.join(", ", known));
+    }
+    return numbersAreSane(tree)
+        ? null
+        : "A number of the %s is not finite or absurdly large.".formatted(type.stringValue());
+  }
+
+  private static List<String> types(Class<?> messages) {
+    return Arrays.stream(messages.getAnnotation(JsonSubTypes.class).value())
+        .map(JsonSubTypes.Type::name)
+        .toList();
+  }
+
+  private static boolean numbersAreSane(JsonNode node) {
+    if (node.isNumber()) {
+      return Math.abs(node.doubleValue()) <= LARGEST_NUMBER;
+    }
+    return node.valueStream().allMatch(LinkCodec::numbersAreSane);
+  }
+
+  private static String sentence(String type, JacksonException e) {
+    String field =
+        e.getPath().stream()
+            .map(r -> r.getPropertyName() == null ? "[" + r.getIndex() + "]" : r.getPropertyName())
+            .collect(Collectors.joining("."))
+            .replace(".[", "[");
+    return field.isEmpty()
+        ? "The %s lacks a field or has one of the wrong kind.".formatted(type)
+        : "The field \"%s\" of the %s is missing or of the wrong kind."
+            .formatted(shortened(field), type);
+  }
+
+  private static String shortened(String text) {
+    return text.length() <= LONGEST_ECHO ? text : text.substring(0, LONGEST_ECHO) + "...";
+  }
+
+  /** Takes numbers only, where the library would also take the text "NaN". */
+  private static final class PlainNumber extends StdScalarDeserializer<Double> {
+    PlainNumber() {
+      super(double.class);
+    }
+
+    @Override
+    public Double deserialize(JsonParser parser, DeserializationContext context) {
+      return parser.currentToken().isNumeric()
+          ? parser.getDoubleValue()
+          : (Double) context.handleUnexpectedToken(context.constructType(Double.class), parser);
+    }
+  }
+}

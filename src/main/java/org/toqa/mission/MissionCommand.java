@@ -1,0 +1,13 @@
+package org.toqa.mission;
+
+/** What a mission wants done, once its new state is stored. */
+public sealed interface MissionCommand {
+
+  String robot();
+
+  /** Send the robot its way for the phase: 1 to the object, 2 to the goal, 3 home. */
+  record Drive(String robot, int phase) implements MissionCommand {}
+
+  /** The robot is free: parked, or on another task. */
+  record LetGo(String robot) implements MissionCommand {}
+}

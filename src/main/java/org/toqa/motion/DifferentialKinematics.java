@@ -1,0 +1,42 @@
+package org.toqa.motion;
+
+import org.toqa.geometry.Twist;
+
+/**
+ * Two driven wheels on one axle, left and right; such a robot cannot go sideways.
+ *
+ * @param wheelRadius r, metres
+ * @param track b, metres between the wheels
+ */
+public record DifferentialKinematics(double wheelRadius, double track) implements WheelKinematics {
+
+  public DifferentialKinematics {
+    WheelKinematics.requireLength("wheel radius", wheelRadius);
+    WheelKinematics.requireLength("track", track);
+  }
+
+  @Override
+  public int wheels() {
+    return 2;
+  }
+
+  // v_left = vx - w b/2,  v_right = vx + w b/2,  wheel rate = v / r
+  @Override
+  public double[] rates(Twist twist) {
+    if (twist.vy() != 0) {
+      throw new IllegalArgumentException(
+          "Two wheels on one axle cannot go sideways at " + twist.vy() + " m/s.");
+    }
+    double turning = twist.w() * track / 2;
+    return new double[] {
+      (twist.vx() - turning) / wheelRadius, (twist.vx() + turning) / wheelRadius
+    };
+  }
+
+  @Override
+  public Twist twist(double... rates) {
+    double left = rates[0] * wheelRadius;
+    double right = rates[1] * wheelRadius;
+    return new Twist((left + right) / 2, 0, (right - left) / track);
+  }
+}

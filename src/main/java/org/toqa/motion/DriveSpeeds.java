@@ -1,0 +1,28 @@
+package org.toqa.motion;
+
+/**
+ * How fast a planned way is driven.
+ *
+ * @param forward metres a second on straights, and the most on arcs
+ * @param arcRate radians a second, the most on arcs: a tight arc is driven slower than {@code
+ *     forward}
+ * @param spotRate radians a second of a turn on the spot
+ */
+public record DriveSpeeds(double forward, double arcRate, double spotRate) {
+
+  /** 0.25 m/s as in Tanta, and rates at which the wheels stay well below their limit. */
+  public static final DriveSpeeds DEFAULT = new DriveSpeeds(0.25, 1.5, 1.5);
+
+  public DriveSpeeds {
+    requirePositive("forward", forward);
+    requirePositive("arcRate", arcRate);
+    requirePositive("spotRate", spotRate);
+  }
+
+  private static void requirePositive(String name, double value) {
+    if (!(value > 0) || Double.isInfinite(value)) {
+      throw new IllegalArgumentException(
+          "The speed '" + name + "' must be a positive number, not " + value + ".");
+    }
+  }
+}

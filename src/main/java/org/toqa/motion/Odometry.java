@@ -1,0 +1,65 @@
+package org.toqa.motion;
+
+import org.toqa.geometry.Pose;
+
+/**
+ * A robot's pose from its wheels' encoder counts: each step is taken as an arc of constant
+ * velocity. Confined to one thread.
+ */
+public final class Odometry {
+  /** Gear 1:27, 26 pulses a motor turn, quadrature times 4. */
+  public static final int COUNTS_PER_WHEEL_TURN = 27 * 26 * 4;
+
+  private final WheelKinematics kinematics;
+  private final int countsPerTurn;
+  private int[] last;
+  private Pose pose;
+
+  /**
+   * @param countsPerTurn encoder counts of one turn of a wheel
+   * @param counts what the wheels' 32-bit counters say at {@code pose}
+   */
+  public Odometry(WheelKinematics kinematics, int countsPerTurn, Pose pose, int... counts) {
+    if (countsPerTurn < 1) {
+      throw new IllegalArgumentException(
+          "A wheel's turn has at least one count, not " + countsPerTurn + ".");
+    }
+    this.kinematics = kinematics;
+    this.countsPerTurn = countsPerTurn;
+    this.pose = pose;
+    this.last = checked(counts);
+  }
+
+  public Pose pose() {
+    return pose;
+  }
+
+  /** Somebody who knows better says where the robot is. */
+  public void locate(Pose known) {
+    pose = known;
+  }
+
+  /**
+   * The pose now.
+   *
+   * @param counts of each wheel; a counter may have wrapped around since the last call
+   */
+  public Pose update(int... counts) {
+    checked(counts);
+    double[] turned = new double[counts.length];
+    for (int i = 0; i < counts.length; i++) {
+      turned[i] = (counts[i] - last[i]) * 2 * Math.PI / countsPerTurn;
+    }
+    last = counts.clone();
+    pose = pose.advanced(kinematics.twist(turned), 1);
+    return pose;
+  }
+
+  private int[] checked(int[] counts) {
+    if (counts.length != kinematics.wheels()) {
+      throw new IllegalArgumentException(
+          "Expected counts of " + kinematics.wheels() + " wheels, not " + counts.length + ".");
+    }
+    return counts.clone();
+  }
+}

@@ -1,0 +1,110 @@
+package org.toqa.sim;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.agent.AgentConfig;
+import org.toqa.agent.Daemon;
+import org.toqa.agent.MotionLimits;
+
+/**
+ * Simulated robots: real daemons over simulated bodies, each behind a TCP port of its own on
+ * loopback, all in one process and by one clock. A robot whose folder is found stands where it
+ * stood, with its journal; the ports are new at every start.
+ */
+public final class SimulatedFleet implements AutoCloseable {
+
+  private static final Logger log = LoggerFactory.getLogger(SimulatedFleet.class);
+
+  private static final int ANY_FREE_PORT = 0;
+  private static final double FOOTPRINT = 0.255;
+  private static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
+  private static final double SLIP = 0.01;
+
+  private final VirtualClock clock;
+  private final List<Inhabitant> robots = new ArrayList<>();
+
+  /** A daemon in the world. */
+  private record Inhabitant(Daemon daemon) implements Participant {
+    @Override
+    public void tick(long nanos) {
+      daemon.tick(nanos);
+    }
+
+    @Override
+    public boolean isReady(long nanos) {
+      return !daemon.awaitsServer(nanos);
+    }
+
+    @Override
+    public String toString() {
+      return daemon.robot();
+    }
+  }
+
+  /**
+   * Makes the robots, or finds them again, and lets them live by the clock.
+   *
+   * @param folder one folder for each robot is kept in it, with the robot's name
+   */
+  public static SimulatedFleet open(Path folder, List<SimulatedRobot> robots, VirtualClock clock)
+      throws IOException {
+    SimulatedFleet fleet = new SimulatedFleet(clock);
+    try {
+      for (SimulatedRobot robot : robots) {
+        fleet.add(folder.resolve(robot.name()), robot);
+      }
+      return fleet;
+    } catch (IOException e) {
+      fleet.close();
+      throw e;
+    }
+  }
+
+  private SimulatedFleet(VirtualClock clock) {
+    this.clock = clock;
+  }
+
+  /** Where each robot listens, on loopback, by its name. */
+  public Map<String, Integer> ports() {
+    return robots.stream()
+        .map(Inhabitant::daemon)
+        .collect(Collectors.toMap(Daemon::robot, Daemon::port));
+  }
+
+  /** Takes the robots out of the world, the last one first, and ends their daemons. */
+  @Override
+  public void close() {
+    for (Inhabitant robot : robots.reversed()) {
+      clock.remove(robot);
+      try {
+        robot.daemon().close();
+      } catch (IOException e) {
+        log.warn("{}: could not be ended cleanly.", robot, e);
+      }
+    }
+    robots.clear();
+  }
+
+  private void add(Path folder, SimulatedRobot robot) throws IOException {
+    AgentConfig config =
+        new AgentConfig(
+            robot.name(),
+            InetAddress.getLoopbackAddress(),
+            ANY_FREE_PORT,
+            folder,
+            robot.maxLoad(),
+            FOOTPRINT,
+            LIMITS,
+            new AgentConfig.Simulated(robot.start(), SLIP, robot.name().hashCode()));
+    Inhabitant inhabitant = new Inhabitant(Daemon.open(config, clock, clock.nanos()));
+    robots.add(inhabitant);
+    clock.add(inhabitant, Daemon.TICK);
+  }
+}

@@ -1,0 +1,158 @@
+package org.toqa.sim;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.locks.LockSupport;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The one clock of a simulated world. It goes in steps of 20 ms: in each step every participant
+ * that is due has its tick, in the order in which they were added, and only then does time go on.
+ * So a slow machine slows the world and trips no timer of it.
+ *
+ * <p>Either {@link #start} lets it run by itself, so many times faster than real time as the
+ * machine can keep up with, or a test moves it by {@link #advance}.
+ */
+public final class VirtualClock implements InstantSource, AutoCloseable {
+
+  public static final Duration STEP = Duration.ofMillis(20);
+
+  private static final Logger log = LoggerFactory.getLogger(VirtualClock.class);
+
+  /** Real time that participants may hold the world up in one stretch. */
+  private static final Duration LONGEST_HOLD = Duration.ofSeconds(5);
+
+  private static final long CLOSE_MILLIS = 5_000;
+
+  /** The world gives up real time that it is behind by more than this. */
+  private static final long MOST_BEHIND_NANOS = 100_000_000;
+
+  private final Instant epoch;
+  private final double speed;
+  private final List<Seat> seats = new CopyOnWriteArrayList<>();
+  private final Object step = new Object();
+  private final Thread thread;
+  private volatile long nanos;
+  private volatile boolean closed;
+
+  private record Seat(Participant participant, long period) {
+    boolean isDue(long nanos) {
+      return nanos % period == 0;
+    }
+  }
+
+  /**
+   * @param epoch the world's time at its start
+   * @param speed how many times faster than real time it goes
+   */
+  public VirtualClock(Instant epoch, double speed) {
+    if (!(speed > 0) || Double.isInfinite(speed)) {
+      throw new IllegalArgumentException("The speed must be positive, not " + speed + ".");
+    }
+    this.epoch = epoch;
+    this.speed = speed;
+    thread = Thread.ofPlatform().name("virtual-clock").daemon().unstarted(this::run);
+  }
+
+  /** Nanoseconds since the world's start, monotonic. */
+  public long nanos() {
+    return nanos;
+  }
+
+  @Override
+  public Instant instant() {
+    return epoch.plusNanos(nanos);
+  }
+
+  /**
+   * @param period a multiple of {@link #STEP}
+   */
+  public void add(Participant participant, Duration period) {
+    if (period.toNanos() <= 0 || period.toNanos() % STEP.toNanos() != 0) {
+      throw new IllegalArgumentException("The period " + period + " is no multiple of " + STEP);
+    }
+    seats.add(new Seat(participant, period.toNanos()));
+  }
+
+  /** When this returns, the participant has no tick under way and will have none. */
+  public void remove(Participant participant) {
+    synchronized (step) {
+      seats.removeIf(seat -> seat.participant() == participant);
+    }
+  }
+
+  /** Lets the world run. */
+  public void start() {
+    thread.start();
+  }
+
+  /** Moves the world on by this much, ready or not; for a clock that was not started. */
+  public void advance(Duration time) {
+    long end = nanos + time.toNanos();
+    while (nanos < end) {
+      advanceOneStep();
+    }
+  }
+
+  /** Stops the world; when this returns, no tick is under way. */
+  @Override
+  public void close() {
+    closed = true;
+    LockSupport.unpark(thread);
+    try {
+      thread.join(CLOSE_MILLIS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void run() {
+    long stepNanos = Math.round(STEP.toNanos() / speed);
+    long due = System.nanoTime();
+    long heldSince = due;
+    while (!closed) {
+      long now = System.nanoTime();
+      if (now < due) {
+        LockSupport.parkNanos(due - now);
+        continue;
+      }
+      if (!isReady() && now - heldSince < LONGEST_HOLD.toNanos()) {
+        LockSupport.parkNanos(STEP.toNanos() / 20);
+        continue;
+      }
+      advanceOneStep();
+      heldSince = now;
+      due = Math.max(due + stepNanos, now - MOST_BEHIND_NANOS);
+    }
+  }
+
+  private boolean isReady() {
+    return seats.stream().allMatch(seat -> seat.participant().isReady(nanos));
+  }
+
+  private void advanceOneStep() {
+    synchronized (step) {
+      long next = nanos + STEP.toNanos();
+      nanos = next;
+      for (Seat seat : seats) {
+        if (seat.isDue(next)) {
+          tick(seat, next);
+        }
+      }
+    }
+  }
+
+  /** A surprise in one participant ends that one, never the world. */
+  private void tick(Seat seat, long now) {
+    try {
+      seat.participant().tick(now);
+    } catch (RuntimeException e) {
+      log.error("{} failed and takes no part any more.", seat.participant(), e);
+      seats.remove(seat);
+    }
+  }
+}

@@ -1,0 +1,173 @@
+package org.toqa.store;
+
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.SQLIntegrityConstraintViolationException;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.time.LocalDateTime;
+import java.time.ZoneOffset;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.jdbi.v3.core.Handle;
+import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.statement.StatementContext;
+import org.jdbi.v3.core.statement.UnableToExecuteStatementException;
+
+/**
+ * The users of the web application. There is always at least one manager once there has been one.
+ *
+ * <p>One server writes to a database, so the two rules that span rows (the first manager, the last
+ * manager) are kept by this object's lock rather than by the database's.
+ */
+public final class Accounts {
+
+  /** What became of the wish to delete a user. */
+  public enum Deletion {
+    DELETED,
+    UNKNOWN,
+    /** Refused: nobody would be left to manage the others. */
+    LAST_MANAGER
+  }
+
+  private static final String COLUMNS =
+      "u.id as user_id, u.name, u.password_hash, u.role, u.created_at";
+
+  private final Jdbi jdbi;
+  private final InstantSource clock;
+
+  public Accounts(Jdbi jdbi, InstantSource clock) {
+    this.jdbi = jdbi;
+    this.clock = clock;
+  }
+
+  public boolean hasManager() {
+    return jdbi.withHandle(handle -> managers(handle) > 0);
+  }
+
+  /** All users by name. */
+  public List<Account> all() {
+    return jdbi.withHandle(
+        handle ->
+            handle
+                .createQuery("select " + COLUMNS + " from users u order by u.name_key")
+                .map(Accounts::account)
+                .list());
+  }
+
+  public Optional<Account> byId(long id) {
+    return jdbi.withHandle(handle -> byId(handle, id));
+  }
+
+  /** The user of that name in any case. */
+  public Optional<Account> byName(String name) {
+    return jdbi.withHandle(
+        handle ->
+            handle
+                .createQuery("select " + COLUMNS + " from users u where u.name_key = :key")
+                .bind("key", key(name))
+                .map(Accounts::account)
+                .findOne());
+  }
+
+  /** Empty when the name is taken. */
+  public Optional<Account> add(String name, String passwordHash, Role role) {
+    try {
+      return Optional.of(
+          jdbi.withHandle(handle -> insert(handle, name, passwordHash, role, clock.instant())));
+    } catch (UnableToExecuteStatementException e) {
+      if (e.getCause() instanceof SQLIntegrityConstraintViolationException) {
+        return Optional.empty();
+      }
+      throw e;
+    }
+  }
+
+  /** Empty when there is a manager already, or a user of that name. */
+  public synchronized Optional<Account> addFirstManager(String name, String passwordHash) {
+    return hasManager() ? Optional.empty() : add(name, passwordHash, Role.MANAGER);
+  }
+
+  public synchronized Deletion delete(long id) {
+    return jdbi.inTransaction(
+        handle -> {
+          Optional<Account> account = byId(handle, id);
+          if (account.isEmpty()) {
+            return Deletion.UNKNOWN;
+          }
+          if (account.get().isManager() && managers(handle) == 1) {
+            return Deletion.LAST_MANAGER;
+          }
+          handle.execute("delete from users where id = ?", id);
+          return Deletion.DELETED;
+        });
+  }
+
+  /** Also ends the user's API tokens. False when there is no such user. */
+  public boolean changePassword(long id, String passwordHash) {
+    return jdbi.inTransaction(
+        handle -> {
+          handle.execute("delete from api_tokens where user_id = ?", id);
+          return handle.execute("update users set password_hash = ? where id = ?", passwordHash, id)
+              == 1;
+        });
+  }
+
+  static Account account(ResultSet row, StatementContext context) throws SQLException {
+    return new Account(
+        row.getLong("user_id"),
+        row.getString("name"),
+        row.getString("password_hash"),
+        Role.valueOf(row.getString("role")),
+        row.getObject("created_at", LocalDateTime.class).toInstant(ZoneOffset.UTC));
+  }
+
+  static String columns() {
+    return COLUMNS;
+  }
+
+  static LocalDateTime utc(Instant instant) {
+    return LocalDateTime.ofInstant(instant.truncatedTo(ChronoUnit.MILLIS), ZoneOffset.UTC);
+  }
+
+  private static Optional<Account> byId(Handle handle, long id) {
+    return handle
+        .createQuery("select " + COLUMNS + " from users u where u.id = :id")
+        .bind("id", id)
+        .map(Accounts::account)
+        .findOne();
+  }
+
+  private static Account insert(
+      Handle handle, String name, String passwordHash, Role role, Instant now) {
+    long id =
+        handle
+            .createUpdate(
+                """
+                insert into users (name, name_key, password_hash, role, created_at)
+                values (:name, :key, :hash, :role, :now)
+                """)
+            .bind("name", name)
+            .bind("key", key(name))
+            .bind("hash", passwordHash)
+            .bind("role", role.name())
+            .bind("now", utc(now))
+            .executeAndReturnGeneratedKeys("id")
+            .mapTo(Long.class)
+            .one();
+    return new Account(id, name, passwordHash, role, now.truncatedTo(ChronoUnit.MILLIS));
+  }
+
+  private static int managers(Handle handle) {
+    return handle
+        .createQuery("select count(*) from users where role = 'MANAGER'")
+        .mapTo(Integer.class)
+        .one();
+  }
+
+  private static String key(String name) {
+    return name.toLowerCase(Locale.ROOT);
+  }
+}

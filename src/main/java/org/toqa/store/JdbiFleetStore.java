@@ -1,0 +1,422 @@
+package org.toqa.store;
+
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.time.Instant;
+import java.time.LocalDateTime;
+import java.time.ZoneOffset;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import org.jdbi.v3.core.Handle;
+import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.JdbiException;
+import org.jdbi.v3.core.statement.PreparedBatch;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.TaskArchive;
+import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask;
+import org.toqa.mission.TransportTask.LoadSize;
+
+/** The fleet's store on H2 and on MySQL: robots, tasks, who executes what, drives and events. */
+public final class JdbiFleetStore implements FleetStore, TaskArchive {
+  private final Jdbi jdbi;
+
+  public JdbiFleetStore(Jdbi jdbi) {
+    this.jdbi = jdbi;
+  }
+
+  // --- robots -----------------------------------------------------------------------------------
+
+  @Override
+  public List<RobotRecord> robots() {
+    return in(
+        h ->
+            h.createQuery(
+                    "select name, floor, host, port, max_load, parking, simulated from robots order by id")
+                .map(
+                    (rs, ctx) ->
+                        new RobotRecord(
+                            rs.getString("name"),
+                            rs.getString("floor"),
+                            rs.getString("host"),
+                            rs.getInt("port"),
+                            rs.getDouble("max_load"),
+                            rs.getString("parking"),
+                            rs.getBoolean("simulated")))
+                .list());
+  }
+
+  @Override
+  public void saveRobot(RobotRecord robot) {
+    in(
+        h ->
+            h.createUpdate(
+                    """
+                    insert into robots (name, floor, host, port, max_load, parking, simulated, availability, phase, last_seq)
+                    values (:name, :floor, :host, :port, :maxLoad, :parking, :simulated, 1, 0, 0)
+                    on duplicate key update floor = values(floor), host = values(host), port = values(port),
+                      max_load = values(max_load), parking = values(parking), simulated = values(simulated)
+                    """)
+                .bind("name", robot.name())
+                .bind("floor", robot.floor())
+                .bind("host", robot.host())
+                .bind("port", robot.port())
+                .bind("maxLoad", robot.maxLoad())
+                .bind("parking", robot.parking())
+                .bind("simulated", robot.simulated())
+                .execute());
+  }
+
+  @Override
+  public Optional<StoredDrive> drive(String robot) {
+    return in(
+        h ->
+            h.createQuery(
+                    """
+                    select d.seq, d.task_id, d.phase, d.way
+                    from drives d join robots r on r.id = d.robot_id where r.name = :robot
+                    """)
+                .bind("robot", robot)
+                .map(
+                    (rs, ctx) ->
+                        new StoredDrive(
+                            rs.getLong("seq"),
+                            nullableLong(rs, "task_id"),
+                            rs.getInt("phase"),
+                            WayJson.read(rs.getString("way"))))
+                .findOne());
+  }
+
+  @Override
+  public void saveDrive(String robot, StoredDrive drive) {
+    inTransaction(
+        h -> {
+          long id = robotId(h, robot);
+          h.createUpdate(
+                  """
+                  insert into drives (robot_id, seq, task_id, phase, way, created_at)
+                  values (:id, :seq, :task, :phase, :way, :at)
+                  on duplicate key update seq = values(seq), task_id = values(task_id), phase = values(phase),
+                    way = values(way), created_at = values(created_at)
+                  """)
+              .bind("id", id)
+              .bind("seq", drive.seq())
+              .bind("task", drive.task())
+              .bind("phase", drive.phase())
+              .bind("way", WayJson.write(drive.way()))
+              .bind("at", utc(Instant.now()))
+              .execute();
+          return h.createUpdate("update robots set last_seq = :seq where id = :id")
+              .bind("seq", drive.seq())
+              .bind("id", id)
+              .execute();
+        });
+  }
+
+  private static long robotId(Handle h, String name) {
+    return h.createQuery("select id from robots where name = :name")
+        .bind("name", name)
+        .mapTo(Long.class)
+        .findOne()
+        .orElseThrow(() -> new StoreException("There is no robot " + name + ".", null));
+  }
+
+  // --- tasks ------------------------------------------------------------------------------------
+
+  private static final String TASK_COLUMNS =
+      """
+      id, name, user_name, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
+      goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at
+      """;
+
+  @Override
+  public List<OpenTask> openTasks() {
+    return in(
+        h ->
+            h
+                .createQuery(
+                    "select "
+                        + TASK_COLUMNS
+                        + " from tasks where state not in ('DONE', 'FAILED', 'CANCELLED') order by id")
+                .map((rs, ctx) -> row(rs))
+                .list()
+                .stream()
+                .map(
+                    r ->
+                        new OpenTask(
+                            r.task(), r.state(), carriers(h, r.task().id()), r.changedAt()))
+                .toList());
+  }
+
+  @Override
+  public TransportTask addTask(TransportTask task) {
+    return inTransaction(
+        h -> {
+          LoadSize size = task.size();
+          long id =
+              h.createUpdate(
+                      """
+                      insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
+                        start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
+                        state, created_at, changed_at)
+                      values (:name, (select id from users where name_key = :userKey), :user, :floor, :load,
+                        :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
+                        :priority, :deadline, 'QUEUED', :at, :at)
+                      """)
+                  .bind("name", task.name())
+                  .bind("userKey", task.user().toLowerCase(java.util.Locale.ROOT))
+                  .bind("user", task.user())
+                  .bind("floor", task.floor())
+                  .bind("load", task.load())
+                  .bind("length", size == null ? null : size.length())
+                  .bind("width", size == null ? null : size.width())
+                  .bind("startX", task.start().position().x())
+                  .bind("startY", task.start().position().y())
+                  .bind("startStation", task.start().station())
+                  .bind("goalX", task.goal().position().x())
+                  .bind("goalY", task.goal().position().y())
+                  .bind("goalStation", task.goal().station())
+                  .bind("priority", task.priority())
+                  .bind("deadline", task.deadline() == null ? null : utc(task.deadline()))
+                  .bind("at", utc(task.createdAt()))
+                  .executeAndReturnGeneratedKeys("id")
+                  .mapTo(Long.class)
+                  .one();
+          addEvents(
+              h,
+              List.of(
+                  new EventRecord(
+                      task.createdAt(),
+                      "task.added",
+                      id,
+                      null,
+                      task.user(),
+                      "Asked for by " + task.user())));
+          return task.withId(id);
+        });
+  }
+
+  @Override
+  public void saveMission(Mission mission, Instant at, List<EventRecord> events) {
+    inTransaction(
+        h -> {
+          h.createUpdate("update tasks set state = :state, changed_at = :at where id = :id")
+              .bind("state", mission.state().name())
+              .bind("at", utc(at))
+              .bind("id", mission.id())
+              .execute();
+          for (int place = 0; place < mission.carriers().size(); place++) {
+            saveCarrier(h, mission.id(), place, mission.carriers().get(place));
+          }
+          addEvents(h, events);
+          return null;
+        });
+  }
+
+  private static void saveCarrier(Handle h, long task, int place, Carrier carrier) {
+    long robot = robotId(h, carrier.robot());
+    h.createUpdate(
+            """
+            insert into task_robots (task_id, robot_id, place, phase, arrived, released)
+            values (:task, :robot, :place, :phase, :arrived, :released)
+            on duplicate key update phase = values(phase), arrived = values(arrived), released = values(released)
+            """)
+        .bind("task", task)
+        .bind("robot", robot)
+        .bind("place", place)
+        .bind("phase", carrier.phase())
+        .bind("arrived", carrier.arrived())
+        .bind("released", carrier.released())
+        .execute();
+    // availability 1: can be given a task; phase 0: parked   (Tanta, "Database")
+    h.createUpdate(
+            "update robots set availability = :availability, phase = :phase where id = :robot")
+        .bind("availability", carrier.released() || carrier.phase() == 3 ? 1 : 0)
+        .bind("phase", carrier.released() ? 0 : carrier.phase())
+        .bind("robot", robot)
+        .execute();
+  }
+
+  @Override
+  public List<TaskView> tasks(int offset, int limit) {
+    return in(
+        h ->
+            h
+                .createQuery(
+                    "select "
+                        + TASK_COLUMNS
+                        + " from tasks order by id desc limit :limit offset :offset")
+                .bind("limit", limit)
+                .bind("offset", offset)
+                .map((rs, ctx) -> row(rs))
+                .list()
+                .stream()
+                .map(r -> view(h, r))
+                .toList());
+  }
+
+  @Override
+  public Optional<TaskView> task(long id) {
+    return in(
+        h ->
+            h.createQuery("select " + TASK_COLUMNS + " from tasks where id = :id")
+                .bind("id", id)
+                .map((rs, ctx) -> row(rs))
+                .findOne()
+                .map(r -> view(h, r)));
+  }
+
+  @Override
+  public long count() {
+    return in(h -> h.createQuery("select count(*) from tasks").mapTo(Long.class).one());
+  }
+
+  private record TaskRow(TransportTask task, TaskState state, Instant changedAt) {}
+
+  private static TaskRow row(ResultSet rs) throws SQLException {
+    Double length = nullableDouble(rs, "load_length");
+    Double width = nullableDouble(rs, "load_width");
+    LocalDateTime deadline = rs.getObject("deadline", LocalDateTime.class);
+    TransportTask task =
+        new TransportTask(
+            rs.getLong("id"),
+            rs.getString("name"),
+            rs.getDouble("load_kg"),
+            new TaskPlace(
+                new Vec2(rs.getDouble("start_x"), rs.getDouble("start_y")),
+                rs.getString("start_station")),
+            new TaskPlace(
+                new Vec2(rs.getDouble("goal_x"), rs.getDouble("goal_y")),
+                rs.getString("goal_station")),
+            rs.getString("floor"),
+            rs.getInt("priority"),
+            deadline == null ? null : deadline.toInstant(ZoneOffset.UTC),
+            length == null || width == null ? null : new LoadSize(length, width),
+            rs.getString("user_name"),
+            instant(rs, "created_at"));
+    return new TaskRow(task, TaskState.valueOf(rs.getString("state")), instant(rs, "changed_at"));
+  }
+
+  private static TaskView view(Handle h, TaskRow row) {
+    List<String> robots = carriers(h, row.task().id()).stream().map(Carrier::robot).toList();
+    return new TaskView(row.task(), row.state(), false, robots, null, null, row.changedAt());
+  }
+
+  private static List<Carrier> carriers(Handle h, long task) {
+    return h.createQuery(
+            """
+            select r.name, t.phase, t.arrived, t.released
+            from task_robots t join robots r on r.id = t.robot_id where t.task_id = :task order by t.place
+            """)
+        .bind("task", task)
+        .map(
+            (rs, ctx) ->
+                new Carrier(
+                    rs.getString("name"),
+                    rs.getInt("phase"),
+                    rs.getBoolean("arrived"),
+                    rs.getBoolean("released")))
+        .list();
+  }
+
+  // --- events -----------------------------------------------------------------------------------
+
+  @Override
+  public void addEvents(List<EventRecord> events) {
+    inTransaction(
+        h -> {
+          addEvents(h, events);
+          return null;
+        });
+  }
+
+  private static void addEvents(Handle h, List<EventRecord> events) {
+    PreparedBatch batch =
+        h.prepareBatch(
+            """
+            insert into events (at, kind, task_id, robot, who, text)
+            values (:at, :kind, :task, :robot, :who, :text)
+            """);
+    for (EventRecord e : events) {
+      batch
+          .bind("at", utc(e.at()))
+          .bind("kind", e.kind())
+          .bind("task", e.task())
+          .bind("robot", e.robot())
+          .bind("who", e.who())
+          .bind("text", e.text())
+          .add();
+    }
+    batch.execute();
+  }
+
+  @Override
+  public List<EventRecord> history(long task) {
+    return in(
+        h ->
+            h.createQuery(
+                    "select at, kind, task_id, robot, who, text from events where task_id = :task order by id")
+                .bind("task", task)
+                .map(
+                    (rs, ctx) ->
+                        new EventRecord(
+                            instant(rs, "at"),
+                            rs.getString("kind"),
+                            nullableLong(rs, "task_id"),
+                            rs.getString("robot"),
+                            rs.getString("who"),
+                            rs.getString("text")))
+                .list());
+  }
+
+  // --- borders ----------------------------------------------------------------------------------
+
+  private <T> T in(Function<Handle, T> work) {
+    try {
+      return jdbi.withHandle(work::apply);
+    } catch (JdbiException e) {
+      throw failure(e);
+    }
+  }
+
+  private <T> T inTransaction(Function<Handle, T> work) {
+    try {
+      return jdbi.inTransaction(work::apply);
+    } catch (JdbiException e) {
+      throw failure(e);
+    }
+  }
+
+  private static StoreException failure(JdbiException e) {
+    Throwable cause = e.getCause() == null ? e : e.getCause();
+    return new StoreException(String.valueOf(cause.getMessage()), e);
+  }
+
+  private static LocalDateTime utc(Instant instant) {
+    return LocalDateTime.ofInstant(instant.truncatedTo(ChronoUnit.MILLIS), ZoneOffset.UTC);
+  }
+
+  private static Instant instant(ResultSet rs, String column) throws SQLException {
+    return rs.getObject(column, LocalDateTime.class).toInstant(ZoneOffset.UTC);
+  }
+
+  private static @Nullable Long nullableLong(ResultSet rs, String column) throws SQLException {
+    long value = rs.getLong(column);
+    return rs.wasNull() ? null : value;
+  }
+
+  private static @Nullable Double nullableDouble(ResultSet rs, String column) throws SQLException {
+    double value = rs.getDouble(column);
+    return rs.wasNull() ? null : value;
+  }
+}

@@ -1,0 +1,25 @@
+package org.toqa.traffic.floor;
+
+import java.util.List;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/** What a robot is to be told; counts and indices are of segments. */
+public sealed interface Decision {
+
+  String robot();
+
+  /**
+   * Begin a way; the robot stands.
+   *
+   * @param last whether the way ends at its goal
+   */
+  record Begin(String robot, Trajectory way, int released, boolean last) implements Decision {}
+
+  /** Drive another way from segment {@code from} on; all before it has been released. */
+  record Extend(String robot, int from, List<Segment> segments, int released, boolean last)
+      implements Decision {}
+
+  /** So many segments may be driven now. */
+  record Release(String robot, int released) implements Decision {}
+}

@@ -1,0 +1,169 @@
+package org.toqa.traffic.floor;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntPredicate;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Waypoint;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.floor.Course.Wait;
+
+/**
+ * Turns a plan for all robots into courses and the order in which they visit each cell.
+ *
+ * <p>The plan says who is where after each step; on a floor steps do not take equal time, so only
+ * the order of the visits to each cell is kept: a robot enters a cell when whoever visits it before
+ * has gone on. The order comes from a plan without collisions and without full rings, so it has no
+ * cycle, and somebody can always drive (an action dependency graph: W. Hoenig et al., "Persistent
+ * and robust execution of MAPF schedules in warehouses", RA-L 2019).
+ */
+final class JointPlan {
+  private final OccupancyGrid grid;
+  private final RoadGraph roads;
+  private final List<Mover> movers;
+  private final List<int[]> steps;
+
+  /**
+   * @param steps the vertices of the movers after each step, in the movers' order
+   */
+  JointPlan(OccupancyGrid grid, RoadGraph roads, List<Mover> movers, List<int[]> steps) {
+    this.grid = grid;
+    this.roads = roads;
+    this.movers = movers;
+    this.steps = steps;
+  }
+
+  /**
+   * One robot's stay on a cell.
+   *
+   * @param index of the visit on the robot's course
+   * @param enters the step after which it is there
+   */
+  private record Visit(int mover, int index, int enters) {}
+
+  /** Gives every mover its course in the plan; one that does not move keeps what was released. */
+  void adopt(CourseFitter fitter) {
+    List<List<Cell>> visits = new ArrayList<>();
+    Map<Cell, List<Visit>> byCell = new HashMap<>();
+    for (int m = 0; m < movers.size(); m++) {
+      visits.add(visitsOf(m, byCell));
+      takeCourse(movers.get(m), visits.get(m), fitter);
+    }
+    byCell.values().forEach(v -> v.sort(Comparator.comparingInt(Visit::enters)));
+    for (int m = 0; m < movers.size(); m++) {
+      Course course = movers.get(m).course;
+      if (course != null && !course.visits().isEmpty()) {
+        movers.get(m).course = course.withWaits(waits(m, visits.get(m), byCell));
+      }
+    }
+  }
+
+  private List<Cell> visitsOf(int mover, Map<Cell, List<Visit>> byCell) {
+    List<Cell> cells = new ArrayList<>();
+    int last = RoadGraph.NONE;
+    for (int step = 0; step < steps.size(); step++) {
+      int vertex = steps.get(step)[mover];
+      if (vertex != last) {
+        Cell cell = roads.cell(vertex);
+        byCell
+            .computeIfAbsent(cell, c -> new ArrayList<>())
+            .add(new Visit(mover, cells.size(), step));
+        cells.add(cell);
+        last = vertex;
+      }
+    }
+    return cells;
+  }
+
+  private void takeCourse(Mover mover, List<Cell> visits, CourseFitter fitter) {
+    if (visits.size() == 1) {
+      mover.cut();
+      return;
+    }
+    List<Stretch> stretches =
+        fitter.fit(mover.releasedEnd(), waypoints(grid, visits, 0, i -> false), mover.radius);
+    mover.take(
+        new Course(
+            mover.releasedEnd(),
+            stretches,
+            0,
+            visits,
+            visitsAfter(grid, stretches, visits, 0),
+            Arrays.asList(new @Nullable Wait[visits.size()])));
+  }
+
+  private List<@Nullable Wait> waits(int m, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
+    List<@Nullable Wait> waits = new ArrayList<>();
+    for (int index = 0; index < visits.size(); index++) {
+      Visit before = null;
+      for (Visit v : byCell.getOrDefault(visits.get(index), List.of())) {
+        if (v.mover() == m && v.index() == index) {
+          break;
+        }
+        before = v.mover() == m ? before : v;
+      }
+      Mover other = before == null ? null : movers.get(before.mover());
+      waits.add(
+          before == null || other == null
+              ? null
+              : new Wait(other.name, other.courseNumber, before.index()));
+    }
+    return waits;
+  }
+
+  /** Where the way over the cells bends, from visit {@code from} on; the start is left out. */
+  static List<Waypoint> waypoints(
+      OccupancyGrid grid, List<Cell> visits, int from, IntPredicate stopsAt) {
+    List<Waypoint> way = new ArrayList<>();
+    for (int i = from + 1; i < visits.size(); i++) {
+      Cell before = visits.get(i - 1);
+      Cell here = visits.get(i);
+      if (i + 1 == visits.size()) {
+        way.add(new Waypoint(grid.centre(here), false));
+        break;
+      }
+      Cell next = visits.get(i + 1);
+      int dColumn = here.column() - before.column();
+      int dRow = here.row() - before.row();
+      boolean isStraight =
+          next.column() - here.column() == dColumn && next.row() - here.row() == dRow;
+      boolean isReversal = next.equals(before);
+      if (!isStraight) {
+        way.add(new Waypoint(grid.centre(here), isReversal || stopsAt.test(i)));
+      }
+    }
+    return way;
+  }
+
+  /**
+   * By stretch: which visit its end is; the stretches begin at visit {@code from}. A stretch goes
+   * on through the corners that it rounds, and ends at the first cell that it does not.
+   */
+  static List<Integer> visitsAfter(
+      OccupancyGrid grid, List<Stretch> stretches, List<Cell> visits, int from) {
+    List<Integer> after = new ArrayList<>();
+    int visit = from;
+    for (Stretch s : stretches) {
+      if (s.segments().stream().anyMatch(segment -> segment.v() != 0)) {
+        Cell end = grid.cellAt(s.end().position());
+        int arcs =
+            (int)
+                s.segments().stream()
+                    .filter(segment -> segment.v() != 0 && segment.w() != 0)
+                    .count();
+        visit = Math.min(visit + 1 + arcs, visits.size() - 1);
+        while (visit < visits.size() - 1 && !visits.get(visit).equals(end)) {
+          visit++;
+        }
+      }
+      after.add(visit);
+    }
+    return after;
+  }
+}

@@ -1,0 +1,34 @@
+package org.toqa.traffic.floor;
+
+import java.util.BitSet;
+import java.util.List;
+import org.toqa.geometry.Pose;
+import org.toqa.motion.Segment;
+
+/**
+ * The unit of reservation: a piece of a way that is released as a whole, and at whose end the robot
+ * can stand, in the middle of a cell.
+ *
+ * @param segments what is driven
+ * @param end where the robot then stands, map frame
+ * @param cells all cells that the robot touches meanwhile, from the first moment to the last, as
+ *     bits by {@link org.toqa.grid.OccupancyGrid#index}
+ * @param endCells those that it touches at the end
+ */
+record Stretch(List<Segment> segments, Pose end, BitSet cells, BitSet endCells) {
+  Stretch {
+    segments = List.copyOf(segments);
+  }
+
+  /** Seconds at the planned speed. */
+  double duration() {
+    return segments.stream().mapToDouble(Segment::t).sum();
+  }
+
+  /**
+   * Whether it rounds a corner, for which it needs the cells on both sides of the corner at once.
+   */
+  boolean rounds() {
+    return segments.stream().anyMatch(s -> s.v() != 0 && s.w() != 0);
+  }
+}

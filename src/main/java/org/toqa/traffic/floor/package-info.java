@@ -1,0 +1,8 @@
+/**
+ * Traffic on a real floor: ways of discs in metres, released piece by piece so that delay never
+ * becomes danger.
+ */
+@NullMarked
+package org.toqa.traffic.floor;
+
+import org.jspecify.annotations.NullMarked;

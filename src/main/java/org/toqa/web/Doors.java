@@ -1,0 +1,108 @@
+package org.toqa.web;
+
+import static org.toqa.web.Right.ANYBODY;
+import static org.toqa.web.Right.MANAGER;
+import static org.toqa.web.Right.STRANGER;
+import static org.toqa.web.Right.USER;
+
+import jakarta.servlet.ServletRequest;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+
+/** Every door of the server and who may pass it. What is not in this list is closed. */
+public final class Doors {
+  private static final String PARAMETERS = Doors.class.getName();
+
+  /** A path with a fixed segment stands before one that would also take it as a parameter. */
+  private static final List<Door> ALL =
+      List.of(
+          new Door("GET", "/assets/*", ANYBODY),
+          new Door("GET", "/first-start", ANYBODY),
+          new Door("POST", "/first-start", ANYBODY),
+          new Door("GET", "/", STRANGER),
+          new Door("POST", "/", STRANGER),
+          new Door("POST", "/logout", USER),
+          new Door("GET", "/map", USER),
+          new Door("GET", "/tasks", USER),
+          new Door("GET", "/tasks/new", USER),
+          new Door("POST", "/tasks/new", USER),
+          new Door("GET", "/tasks/{id}", USER),
+          new Door("GET", "/robots", USER),
+          new Door("POST", "/robots", MANAGER),
+          new Door("GET", "/robots/{name}", USER),
+          new Door("POST", "/robots/{name}/locate", MANAGER),
+          new Door("GET", "/users", USER),
+          new Door("POST", "/users", MANAGER),
+          new Door("POST", "/users/{id}/password", USER),
+          new Door("POST", "/users/{id}/delete", MANAGER),
+          new Door("GET", "/statistics", USER),
+          new Door("GET", "/api/v1/health", ANYBODY),
+          new Door("POST", "/api/v1/session", STRANGER),
+          new Door("GET", "/api/v1/openapi.json", USER),
+          new Door("GET", "/api/v1/map", USER),
+          new Door("GET", "/api/v1/events", USER),
+          new Door("GET", "/api/v1/tasks", USER),
+          new Door("POST", "/api/v1/tasks", USER),
+          new Door("GET", "/api/v1/tasks/{id}", USER),
+          new Door("GET", "/api/v1/robots", USER),
+          new Door("POST", "/api/v1/robots", MANAGER),
+          new Door("GET", "/api/v1/robots/{name}", USER),
+          new Door("POST", "/api/v1/robots/{name}/locate", MANAGER));
+
+  private Doors() {}
+
+  /**
+   * What is found at a path.
+   *
+   * @param doors one for each method that is answered there
+   * @param parameters what stands in the path for each segment in braces
+   */
+  public record Place(List<Door> doors, Map<String, String> parameters) {
+
+    /** The door for that method; HEAD goes where GET goes. */
+    public Optional<Door> door(String method) {
+      String wanted = method.equals("HEAD") ? "GET" : method;
+      return doors.stream().filter(door -> door.method().equals(wanted)).findFirst();
+    }
+
+    /** The methods that are answered here, as the header Allow names them. */
+    public String allow() {
+      List<String> methods = new ArrayList<>();
+      for (Door door : doors) {
+        methods.add(door.method());
+        if (door.method().equals("GET")) {
+          methods.add("HEAD");
+        }
+      }
+      return String.join(", ", methods);
+    }
+  }
+
+  public static List<Door> all() {
+    return ALL;
+  }
+
+  public static Optional<Place> at(String path) {
+    return ALL.stream()
+        .filter(door -> door.match(path).isPresent())
+        .findFirst()
+        .map(
+            first ->
+                new Place(
+                    ALL.stream().filter(door -> door.path().equals(first.path())).toList(),
+                    first.match(path).orElseThrow()));
+  }
+
+  public static void keepParameters(ServletRequest request, Place place) {
+    request.setAttribute(PARAMETERS, place.parameters());
+  }
+
+  /** The part of the request's path that stands for {@code {name}}. */
+  public static String parameter(ServletRequest request, String name) {
+    Map<?, ?> parameters = (Map<?, ?>) request.getAttribute(PARAMETERS);
+    return (String) Objects.requireNonNull(parameters.get(name), name);
+  }
+}

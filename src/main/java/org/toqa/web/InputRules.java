@@ -1,0 +1,184 @@
+package org.toqa.web;
+
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.toqa.mission.TransportTask.LoadSize;
+
+/**
+ * What values from outside must be, whichever door they come through. Each method files a sentence
+ * under the field when the value is refused; what it then answers means nothing. A null number was
+ * missing or has its sentence already.
+ */
+public final class InputRules {
+  /** As wide as the columns that hold names of tasks. */
+  private static final int LONGEST_TASK_NAME = 100;
+
+  private static final int LONGEST_HOST = 255;
+  private static final int SHORTEST_PASSWORD = 10;
+  private static final int LONGEST_PASSWORD = 200;
+  private static final int HIGHEST_PORT = 65_535;
+  private static final int PRIORITY_LIMIT = 100;
+
+  /** Kilograms. */
+  private static final double HEAVIEST = 100_000;
+
+  /** Metres, of a load's side. */
+  private static final double LONGEST_SIDE = 100;
+
+  /** Metres from the map's origin. */
+  private static final double FARTHEST = 1_000_000;
+
+  private static final Pattern ROBOT_NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,63}");
+  private static final Pattern USER_NAME =
+      Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}._@-]{0,63}");
+  private static final Pattern HOST =
+      Pattern.compile("[A-Za-z0-9:]([A-Za-z0-9.:%_-]*[A-Za-z0-9])?");
+
+  private final Texts texts;
+  private final FieldErrors errors;
+
+  public InputRules(Texts texts, FieldErrors errors) {
+    this.texts = texts;
+    this.errors = errors;
+  }
+
+  public String taskName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (name.isEmpty()) {
+      refuse(field, "error.taskName.missing");
+    } else if (name.length() > LONGEST_TASK_NAME) {
+      refuse(field, "error.taskName.long", LONGEST_TASK_NAME, name.length());
+    } else if (name.codePoints().anyMatch(InputRules::isUnprintable)) {
+      refuse(field, "error.taskName.control");
+    }
+    return name;
+  }
+
+  /** Kilograms. */
+  public double load(String field, @Nullable Double given) {
+    return between(field, given, 0, HEAVIEST, "error.load.missing", "error.load.range");
+  }
+
+  /** Metres, map frame. */
+  public double coordinate(String field, @Nullable Double given) {
+    if (given == null) {
+      refuse(field, "error.coordinate.missing");
+      return 0;
+    }
+    if (!(Math.abs(given) <= FARTHEST)) {
+      refuse(field, "error.coordinate.range", FARTHEST);
+    }
+    return given;
+  }
+
+  /** Radians in, radians out; any turn is allowed as long as it is a sensible number. */
+  public double angle(String field, @Nullable Double given) {
+    if (given == null) {
+      refuse(field, "error.angle.missing");
+      return 0;
+    }
+    if (!(Math.abs(given) <= 1000)) {
+      refuse(field, "error.angle.range");
+    }
+    return given;
+  }
+
+  public int priority(String field, @Nullable Double given) {
+    if (given == null) {
+      return 0;
+    }
+    if (given != Math.rint(given) || Math.abs(given) > PRIORITY_LIMIT) {
+      refuse(field, "error.priority.range", PRIORITY_LIMIT);
+    }
+    return given.intValue();
+  }
+
+  public LoadSize size(String field, @Nullable Double length, @Nullable Double width) {
+    return new LoadSize(
+        between(
+            field + ".length", length, 0, LONGEST_SIDE, "error.size.missing", "error.size.range"),
+        between(
+            field + ".width", width, 0, LONGEST_SIDE, "error.size.missing", "error.size.range"));
+  }
+
+  public String robotName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (!ROBOT_NAME.matcher(name).matches()) {
+      refuse(field, "error.robotName");
+    }
+    return name;
+  }
+
+  public String host(String field, @Nullable String given) {
+    String host = given == null ? "" : given.strip();
+    if (host.length() > LONGEST_HOST || !HOST.matcher(host).matches()) {
+      refuse(field, "error.host");
+    }
+    return host;
+  }
+
+  public int port(String field, @Nullable Double given) {
+    if (given == null || given != Math.rint(given) || !(given >= 1 && given <= HIGHEST_PORT)) {
+      refuse(field, "error.port", HIGHEST_PORT);
+      return 0;
+    }
+    return given.intValue();
+  }
+
+  public String userName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (!USER_NAME.matcher(name).matches()) {
+      refuse(field, "error.userName");
+    }
+    return name;
+  }
+
+  /**
+   * A password that somebody chooses: long enough to resist guessing, and not the user's name.
+   * Which characters it has is nobody's business.
+   */
+  public String newPassword(String field, @Nullable String given, String userName) {
+    String password = given == null ? "" : given;
+    if (password.length() < SHORTEST_PASSWORD) {
+      refuse(field, "error.password.short", SHORTEST_PASSWORD);
+    } else if (password.length() > LONGEST_PASSWORD) {
+      refuse(field, "error.password.long", LONGEST_PASSWORD);
+    } else if (password.equalsIgnoreCase(userName)) {
+      refuse(field, "error.password.name");
+    }
+    return password;
+  }
+
+  private double between(
+      String field,
+      @Nullable Double given,
+      double above,
+      double most,
+      String missing,
+      String outside) {
+    if (given == null) {
+      refuse(field, missing);
+      return above;
+    }
+    if (!(given > above && given <= most)) {
+      refuse(field, outside, most);
+    }
+    return given;
+  }
+
+  private void refuse(String field, String key, Object... values) {
+    errors.add(field, texts.get(key, values));
+  }
+
+  private static boolean isUnprintable(int codePoint) {
+    return switch (Character.getType(codePoint)) {
+      case Character.CONTROL,
+          Character.SURROGATE,
+          Character.UNASSIGNED,
+          Character.LINE_SEPARATOR,
+          Character.PARAGRAPH_SEPARATOR ->
+          true;
+      default -> false;
+    };
+  }
+}

@@ -1,0 +1,41 @@
+package org.toqa.web;
+
+import jakarta.servlet.ServletContext;
+import java.time.InstantSource;
+import java.util.Objects;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.TaskArchive;
+import org.toqa.store.Accounts;
+import org.toqa.store.ApiTokens;
+import org.toqa.web.access.Login;
+import org.toqa.web.access.Passwords;
+
+/** What the web application stands on. Whoever starts it puts this into the servlet context. */
+public record Services(
+    Fleet fleet,
+    TaskArchive archive,
+    Accounts accounts,
+    ApiTokens tokens,
+    Passwords passwords,
+    Login login) {
+
+  /** The servlet context's attribute that holds the services. */
+  public static final String ATTRIBUTE = Services.class.getName();
+
+  public static Services of(
+      Fleet fleet,
+      TaskArchive archive,
+      Accounts accounts,
+      ApiTokens tokens,
+      Passwords passwords,
+      InstantSource clock) {
+    return new Services(
+        fleet, archive, accounts, tokens, passwords, Login.of(accounts, passwords, clock));
+  }
+
+  public static Services from(ServletContext context) {
+    return (Services)
+        Objects.requireNonNull(
+            context.getAttribute(ATTRIBUTE), "The services are not in the servlet context.");
+  }
+}

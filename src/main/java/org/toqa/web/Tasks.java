@@ -1,0 +1,38 @@
+package org.toqa.web;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.toqa.fleet.TaskView;
+
+/** All tasks as readers see them: live where the fleet still has them, else from the archive. */
+public final class Tasks {
+  private final Services services;
+
+  public Tasks(Services services) {
+    this.services = services;
+  }
+
+  public Optional<TaskView> byId(long id) {
+    return services.fleet().feed().latest().tasks().stream()
+        .filter(task -> task.id() == id)
+        .findFirst()
+        .or(() -> services.archive().task(id));
+  }
+
+  /** Newest first. */
+  public List<TaskView> newest(int offset, int limit) {
+    Map<Long, TaskView> live =
+        services.fleet().feed().latest().tasks().stream()
+            .collect(Collectors.toMap(TaskView::id, Function.identity()));
+    return services.archive().tasks(offset, limit).stream()
+        .map(task -> live.getOrDefault(task.id(), task))
+        .toList();
+  }
+
+  public long count() {
+    return services.archive().count();
+  }
+}

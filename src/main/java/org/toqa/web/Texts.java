@@ -1,0 +1,51 @@
+package org.toqa.web;
+
+import jakarta.servlet.ServletRequest;
+import java.text.MessageFormat;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.ResourceBundle;
+
+/** All sentences and words that people read, in one language. */
+public final class Texts {
+  private static final String BUNDLE = "org.toqa.web.messages";
+  private static final String ATTRIBUTE = Texts.class.getName();
+
+  private final Locale locale;
+  private final ResourceBundle bundle;
+
+  private Texts(Locale locale, ResourceBundle bundle) {
+    this.locale = locale;
+    this.bundle = bundle;
+  }
+
+  public static Texts in(Locale locale) {
+    return new Texts(
+        locale,
+        ResourceBundle.getBundle(
+            BUNDLE,
+            locale,
+            ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES)));
+  }
+
+  /** The texts in the language of the request. */
+  public static Texts of(ServletRequest request) {
+    return (Texts) Objects.requireNonNull(request.getAttribute(ATTRIBUTE));
+  }
+
+  public void keepIn(ServletRequest request) {
+    request.setAttribute(ATTRIBUTE, this);
+  }
+
+  public Locale locale() {
+    return locale;
+  }
+
+  public ResourceBundle bundle() {
+    return bundle;
+  }
+
+  public String get(String key, Object... values) {
+    return new MessageFormat(bundle.getString(key), locale).format(values);
+  }
+}

@@ -1,0 +1,34 @@
+package org.toqa.web.access;
+
+import jakarta.servlet.ServletRequest;
+import java.util.Objects;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.store.Account;
+
+/** The user whose request it is, and how he proved it. */
+public record Caller(Account account, Credential credential) {
+  /** Also the name under which views find the caller. */
+  private static final String ATTRIBUTE = "caller";
+
+  public String name() {
+    return account.name();
+  }
+
+  public boolean isManager() {
+    return account.isManager();
+  }
+
+  void keepIn(ServletRequest request) {
+    request.setAttribute(ATTRIBUTE, this);
+  }
+
+  /** Behind a door that strangers cannot pass. */
+  public static Caller of(ServletRequest request) {
+    return Objects.requireNonNull((@Nullable Caller) request.getAttribute(ATTRIBUTE));
+  }
+
+  public static Optional<Caller> ifKnown(ServletRequest request) {
+    return Optional.ofNullable((@Nullable Caller) request.getAttribute(ATTRIBUTE));
+  }
+}

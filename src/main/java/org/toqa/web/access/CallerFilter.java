@@ -1,0 +1,28 @@
+package org.toqa.web.access;
+
+import jakarta.servlet.FilterChain;
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpFilter;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.toqa.web.Services;
+
+/** Finds out whose request it is; static files are for everybody, so there it does not ask. */
+public final class CallerFilter extends HttpFilter {
+  @Override
+  protected void doFilter(
+      HttpServletRequest request, HttpServletResponse response, FilterChain chain)
+      throws IOException, ServletException {
+    if (!request.getServletPath().startsWith("/assets/")) {
+      Credential.of(request)
+          .flatMap(
+              shown ->
+                  shown
+                      .account(Services.from(request.getServletContext()))
+                      .map(account -> new Caller(account, shown)))
+          .ifPresent(caller -> caller.keepIn(request));
+    }
+    chain.doFilter(request, response);
+  }
+}

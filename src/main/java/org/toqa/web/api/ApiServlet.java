@@ -1,0 +1,77 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServlet;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Optional;
+import org.toqa.fleet.Answer;
+import org.toqa.web.Doors;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.Services;
+import org.toqa.web.Texts;
+
+/** What the servlets of the API have in common: raised problems become answers. */
+abstract class ApiServlet extends HttpServlet {
+
+  @Override
+  protected void service(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    try {
+      super.service(request, response);
+    } catch (Problem.Raised e) {
+      e.problem().send(response);
+    }
+  }
+
+  final Services services() {
+    return Services.from(getServletContext());
+  }
+
+  /**
+   * @throws Problem.Raised when there are errors
+   */
+  static void refuseIfAny(FieldErrors errors) {
+    if (!errors.isEmpty()) {
+      throw Problem.of(errors).raised();
+    }
+  }
+
+  /**
+   * @throws Problem.Raised when the fleet says no
+   */
+  static <T> T accepted(Answer<T> answer) {
+    return switch (answer) {
+      case Answer.Accepted<T>(T value) -> value;
+      case Answer.Refused<T>(String field, String sentence) -> {
+        if (field == null) {
+          throw Problem.of(422, sentence).raised();
+        }
+        FieldErrors errors = new FieldErrors();
+        errors.add(field, sentence);
+        throw Problem.of(errors).raised();
+      }
+      case Answer.Unknown<T>(String sentence) -> throw Problem.of(404, sentence).raised();
+    };
+  }
+
+  /** The number in the path; empty when it is none that could exist. */
+  static Optional<Long> pathNumber(HttpServletRequest request, String name) {
+    String given = Doors.parameter(request, name);
+    return given.matches("[1-9][0-9]{0,17}") ? Optional.of(Long.valueOf(given)) : Optional.empty();
+  }
+
+  /** A whole number from the query, at least {@code least}; a larger one than most is lowered. */
+  static int queryNumber(
+      HttpServletRequest request, String name, int otherwise, int least, int most) {
+    String given = request.getParameter(name);
+    if (given == null) {
+      return otherwise;
+    }
+    if (!given.matches("[0-9]{1,9}") || Integer.parseInt(given) < least) {
+      throw Problem.of(400, Texts.of(request).get("problem.queryNumber", name, least)).raised();
+    }
+    return Math.min(Integer.parseInt(given), most);
+  }
+}

@@ -1,0 +1,82 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.AsyncContext;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.SnapshotFeed;
+import org.toqa.web.Services;
+import org.toqa.web.access.Caller;
+
+/**
+ * One reader's live events, on a virtual thread of its own: the newest snapshot each time it is
+ * ready for one, so a slow browser skips and slows nobody.
+ */
+final class EventStream implements Runnable {
+  /** Also how often the reader's right to see is asked again. */
+  private static final Duration KEEP_ALIVE = Duration.ofSeconds(15);
+
+  private static final Duration PACE = Duration.ofMillis(100);
+  private static final byte[] RETRY = "retry: 2000\n\n".getBytes(StandardCharsets.UTF_8);
+  private static final byte[] COMMENT = ": still here\n\n".getBytes(StandardCharsets.UTF_8);
+
+  private final AsyncContext async;
+  private final Services services;
+  private final Caller caller;
+  private final SnapshotEvents events;
+
+  EventStream(AsyncContext async, Services services, Caller caller, SnapshotEvents events) {
+    this.async = async;
+    this.services = services;
+    this.caller = caller;
+    this.events = events;
+  }
+
+  @Override
+  public void run() {
+    try {
+      stream(async.getResponse().getOutputStream());
+    } catch (IOException readerHasGone) {
+      // nobody is left to tell
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      complete();
+    }
+  }
+
+  private void complete() {
+    try {
+      async.complete();
+    } catch (IllegalStateException containerWasFirst) {
+      // it saw the reader go
+    }
+  }
+
+  private void stream(OutputStream out) throws IOException, InterruptedException {
+    SnapshotFeed feed = services.fleet().feed();
+    out.write(RETRY);
+    FleetSnapshot sent = feed.latest();
+    send(out, events.event(sent));
+    long checked = System.nanoTime();
+    while (true) {
+      Thread.sleep(PACE);
+      FleetSnapshot newest = feed.awaitNewer(sent.version(), KEEP_ALIVE);
+      if (System.nanoTime() - checked >= KEEP_ALIVE.toNanos()) {
+        if (caller.credential().account(services).isEmpty()) {
+          return;
+        }
+        checked = System.nanoTime();
+      }
+      send(out, newest.version() > sent.version() ? events.event(newest) : COMMENT);
+      sent = newest;
+    }
+  }
+
+  private static void send(OutputStream out, byte[] event) throws IOException {
+    out.write(event);
+    out.flush();
+  }
+}

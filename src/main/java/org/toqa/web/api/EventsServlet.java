@@ -1,0 +1,70 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.AsyncContext;
+import jakarta.servlet.AsyncEvent;
+import jakarta.servlet.AsyncListener;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.toqa.web.access.Caller;
+
+/** Live events: the fleet's snapshots as a stream. */
+public final class EventsServlet extends ApiServlet {
+  private final transient SnapshotEvents events = new SnapshotEvents();
+  private final transient Set<Thread> streams = ConcurrentHashMap.newKeySet();
+
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response) {
+    doHead(request, response);
+    Caller caller = Caller.of(request);
+    AsyncContext async = request.startAsync();
+    async.setTimeout(0);
+    Thread thread =
+        Thread.ofVirtual()
+            .name("events of " + caller.name())
+            .unstarted(new EventStream(async, services(), caller, events));
+    async.addListener(new StreamEnd(thread));
+    streams.add(thread);
+    thread.start();
+  }
+
+  @Override
+  protected void doHead(HttpServletRequest request, HttpServletResponse response) {
+    response.setContentType("text/event-stream");
+    response.setCharacterEncoding("UTF-8");
+    response.setHeader("Cache-Control", "no-store, no-transform");
+    response.setHeader("X-Accel-Buffering", "no");
+  }
+
+  @Override
+  public void destroy() {
+    streams.forEach(Thread::interrupt);
+  }
+
+  /** The container ended the request, perhaps because the reader has gone: so ends its thread. */
+  private final class StreamEnd implements AsyncListener {
+    private final Thread thread;
+
+    StreamEnd(Thread thread) {
+      this.thread = thread;
+    }
+
+    @Override
+    public void onComplete(AsyncEvent event) {
+      streams.remove(thread);
+      thread.interrupt();
+    }
+
+    @Override
+    public void onError(AsyncEvent event) {
+      thread.interrupt();
+    }
+
+    @Override
+    public void onTimeout(AsyncEvent event) {}
+
+    @Override
+    public void onStartAsync(AsyncEvent event) {}
+  }
+}

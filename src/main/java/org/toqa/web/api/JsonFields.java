@@ -1,0 +1,131 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import java.io.IOException;
+import java.util.LinkedHashSet;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.Texts;
+import tools.jackson.core.JacksonException;
+import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.core.exc.StreamConstraintsException;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * The fields of a JSON object that somebody sent. Each is asked for by its name; what was not asked
+ * for is unknown, and {@link #refuseUnknown} says so. A field of the wrong type gets a sentence and
+ * counts as missing, as does null.
+ */
+final class JsonFields {
+  /** Bytes of a body. */
+  private static final int LONGEST_BODY = 64 * 1024;
+
+  private final JsonNode object;
+  private final String prefix;
+  private final Texts texts;
+  private final FieldErrors errors;
+  private final Set<String> known = new LinkedHashSet<>();
+
+  private JsonFields(JsonNode object, String prefix, Texts texts, FieldErrors errors) {
+    this.object = object;
+    this.prefix = prefix;
+    this.texts = texts;
+    this.errors = errors;
+  }
+
+  /**
+   * Reads the body.
+   *
+   * @throws Problem.Raised when it is not one JSON object of acceptable size
+   */
+  static JsonFields of(HttpServletRequest request, FieldErrors errors) throws IOException {
+    Texts texts = Texts.of(request);
+    String mediaType = request.getContentType();
+    if (mediaType == null
+        || !mediaType.split(";", 2)[0].strip().equalsIgnoreCase("application/json")) {
+      throw Problem.of(415, texts.get("problem.mediaType")).raised();
+    }
+    byte[] body = request.getInputStream().readNBytes(LONGEST_BODY + 1);
+    if (body.length > LONGEST_BODY) {
+      throw Problem.of(413, texts.get("problem.bodySize", LONGEST_BODY / 1024)).raised();
+    }
+    JsonNode root = parse(body, texts);
+    if (!root.isObject()) {
+      throw Problem.of(400, texts.get("problem.notAnObject")).raised();
+    }
+    return new JsonFields(root, "", texts, errors);
+  }
+
+  @Nullable String text(String name) {
+    return value(name)
+        .flatMap(
+            value ->
+                value.isString()
+                    ? Optional.of(value.stringValue())
+                    : wrongType(name, "error.type.text"))
+        .orElse(null);
+  }
+
+  /** Infinite when it is beyond what a double holds. */
+  @Nullable Double number(String name) {
+    return value(name)
+        .flatMap(
+            value ->
+                value.isNumber()
+                    ? Optional.of(value.doubleValueOpt().orElse(Double.POSITIVE_INFINITY))
+                    : this.<Double>wrongType(name, "error.type.number"))
+        .orElse(null);
+  }
+
+  Optional<JsonFields> object(String name) {
+    return value(name)
+        .flatMap(
+            value ->
+                value.isObject()
+                    ? Optional.of(new JsonFields(value, path(name) + ".", texts, errors))
+                    : wrongType(name, "error.type.object"));
+  }
+
+  boolean has(String name) {
+    return object.has(name);
+  }
+
+  /** The field's name from the top, as errors name it. */
+  String path(String name) {
+    return prefix + name;
+  }
+
+  void refuseUnknown() {
+    for (String name : object.propertyNames()) {
+      if (!known.contains(name)) {
+        String shown = name.length() > 60 ? name.substring(0, 60) + "…" : name;
+        errors.add(
+            path(shown), texts.get("error.unknownField", path(shown), String.join(", ", known)));
+      }
+    }
+  }
+
+  private Optional<JsonNode> value(String name) {
+    known.add(name);
+    return Optional.ofNullable(object.get(name)).filter(value -> !value.isNull());
+  }
+
+  private <T> Optional<T> wrongType(String name, String key) {
+    errors.add(path(name), texts.get(key, path(name)));
+    return Optional.empty();
+  }
+
+  private static JsonNode parse(byte[] body, Texts texts) {
+    try {
+      return Json.MAPPER.readTree(body);
+    } catch (StreamConstraintsException e) {
+      throw Problem.of(400, texts.get("problem.jsonLimits")).raised();
+    } catch (JacksonException e) {
+      TokenStreamLocation where = e.getLocation();
+      throw Problem.of(400, texts.get("problem.notJson", where.getLineNr(), where.getColumnNr()))
+          .raised();
+    }
+  }
+}

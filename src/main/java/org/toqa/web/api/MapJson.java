@@ -1,0 +1,64 @@
+package org.toqa.web.api;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+
+/**
+ * A floor on the wire.
+ *
+ * @param width cells, to the east
+ * @param height cells, to the south
+ * @param resolution metres along a cell's side
+ * @param origin metres, the lower left corner of the lower left cell in the map frame
+ * @param occupied runs of cells that are not free, row by row from the top: index of the first cell
+ *     (row times width plus column), number of cells, and so on by turns
+ */
+record MapJson(
+    String floor,
+    int width,
+    int height,
+    double resolution,
+    Vec2 origin,
+    List<PlaceJson> stations,
+    List<PlaceJson> parking,
+    List<PlaceJson> charging,
+    List<Integer> occupied) {
+
+  /** Metres, map frame. */
+  record PlaceJson(String name, double x, double y) {
+    static PlaceJson of(Place place) {
+      return new PlaceJson(place.name(), place.position().x(), place.position().y());
+    }
+  }
+
+  static MapJson of(FloorMap floor) {
+    OccupancyGrid grid = floor.grid();
+    return new MapJson(
+        floor.name(),
+        grid.width(),
+        grid.height(),
+        grid.resolution(),
+        grid.origin(),
+        floor.stations().stream().map(PlaceJson::of).toList(),
+        floor.parking().stream().map(PlaceJson::of).toList(),
+        floor.charging().stream().map(PlaceJson::of).toList(),
+        runs(grid.occupied()));
+  }
+
+  private static List<Integer> runs(BitSet occupied) {
+    List<Integer> runs = new ArrayList<>();
+    int from = occupied.nextSetBit(0);
+    while (from >= 0) {
+      int to = occupied.nextClearBit(from);
+      runs.add(from);
+      runs.add(to - from);
+      from = occupied.nextSetBit(to);
+    }
+    return runs;
+  }
+}

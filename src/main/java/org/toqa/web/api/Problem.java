@@ -1,0 +1,75 @@
+package org.toqa.web.api;
+
+import com.fasterxml.jackson.annotation.JsonInclude;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.List;
+import org.toqa.web.FieldErrors;
+
+/**
+ * An error of the API as RFC 9457 has it.
+ *
+ * @param detail a sentence that says what to do
+ * @param errors one for each field at fault, if fields are at fault
+ */
+@JsonInclude(JsonInclude.Include.NON_EMPTY)
+public record Problem(
+    String type, String title, int status, String detail, List<FieldProblem> errors) {
+
+  /** What is wrong with one field; a dot leads into an object. */
+  public record FieldProblem(String field, String detail) {}
+
+  /** Ends a request with a problem. */
+  static final class Raised extends RuntimeException {
+    private final transient Problem problem;
+
+    Raised(Problem problem) {
+      super(problem.detail, null, false, false);
+      this.problem = problem;
+    }
+
+    Problem problem() {
+      return problem;
+    }
+  }
+
+  public static Problem of(int status, String detail) {
+    return new Problem("about:blank", title(status), status, detail, List.of());
+  }
+
+  static Problem of(FieldErrors errors) {
+    return new Problem(
+        "about:blank",
+        title(422),
+        422,
+        String.join(" ", errors.sentences().values()),
+        errors.sentences().entrySet().stream()
+            .map(e -> new FieldProblem(e.getKey(), e.getValue()))
+            .toList());
+  }
+
+  Raised raised() {
+    return new Raised(this);
+  }
+
+  public void send(HttpServletResponse response) throws IOException {
+    Json.send(response, status, "application/problem+json", this);
+  }
+
+  /** The phrase that RFC 9110 gives the status. */
+  private static String title(int status) {
+    return switch (status) {
+      case 400 -> "Bad Request";
+      case 401 -> "Unauthorized";
+      case 403 -> "Forbidden";
+      case 404 -> "Not Found";
+      case 405 -> "Method Not Allowed";
+      case 413 -> "Content Too Large";
+      case 415 -> "Unsupported Media Type";
+      case 422 -> "Unprocessable Content";
+      case 429 -> "Too Many Requests";
+      case 503 -> "Service Unavailable";
+      default -> status < 500 ? "Bad Request" : "Internal Server Error";
+    };
+  }
+}

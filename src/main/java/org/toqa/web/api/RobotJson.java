@@ -1,0 +1,54 @@
+package org.toqa.web.api;
+
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Fault;
+
+/** A robot on the wire; the fields are those of {@link RobotView}. */
+record RobotJson(
+    String name,
+    String floor,
+    RobotState state,
+    @Nullable Pose pose,
+    @Nullable Double battery,
+    @Nullable Long task,
+    int phase,
+    double maxLoad,
+    double footprint,
+    String host,
+    int port,
+    @Nullable String parking,
+    boolean simulated,
+    List<Vec2> route,
+    int released,
+    List<Fault> errors,
+    String doing,
+    @Nullable Instant lastSeen) {
+
+  static RobotJson of(RobotView view) {
+    return new RobotJson(
+        view.name(),
+        view.floor(),
+        view.state(),
+        view.pose(),
+        view.battery(),
+        view.task(),
+        view.phase(),
+        view.maxLoad(),
+        view.footprint(),
+        view.host(),
+        view.port(),
+        view.parking(),
+        view.simulated(),
+        view.route(),
+        view.released(),
+        view.errors(),
+        view.doing(),
+        view.lastSeen());
+  }
+}

@@ -1,0 +1,59 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.net.URLEncoder;
+import java.nio.charset.StandardCharsets;
+import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotView;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.InputRules;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+
+/** All robots by name, and new ones. */
+public final class RobotsServlet extends ApiServlet {
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Json.send(
+        response,
+        200,
+        services().fleet().feed().latest().robots().stream().map(RobotJson::of).toList());
+  }
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    RobotOrder order = read(fields, Texts.of(request), errors);
+    refuseIfAny(errors);
+    RobotView robot =
+        accepted(FleetAnswers.await(services().fleet().addRobot(order, Caller.of(request).name())));
+    response.setHeader(
+        "Location",
+        request.getContextPath()
+            + "/api/v1/robots/"
+            + URLEncoder.encode(robot.name(), StandardCharsets.UTF_8));
+    Json.send(response, HttpServletResponse.SC_CREATED, RobotJson.of(robot));
+  }
+
+  private static RobotOrder read(JsonFields fields, Texts texts, FieldErrors errors) {
+    InputRules rules = new InputRules(texts, errors);
+    RobotOrder order =
+        new RobotOrder(
+            rules.robotName("name", fields.text("name")),
+            rules.host("host", fields.text("host")),
+            rules.port("port", fields.number("port")),
+            rules.load("maxLoad", fields.number("maxLoad")),
+            fields.text("parking"));
+    if (fields.text("code") != null) {
+      errors.add("code", texts.get("error.code"));
+    }
+    fields.refuseUnknown();
+    return order;
+  }
+}

@@ -1,0 +1,50 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Map;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Login;
+
+/** A name and a password for a bearer token. */
+public final class SessionServlet extends ApiServlet {
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Texts texts = Texts.of(request);
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    String name = fields.text("name");
+    String password = fields.text("password");
+    fields.refuseUnknown();
+    if (name == null) {
+      errors.add("name", texts.get("error.login.name"));
+    }
+    if (password == null) {
+      errors.add("password", texts.get("error.login.password"));
+    }
+    refuseIfAny(errors);
+    if (name != null && password != null) {
+      answer(services().login().attempt(name, password, request.getRemoteAddr()), texts, response);
+    }
+  }
+
+  private void answer(Login.Outcome outcome, Texts texts, HttpServletResponse response)
+      throws IOException {
+    switch (outcome) {
+      case Login.Outcome.Welcome welcome ->
+          Json.send(
+              response, 200, Map.of("token", services().tokens().issue(welcome.account().id())));
+      case Login.Outcome.Wrong() -> {
+        response.setHeader("WWW-Authenticate", "Bearer");
+        Problem.of(401, texts.get("error.login.wrong")).send(response);
+      }
+      case Login.Outcome.TooSoon tooSoon -> {
+        response.setHeader("Retry-After", Long.toString(tooSoon.seconds()));
+        Problem.of(429, texts.get("error.login.tooSoon", tooSoon.seconds())).send(response);
+      }
+    }
+  }
+}

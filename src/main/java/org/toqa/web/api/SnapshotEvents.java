@@ -1,0 +1,53 @@
+package org.toqa.web.api;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Instant;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetSnapshot;
+
+/** Snapshots as server-sent events. The newest is written once, however many read it. */
+final class SnapshotEvents {
+
+  private record SnapshotJson(
+      long version, Instant at, List<RobotJson> robots, List<TaskJson> tasks, List<String> alerts) {
+
+    static SnapshotJson of(FleetSnapshot snapshot) {
+      return new SnapshotJson(
+          snapshot.version(),
+          snapshot.at(),
+          snapshot.robots().stream().map(RobotJson::of).toList(),
+          snapshot.tasks().stream().map(TaskJson::of).toList(),
+          snapshot.alerts());
+    }
+  }
+
+  private static final class Written {
+    private final long version;
+    private final byte[] event;
+
+    Written(FleetSnapshot snapshot) {
+      version = snapshot.version();
+      event = write(snapshot);
+    }
+  }
+
+  private final AtomicReference<@Nullable Written> newest = new AtomicReference<>();
+
+  /** The event's bytes; callers must not change them. */
+  byte[] event(FleetSnapshot snapshot) {
+    Written written = newest.get();
+    if (written == null || written.version != snapshot.version()) {
+      written = new Written(snapshot);
+      newest.set(written);
+    }
+    return written.event;
+  }
+
+  private static byte[] write(FleetSnapshot snapshot) {
+    return "event: snapshot\nid: %d\ndata: %s\n\n"
+        .formatted(snapshot.version(), Json.MAPPER.writeValueAsString(SnapshotJson.of(snapshot)))
+        .getBytes(StandardCharsets.UTF_8);
+  }
+}

@@ -1,0 +1,82 @@
+package org.toqa.web.api;
+
+import com.fasterxml.jackson.annotation.JsonInclude;
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.TaskView;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask;
+
+/**
+ * A task on the wire.
+ *
+ * @param load kilograms
+ * @param history left out of lists and of the live stream
+ */
+record TaskJson(
+    long id,
+    String name,
+    double load,
+    PlaceJson start,
+    PlaceJson goal,
+    String floor,
+    int priority,
+    @Nullable Instant deadline,
+    TransportTask.@Nullable LoadSize size,
+    String user,
+    Instant createdAt,
+    Instant changedAt,
+    TaskState state,
+    boolean held,
+    List<String> robots,
+    @Nullable String waitingFor,
+    TaskView.@Nullable Question needs,
+    @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history) {
+
+  /** Metres, map frame. */
+  record PlaceJson(double x, double y, @Nullable String station) {
+    static PlaceJson of(TaskPlace place) {
+      return new PlaceJson(place.position().x(), place.position().y(), place.station());
+    }
+  }
+
+  record EventJson(Instant at, String kind, @Nullable String robot, String who, String text) {
+    static EventJson of(EventRecord event) {
+      return new EventJson(event.at(), event.kind(), event.robot(), event.who(), event.text());
+    }
+  }
+
+  static TaskJson of(TaskView view) {
+    return of(view, null);
+  }
+
+  static TaskJson withHistory(TaskView view, List<EventRecord> history) {
+    return of(view, history.stream().map(EventJson::of).toList());
+  }
+
+  private static TaskJson of(TaskView view, @Nullable List<EventJson> history) {
+    TransportTask task = view.task();
+    return new TaskJson(
+        task.id(),
+        task.name(),
+        task.load(),
+        PlaceJson.of(task.start()),
+        PlaceJson.of(task.goal()),
+        task.floor(),
+        task.priority(),
+        task.deadline(),
+        task.size(),
+        task.user(),
+        task.createdAt(),
+        view.changedAt(),
+        view.state(),
+        view.held(),
+        view.robots(),
+        view.waitingFor(),
+        view.needs(),
+        history);
+  }
+}

@@ -1,0 +1,100 @@
+package org.toqa.web.api;
+
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.time.OffsetDateTime;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.InputRules;
+import org.toqa.web.Texts;
+
+/** Reads a task order from the wire; it means something only when no error was filed. */
+final class TaskOrderJson {
+  private final JsonFields fields;
+  private final InputRules rules;
+  private final FieldErrors errors;
+  private final Texts texts;
+
+  private TaskOrderJson(JsonFields fields, InputRules rules, FieldErrors errors, Texts texts) {
+    this.fields = fields;
+    this.rules = rules;
+    this.errors = errors;
+    this.texts = texts;
+  }
+
+  static TaskOrder read(JsonFields fields, InputRules rules, FieldErrors errors, Texts texts) {
+    return new TaskOrderJson(fields, rules, errors, texts).read();
+  }
+
+  private TaskOrder read() {
+    TaskOrder order =
+        new TaskOrder(
+            rules.taskName("name", fields.text("name")),
+            rules.load("load", fields.number("load")),
+            where("start"),
+            where("goal"),
+            fields.text("floor"),
+            rules.priority("priority", fields.number("priority")),
+            deadline(),
+            size());
+    fields.refuseUnknown();
+    return order;
+  }
+
+  private Where where(String name) {
+    Optional<JsonFields> place = fields.object(name);
+    if (place.isEmpty()) {
+      errors.add(name, texts.get("error.place.missing", name));
+      return new Where.Station("");
+    }
+    return where(name, place.get());
+  }
+
+  private Where where(String name, JsonFields place) {
+    String station = place.text("station");
+    if (!place.has("station")) {
+      Vec2 position =
+          new Vec2(
+              rules.coordinate(place.path("x"), place.number("x")),
+              rules.coordinate(place.path("y"), place.number("y")));
+      place.refuseUnknown();
+      return new Where.Point(position);
+    }
+    if (station == null || place.has("x") || place.has("y")) {
+      errors.add(name, texts.get("error.place.missing", name));
+    } else {
+      place.refuseUnknown();
+    }
+    return new Where.Station(station == null ? "" : station);
+  }
+
+  private @Nullable Instant deadline() {
+    String given = fields.text("deadline");
+    if (given == null) {
+      return null;
+    }
+    try {
+      return OffsetDateTime.parse(given).toInstant();
+    } catch (DateTimeException e) {
+      errors.add("deadline", texts.get("error.deadline"));
+      return null;
+    }
+  }
+
+  private @Nullable LoadSize size() {
+    return fields
+        .object("size")
+        .map(
+            size -> {
+              LoadSize read = rules.size("size", size.number("length"), size.number("width"));
+              size.refuseUnknown();
+              return read;
+            })
+        .orElse(null);
+  }
+}

@@ -1,0 +1,46 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskView;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.InputRules;
+import org.toqa.web.Tasks;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+
+/** All tasks, newest first, and new ones. */
+public final class TasksServlet extends ApiServlet {
+  private static final int USUAL_LIMIT = 50;
+  private static final int HIGHEST_LIMIT = 500;
+
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    int offset = queryNumber(request, "offset", 0, 0, Integer.MAX_VALUE);
+    int limit = queryNumber(request, "limit", USUAL_LIMIT, 1, HIGHEST_LIMIT);
+    Tasks tasks = new Tasks(services());
+    response.setHeader("X-Total-Count", Long.toString(tasks.count()));
+    Json.send(response, 200, tasks.newest(offset, limit).stream().map(TaskJson::of).toList());
+  }
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    Texts texts = Texts.of(request);
+    TaskOrder order = TaskOrderJson.read(fields, new InputRules(texts, errors), errors, texts);
+    refuseIfAny(errors);
+    TaskView task =
+        accepted(FleetAnswers.await(services().fleet().submit(order, Caller.of(request).name())));
+    response.setHeader("Location", request.getContextPath() + "/api/v1/tasks/" + task.id());
+    Json.send(
+        response,
+        HttpServletResponse.SC_CREATED,
+        TaskJson.withHistory(task, services().archive().history(task.id())));
+  }
+}

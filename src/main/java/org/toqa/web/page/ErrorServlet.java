@@ -1,0 +1,93 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.DispatcherType;
+import jakarta.servlet.RequestDispatcher;
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.toqa.web.Door;
+import org.toqa.web.FleetSilentException;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.api.Problem;
+
+/** Shows every error as a page in the style of the others, or as a problem where the API was. */
+public final class ErrorServlet extends PageServlet {
+  private static final String SENTENCE = ErrorServlet.class.getName();
+
+  /** Ends the request with an error page that shows the sentence. */
+  public static void send(
+      HttpServletRequest request, HttpServletResponse response, int status, String sentence)
+      throws IOException {
+    request.setAttribute(SENTENCE, sentence);
+    response.sendError(status);
+  }
+
+  @Override
+  protected void service(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    if (request.getDispatcherType() != DispatcherType.ERROR) {
+      response.sendError(HttpServletResponse.SC_NOT_FOUND);
+      return;
+    }
+    int status = status(request);
+    String sentence = sentence(request, status);
+    response.setStatus(status);
+    if (isForApi(request)) {
+      Problem.of(status, sentence).send(response);
+      return;
+    }
+    Texts texts = Texts.of(request);
+    request.setAttribute("status", status);
+    request.setAttribute("sentence", sentence);
+    request.setAttribute("heading", texts.get(headingKey(status)));
+    if (Caller.ifKnown(request).isPresent()) {
+      show(request, response, "error");
+    } else {
+      showBare(request, response, "error");
+    }
+  }
+
+  private static int status(HttpServletRequest request) {
+    if (cause(request) instanceof FleetSilentException) {
+      return HttpServletResponse.SC_SERVICE_UNAVAILABLE;
+    }
+    return request.getAttribute(RequestDispatcher.ERROR_STATUS_CODE) instanceof Integer status
+        ? status
+        : HttpServletResponse.SC_INTERNAL_SERVER_ERROR;
+  }
+
+  private static String sentence(HttpServletRequest request, int status) {
+    if (request.getAttribute(SENTENCE) instanceof String sentence) {
+      return sentence;
+    }
+    return Texts.of(request)
+        .get(
+            switch (status) {
+              case 404 -> "problem.noSuchPage";
+              case 503 -> "problem.fleetSilent";
+              default -> status < 500 ? "problem.badRequest" : "problem.ourFault";
+            });
+  }
+
+  private static String headingKey(int status) {
+    return switch (status) {
+      case 403, 404, 405, 503 -> "error.heading." + status;
+      default -> status < 500 ? "error.heading.400" : "error.heading.500";
+    };
+  }
+
+  private static Object cause(HttpServletRequest request) {
+    Object thrown = request.getAttribute(RequestDispatcher.ERROR_EXCEPTION);
+    return thrown instanceof ServletException e && e.getRootCause() != null
+        ? e.getRootCause()
+        : thrown;
+  }
+
+  private static boolean isForApi(HttpServletRequest request) {
+    return request.getAttribute(RequestDispatcher.ERROR_REQUEST_URI) instanceof String uri
+        && uri.startsWith(request.getContextPath())
+        && Door.isApi(uri.substring(request.getContextPath().length()));
+  }
+}

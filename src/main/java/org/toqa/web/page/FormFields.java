@@ -1,0 +1,48 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.http.HttpServletRequest;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.Texts;
+
+/** The fields of a form that somebody sent. An empty one counts as missing. */
+final class FormFields {
+  private static final Pattern NUMBER =
+      Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d{1,3})?");
+  private static final int LONGEST_NUMBER = 40;
+
+  private final HttpServletRequest request;
+  private final FieldErrors errors;
+
+  FormFields(HttpServletRequest request, FieldErrors errors) {
+    this.request = request;
+    this.errors = errors;
+  }
+
+  @Nullable String text(String name) {
+    String given = request.getParameter(name);
+    return given == null || given.isBlank() ? null : given;
+  }
+
+  /** A field that holds no number gets a sentence and counts as missing. */
+  @Nullable Double number(String name) {
+    return number(name, name);
+  }
+
+  /**
+   * @param shownAt the field that gets the sentence
+   */
+  @Nullable Double number(String name, String shownAt) {
+    String given = text(name);
+    if (given == null) {
+      return null;
+    }
+    String number = given.strip();
+    if (number.length() > LONGEST_NUMBER || !NUMBER.matcher(number).matches()) {
+      errors.add(shownAt, Texts.of(request).get("error.notANumber"));
+      return null;
+    }
+    return Double.valueOf(number);
+  }
+}

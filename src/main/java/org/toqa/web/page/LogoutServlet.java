@@ -1,0 +1,16 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.toqa.web.access.Sessions;
+
+/** The way out. */
+public final class LogoutServlet extends PageServlet {
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Sessions.end(request);
+    goTo(request, response, "/");
+  }
+}

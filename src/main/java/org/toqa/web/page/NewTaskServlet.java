@@ -1,0 +1,89 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.InputRules;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+
+/** Assigns a transport task: carry this load from here to there. */
+public final class NewTaskServlet extends PageServlet {
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    offerFloors(request);
+    show(request, response, "new-task");
+  }
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    FieldErrors errors = new FieldErrors();
+    Optional<TaskView> task =
+        read(request, errors).flatMap(order -> submit(order, request, errors));
+    if (task.isPresent()) {
+      goTo(request, response, "/tasks/" + task.get().id());
+    } else {
+      offerFloors(request);
+      showAgain(request, response, "new-task", errors);
+    }
+  }
+
+  private Optional<TaskView> submit(
+      TaskOrder order, HttpServletRequest request, FieldErrors errors) {
+    String user = Caller.of(request).name();
+    return accepted(FleetAnswers.await(services().fleet().submit(order, user)), errors);
+  }
+
+  private static Optional<TaskOrder> read(HttpServletRequest request, FieldErrors errors) {
+    FormFields fields = new FormFields(request, errors);
+    InputRules rules = new InputRules(Texts.of(request), errors);
+    TaskOrder order =
+        new TaskOrder(
+            rules.taskName("name", fields.text("name")),
+            rules.load("load", fields.number("load")),
+            where("start", fields, rules),
+            where("goal", fields, rules),
+            fields.text("floor"),
+            0,
+            null,
+            null);
+    return errors.isEmpty() ? Optional.of(order) : Optional.empty();
+  }
+
+  /** A station goes before coordinates. */
+  private static Where where(String field, FormFields fields, InputRules rules) {
+    String station = fields.text(field + "Station");
+    if (station != null) {
+      return new Where.Station(station);
+    }
+    return new Where.Point(
+        new Vec2(
+            rules.coordinate(field, fields.number(field + "X", field)),
+            rules.coordinate(field, fields.number(field + "Y", field))));
+  }
+
+  /** The chosen floor's stations can be selected; without a choice, the first floor's. */
+  private void offerFloors(HttpServletRequest request) {
+    List<FloorMap> floors = services().fleet().floors();
+    String wanted = request.getParameter("floor");
+    FloorMap floor =
+        floors.stream()
+            .filter(f -> f.name().equals(wanted))
+            .findFirst()
+            .orElseGet(floors::getFirst);
+    request.setAttribute("floors", floors);
+    request.setAttribute("floor", floor);
+  }
+}

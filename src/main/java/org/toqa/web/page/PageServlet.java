@@ -1,0 +1,83 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServlet;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Optional;
+import org.toqa.fleet.Answer;
+import org.toqa.web.Doors;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.Services;
+import org.toqa.web.Texts;
+import org.toqa.web.access.CsrfToken;
+
+/**
+ * What the servlets of the pages have in common. They print nothing; a view under {@code
+ * WEB-INF/views} does.
+ */
+abstract class PageServlet extends HttpServlet {
+  private static final int UNPROCESSABLE = 422;
+
+  /** Stands for the whole form where no field is at fault. */
+  private static final String FORM = "form";
+
+  final Services services() {
+    return Services.from(getServletContext());
+  }
+
+  /** Shows a view; it finds the CSRF token for its forms as {@code csrf}. */
+  static void show(HttpServletRequest request, HttpServletResponse response, String view)
+      throws ServletException, IOException {
+    request.setAttribute("csrf", CsrfToken.of(request));
+    showBare(request, response, view);
+  }
+
+  /** Shows a view that has no form, without making a session for it. */
+  static void showBare(HttpServletRequest request, HttpServletResponse response, String view)
+      throws ServletException, IOException {
+    request.getRequestDispatcher("/WEB-INF/views/" + view + ".jsp").forward(request, response);
+  }
+
+  /** Shows the form again, with what was entered and a sentence at each field at fault. */
+  static void showAgain(
+      HttpServletRequest request, HttpServletResponse response, String view, FieldErrors errors)
+      throws ServletException, IOException {
+    response.setStatus(UNPROCESSABLE);
+    request.setAttribute("errors", errors.sentences());
+    show(request, response, view);
+  }
+
+  /** See other: a reload does not send the form again. */
+  static void goTo(HttpServletRequest request, HttpServletResponse response, String path)
+      throws IOException {
+    response.sendRedirect(request.getContextPath() + path, HttpServletResponse.SC_SEE_OTHER);
+  }
+
+  static void notFound(HttpServletRequest request, HttpServletResponse response, String key)
+      throws IOException {
+    ErrorServlet.send(request, response, 404, Texts.of(request).get(key));
+  }
+
+  /** The number in the path, or 0, which nothing has. */
+  static long pathNumber(HttpServletRequest request, String name) {
+    String given = Doors.parameter(request, name);
+    return given.matches("[1-9][0-9]{0,17}") ? Long.parseLong(given) : 0;
+  }
+
+  /** The value, if the fleet said yes; its no is filed under the field it names, or the form. */
+  static <T> Optional<T> accepted(Answer<T> answer, FieldErrors errors) {
+    return switch (answer) {
+      case Answer.Accepted<T>(T value) -> Optional.of(value);
+      case Answer.Refused<T>(String field, String sentence) ->
+          no(errors, field == null ? FORM : field, sentence);
+      case Answer.Unknown<T>(String sentence) -> no(errors, FORM, sentence);
+    };
+  }
+
+  private static <T> Optional<T> no(FieldErrors errors, String field, String sentence) {
+    errors.add(field, sentence);
+    return Optional.empty();
+  }
+}

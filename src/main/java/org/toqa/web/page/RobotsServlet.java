@@ -1,0 +1,61 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Optional;
+import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotView;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.InputRules;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+
+/** All robots; managers add some. */
+public final class RobotsServlet extends PageServlet {
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    offerFleet(request);
+    show(request, response, "robots");
+  }
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    FieldErrors errors = new FieldErrors();
+    Optional<RobotView> robot = read(request, errors).flatMap(order -> add(order, request, errors));
+    if (robot.isPresent()) {
+      goTo(request, response, "/robots/" + robot.get().name());
+    } else {
+      offerFleet(request);
+      showAgain(request, response, "robots", errors);
+    }
+  }
+
+  private Optional<RobotView> add(
+      RobotOrder order, HttpServletRequest request, FieldErrors errors) {
+    String user = Caller.of(request).name();
+    return accepted(FleetAnswers.await(services().fleet().addRobot(order, user)), errors);
+  }
+
+  private static Optional<RobotOrder> read(HttpServletRequest request, FieldErrors errors) {
+    FormFields fields = new FormFields(request, errors);
+    InputRules rules = new InputRules(Texts.of(request), errors);
+    RobotOrder order =
+        new RobotOrder(
+            rules.robotName("name", fields.text("name")),
+            rules.host("host", fields.text("host")),
+            rules.port("port", fields.number("port")),
+            rules.load("maxLoad", fields.number("maxLoad")),
+            fields.text("parking"));
+    return errors.isEmpty() ? Optional.of(order) : Optional.empty();
+  }
+
+  private void offerFleet(HttpServletRequest request) {
+    request.setAttribute("robots", services().fleet().feed().latest().robots());
+    request.setAttribute("floors", services().fleet().floors());
+  }
+}

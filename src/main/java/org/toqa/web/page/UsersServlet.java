@@ -1,0 +1,51 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.List;
+import org.toqa.store.Role;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.InputRules;
+import org.toqa.web.Services;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+
+/** The users: a manager sees all and adds some, a clerk sees himself. */
+public final class UsersServlet extends PageServlet {
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    offerUsers(request, services());
+    show(request, response, "users");
+  }
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    FieldErrors errors = new FieldErrors();
+    FormFields fields = new FormFields(request, errors);
+    Texts texts = Texts.of(request);
+    InputRules rules = new InputRules(texts, errors);
+    String name = rules.userName("name", fields.text("name"));
+    String password = rules.newPassword("password", fields.text("password"), name);
+    Role role = "MANAGER".equals(fields.text("role")) ? Role.MANAGER : Role.CLERK;
+    if (errors.isEmpty()) {
+      String hash = services().passwords().hash(password);
+      if (services().accounts().add(name, hash, role).isPresent()) {
+        goTo(request, response, "/users?done=added");
+        return;
+      }
+      errors.add("name", texts.get("error.userName.taken"));
+    }
+    offerUsers(request, services());
+    showAgain(request, response, "users", errors);
+  }
+
+  static void offerUsers(HttpServletRequest request, Services services) {
+    Caller caller = Caller.of(request);
+    request.setAttribute(
+        "users", caller.isManager() ? services.accounts().all() : List.of(caller.account()));
+  }
+}

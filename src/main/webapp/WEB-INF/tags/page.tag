@@ -1,0 +1,45 @@
+<%@ tag body-content="scriptless" pageEncoding="UTF-8" trimDirectiveWhitespaces="true" %>
+<%@ attribute name="title" required="true" description="already in the user's language; escaped here" %>
+<%@ attribute name="here" description="the entry of the navigation that is shown" %>
+<%@ attribute name="script" description="a module of assets/js" %>
+<%@ attribute name="layout" description="a class of the main part" %>
+<%@ taglib prefix="c" uri="jakarta.tags.core" %>
+<%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
+<%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
+<c:set var="root" value="${pageContext.request.contextPath}"/>
+<!DOCTYPE html>
+<html lang="${language}" dir="${direction}">
+<head>
+  <meta charset="utf-8">
+  <meta name="viewport" content="width=device-width, initial-scale=1">
+  <meta name="color-scheme" content="light dark">
+  <title><c:out value="${title}"/> · <fmt:message key="product.name"/></title>
+  <link rel="icon" type="image/svg+xml" href="${root}/assets/toqa.svg">
+  <link rel="stylesheet" href="${root}/assets/pico/pico.blue.min.css">
+  <link rel="stylesheet" href="${root}/assets/toqa.css">
+  <c:if test="${not empty script}"><script type="module" src="${root}/assets/js/${script}"></script></c:if>
+  <script type="module" src="${root}/assets/js/times.js"></script>
+</head>
+<body>
+  <a class="skip" href="#content"><fmt:message key="nav.skip"/></a>
+  <header class="top">
+    <a class="brand" href="${root}/"><img src="${root}/assets/toqa.svg" alt="" width="28" height="28"><span><fmt:message key="product.name"/></span></a>
+    <c:if test="${not empty caller}">
+      <fmt:message key="nav.label" var="label"/>
+      <nav aria-label="${label}">
+        <c:forTokens items="task,robot,map,user,statistics" delims="," var="entry">
+          <c:set var="target" value="${entry == 'map' or entry == 'statistics' ? entry : (entry += 's')}"/>
+          <a href="${root}/${target}" ${here == entry ? 'aria-current="page"' : ''}><t:icon name="${entry}"/><span><fmt:message key="nav.${entry}"/></span></a>
+        </c:forTokens>
+        <form method="post" action="${root}/logout">
+          <t:csrf/>
+          <button><t:icon name="logout"/><span><fmt:message key="nav.logout"/></span></button>
+        </form>
+      </nav>
+    </c:if>
+  </header>
+  <main id="content" class="${layout}">
+    <jsp:doBody/>
+  </main>
+</body>
+</html>

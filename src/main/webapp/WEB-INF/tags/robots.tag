@@ -1,0 +1,6 @@
+<%@ tag body-content="empty" pageEncoding="UTF-8" trimDirectiveWhitespaces="true" %>
+<%@ attribute name="names" required="true" type="java.util.List" %>
+<%@ taglib prefix="c" uri="jakarta.tags.core" %>
+<%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
+<c:forEach items="${names}" var="name" varStatus="at">${at.first ? '' : ', '}<c:url value="/robots/${name}" var="link"/><a href="<c:out value="${link}"/>"><c:out value="${name}"/></a></c:forEach>
+<c:if test="${empty names}"><span class="faint"><fmt:message key="common.none"/></span></c:if>

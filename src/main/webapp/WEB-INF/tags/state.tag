@@ -1,0 +1,5 @@
+<%@ tag body-content="empty" pageEncoding="UTF-8" trimDirectiveWhitespaces="true" %>
+<%@ attribute name="of" required="true" description="task or robot" %>
+<%@ attribute name="state" required="true" %>
+<%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
+<span class="state" data-state="${state}"><fmt:message key="${of}.state.${state}"/></span>

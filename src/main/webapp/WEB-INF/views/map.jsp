@@ -1,0 +1,63 @@
+<%@ page contentType="text/html;charset=UTF-8" session="false" %>
+<%@ taglib prefix="c" uri="jakarta.tags.core" %>
+<%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
+<%@ taglib prefix="fn" uri="jakarta.tags.functions" %>
+<%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
+<c:set var="root" value="${pageContext.request.contextPath}"/>
+<fmt:message key="map.title" var="title"/>
+<fmt:message key="map.canvas" var="canvasLabel"/>
+<fmt:message key="map.counts" var="countsLabel"/>
+<fmt:message key="map.zoomIn" var="zoomIn"/>
+<fmt:message key="map.zoomOut" var="zoomOut"/>
+<fmt:message key="map.fit" var="fit"/>
+<t:page title="${title}" here="map" script="map.js" layout="live-map">
+  <h1 class="unseen">${title}</h1>
+  <section class="board">
+    <div class="summary">
+      <ul id="counts" class="counts" aria-label="${countsLabel}"></ul>
+      <c:if test="${fn:length(floors) > 1}">
+        <label class="floor"><span class="unseen"><fmt:message key="map.floor"/></span>
+          <select id="floor"><c:forEach items="${floors}" var="floor"><option><c:out value="${floor.name}"/></option></c:forEach></select>
+        </label>
+      </c:if>
+      <p id="age" class="age" data-state="away"><fmt:message key="map.connecting"/></p>
+    </div>
+    <p id="banner" class="notice bad" role="alert" hidden></p>
+    <noscript><p class="notice bad"><fmt:message key="map.noscript"/></p></noscript>
+    <div class="canvas">
+      <canvas id="map" tabindex="0" role="img" aria-label="${canvasLabel}"></canvas>
+      <div class="zoom">
+        <button type="button" id="zoom-in" aria-label="${zoomIn}" title="${zoomIn}">+</button>
+        <button type="button" id="zoom-out" aria-label="${zoomOut}" title="${zoomOut}">−</button>
+        <button type="button" id="zoom-fit" aria-label="${fit}" title="${fit}"><t:icon name="fit"/></button>
+      </div>
+    </div>
+  </section>
+  <aside class="lists">
+    <section id="needs" hidden>
+      <h2><fmt:message key="map.needsYou"/></h2>
+      <ul id="needs-list" class="entries"></ul>
+    </section>
+    <section>
+      <h2><fmt:message key="map.tasks"/></h2>
+      <ul id="tasks" class="entries"></ul>
+      <p id="no-tasks" class="faint" hidden><fmt:message key="map.tasks.none"/></p>
+      <a role="button" class="wide" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
+    </section>
+    <section>
+      <h2><fmt:message key="map.robots"/></h2>
+      <ul id="robots" class="entries"></ul>
+      <p id="no-robots" class="faint" hidden><fmt:message key="map.robots.none"/></p>
+    </section>
+    <details>
+      <summary><fmt:message key="map.legend"/></summary>
+      <ul class="legend">
+        <c:forEach items="${robotStates}" var="state"><li><span class="letter" data-state="${state}"><fmt:message key="robot.letter.${state}"/></span> <fmt:message key="robot.state.${state}"/></li></c:forEach>
+        <c:forTokens items="station,parking,charging,load,goal,released,rest" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
+      </ul>
+    </details>
+  </aside>
+  <c:set var="stateKeys" value=""/>
+  <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
+  <t:texts keys="map.live map.age map.away map.loggedOut map.loggedOut.link map.failed common.kilograms task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+</t:page>

@@ -1,0 +1,65 @@
+<%@ page contentType="text/html;charset=UTF-8" session="false" %>
+<%@ taglib prefix="c" uri="jakarta.tags.core" %>
+<%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
+<%@ taglib prefix="fn" uri="jakarta.tags.functions" %>
+<%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
+<c:set var="root" value="${pageContext.request.contextPath}"/>
+<fmt:message key="robot.title" var="title"><fmt:param value="${robot.name}"/></fmt:message>
+<fmt:formatNumber value="${robot.maxLoad}" maxFractionDigits="2" var="maxLoad"/>
+<fmt:formatNumber value="${robot.footprint}" maxFractionDigits="3" var="footprint"/>
+<t:page title="${title}" here="robot" script="live.js">
+  <div id="live" data-live="robot" data-name="${fn:escapeXml(robot.name)}">
+    <div class="heading">
+      <h1><c:out value="${title}"/></h1>
+      <t:state of="robot" state="${robot.state}"/>
+    </div>
+    <c:forEach items="${robot.errors}" var="fault"><p class="notice bad"><c:out value="${fault.text}"/>${" "}<small>(<c:out value="${fault.code}"/>)</small></p></c:forEach>
+    <article>
+      <dl>
+        <dt><fmt:message key="robot.doing"/></dt><dd><c:out value="${robot.doing}"/></dd>
+        <dt><fmt:message key="robot.task"/></dt>
+        <dd><c:choose><c:when test="${empty robot.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.task}"><fmt:message key="task.title"><fmt:param value="${robot.task}"/></fmt:message></a></c:otherwise></c:choose></dd>
+        <dt><fmt:message key="robot.phase"/></dt><dd><fmt:message key="robot.phase.${robot.phase}"/></dd>
+        <dt><fmt:message key="robot.position"/></dt>
+        <dd>
+          <c:choose>
+            <c:when test="${empty robot.pose}"><span class="faint"><fmt:message key="robot.position.unknown"/></span></c:when>
+            <c:otherwise>
+              <fmt:formatNumber value="${robot.pose.x}" minFractionDigits="2" maxFractionDigits="2" var="x"/>
+              <fmt:formatNumber value="${robot.pose.y}" minFractionDigits="2" maxFractionDigits="2" var="y"/>
+              <fmt:formatNumber value="${robot.pose.theta * 57.29577951308232}" maxFractionDigits="0" var="heading"/>
+              <span data-live-pose><fmt:message key="common.position"><fmt:param value="${x}"/><fmt:param value="${y}"/></fmt:message>, <fmt:message key="robot.heading.degrees"><fmt:param value="${heading}"/></fmt:message></span>
+            </c:otherwise>
+          </c:choose>
+        </dd>
+        <dt><fmt:message key="robot.battery"/></dt>
+        <dd><c:choose><c:when test="${empty robot.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.battery}" type="percent"/></c:otherwise></c:choose></dd>
+        <dt><fmt:message key="robot.maxLoad"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></dd>
+        <dt><fmt:message key="robot.footprint"/></dt><dd><fmt:message key="common.metres"><fmt:param value="${footprint}"/></fmt:message></dd>
+        <dt><fmt:message key="robot.floor"/></dt><dd><c:out value="${robot.floor}"/></dd>
+        <dt><fmt:message key="robot.parking"/></dt><dd><c:out value="${robot.parking}"/></dd>
+        <dt><fmt:message key="robot.address"/></dt><dd><c:out value="${robot.host}"/>:${robot.port}<c:if test="${robot.simulated}"> (<fmt:message key="robot.simulated"/>)</c:if></dd>
+        <dt><fmt:message key="robot.lastSeen"/></dt>
+        <dd><c:choose><c:when test="${empty robot.lastSeen}"><fmt:message key="robot.lastSeen.never"/></c:when><c:otherwise><t:time at="${robot.lastSeen}"/></c:otherwise></c:choose></dd>
+      </dl>
+      <a href="${root}/map"><fmt:message key="task.onMap"/></a>
+    </article>
+  </div>
+  <c:if test="${caller.isManager()}">
+    <article class="card">
+      <h2><fmt:message key="robot.locate"/></h2>
+      <p class="faint"><fmt:message key="robot.locate.intro"/></p>
+      <t:errors/>
+      <c:url value="/robots/${robot.name}/locate" var="target"/>
+      <form method="post" action="<c:out value="${target}"/>" novalidate>
+        <t:csrf/>
+        <div class="grid">
+          <div><t:field name="x" label="robot.locate.x" inputmode="decimal"/></div>
+          <div><t:field name="y" label="robot.locate.y" inputmode="decimal"/></div>
+          <div><t:field name="heading" label="robot.locate.heading" hint="robot.locate.heading.hint" inputmode="decimal"/></div>
+        </div>
+        <button><fmt:message key="robot.locate.submit"/></button>
+      </form>
+    </article>
+  </c:if>
+</t:page>

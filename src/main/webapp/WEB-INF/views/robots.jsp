@@ -1,0 +1,72 @@
+<%@ page contentType="text/html;charset=UTF-8" session="false" %>
+<%@ taglib prefix="c" uri="jakarta.tags.core" %>
+<%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
+<%@ taglib prefix="fn" uri="jakarta.tags.functions" %>
+<%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
+<c:set var="root" value="${pageContext.request.contextPath}"/>
+<fmt:message key="robots.title" var="title"/>
+<t:page title="${title}" here="robot" script="live.js">
+  <div class="heading">
+    <div>
+      <h1>${title}</h1>
+      <p class="faint"><fmt:message key="robots.count"><fmt:param value="${fn:length(robots)}"/></fmt:message></p>
+    </div>
+  </div>
+  <div id="live" data-live="robots">
+    <c:if test="${empty robots}"><p class="notice"><fmt:message key="robots.empty"/></p></c:if>
+    <c:if test="${not empty robots}">
+      <table class="stacks">
+        <thead>
+          <tr>
+            <th scope="col"><fmt:message key="robots.column.name"/></th>
+            <th scope="col"><fmt:message key="robots.column.state"/></th>
+            <th scope="col"><fmt:message key="robots.column.doing"/></th>
+            <th scope="col"><fmt:message key="robots.column.battery"/></th>
+            <th scope="col"><fmt:message key="robots.column.task"/></th>
+            <th scope="col"><fmt:message key="robots.column.maxLoad"/></th>
+          </tr>
+        </thead>
+        <tbody>
+          <c:forEach items="${robots}" var="robot">
+            <fmt:formatNumber value="${robot.maxLoad}" maxFractionDigits="2" var="maxLoad"/>
+            <c:url value="/robots/${robot.name}" var="link"/>
+            <tr>
+              <th scope="row"><a href="<c:out value="${link}"/>"><c:out value="${robot.name}"/></a></th>
+              <td><t:state of="robot" state="${robot.state}"/></td>
+              <td class="whole"><c:out value="${robot.doing}"/></td>
+              <td class="number" data-label="<fmt:message key="robots.column.battery"/>"><c:choose><c:when test="${empty robot.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.battery}" type="percent"/></c:otherwise></c:choose></td>
+              <td data-label="<fmt:message key="robots.column.task"/>"><c:choose><c:when test="${empty robot.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.task}"><fmt:message key="task.title"><fmt:param value="${robot.task}"/></fmt:message></a></c:otherwise></c:choose></td>
+              <td class="number" data-label="<fmt:message key="robots.column.maxLoad"/>"><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></td>
+            </tr>
+          </c:forEach>
+        </tbody>
+      </table>
+    </c:if>
+  </div>
+  <c:if test="${caller.isManager()}">
+    <article class="card">
+      <h2><fmt:message key="robots.add"/></h2>
+      <t:errors/>
+      <form method="post" action="${root}/robots" novalidate>
+        <t:csrf/>
+        <div class="grid">
+          <div><t:field name="name" label="robots.add.name" hint="robots.add.name.hint"/></div>
+          <div><t:field name="host" label="robots.add.host" hint="robots.add.host.hint"/></div>
+          <div><t:field name="port" label="robots.add.port" inputmode="numeric"/></div>
+        </div>
+        <div class="grid">
+          <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal"/></div>
+          <div>
+            <label for="parking"><fmt:message key="robots.add.parking"/></label>
+            <select id="parking" name="parking" ${not empty errors.parking ? 'aria-invalid="true" aria-describedby="parking-help"' : ''}>
+              <option value=""><fmt:message key="robots.add.parking.any"/></option>
+              <c:forEach items="${floors}" var="floor"><c:forEach items="${floor.parking}" var="place"><option ${place.name == param.parking ? 'selected' : ''}><c:out value="${place.name}"/></option></c:forEach></c:forEach>
+            </select>
+            <c:if test="${not empty errors.parking}"><small id="parking-help"><c:out value="${errors.parking}"/></small></c:if>
+          </div>
+        </div>
+        <button><fmt:message key="robots.add.submit"/></button>
+      </form>
+    </article>
+  </c:if>
+</t:page>

@@ -1,0 +1,44 @@
+const HEIGHT = 14; // pixels of a line of text
+
+/** Text that can be read on any ground. */
+export function drawLabel(context, colours, label, x, y, baseline, colour = colours['map-text']) {
+  context.font = `600 12px ${colours.font}`;
+  context.textAlign = 'center';
+  context.textBaseline = baseline;
+  context.lineJoin = 'round';
+  context.lineWidth = 3.5;
+  context.strokeStyle = colours['map-halo'];
+  context.strokeText(label, x, y);
+  context.fillStyle = colour;
+  context.fillText(label, x, y);
+}
+
+/** Labels of one frame that keep clear of each other: below their sign, else above, else not. */
+export class Labels {
+  #context;
+  #colours;
+  #taken = [];
+
+  constructor(context, colours) {
+    this.#context = context;
+    this.#colours = colours;
+  }
+
+  /** @param half the sign's half width, pixels */
+  draw(label, x, y, half, colour) {
+    this.#context.font = `600 12px ${this.#colours.font}`;
+    const width = this.#context.measureText(label).width;
+    const tops = [y + half + 3, y - half - 3 - HEIGHT];
+    const free = tops
+      .map((top) => ({left: x - width / 2, right: x + width / 2, top, bottom: top + HEIGHT}))
+      .find((box) => !this.#taken.some((other) => overlap(box, other)));
+    if (free) {
+      this.#taken.push(free);
+      drawLabel(this.#context, this.#colours, label, x, free.top, 'top', colour);
+    }
+  }
+}
+
+function overlap(a, b) {
+  return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}

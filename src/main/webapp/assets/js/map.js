@@ -1,0 +1,194 @@
+import {Board} from './board.js';
+import {element, showEntries, write} from './entries.js';
+import {drawRobots, drawTasks, isOpen, radius} from './fleet.js';
+import {Floor} from './floor.js';
+import {Glide} from './glide.js';
+import {address} from './server.js';
+import {follow} from './stream.js';
+import {text} from './texts.js';
+
+const $ = (selector) => document.querySelector(selector);
+const percent = new Intl.NumberFormat(document.documentElement.lang, {style: 'percent'});
+const STATES = ['ERROR', 'NOT_LOCALISED', 'LOST', 'CONNECTING', 'HOLDING', 'DRIVING', 'IDLE'];
+const IN_NEED = new Set(['ERROR', 'NOT_LOCALISED', 'LOST']);
+
+let floor;
+let robots = [];
+let tasks = [];
+let changed = performance.now();
+const glide = new Glide();
+
+const board = new Board($('#map'), draw, openRobotAt);
+
+function draw(context, viewport, colours, now) {
+  if (!floor) {
+    return false;
+  }
+  const here = robots.filter((robot) => robot.floor === floor.name);
+  floor.draw(context, viewport, colours);
+  const tasksHere = tasks.filter((task) => task.floor === floor.name);
+  drawTasks(context, viewport, colours, tasksHere);
+  drawRobots(context, viewport, colours, here, tasksHere, (name) => glide.at(name, now));
+  return glide.isMoving(now);
+}
+
+function openRobotAt(x, y, metresPerPixel) {
+  const now = performance.now();
+  const hit = robots.find((robot) => {
+    const pose = robot.floor === floor?.name && glide.at(robot.name, now);
+    const reach = (radius(board.viewport, robot) + 4) * metresPerPixel;
+    return pose && Math.hypot(pose.x - x, pose.y - y) <= reach;
+  });
+  if (hit) {
+    location.assign(address(`robots/${encodeURIComponent(hit.name)}`));
+  }
+}
+
+function showSnapshot(snapshot) {
+  ({robots, tasks} = snapshot);
+  changed = performance.now();
+  glide.update(robots, changed);
+  board.refresh();
+  showCounts();
+  showRobots();
+  showTasks();
+  showNeeds(snapshot.alerts);
+  showAge();
+}
+
+function showCounts() {
+  const counts = STATES.map((state) => ({
+    state,
+    count: robots.filter((robot) => robot.state === state).length,
+  })).filter(({count}) => count > 0);
+  showEntries(
+    $('#counts'),
+    counts,
+    ({state}) => state,
+    ({state}) => {
+      const letter = element('span', 'letter', text(`robot.letter.${state}`));
+      letter.dataset.state = state;
+      letter.ariaHidden = 'true';
+      return element('li', '', letter, element('b'), element('span', '', text(`robot.state.${state}`)));
+    },
+    (item, {count}) => write(item.querySelector('b'), String(count)),
+  );
+}
+
+function makeEntry(href) {
+  const link = element(
+    'a', '', element('span', 'letter'), element('strong'), element('span', 'side'), element('span', 'what'));
+  link.href = address(href);
+  return element('li', '', link);
+}
+
+function fillEntry(item, {state, letter, title, side, what}) {
+  const sign = item.querySelector('.letter');
+  sign.dataset.state = state;
+  write(sign, letter);
+  write(item.querySelector('strong'), title);
+  write(item.querySelector('.side'), side);
+  write(item.querySelector('.what'), what);
+}
+
+function robotEntry(robot) {
+  return {
+    key: `robot ${robot.name}`,
+    href: `robots/${encodeURIComponent(robot.name)}`,
+    state: robot.state,
+    letter: text(`robot.letter.${robot.state}`),
+    title: robot.name,
+    side: robot.battery === null ? '' : percent.format(robot.battery),
+    what: robot.errors[0]?.text ?? robot.doing,
+  };
+}
+
+function taskEntry(task) {
+  return {
+    key: `task ${task.id}`,
+    href: `tasks/${task.id}`,
+    state: task.state,
+    letter: String(task.id),
+    title: task.name,
+    side: text(`task.state.${task.state}`),
+    what: task.needs?.question ?? task.waitingFor ?? task.robots.join(', '),
+  };
+}
+
+function showLinks(list, entries) {
+  showEntries(list, entries, ({key}) => key, ({href}) => makeEntry(href), fillEntry);
+}
+
+function showRobots() {
+  showLinks($('#robots'), robots.map(robotEntry));
+  $('#no-robots').hidden = robots.length > 0;
+}
+
+function showTasks() {
+  const open = tasks.filter(isOpen);
+  showLinks($('#tasks'), open.map(taskEntry));
+  $('#no-tasks').hidden = open.length > 0;
+}
+
+function showNeeds(alerts) {
+  const entries = [
+    ...alerts.map((alert) => ({
+      key: alert, href: 'map', state: 'ERROR', letter: '!', title: alert, side: '', what: '',
+    })),
+    ...tasks.filter((task) => task.needs).map(taskEntry),
+    ...robots.filter((robot) => IN_NEED.has(robot.state)).map(robotEntry),
+  ];
+  showLinks($('#needs-list'), entries);
+  $('#needs').hidden = entries.length === 0;
+}
+
+function showAge() {
+  if ($('#age').dataset.state === 'live') {
+    const seconds = Math.round((performance.now() - changed) / 1000);
+    write($('#age'), `${text('map.live')} · ${text('map.age', seconds)}`);
+  }
+}
+
+function showConnection(state) {
+  const live = state === 'live';
+  $('#age').dataset.state = state;
+  $('#map').classList.toggle('old', !live);
+  const banner = $('#banner');
+  banner.hidden = live;
+  if (!live) {
+    write($('#age'), '');
+    banner.replaceChildren(text(`map.${state}`));
+  }
+  if (state === 'loggedOut') {
+    const link = element('a', '', text('map.loggedOut.link'));
+    link.href = address('?next=/map');
+    banner.append(' ', link);
+  }
+}
+
+async function showFloor(name) {
+  try {
+    floor = await Floor.load(name);
+    board.viewport.show(floor.bounds);
+    board.refresh();
+  } catch {
+    $('#banner').hidden = false;
+    $('#banner').textContent = text('map.failed');
+  }
+}
+
+const zooms = {
+  '#zoom-in': () => board.viewport.zoom(1.4),
+  '#zoom-out': () => board.viewport.zoom(1 / 1.4),
+  '#zoom-fit': () => board.viewport.fit(),
+};
+for (const [button, zoom] of Object.entries(zooms)) {
+  $(button).addEventListener('click', () => {
+    zoom();
+    board.refresh();
+  });
+}
+$('#floor')?.addEventListener('change', (event) => showFloor(event.target.value));
+setInterval(showAge, 1_000);
+await showFloor($('#floor')?.value);
+follow(showSnapshot, showConnection);

@@ -1,0 +1,59 @@
+import {address, fetchJson} from './server.js';
+
+/** Longer than the server is ever silent, in milliseconds. */
+const SILENCE = 25_000;
+const RETRY = 2_000;
+
+/**
+ * Follows the fleet's live events and comes back after every loss.
+ *
+ * @param onSnapshot called with each snapshot
+ * @param onConnection called with 'live', 'away' or 'loggedOut' when that changes
+ */
+export function follow(onSnapshot, onConnection = () => {}) {
+  let state = '';
+  let heard = performance.now();
+  let source;
+
+  const say = (next) => {
+    if (next !== state) {
+      state = next;
+      onConnection(next);
+    }
+  };
+  const hear = () => {
+    heard = performance.now();
+    say('live');
+  };
+  const reopen = async () => {
+    source.close();
+    say('away');
+    try {
+      await fetchJson('api/v1/robots');
+    } catch (error) {
+      if (error.status === 401) {
+        say('loggedOut');
+        return;
+      }
+    }
+    setTimeout(open, RETRY);
+  };
+  const open = () => {
+    heard = performance.now();
+    source = new EventSource(address('api/v1/events'));
+    source.addEventListener('snapshot', (event) => {
+      hear();
+      onSnapshot(JSON.parse(event.data));
+    });
+    source.addEventListener('alive', hear);
+    source.addEventListener('error', reopen);
+  };
+
+  open();
+  setInterval(() => {
+    if (state === 'live' && performance.now() - heard > SILENCE) {
+      reopen();
+    }
+  }, 1_000);
+  addEventListener('pagehide', () => source.close());
+}

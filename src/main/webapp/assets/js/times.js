@@ -1,0 +1,14 @@
+/** Shows every time element in the reader's own time zone and manner. */
+const format = new Intl.DateTimeFormat(document.documentElement.lang, {
+  dateStyle: 'medium',
+  timeStyle: 'short',
+});
+
+export function showTimes(within = document) {
+  for (const time of within.querySelectorAll('time[datetime]')) {
+    time.textContent = format.format(new Date(time.dateTime));
+    time.title = time.dateTime;
+  }
+}
+
+showTimes();

@@ -1,0 +1,87 @@
+package org.toqa;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.plantuml.rules.PlantUmlArchCondition.Configuration.consideringOnlyDependenciesInAnyPackage;
+import static com.tngtech.archunit.library.plantuml.rules.PlantUmlArchCondition.adhereToPlantUmlDiagram;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+
+/** The rooms of {@code docs/architecture.puml}, and who alone may use what. */
+class ArchitectureTest {
+  private static final JavaClasses PRODUCT =
+      new ClassFileImporter()
+          .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+          .importPackages("org.toqa");
+
+  @Test
+  void everyRoomUsesOnlyTheRoomsItIsDrawnToUse() throws Exception {
+    classes()
+        .that()
+        .resideOutsideOfPackage("org.toqa.app..")
+        .should(
+            adhereToPlantUmlDiagram(
+                    Path.of("docs/architecture.puml").toUri().toURL(),
+                    consideringOnlyDependenciesInAnyPackage("org.toqa.."))
+                .ignoreDependenciesWithTarget(resideInAPackage("org.toqa.geometry..")))
+        .check(PRODUCT);
+  }
+
+  @Test
+  void onlyTheStoreSpeaksSql() {
+    onlyIn(
+        new String[] {"org.toqa.store.."},
+        "java.sql..",
+        "javax.sql..",
+        "org.jdbi..",
+        "org.flywaydb..",
+        "com.zaxxer..");
+  }
+
+  @Test
+  void onlyTheWebSpeaksHttp() {
+    onlyIn(new String[] {"org.toqa.web..", "org.toqa.app.."}, "jakarta.servlet..");
+  }
+
+  @Test
+  void onlyTheAppKnowsTheEmbeddedServer() {
+    onlyIn(new String[] {"org.toqa.app.."}, "org.apache.catalina..", "org.apache.tomcat..");
+  }
+
+  @Test
+  void onlyTheFleetIsMadeOfActors() {
+    onlyIn(new String[] {"org.toqa.fleet..", "org.toqa.app.."}, "org.apache.pekko..");
+  }
+
+  @Test
+  void onlyCommandsPrint() {
+    noClasses()
+        .that()
+        .resideOutsideOfPackages("org.toqa.app..", "org.toqa.launch..")
+        .and()
+        .doNotHaveFullyQualifiedName("org.toqa.agent.Main")
+        .should()
+        .accessField(System.class, "out")
+        .orShould()
+        .accessField(System.class, "err")
+        .check(PRODUCT);
+  }
+
+  /** The libraries may be used in the rooms, and nowhere else. */
+  private static void onlyIn(String[] rooms, String... libraries) {
+    noClasses()
+        .that()
+        .resideOutsideOfPackages(rooms)
+        .and()
+        .resideInAPackage("org.toqa..")
+        .should()
+        .dependOnClassesThat()
+        .resideInAnyPackage(libraries)
+        .check(PRODUCT);
+  }
+}

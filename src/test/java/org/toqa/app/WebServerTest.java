@@ -1,0 +1,85 @@
+package org.toqa.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.ConnectException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class WebServerTest {
+  private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
+
+  @TempDir private Path folder;
+
+  @Test
+  void theApplicationIsServedUntilTheSiteIsClosed() throws Exception {
+    Configuration configuration = onPort(0);
+    URI address;
+    try (WebServer web = WebServer.bind(WEBAPP, configuration);
+        Toqa toqa = Toqa.start(configuration)) {
+      try (WebServer.Site site = web.open(toqa)) {
+        address = site.uri();
+        assertEquals(200, get(address).statusCode());
+        assertEquals(200, get(address.resolve("assets/pico/pico.blue.min.css")).statusCode());
+      }
+    }
+
+    assertThrows(ConnectException.class, () -> get(address));
+  }
+
+  @Test
+  void theLauncherAndTheClassesAreNoPages() throws Exception {
+    Configuration configuration = onPort(0);
+    try (WebServer web = WebServer.bind(WEBAPP, configuration);
+        Toqa toqa = Toqa.start(configuration);
+        WebServer.Site site = web.open(toqa)) {
+      for (String path :
+          List.of("org/toqa/launch/Launcher.class", "META-INF/MANIFEST.MF", "WEB-INF/web.xml")) {
+        int status = get(site.uri().resolve(path)).statusCode();
+        assertTrue(status == 403 || status == 404 || status == 303, path + " " + status);
+      }
+    }
+  }
+
+  @Test
+  void aPortThatIsTakenIsNamedBeforeAnythingElseStarts() throws Exception {
+    try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      Configuration configuration = onPort(other.getLocalPort());
+
+      IOException refusal =
+          assertThrows(IOException.class, () -> WebServer.bind(WEBAPP, configuration).close());
+
+      String sentence = String.valueOf(refusal.getMessage());
+      assertTrue(sentence.startsWith("Port " + other.getLocalPort() + " on 127.0.0.1"), sentence);
+      assertTrue(sentence.endsWith("choose another one by --port."), sentence);
+    }
+  }
+
+  private Configuration onPort(int port) throws ConfigurationException {
+    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    options.put(Setting.PORT, String.valueOf(port));
+    options.put(Setting.DATA, folder.toString());
+    options.put(Setting.MANAGER, "boss:boss-password");
+    return Configuration.of(WEBAPP, List.of(Layer.ofCommandLine(options)));
+  }
+
+  private static HttpResponse<String> get(URI uri) throws IOException, InterruptedException {
+    try (HttpClient client = HttpClient.newHttpClient()) {
+      return client.send(HttpRequest.newBuilder(uri).build(), HttpResponse.BodyHandlers.ofString());
+    }
+  }
+}

@@ -1,0 +1,88 @@
+package org.toqa.planning;
+
+import java.util.BitSet;
+import java.util.Random;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+
+/** Grids and queries for properties. */
+final class RandomGrids {
+  private RandomGrids() {}
+
+  record Query(OccupancyGrid grid, Cell start, Cell goal) {
+
+    /** Drawn, so that a failing sample can be read. */
+    @Override
+    public String toString() {
+      StringBuilder text = new StringBuilder(start + " to " + goal);
+      for (int row = 0; row < grid.height(); row++) {
+        text.append('\n');
+        for (int column = 0; column < grid.width(); column++) {
+          text.append(grid.isFree(column, row) ? '.' : '#');
+        }
+      }
+      return text.toString();
+    }
+  }
+
+  /** Cells strewn at random, from empty to crowded; start and goal anywhere, walls included. */
+  static Arbitrary<Query> strewn(
+      int shortestSide, int longestSide, double crowded, double resolution) {
+    Arbitrary<Integer> side = Arbitraries.integers().between(shortestSide, longestSide);
+    return Combinators.combine(
+            side, side, Arbitraries.doubles().between(0, crowded), Arbitraries.longs())
+        .as(
+            (width, height, density, seed) -> {
+              Random random = new Random(seed);
+              BitSet occupied = new BitSet();
+              for (int i = 0; i < width * height; i++) {
+                occupied.set(i, random.nextDouble() < density);
+              }
+              OccupancyGrid grid =
+                  new OccupancyGrid(width, height, resolution, new Vec2(-1, 2), occupied);
+              return query(grid, random);
+            });
+  }
+
+  /** Rooms with thin walls and a door in each, as buildings have them. */
+  static Arbitrary<Query> rooms(double resolution) {
+    return Combinators.combine(Arbitraries.integers().between(2, 5), Arbitraries.longs())
+        .as(
+            (roomSize, seed) -> {
+              Random random = new Random(seed);
+              int side = 4 * (roomSize + 1) + 1;
+              BitSet occupied = new BitSet();
+              for (int i = 0; i < side * side; i++) {
+                occupied.set(i, i % side % (roomSize + 1) == 0 || i / side % (roomSize + 1) == 0);
+              }
+              for (int room = 0; room < 16; room++) {
+                int column = room % 4 * (roomSize + 1);
+                int row = room / 4 * (roomSize + 1);
+                int door = 1 + random.nextInt(roomSize);
+                if (column > 0) {
+                  occupied.clear((row + door) * side + column);
+                }
+                if (row > 0) {
+                  occupied.clear(row * side + column + 1 + random.nextInt(roomSize));
+                }
+              }
+              return query(new OccupancyGrid(side, side, resolution, Vec2.ZERO, occupied), random);
+            });
+  }
+
+  private static Query query(OccupancyGrid grid, Random random) {
+    return new Query(grid, cell(grid, random), cell(grid, random));
+  }
+
+  /** Mostly a free cell. */
+  private static Cell cell(OccupancyGrid grid, Random random) {
+    int cells = grid.width() * grid.height();
+    int any = random.nextInt(cells);
+    int free = grid.occupied().nextClearBit(any);
+    return grid.cell(free < cells && random.nextInt(8) > 0 ? free : any);
+  }
+}

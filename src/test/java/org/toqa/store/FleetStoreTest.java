@@ -1,0 +1,150 @@
+package org.toqa.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetStore.OpenTask;
+import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/** What every database must do for the fleet; here H2, in {@code MySqlFleetStoreTest} MySQL. */
+class FleetStoreTest {
+  private static final Instant AT = Instant.parse("2026-11-21T10:00:00.123Z");
+  private static final RobotRecord R1 =
+      new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, "P1", true);
+  private static final RobotRecord R2 = new RobotRecord("r2", "lab", "host", 1, 2.5, null, false);
+
+  private Database database;
+  private JdbiFleetStore store;
+
+  Database open() {
+    return Database.inMemory("fleet-store-" + System.nanoTime());
+  }
+
+  @BeforeEach
+  void openStore() {
+    database = open();
+    store = new JdbiFleetStore(database.jdbi());
+  }
+
+  @AfterEach
+  void closeStore() {
+    database.close();
+  }
+
+  @Test
+  void robotsComeBackAsTheyWereStored() {
+    store.saveRobot(R1);
+    store.saveRobot(R2);
+    RobotRecord moved = new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true);
+    store.saveRobot(moved);
+    assertEquals(List.of(moved, R2), store.robots());
+  }
+
+  @Test
+  void aTaskComesBackWithEveryField() {
+    TransportTask asked =
+        new TransportTask(
+            0,
+            "Kiste für Zoë \uD83D\uDCE6 <b>",
+            2.25,
+            new TaskPlace(new Vec2(1.5, -2.5), "Store A"),
+            new TaskPlace(new Vec2(0.1, 0.2), null),
+            "lab",
+            3,
+            AT.plusSeconds(60),
+            new LoadSize(0.6, 0.4),
+            "Ann",
+            AT);
+    TransportTask stored = store.addTask(asked);
+    assertTrue(stored.id() > 0);
+    assertEquals(List.of(new OpenTask(stored, TaskState.QUEUED, List.of(), AT)), store.openTasks());
+    assertEquals(stored, store.task(stored.id()).orElseThrow().task());
+    assertEquals("Asked for by Ann", store.history(stored.id()).getFirst().text());
+  }
+
+  @Test
+  void aMissionComesBackInThePhaseItWasStoredIn() {
+    store.saveRobot(R1);
+    store.saveRobot(R2);
+    TransportTask task = store.addTask(task("two"));
+    Mission.Step step = Mission.assign(task, List.of("r2", "r1"), "heavy");
+    store.saveMission(step.mission(), AT, List.of());
+    Mission.Step next = step.mission().on(new MissionEvent.PhaseEnded("r1", 1));
+    EventRecord event = new EventRecord(AT, "task.at-object", task.id(), "r1", "toqa", "here");
+    store.saveMission(next.mission(), AT.plusMillis(5), List.of(event));
+
+    OpenTask open = store.openTasks().getFirst();
+    assertEquals(TaskState.TO_OBJECT, open.state());
+    assertEquals(
+        List.of(new Carrier("r2", 1, false, false), new Carrier("r1", 1, true, false)),
+        open.carriers());
+    assertEquals(AT.plusMillis(5), open.changedAt());
+    assertEquals(event, store.history(task.id()).getLast());
+    assertEquals(List.of("r2", "r1"), store.task(task.id()).orElseThrow().robots());
+  }
+
+  @Test
+  void endedTasksAreOnlyInTheArchive() {
+    store.saveRobot(R1);
+    TransportTask first = store.addTask(task("first"));
+    TransportTask second = store.addTask(task("second"));
+    store.saveMission(
+        new Mission(first, TaskState.DONE, List.of(new Carrier("r1", 3, true, true))),
+        AT,
+        List.of());
+    assertEquals(List.of(second.id()), store.openTasks().stream().map(t -> t.task().id()).toList());
+    assertEquals(
+        List.of(second.id(), first.id()), store.tasks(0, 10).stream().map(t -> t.id()).toList());
+    assertEquals(List.of(first.id()), store.tasks(1, 10).stream().map(t -> t.id()).toList());
+    assertEquals(2, store.count());
+  }
+
+  @Test
+  void theLastDriveOfARobotComesBackExactly() {
+    store.saveRobot(R1);
+    assertEquals(Optional.empty(), store.drive("r1"));
+    Trajectory way =
+        new Trajectory(
+            new Pose(0.1, 1 / 3.0, -3),
+            List.of(new Segment(0.25, 0, 1.2), new Segment(0, 0.5, 0.1)));
+    store.saveDrive("r1", new StoredDrive(4, null, 0, way));
+    StoredDrive second = new StoredDrive(9, 77L, 2, way);
+    store.saveDrive("r1", second);
+    assertEquals(Optional.of(second), store.drive("r1"));
+  }
+
+  @Test
+  void aChangeThatFailsHasNotHappened() {
+    TransportTask task = store.addTask(task("one"));
+    Mission unknownRobot = Mission.assign(task, List.of("nobody"), "?").mission();
+    assertThrows(StoreException.class, () -> store.saveMission(unknownRobot, AT, List.of()));
+    assertEquals(TaskState.QUEUED, store.openTasks().getFirst().state());
+  }
+
+  private static TransportTask task(String name) {
+    TaskPlace start = new TaskPlace(new Vec2(1, 1), null);
+    TaskPlace goal = new TaskPlace(new Vec2(2, 2), null);
+    return new TransportTask(0, name, 1, start, goal, "lab", 0, null, null, "ann", AT);
+  }
+}

@@ -1,0 +1,132 @@
+package org.toqa.testbed;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/** A command of the product in a process of its own, as a user starts it. */
+public final class ToqaProcess implements AutoCloseable {
+  private static final Duration LIMIT = Duration.ofSeconds(60);
+
+  private final Process process;
+  private final Output out;
+  private final Output err;
+
+  private ToqaProcess(Process process) {
+    this.process = process;
+    this.out = new Output(process.inputReader());
+    this.err = new Output(process.errorReader());
+  }
+
+  /** The launcher, run from another folder than the project's. */
+  public static ToqaProcess toqa(Path folder, String... arguments) throws IOException {
+    String launcher = Path.of("toqa").toAbsolutePath().toString();
+    return command(folder, prepend(List.of(launcher), arguments));
+  }
+
+  /** A jar or WAR, run by this Java. */
+  public static ToqaProcess jar(Path folder, Path jar, String... arguments) throws IOException {
+    String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+    return command(
+        folder, prepend(List.of(java, "-jar", jar.toAbsolutePath().toString()), arguments));
+  }
+
+  /** Any command, with its caches under the folder. */
+  public static ToqaProcess command(Path folder, String... command) throws IOException {
+    ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
+    builder.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
+    return new ToqaProcess(builder.start());
+  }
+
+  private static String[] prepend(List<String> first, String... rest) {
+    return Stream.concat(first.stream(), Arrays.stream(rest)).toArray(String[]::new);
+  }
+
+  public long pid() {
+    return process.pid();
+  }
+
+  /** Its exit code; an {@link AssertionError} where it does not end. */
+  public int exitCode() throws InterruptedException {
+    if (!process.waitFor(LIMIT.toSeconds(), TimeUnit.SECONDS)) {
+      throw new AssertionError("still running; it said: " + err.all());
+    }
+    return process.exitValue();
+  }
+
+  /** Everything on standard output, when it has ended. */
+  public List<String> out() throws InterruptedException {
+    return out.atEnd();
+  }
+
+  /** Everything on standard error, when it has ended. */
+  public List<String> err() throws InterruptedException {
+    return err.atEnd();
+  }
+
+  /** The first line on standard error that the pattern is found in. */
+  public Matcher awaitErr(String pattern) throws InterruptedException {
+    return err.await(Pattern.compile(pattern));
+  }
+
+  /** Asks it to end, as Ctrl-C and a service manager do. */
+  public void terminate() {
+    process.destroy();
+  }
+
+  @Override
+  public void close() {
+    process.destroyForcibly();
+  }
+
+  private static final class Output {
+    private final List<String> lines = new ArrayList<>();
+    private final Thread reader;
+
+    Output(BufferedReader source) {
+      reader = Thread.startVirtualThread(() -> source.lines().forEach(this::add));
+    }
+
+    private synchronized void add(String line) {
+      lines.add(line);
+      notifyAll();
+    }
+
+    synchronized List<String> all() {
+      return List.copyOf(lines);
+    }
+
+    List<String> atEnd() throws InterruptedException {
+      if (!reader.join(LIMIT)) {
+        throw new AssertionError("the stream is still open after: " + all());
+      }
+      return all();
+    }
+
+    synchronized Matcher await(Pattern pattern) throws InterruptedException {
+      long end = System.nanoTime() + LIMIT.toNanos();
+      int seen = 0;
+      while (true) {
+        for (; seen < lines.size(); seen++) {
+          Matcher matcher = pattern.matcher(lines.get(seen));
+          if (matcher.find()) {
+            return matcher;
+          }
+        }
+        long left = end - System.nanoTime();
+        if (left <= 0) {
+          throw new AssertionError("no line with " + pattern + " in: " + lines);
+        }
+        TimeUnit.NANOSECONDS.timedWait(this, left);
+      }
+    }
+  }
+}

@@ -1,0 +1,249 @@
+package org.toqa.traffic.floor;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.DriveSpeeds;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.oneshot.LacamFloorPlanner;
+
+/**
+ * Drives discs over a floor exactly as they are told, each as late as chance will have it, and
+ * looks on: no two discs may ever overlap, none may touch a wall, none may drive what was not
+ * released. It shares nothing with the traffic but its decisions.
+ */
+final class DrivenFloor {
+  static final double DIAMETER = 0.255;
+  private static final double STEP = 0.1;
+
+  final OccupancyGrid grid;
+  final FloorTraffic traffic;
+  final Map<String, Body> bodies = new TreeMap<>();
+  private final SplittableRandom chance;
+  Instant now = Instant.EPOCH;
+
+  /** A robot as it really is. */
+  static final class Body {
+    Pose pose;
+    final double diameter;
+    @Nullable Trajectory way;
+    int released;
+    int completed;
+    boolean last;
+    double inSegment;
+    boolean isStuck;
+    @Nullable Vec2 goal;
+
+    Body(Pose pose, double diameter) {
+      this.pose = pose;
+      this.diameter = diameter;
+    }
+  }
+
+  DrivenFloor(OccupancyGrid grid, long seed) {
+    this.grid = grid;
+    this.chance = new SplittableRandom(seed);
+    this.traffic =
+        new FloorTraffic(
+            grid,
+            DriveSpeeds.DEFAULT,
+            new LacamFloorPlanner(),
+            () -> Deadline.in(Duration.ofSeconds(2), System::nanoTime));
+  }
+
+  /** A floor drawn in text, cells of 0.3 m: '#' a wall, anything else free. */
+  static OccupancyGrid draw(String... rows) {
+    String[] walls = new String[rows.length];
+    for (int i = 0; i < rows.length; i++) {
+      walls[i] = rows[i].replaceAll("[^#]", ".");
+    }
+    OccupancyGrid unit = OccupancyGrid.parse(walls);
+    return new OccupancyGrid(unit.width(), unit.height(), 0.3, Vec2.ZERO, unit.occupied());
+  }
+
+  Body body(String robot) {
+    return Objects.requireNonNull(bodies.get(robot), robot);
+  }
+
+  void put(String robot, Cell cell) {
+    put(robot, cell, DIAMETER);
+  }
+
+  void put(String robot, Cell cell, double diameter) {
+    Vec2 p = grid.centre(cell);
+    Body body = new Body(new Pose(p.x(), p.y(), 0), diameter);
+    bodies.put(robot, body);
+    traffic.stands(robot, body.pose, diameter, now);
+    traffic.isFixed(robot, false);
+  }
+
+  void send(String robot, @Nullable Cell goal) {
+    Vec2 to = goal == null ? null : grid.centre(goal);
+    body(robot).goal = to;
+    traffic.wants(robot, to, now);
+  }
+
+  boolean isAt(String robot, Cell cell) {
+    Body body = body(robot);
+    return body.way == null && body.pose.position().distanceTo(grid.centre(cell)) < 1e-3;
+  }
+
+  boolean isArrived(String robot) {
+    Body body = body(robot);
+    return body.goal == null
+        || (body.way == null && body.pose.position().distanceTo(body.goal) < 1e-3);
+  }
+
+  boolean areAllArrived() {
+    return bodies.keySet().stream().allMatch(this::isArrived);
+  }
+
+  /** Lets time go on until all have arrived, or the limit. */
+  void drive(Duration limit) {
+    Instant end = now.plus(limit);
+    while (now.isBefore(end) && !areAllArrived()) {
+      step();
+    }
+  }
+
+  void step() {
+    now = now.plusMillis((long) (STEP * 1000));
+    bodies.forEach(this::report);
+    traffic.decide(now).forEach(this::obey);
+    bodies.values().forEach(this::move);
+    check();
+  }
+
+  private void report(String name, Body body) {
+    if (body.way == null) {
+      traffic.stands(name, body.pose, body.diameter, now);
+    } else {
+      traffic.moved(name, body.pose, body.completed, now);
+    }
+  }
+
+  private void obey(Decision decision) {
+    Body body = body(decision.robot());
+    switch (decision) {
+      case Decision.Begin begin -> {
+        require(body.way == null, decision.robot() + " was told to begin while it drives");
+        require(
+            begin.way().start().distanceTo(body.pose) < 1e-6,
+            decision.robot() + " was told to begin elsewhere");
+        body.way = begin.way();
+        body.released = begin.released();
+        body.completed = 0;
+        body.inSegment = 0;
+        body.last = begin.last();
+      }
+      case Decision.Extend extend -> {
+        Trajectory way =
+            Objects.requireNonNull(
+                body.way, () -> decision.robot() + " was told to go on while it stands");
+        require(extend.from() >= body.released, decision.robot() + ": a released way was changed");
+        List<Segment> segments = new ArrayList<>(way.segments().subList(0, extend.from()));
+        segments.addAll(extend.segments());
+        body.way = new Trajectory(way.start(), segments);
+        body.released = extend.released();
+        body.last = extend.last();
+      }
+      case Decision.Release release -> {
+        require(release.released() > body.released, decision.robot() + ": released less");
+        body.released = release.released();
+      }
+    }
+  }
+
+  private void move(Body body) {
+    Trajectory way = body.way;
+    if (way == null || body.isStuck) {
+      return;
+    }
+    double left = STEP * (chance.nextInt(4) == 0 ? 0 : chance.nextDouble(0.3, 1));
+    while (left > 0 && body.completed < body.released) {
+      double t = way.segments().get(body.completed).t();
+      double used = Math.min(left, t - body.inSegment);
+      body.inSegment += used;
+      left -= used;
+      if (body.inSegment >= t - 1e-12) {
+        body.completed++;
+        body.inSegment = 0;
+      }
+    }
+    Pose at = way.poseAfter(body.completed);
+    body.pose =
+        body.completed < way.segments().size()
+            ? at.advanced(way.segments().get(body.completed).twist(), body.inSegment)
+            : at;
+    if (body.last && body.completed == way.segments().size()) {
+      body.way = null;
+    }
+  }
+
+  private void check() {
+    List<Map.Entry<String, Body>> all = new ArrayList<>(bodies.entrySet());
+    for (int i = 0; i < all.size(); i++) {
+      Body a = all.get(i).getValue();
+      require(isOffTheWalls(a), all.get(i).getKey() + " touches a wall at " + a.pose);
+      for (int j = i + 1; j < all.size(); j++) {
+        Body b = all.get(j).getValue();
+        double gap = a.pose.distanceTo(b.pose) - (a.diameter + b.diameter) / 2;
+        String pair = all.get(i).getKey() + " and " + all.get(j).getKey();
+        require(gap > -1e-6, pair + " overlap at " + a.pose + ", " + b.pose + " at " + now);
+      }
+    }
+  }
+
+  private boolean isOffTheWalls(Body body) {
+    double r = body.diameter / 2 - 1e-6;
+    for (int row = 0; row < grid.height(); row++) {
+      for (int column = 0; column < grid.width(); column++) {
+        Cell cell = new Cell(column, row);
+        if (!grid.isFree(cell)) {
+          Vec2 d = body.pose.position().minus(grid.centre(cell));
+          double dx = Math.max(0, Math.abs(d.x()) - grid.resolution() / 2);
+          double dy = Math.max(0, Math.abs(d.y()) - grid.resolution() / 2);
+          if (Math.hypot(dx, dy) < r) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  /** What a robot says that has not arrived. */
+  String reason(String robot) {
+    return String.valueOf(traffic.reason(robot));
+  }
+
+  /** What each robot that has not arrived says. */
+  Map<String, String> reasons() {
+    Map<String, String> reasons = new HashMap<>();
+    for (String robot : bodies.keySet()) {
+      if (!isArrived(robot)) {
+        reasons.put(robot, reason(robot));
+      }
+    }
+    return reasons;
+  }
+
+  private static void require(boolean holds, String sentence) {
+    if (!holds) {
+      throw new AssertionError(sentence);
+    }
+  }
+}

@@ -1,0 +1,136 @@
+package org.toqa.traffic.floor;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.LongRange;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.traffic.RoadGraph;
+
+class FloorTrafficPropertyTest {
+
+  /**
+   * Random floors with one-cell aisles, dead ends and crossings: every robot reaches three goals in
+   * turn, or says what it waits for; {@link DrivenFloor} sees to it that none ever touch.
+   */
+  @Property(tries = 150)
+  void onRandomFloorsEveryRobotArrivesOrSaysWhy(@ForAll @LongRange(min = 0) long seed) {
+    Random random = new Random(seed);
+    OccupancyGrid grid = aisles(random);
+    List<Cell> free = largestPart(grid);
+    int robots = Math.min(1 + random.nextInt(8), free.size() / 4);
+    if (robots < 1) {
+      return;
+    }
+    Collections.shuffle(free, random);
+    DrivenFloor floor = new DrivenFloor(grid, seed);
+    for (int i = 0; i < robots; i++) {
+      floor.put("r" + i, free.get(i));
+    }
+    for (int round = 0; round < 3; round++) {
+      Collections.shuffle(free, random);
+      for (int i = 0; i < robots; i++) {
+        floor.send("r" + i, random.nextInt(5) == 0 ? null : free.get(i));
+      }
+      floor.drive(Duration.ofMinutes(20));
+      assertTrue(
+          floor.areAllArrived(),
+          () -> floor.reasons() + " on\n" + String.join("\n", picture(grid)));
+    }
+  }
+
+  /** Goals change while all drive, robots stop for a while and go on. */
+  @Property(tries = 100)
+  void newGoalsStopsAndDelaysDisturbNothing(@ForAll @LongRange(min = 0) long seed) {
+    Random random = new Random(seed);
+    OccupancyGrid grid = aisles(random);
+    List<Cell> free = largestPart(grid);
+    int robots = Math.min(2 + random.nextInt(6), free.size() / 4);
+    if (robots < 1) {
+      return;
+    }
+    Collections.shuffle(free, random);
+    DrivenFloor floor = new DrivenFloor(grid, seed);
+    for (int i = 0; i < robots; i++) {
+      floor.put("r" + i, free.get(i));
+      floor.send("r" + i, free.get(free.size() - 1 - i));
+    }
+    for (int step = 0; step < 1500; step++) {
+      String robot = "r" + random.nextInt(robots);
+      if (random.nextInt(40) == 0 && floor.isArrived(robot)) {
+        floor.send(robot, free.get(random.nextInt(free.size())));
+      }
+      if (random.nextInt(60) == 0) {
+        floor.body(robot).isStuck ^= true;
+      }
+      floor.step();
+    }
+    floor.bodies.values().forEach(b -> b.isStuck = false);
+    List<Cell> goals = new ArrayList<>(free.subList(0, robots));
+    for (int i = 0; i < robots; i++) {
+      if (floor.isArrived("r" + i)) {
+        floor.send("r" + i, goals.get(i));
+      }
+    }
+    floor.drive(Duration.ofMinutes(20));
+    for (int i = 0; i < robots; i++) {
+      String robot = "r" + i;
+      assertTrue(
+          floor.isArrived(robot) || floor.reason(robot).startsWith("Waits for"),
+          () -> floor.reasons() + " on\n" + String.join("\n", picture(grid)));
+    }
+  }
+
+  /** Corridors between blocks, some closed, some blocks hollow. */
+  static OccupancyGrid aisles(Random random) {
+    int width = 9 + random.nextInt(14);
+    int height = 7 + random.nextInt(10);
+    int spacing = 2 + random.nextInt(3);
+    BitSet occupied = new BitSet();
+    for (int row = 0; row < height; row++) {
+      for (int column = 0; column < width; column++) {
+        boolean isAisle = row % spacing == 0 || column % (spacing + 1) == 0;
+        boolean isClosed = isAisle && random.nextInt(12) == 0;
+        boolean isHollow = !isAisle && random.nextInt(6) == 0;
+        occupied.set(row * width + column, isClosed || (!isAisle && !isHollow));
+      }
+    }
+    return new OccupancyGrid(width, height, 0.3, Vec2.ZERO, occupied);
+  }
+
+  static List<Cell> largestPart(OccupancyGrid grid) {
+    RoadGraph roads = new RoadGraph(grid);
+    List<Cell> cells = new ArrayList<>();
+    for (int v = 0; v < roads.vertices(); v++) {
+      if (roads.isInLargestPart(v)) {
+        cells.add(roads.cell(v));
+      }
+    }
+    return cells;
+  }
+
+  static List<String> picture(OccupancyGrid grid) {
+    List<String> rows = new ArrayList<>();
+    for (int row = 0; row < grid.height(); row++) {
+      char[] cells = new char[grid.width()];
+      Arrays.fill(cells, '#');
+      for (int column = 0; column < grid.width(); column++) {
+        if (grid.isFree(column, row)) {
+          cells[column] = '.';
+        }
+      }
+      rows.add(new String(cells));
+    }
+    return rows;
+  }
+}

@@ -1,0 +1,196 @@
+package org.toqa.traffic.floor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.grid.Cell;
+
+class FloorTrafficTest {
+  private static final Duration LIMIT = Duration.ofMinutes(5);
+
+  @Test
+  void aloneOnTheFloorARobotTakesTheSmoothWay() {
+    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw(".....", ".....", "....."), 1);
+    floor.put("a", new Cell(0, 2));
+    floor.send("a", new Cell(4, 0));
+    floor.drive(LIMIT);
+    assertTrue(floor.isAt("a", new Cell(4, 0)));
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5})
+  void twoRobotsSwapPlacesInAnAisleWithOneBay(long seed) {
+    DrivenFloor floor =
+        new DrivenFloor(
+            DrivenFloor.draw(
+                "#########", //
+                "a.......b",
+                "####.####"),
+            seed);
+    floor.put("a", new Cell(0, 1));
+    floor.put("b", new Cell(8, 1));
+    floor.send("a", new Cell(8, 1));
+    floor.send("b", new Cell(0, 1));
+    floor.drive(LIMIT);
+    assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3})
+  void fourArrivalsAtACrossingAtOnce(long seed) {
+    DrivenFloor floor =
+        new DrivenFloor(
+            DrivenFloor.draw(
+                "###.###", //
+                "###.###", "###.###", ".......", "###.###", "###.###", "###.###"),
+            seed);
+    List<Cell> ends = List.of(new Cell(3, 0), new Cell(6, 3), new Cell(3, 6), new Cell(0, 3));
+    for (int i = 0; i < 4; i++) {
+      floor.put("r" + i, ends.get(i));
+    }
+    floor.send("r0", new Cell(3, 5)); // straight over, into the arm of r2
+    floor.send("r1", new Cell(1, 3));
+    floor.send("r2", new Cell(3, 1));
+    floor.send("r3", new Cell(5, 3));
+    floor.drive(LIMIT);
+    assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
+  }
+
+  @Test
+  void aRingWithOneFreePlaceTurns() {
+    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw("...", ".#.", "..."), 1);
+    List<Cell> ring = ring();
+    for (int i = 0; i < 7; i++) {
+      floor.put("r" + i, ring.get(i));
+      floor.send("r" + i, ring.get((i + 2) % 8));
+    }
+    floor.drive(LIMIT);
+    assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
+  }
+
+  @Test
+  void inAFullRingEveryRobotSaysThatItWaits() {
+    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw("...", ".#.", "..."), 1);
+    List<Cell> ring = ring();
+    for (int i = 0; i < 8; i++) {
+      floor.put("r" + i, ring.get(i));
+      floor.send("r" + i, ring.get((i + 1) % 8));
+    }
+    floor.drive(Duration.ofSeconds(20));
+    Map<String, String> reasons = floor.reasons();
+    assertEquals(8, reasons.size());
+    reasons.forEach((robot, reason) -> assertTrue(reason.startsWith("Waits"), robot + reason));
+  }
+
+  @Test
+  void aRobotParkedInADoorwayStepsAside() {
+    DrivenFloor floor =
+        new DrivenFloor(
+            DrivenFloor.draw(
+                "...#...", //
+                "a..p..g", "...#..."),
+            1);
+    floor.put("parked", new Cell(3, 1));
+    floor.put("a", new Cell(0, 1));
+    floor.send("a", new Cell(6, 1));
+    floor.drive(LIMIT);
+    assertTrue(floor.isAt("a", new Cell(6, 1)), () -> floor.reasons().toString());
+  }
+
+  @Test
+  void aGoalThatAnotherNeedsIsWaitedFor() {
+    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw("......", "......"), 1);
+    Cell shared = new Cell(5, 0);
+    floor.put("a", new Cell(0, 0));
+    floor.put("b", new Cell(0, 1));
+    floor.send("a", shared);
+    floor.send("b", shared);
+    for (int i = 0; i < 600; i++) {
+      floor.step();
+    }
+    List<String> there = new ArrayList<>();
+    for (String r : List.of("a", "b")) {
+      if (floor.isArrived(r)) {
+        there.add(r);
+      } else {
+        assertTrue(floor.reason(r).startsWith("Waits for"), floor.reason(r));
+      }
+    }
+    assertEquals(1, there.size());
+    floor.send(there.getFirst(), new Cell(0, 0));
+    floor.drive(LIMIT);
+    assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
+  }
+
+  @Test
+  void aRobotWithoutAWaySaysSoAndDisturbsNobody() {
+    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw("...#.", "...#.", "...#."), 1);
+    floor.put("a", new Cell(0, 0));
+    floor.put("b", new Cell(0, 1));
+    floor.send("a", new Cell(4, 1));
+    floor.send("b", new Cell(2, 2));
+    floor.drive(Duration.ofSeconds(30));
+    assertTrue(floor.isAt("b", new Cell(2, 2)));
+    assertTrue(floor.reason("a").startsWith("Waits"), floor.reason("a"));
+  }
+
+  @Test
+  void aRobotThatStopsIsGoneRound() {
+    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw(".......", ".......", "......."), 4);
+    floor.put("a", new Cell(0, 1));
+    floor.put("b", new Cell(6, 1));
+    floor.send("a", new Cell(6, 1));
+    floor.send("b", new Cell(0, 1));
+    for (int i = 0; i < 40; i++) {
+      floor.step();
+    }
+    floor.body("a").isStuck = true;
+    for (int i = 0; i < 1500 && !floor.isArrived("b"); i++) {
+      floor.step();
+    }
+    assertTrue(floor.isArrived("b"), () -> floor.reasons().toString());
+    floor.body("a").isStuck = false;
+    floor.drive(LIMIT);
+    assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
+  }
+
+  @Test
+  void robotsOfDifferentSizeShareAFloor() {
+    DrivenFloor floor =
+        new DrivenFloor(
+            DrivenFloor.draw(
+                ".........", //
+                ".........",
+                ".........",
+                ".........",
+                "........."),
+            2);
+    floor.put("big", new Cell(1, 2), 0.55);
+    floor.put("a", new Cell(8, 2));
+    floor.put("b", new Cell(5, 0));
+    floor.send("big", new Cell(7, 2));
+    floor.send("a", new Cell(0, 2));
+    floor.send("b", new Cell(5, 4));
+    floor.drive(LIMIT);
+    assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
+  }
+
+  private static List<Cell> ring() {
+    return List.of(
+        new Cell(0, 0),
+        new Cell(1, 0),
+        new Cell(2, 0),
+        new Cell(2, 1),
+        new Cell(2, 2),
+        new Cell(1, 2),
+        new Cell(0, 2),
+        new Cell(0, 1));
+  }
+}

@@ -1,0 +1,347 @@
+package org.toqa.web;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.store.Role;
+
+/** Every door against every kind of visitor, and the tricks that are tried at doors. */
+class AccessTest {
+  private static WebTestServer server;
+  private static Visitor stranger;
+  private static Visitor clerk;
+  private static Visitor manager;
+
+  @BeforeAll
+  static void start() throws Exception {
+    server = WebTestServer.start();
+    stranger = new Visitor(server.root());
+    clerk = Visitor.loggedIn(server.root(), WebTestServer.CLERK);
+    manager = Visitor.loggedIn(server.root(), WebTestServer.MANAGER);
+  }
+
+  @AfterAll
+  static void stop() throws Exception {
+    stranger.close();
+    clerk.close();
+    manager.close();
+    server.close();
+  }
+
+  /** The live stream does not end, so it is asked for its head only. */
+  static Stream<Door> doors() {
+    return Doors.all().stream().filter(door -> !door.path().equals("/logout"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("doors")
+  void everyDoorAsksForItsRight(Door door) {
+    boolean closedToStrangers = door.right() == Right.USER || door.right() == Right.MANAGER;
+
+    int ofStranger = knock(stranger, door);
+    int ofClerk = knock(clerk, door);
+    int ofManager = knock(manager, door);
+
+    if (closedToStrangers) {
+      // a page sends to the login, the API says 401
+      assertEquals(door.isApi() ? 401 : 303, ofStranger);
+      if (!door.isApi()) {
+        assertTrue(locationFor(stranger, door).startsWith("/"), "to the login");
+      }
+    } else {
+      assertPassed(ofStranger);
+    }
+    if (door.right() == Right.MANAGER) {
+      assertEquals(403, ofClerk);
+    } else {
+      assertPassed(ofClerk);
+    }
+    assertPassed(ofManager);
+  }
+
+  @ParameterizedTest
+  @MethodSource("doors")
+  void noDoorTakesAWriteWithoutTheSessionsToken(Door door) {
+    if (!door.method().equals("POST") || door.path().equals("/api/v1/session")) {
+      return;
+    }
+    HttpResponse<String> answer =
+        manager.send(
+            manager
+                .request(path(door))
+                .header(
+                    "Content-Type",
+                    door.isApi() ? "application/json" : "application/x-www-form-urlencoded")
+                .header("X-CSRF-Token", "guessed")
+                .POST(BodyPublishers.ofString(door.isApi() ? "{}" : "_csrf=guessed"))
+                .build());
+
+    assertEquals(403, answer.statusCode());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "WEB-INF/web.xml",
+        "WEB-INF/views/map.jsp",
+        "assets/../WEB-INF/web.xml",
+        "assets/%2e%2e/WEB-INF/web.xml",
+        "assets/..%2fWEB-INF/web.xml",
+        "error",
+        "META-INF/MANIFEST.MF",
+        "assets/",
+        "tasks;x=/assets/",
+        "TASKS"
+      })
+  void whatIsNotADoorIsClosed(String path) {
+    int status = stranger.get(path).statusCode();
+
+    assertTrue(status == 404 || status == 400 || status == 303, path + " answered " + status);
+    assertFalse(stranger.get(path).body().contains("servlet"), path);
+  }
+
+  @Test
+  void theStyleIsThereForStrangers() {
+    for (String asset : new String[] {"toqa.css", "pico/pico.blue.min.css", "icons.svg"}) {
+      assertEquals(200, stranger.get("assets/" + asset).statusCode(), asset);
+    }
+    assertEquals(
+        "text/javascript;charset=UTF-8",
+        stranger.get("assets/js/map.js").headers().firstValue("Content-Type").orElseThrow());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "map", "assets/toqa.css", "api/v1/map", "nothing"})
+  void everyAnswerHasTheSecurityHeaders(String path) {
+    HttpResponse<String> answer = clerk.get(path);
+
+    String policy = answer.headers().firstValue("Content-Security-Policy").orElseThrow();
+    assertTrue(policy.contains("default-src 'self'"));
+    assertTrue(policy.contains("frame-ancestors 'none'"));
+    assertFalse(policy.contains("unsafe"));
+    assertEquals("nosniff", answer.headers().firstValue("X-Content-Type-Options").orElseThrow());
+    assertEquals("same-origin", answer.headers().firstValue("Referrer-Policy").orElseThrow());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"map", "tasks", "tasks/new", "robots", "users", "statistics", "nothing"})
+  void noPageHasScriptOrStyleInline(String path) {
+    String page = manager.get(path).body();
+
+    assertFalse(page.contains("style="), "style attribute");
+    assertFalse(page.contains("<style"), "style element");
+    assertFalse(page.matches("(?s).*\\son[a-z]+=.*"), "event attribute");
+    assertFalse(page.matches("(?s).*<script(?![^>]*src=).*"), "inline script");
+  }
+
+  @Test
+  void theSessionsIdChangesAtLoginAndItsCookieIsKeptFromScripts() {
+    try (Visitor visitor = new Visitor(server.root())) {
+      String before = sessionCookie(visitor.get(""));
+      HttpResponse<String> answer =
+          visitor.post("", Map.of("name", WebTestServer.CLERK, "password", WebTestServer.PASSWORD));
+
+      String after = sessionCookie(answer);
+      assertNotEquals(value(before), value(after));
+      assertTrue(after.contains("HttpOnly"), after);
+      assertTrue(after.contains("SameSite=Lax"), after);
+      assertEquals("/map", answer.headers().firstValue("Location").orElseThrow());
+    }
+  }
+
+  @Test
+  void aLoginGoesToThePageThatWasAskedFor() {
+    try (Visitor visitor = new Visitor(server.root())) {
+      String login = visitor.get("tasks/7").headers().firstValue("Location").orElseThrow();
+      assertEquals("/?next=%2Ftasks%2F7", login);
+      assertTrue(visitor.get("?next=%2Ftasks%2F7").body().contains("value=\"/tasks/7\""));
+
+      assertEquals("/tasks/7", destination(visitor, "/tasks/7"));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "//evil.example",
+        "https://evil.example/",
+        "/\\evil.example",
+        "/api/v1/robots",
+        "x"
+      })
+  void aLoginGoesNowhereElse(String next) {
+    try (Visitor visitor = new Visitor(server.root())) {
+      assertEquals("/map", destination(visitor, next));
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"Clara, wrong password 1", "nobody, a long enough password", "Clara, ''"})
+  void aWrongLoginSaysNotWhichPartIsWrong(String name, String password) {
+    try (Visitor visitor = new Visitor(server.root())) {
+      HttpResponse<String> answer = visitor.post("", Map.of("name", name, "password", password));
+
+      assertEquals(422, answer.statusCode());
+      assertTrue(
+          answer.body().contains("Name or password is wrong.")
+              || answer.body().contains("Enter your password."));
+      assertFalse(answer.body().contains("<span>Log-out</span>"));
+    }
+  }
+
+  @Test
+  void afterSomeFailuresANameIsSlowed() {
+    try (Visitor visitor = new Visitor(server.root())) {
+      for (int i = 0; i < 5; i++) {
+        HttpResponse<String> answer = visitor.post("", Map.of("name", "victim", "password", "x"));
+        assertTrue(answer.body().contains("Name or password is wrong."));
+      }
+
+      HttpResponse<String> answer = visitor.post("", Map.of("name", "VICTIM", "password", "x"));
+
+      assertTrue(answer.body().contains("Too many attempts failed. Try again in 1 s."));
+      assertEquals("1", answer.headers().firstValue("Retry-After").orElseThrow());
+    }
+  }
+
+  @Test
+  void aFormThatCannotBeReadIsTheSendersFault() {
+    for (String body : new String[] {"name=%zz&password=x", "name=" + "x".repeat(3_000_000)}) {
+      HttpResponse<String> answer =
+          stranger.send(
+              stranger
+                  .request("")
+                  .header("Content-Type", "application/x-www-form-urlencoded")
+                  .POST(BodyPublishers.ofString(body))
+                  .build());
+
+      assertTrue(answer.statusCode() >= 400 && answer.statusCode() < 500, "" + answer.statusCode());
+      assertTrue(answer.body().contains("toqa.css"), answer.body());
+      assertFalse(answer.body().contains("Exception"), answer.body());
+    }
+  }
+
+  @Test
+  void aPageThatIsNotThereMakesNoSession() {
+    try (Visitor visitor = new Visitor(server.root())) {
+      assertEquals(List.of(), visitor.get("nothing").headers().allValues("Set-Cookie"));
+    }
+  }
+
+  @Test
+  void aLogoutEndsTheSession() {
+    try (Visitor visitor = Visitor.loggedIn(server.root(), WebTestServer.CLERK)) {
+      assertEquals(303, visitor.post("logout", Map.of()).statusCode());
+
+      assertEquals(303, visitor.get("map").statusCode());
+      assertEquals(401, visitor.get("api/v1/map").statusCode());
+    }
+  }
+
+  @Test
+  void aNewPasswordEndsTheUsersOtherSessions() {
+    server.accounts().add("Nora", hash(), Role.CLERK);
+    try (Visitor here = Visitor.loggedIn(server.root(), "Nora");
+        Visitor elsewhere = Visitor.loggedIn(server.root(), "Nora")) {
+      long nora = server.accounts().byName("nora").orElseThrow().id();
+      Map<String, String> form =
+          Map.of("old", WebTestServer.PASSWORD, "password", "quite another password");
+
+      assertEquals(303, here.post("users/" + nora + "/password", form).statusCode());
+
+      assertEquals(200, here.get("map").statusCode());
+      assertEquals(303, elsewhere.get("map").statusCode());
+      assertEquals(422, here.post("users/" + nora + "/password", form).statusCode(), "old one");
+    }
+  }
+
+  @Test
+  void aClerkChangesNobodyElsesPassword() {
+    long max = server.accounts().byName(WebTestServer.MANAGER).orElseThrow().id();
+
+    HttpResponse<String> answer =
+        clerk.post("users/" + max + "/password", Map.of("password", "taken over now"));
+
+    assertEquals(403, answer.statusCode());
+    assertEquals(200, manager.get("map").statusCode());
+  }
+
+  @Test
+  void aDeletedUserIsOutAtOnce() {
+    server.accounts().add("Gone", hash(), Role.MANAGER);
+    try (Visitor gone = Visitor.loggedIn(server.root(), "Gone")) {
+      server.accounts().delete(server.accounts().byName("gone").orElseThrow().id());
+
+      assertEquals(303, gone.get("map").statusCode());
+    }
+  }
+
+  private static String hash() {
+    return server.accounts().byName(WebTestServer.CLERK).orElseThrow().passwordHash();
+  }
+
+  private static String destination(Visitor visitor, String next) {
+    return visitor
+        .post(
+            "",
+            Map.of("name", WebTestServer.CLERK, "password", WebTestServer.PASSWORD, "next", next))
+        .headers()
+        .firstValue("Location")
+        .orElseThrow();
+  }
+
+  private static String sessionCookie(HttpResponse<?> answer) {
+    return answer.headers().allValues("Set-Cookie").stream()
+        .filter(cookie -> cookie.startsWith("toqa-session="))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static String value(String cookie) {
+    return cookie.split(";", 2)[0];
+  }
+
+  /** Passed means: whatever the servlet then said, no door said no. */
+  private static void assertPassed(int status) {
+    assertTrue(
+        status == 200 || status == 303 || status == 404 || status == 422,
+        "The door was closed: " + status);
+  }
+
+  private static int knock(Visitor visitor, Door door) {
+    return answer(visitor, door).statusCode();
+  }
+
+  private static String locationFor(Visitor visitor, Door door) {
+    return answer(visitor, door).headers().firstValue("Location").orElseThrow();
+  }
+
+  private static HttpResponse<String> answer(Visitor visitor, Door door) {
+    if (door.method().equals("GET")) {
+      return visitor.send("HEAD", path(door));
+    }
+    return door.isApi() ? visitor.postJson(path(door), "{}") : visitor.post(path(door), Map.of());
+  }
+
+  private static String path(Door door) {
+    return door.path()
+        .substring(1)
+        .replace("{id}", "999999")
+        .replace("{name}", "none")
+        .replace("*", "toqa.css");
+  }
+}

@@ -1,0 +1,363 @@
+package org.toqa.web;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.InputStream;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Scanner;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.fleet.RobotState;
+import org.toqa.geometry.Pose;
+import org.toqa.mission.TaskState;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+class ApiTest {
+  private static final JsonMapper JSON = new JsonMapper();
+  private static final String GOOD_TASK =
+      """
+      {"name": " Box of bolts ", "load": 2.5, "start": {"station": "Dock A"},
+       "goal": {"x": 10.35, "y": 1.05}}
+      """;
+
+  private WebTestServer server;
+  private Visitor visitor;
+  private String token;
+
+  @BeforeEach
+  void start() throws Exception {
+    server = WebTestServer.start();
+    visitor = new Visitor(server.root());
+    token = tokenOf(WebTestServer.MANAGER);
+    server
+        .fleet()
+        .changeRobots(
+            none ->
+                List.of(
+                    TestFleet.robot(
+                        "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    visitor.close();
+    server.close();
+  }
+
+  @Test
+  void theServerIsUp() {
+    assertEquals("{\"status\":\"UP\"}", visitor.get("api/v1/health").body());
+  }
+
+  @Test
+  void aWrongPasswordGivesNoToken() {
+    HttpResponse<String> answer =
+        post(null, "api/v1/session", "{\"name\":\"Max\",\"password\":\"wrong\"}");
+
+    assertEquals(401, answer.statusCode());
+    assertEquals("Name or password is wrong. Check both and try again.", detail(answer));
+  }
+
+  @Test
+  void aTaskIsStoredBeforeTheAnswer() {
+    HttpResponse<String> answer = post(token, "api/v1/tasks", GOOD_TASK);
+
+    assertEquals(201, answer.statusCode());
+    JsonNode task = JSON.readTree(answer.body());
+    assertEquals(
+        "/api/v1/tasks/" + task.get("id").asLong(),
+        answer.headers().firstValue("Location").orElseThrow());
+    assertEquals("Box of bolts", task.get("name").stringValue());
+    assertEquals("Dock A", task.get("start").get("station").stringValue());
+    assertEquals(1.05, task.get("start").get("x").doubleValue());
+    assertEquals("QUEUED", task.get("state").stringValue());
+    assertEquals("Max", task.get("user").stringValue());
+    assertTrue(server.fleet().task(task.get("id").asLong()).isPresent());
+  }
+
+  @Test
+  void aTaskHasAllThatIsPromised() {
+    long id = JSON.readTree(post(token, "api/v1/tasks", GOOD_TASK).body()).get("id").asLong();
+
+    JsonNode waiting = JSON.readTree(get("api/v1/tasks/" + id).body());
+    assertEquals("It waits for a free robot.", waiting.get("waitingFor").stringValue());
+    assertTrue(waiting.get("needs").isNull());
+    assertFalse(waiting.get("held").booleanValue());
+    assertEquals(1, waiting.get("history").size());
+
+    server.fleet().changeTask(id, TaskState.CARRYING, List.of("r1"), "r1 carries it.");
+    JsonNode carried = JSON.readTree(get("api/v1/tasks/" + id).body());
+    assertEquals("CARRYING", carried.get("state").stringValue());
+    assertEquals("r1", carried.get("robots").get(0).stringValue());
+    assertTrue(carried.get("waitingFor").isNull());
+    assertEquals("r1 carries it.", carried.get("history").get(1).get("text").stringValue());
+  }
+
+  @Test
+  void tasksAreListedNewestFirst() {
+    for (int i = 0; i < 3; i++) {
+      post(token, "api/v1/tasks", GOOD_TASK);
+    }
+
+    HttpResponse<String> answer = get("api/v1/tasks?offset=1&limit=2");
+
+    assertEquals("3", answer.headers().firstValue("X-Total-Count").orElseThrow());
+    JsonNode tasks = JSON.readTree(answer.body());
+    assertEquals(2, tasks.get(0).get("id").asInt());
+    assertEquals(1, tasks.get(1).get("id").asInt());
+    assertEquals(400, get("api/v1/tasks?limit=0").statusCode());
+    assertEquals(400, get("api/v1/tasks?offset=x").statusCode());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          {"name":"x","load":"2","start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “load” must be a number without quotation marks.
+          {"name":7,"load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “name” must be a text in quotation marks.
+          {"name":"x","load":2,"start":"Dock A","goal":{"station":"Shelf 3"}} | 422 | “start” must be an object in braces.
+          {"name":"x","load":2,"start":{"x":1},"goal":{"station":"Shelf 3"}} | 422 | Choose a station, or enter x and y in metres.
+          {"name":"x","load":2,"start":{"x":1,"y":1,"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “start” needs either a station’s name or x and y in metres.
+          {"name":"x","load":2,"goal":{"station":"Shelf 3"}} | 422 | “start” needs either a station’s name or x and y in metres.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | The field “colour” is unknown. Known here: name, load, start, goal, floor, priority, deadline, size.
+          {"name":"x","load":2,"start":{"station":"Dock A","z":1},"goal":{"station":"Shelf 3"}} | 422 | The field “start.z” is unknown. Known here: station.
+          {"name":"x","load":0,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
+          {"name":"x","load":1e999,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
+          {"name":"x","load":2,"start":{"x":1e300,"y":1},"goal":{"station":"Shelf 3"}} | 422 | Coordinates must lie within 1,000,000 m of the map’s origin.
+          {"name":"  ","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | Give the task a name.
+          {"name":"a\\u0000b","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name has characters that cannot be shown, such as line breaks. Leave them out.
+          {"name":"\\ud800","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name has characters that cannot be shown, such as line breaks. Leave them out.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"priority":1.5} | 422 | The priority is a whole number from -100 to 100.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"deadline":"soon"} | 422 | The deadline is a time with its zone, as in 2026-11-21T15:00:00Z.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"size":{"length":1}} | 422 | The size needs a length and a width in metres.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"x":0.1,"y":0.1}} | 422 | The goal is not a free place of the floor. Choose another one.
+          {"name":"x","load":NaN} | 400 | The body is not valid JSON, at line 1, column 23. Mend it there.
+          {"name":"x","name":"y"} | 400 | The body is not valid JSON, at line 1, column 19. Mend it there.
+          {"name":"x"} {} | 400 | The body is not valid JSON, at line 1, column 14. Mend it there.
+          [1] | 400 | The body must be one JSON object in braces.
+          7 | 400 | The body must be one JSON object in braces.
+          """)
+  void aBadTaskGetsASentence(String body, int status, String sentence) {
+    HttpResponse<String> answer = post(token, "api/v1/tasks", body);
+
+    assertEquals(
+        "application/problem+json", answer.headers().firstValue("Content-Type").orElseThrow());
+    assertEquals(sentence, detail(answer));
+    assertEquals(status, answer.statusCode());
+    assertEquals(0, server.fleet().count());
+  }
+
+  @Test
+  void everyFieldAtFaultIsNamed() {
+    JsonNode problem = JSON.readTree(post(token, "api/v1/tasks", "{\"load\":-1}").body());
+
+    Set<String> fields =
+        problem.get("errors").values().stream()
+            .map(error -> error.get("field").stringValue())
+            .collect(Collectors.toCollection(TreeSet::new));
+    assertEquals(Set.of("name", "load", "start", "goal"), fields);
+  }
+
+  @Test
+  void aNumberOfAMillionDigitsIsRefused() {
+    String digits = "9".repeat(50_000);
+
+    assertEquals(
+        400, post(token, "api/v1/tasks", "{\"name\":\"x\",\"load\":" + digits + "}").statusCode());
+  }
+
+  @Test
+  void aBodyTooLargeIsRefused() {
+    String body = "{\"name\":\"" + "x".repeat(64 * 1024) + "\"}";
+
+    HttpResponse<String> answer = post(token, "api/v1/tasks", body);
+
+    assertEquals(413, answer.statusCode());
+    assertEquals("The body is larger than 64 KiB. Send less.", detail(answer));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"text/plain", "application/xml", "application/x-www-form-urlencoded"})
+  void anotherMediaTypeIsRefused(String mediaType) {
+    HttpResponse<String> answer =
+        visitor.send(
+            visitor
+                .request("api/v1/tasks")
+                .header("Authorization", "Bearer " + token)
+                .header("Content-Type", mediaType)
+                .POST(BodyPublishers.ofString(GOOD_TASK))
+                .build());
+
+    assertEquals(415, answer.statusCode());
+    assertEquals("Send the body as application/json.", detail(answer));
+  }
+
+  @Test
+  void theWrongMethodNamesTheRightOnes() {
+    HttpResponse<String> answer = visitor.send("PUT", "api/v1/tasks");
+
+    assertEquals(405, answer.statusCode());
+    assertEquals("GET, HEAD, POST", answer.headers().firstValue("Allow").orElseThrow());
+    assertTrue(detail(answer).contains("It takes: GET, HEAD, POST."));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"api/v1/tasks/99", "api/v1/tasks/x", "api/v1/robots/none", "api/v1/no"})
+  void whatIsNotThereIsAProblem(String path) {
+    HttpResponse<String> answer = get(path);
+
+    assertEquals(404, answer.statusCode());
+    assertEquals(404, JSON.readTree(answer.body()).get("status").asInt());
+  }
+
+  @Test
+  void theMapHasAllThatIsPromised() {
+    JsonNode map = JSON.readTree(get("api/v1/map").body());
+
+    assertEquals("hall", map.get("floor").stringValue());
+    assertEquals(40, map.get("width").asInt());
+    assertEquals(20, map.get("height").asInt());
+    assertEquals(0.3, map.get("resolution").doubleValue());
+    assertEquals(0, map.get("origin").get("x").doubleValue());
+    assertEquals("Dock A", map.get("stations").get(0).get("name").stringValue());
+    assertEquals(3, map.get("parking").size());
+    assertEquals(10.95, map.get("charging").get(0).get("x").doubleValue());
+    // row 0 and the left cell of row 1 are one run of 40 + 1 cells
+    assertEquals(0, map.get("occupied").get(0).asInt());
+    assertEquals(41, map.get("occupied").get(1).asInt());
+    assertEquals(404, get("api/v1/map?floor=roof").statusCode());
+    assertTrue(detail(get("api/v1/map?floor=roof")).contains("There are: hall."));
+  }
+
+  @Test
+  void aRobotIsAddedAndLocated() {
+    HttpResponse<String> added =
+        post(
+            token,
+            "api/v1/robots",
+            "{\"name\":\"r2\",\"host\":\"127.0.0.1\",\"port\":7276,\"maxLoad\":5}");
+    assertEquals(201, added.statusCode());
+    assertEquals("CONNECTING", JSON.readTree(added.body()).get("state").stringValue());
+
+    HttpResponse<String> located =
+        post(token, "api/v1/robots/r2/locate", "{\"x\":2.25,\"y\":0.75,\"theta\":1.5}");
+    assertEquals(200, located.statusCode());
+    JsonNode robot = JSON.readTree(get("api/v1/robots/r2").body());
+    assertEquals(1.5, robot.get("pose").get("theta").doubleValue());
+    assertEquals(2, JSON.readTree(get("api/v1/robots").body()).size());
+    assertEquals(
+        404,
+        post(token, "api/v1/robots/none/locate", "{\"x\":2.25,\"y\":0.75,\"theta\":0}")
+            .statusCode());
+  }
+
+  @Test
+  void aSessionWritesWithItsToken() {
+    try (Visitor clerk = Visitor.loggedIn(server.root(), WebTestServer.CLERK)) {
+      assertEquals(201, clerk.postJson("api/v1/tasks", GOOD_TASK).statusCode());
+    }
+  }
+
+  @Test
+  void aTokenThatIsNoneOpensNothing() {
+    HttpResponse<String> answer =
+        visitor.send(
+            visitor.request("api/v1/map").header("Authorization", "Bearer guessed").build());
+
+    assertEquals(401, answer.statusCode());
+    assertEquals("Bearer", answer.headers().firstValue("WWW-Authenticate").orElseThrow());
+  }
+
+  @Test
+  void aSilentStoreIsSaidWithoutATrace() {
+    server.fleet().fallSilent();
+
+    HttpResponse<String> answer = post(token, "api/v1/tasks", GOOD_TASK);
+
+    assertEquals(503, answer.statusCode());
+    assertTrue(detail(answer).startsWith("The fleet did not answer in time."));
+    assertFalse(answer.body().contains("Exception"));
+  }
+
+  @Test
+  void theStreamBringsEachNewSnapshot() {
+    HttpResponse<InputStream> stream =
+        visitor.send(
+            visitor.request("api/v1/events").header("Authorization", "Bearer " + token).build(),
+            BodyHandlers.ofInputStream());
+    assertEquals(
+        "text/event-stream;charset=UTF-8",
+        stream.headers().firstValue("Content-Type").orElseThrow());
+
+    try (Scanner lines = new Scanner(stream.body(), StandardCharsets.UTF_8)) {
+      long first = version(lines);
+      server
+          .fleet()
+          .changeRobots(
+              robots ->
+                  List.of(
+                      TestFleet.robot(
+                          "r1", RobotState.DRIVING, new Pose(2, 2, 0), "127.0.0.1", 7275)));
+      long second = version(lines);
+      assertEquals(first + 1, second);
+      JsonNode snapshot = JSON.readTree(after("data: ", lines));
+      assertEquals(second, snapshot.get("version").asLong());
+      assertEquals("DRIVING", snapshot.get("robots").get(0).get("state").stringValue());
+      assertTrue(snapshot.get("tasks").isArray());
+    }
+  }
+
+  private static long version(Scanner lines) {
+    return Long.parseLong(after("id: ", lines));
+  }
+
+  private static String after(String prefix, Scanner lines) {
+    String line = lines.nextLine();
+    while (!line.startsWith(prefix)) {
+      line = lines.nextLine();
+    }
+    return line.substring(prefix.length());
+  }
+
+  private String tokenOf(String name) {
+    HttpResponse<String> answer =
+        post(
+            null,
+            "api/v1/session",
+            "{\"name\":\"%s\",\"password\":\"%s\"}".formatted(name, WebTestServer.PASSWORD));
+    assertEquals(200, answer.statusCode());
+    return JSON.readTree(answer.body()).get("token").stringValue();
+  }
+
+  private HttpResponse<String> get(String path) {
+    return visitor.send(visitor.request(path).header("Authorization", "Bearer " + token).build());
+  }
+
+  private HttpResponse<String> post(@Nullable String bearer, String path, String body) {
+    var request = visitor.request(path).header("Content-Type", "application/json; charset=utf-8");
+    if (bearer != null) {
+      request.header("Authorization", "Bearer " + bearer);
+    }
+    return visitor.send(request.POST(BodyPublishers.ofString(body)).build());
+  }
+
+  private static String detail(HttpResponse<String> answer) {
+    return JSON.readTree(answer.body()).get("detail").stringValue();
+  }
+}

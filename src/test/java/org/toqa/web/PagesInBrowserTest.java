@@ -1,0 +1,287 @@
+package org.toqa.web;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import com.microsoft.playwright.Browser;
+import com.microsoft.playwright.BrowserContext;
+import com.microsoft.playwright.BrowserType;
+import com.microsoft.playwright.Locator;
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.Playwright;
+import com.microsoft.playwright.options.AriaRole;
+import com.microsoft.playwright.options.ColorScheme;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.mission.TaskState;
+
+/**
+ * The pages in a real browser. Pictures of them go to {@code target/screenshots}, to be looked at.
+ */
+@Tag("full")
+class PagesInBrowserTest {
+  private static final Path PICTURES = Path.of("target/screenshots");
+
+  private static Playwright playwright;
+  private static Browser browser;
+
+  private WebTestServer server;
+  private final List<String> complaints = new ArrayList<>();
+
+  @BeforeAll
+  static void openBrowser() {
+    playwright =
+        Playwright.create(
+            new Playwright.CreateOptions().setEnv(Map.of("PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD", "1")));
+    browser =
+        playwright
+            .chromium()
+            .launch(
+                new BrowserType.LaunchOptions()
+                    .setExecutablePath(Path.of("/usr/bin/chromium"))
+                    .setArgs(List.of("--no-sandbox", "--disable-gpu")));
+  }
+
+  @AfterAll
+  static void closeBrowser() {
+    browser.close();
+    playwright.close();
+  }
+
+  @BeforeEach
+  void start() throws Exception {
+    server = WebTestServer.start();
+    server.fleet().changeRobots(none -> fleetAtWork());
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    server.close();
+    assertEquals(List.of(), complaints);
+  }
+
+  @Test
+  void aTaskIsAssignedByClickingOnTheMapAndSeenToTheEnd() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    page.navigate(server.root() + "tasks/new");
+    page.getByLabel("Task name").fill("Box of bolts");
+    page.getByLabel("Load (kg)").fill("2.5");
+    Locator map = page.locator("#map");
+    clickMap(page, map, 1.05, 5.25); // the station Dock A
+    assertThat(page.locator("#startStation")).hasValue("Dock A");
+    clickMap(page, map, 9, 4.5);
+    assertThat(page.locator("#goalX")).hasValue(Pattern.compile("^(8\\.9|9\\.0).*"));
+    picture(page, "new-task-picked");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task")).click();
+
+    assertThat(page.locator("h1")).hasText("Box of bolts");
+    assertThat(page.locator("[aria-current=step]")).hasText("Queued");
+    server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
+    assertThat(page.locator("[aria-current=step]")).hasText("Carrying");
+    picture(page, "task-live");
+    server.fleet().changeTask(1, TaskState.DONE, List.of("r1"), "r1 has parked.");
+    assertThat(page.locator(".history li")).hasCount(3);
+    assertThat(page.locator("[aria-current=step]")).hasText("Done");
+  }
+
+  @Test
+  void theMapShowsARobotMove() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#age")).containsText("Live");
+    assertThat(page.locator("#robots li")).hasCount(6);
+    Object before = pictureOf(page);
+
+    server
+        .fleet()
+        .changeRobots(
+            robots ->
+                robots.stream()
+                    .map(r -> r.name().equals("r1") ? driving("r1", new Pose(5, 4.6, 0), 3) : r)
+                    .toList());
+
+    page.waitForCondition(() -> !pictureOf(page).equals(before));
+  }
+
+  @Test
+  void theMapSaysWhenTheServerIsAway() throws Exception {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#age")).containsText("Live");
+    assertThat(page.locator("#banner")).isHidden();
+
+    server.close();
+
+    assertThat(page.locator("#banner")).containsText("The connection to the server is lost.");
+    picture(page, "map-away");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280, 900, LIGHT, desktop", "1280, 900, DARK, dark", "390, 844, LIGHT, phone"})
+  void everyPageFitsItsScreen(int width, int height, ColorScheme scheme, String name) {
+    try (Visitor visitor = Visitor.loggedIn(server.root(), WebTestServer.CLERK)) {
+      for (String task : List.of("Box of bolts", "Pallet of gear wheels for line 4", "Samples")) {
+        visitor.post(
+            "tasks/new",
+            Map.of(
+                "name",
+                task,
+                "load",
+                "2.5",
+                "startStation",
+                "Dock A",
+                "goalX",
+                "9",
+                "goalY",
+                "1.05"));
+      }
+    }
+    server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
+    server.fleet().changeTask(3, TaskState.DONE, List.of("r2"), "r2 has parked.");
+    Page page = loggedIn(width, height, scheme);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    for (String path :
+        List.of(
+            "map",
+            "tasks",
+            "tasks/new",
+            "tasks/2",
+            "robots",
+            "robots/r5",
+            "users",
+            "statistics",
+            "nothing")) {
+      page.navigate(server.root() + path);
+      if (path.equals("map")) {
+        assertThat(page.locator("#age")).containsText("Live");
+        assertThat(page.locator("#robots li")).hasCount(6);
+      }
+      picture(page, name + "-" + path.replace('/', '-'));
+      assertFalse(
+          (Boolean) page.evaluate("document.documentElement.scrollWidth > innerWidth"),
+          path + " is wider than the screen");
+    }
+    page.navigate(server.root() + "tasks/new");
+    page.locator("form button[type=submit], form:not(.top form) button").last().click();
+    picture(page, name + "-tasks-new-refused");
+    page.context().clearCookies();
+    page.navigate(server.root().toString());
+    picture(page, name + "-login");
+  }
+
+  private Page loggedIn(int width, int height, ColorScheme scheme) {
+    BrowserContext context =
+        browser.newContext(
+            new Browser.NewContextOptions().setViewportSize(width, height).setColorScheme(scheme));
+    Page page = context.newPage();
+    page.setDefaultTimeout(10_000);
+    page.onPageError(complaints::add);
+    page.onConsoleMessage(
+        message -> {
+          if (message.type().equals("error")
+              && !message.text().startsWith("Failed to load resource")) {
+            complaints.add(message.text());
+          }
+        });
+    page.navigate(server.root().toString());
+    page.getByLabel("Name").fill(WebTestServer.MANAGER);
+    page.getByLabel("Password").fill(WebTestServer.PASSWORD);
+    page.locator("main button").click();
+    assertThat(page.locator("#map")).isVisible();
+    return page;
+  }
+
+  /**
+   * Clicks where the floor of 12 m x 6 m, fitted into the canvas with its margin, has the point.
+   */
+  private static void clickMap(Page page, Locator map, double x, double y) {
+    page.waitForFunction("document.querySelector('#map').width > 300");
+    double width = map.boundingBox().width;
+    double height = map.boundingBox().height;
+    double scale = Math.min((width - 32) / 12, (height - 32) / 6);
+    map.click(
+        new Locator.ClickOptions()
+            .setPosition(width / 2 + (x - 6) * scale, height / 2 - (y - 3) * scale));
+  }
+
+  private static Object pictureOf(Page page) {
+    return page.evaluate("document.querySelector('#map').toDataURL()");
+  }
+
+  private static void picture(Page page, String name) {
+    page.screenshot(new Page.ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")));
+  }
+
+  private static List<RobotView> fleetAtWork() {
+    return List.of(
+        driving("r1", new Pose(4.2, 4.6, 0.3), 2),
+        robot("r2", RobotState.IDLE, new Pose(2.25, 0.75, Math.PI / 2)),
+        robot("r3", RobotState.HOLDING, new Pose(7.4, 2.8, Math.PI)),
+        robot("r4", RobotState.NOT_LOCALISED, new Pose(10.2, 3.6, -1)),
+        robot("r5", RobotState.ERROR, new Pose(8.8, 4.6, 2.3)),
+        robot("r6", RobotState.LOST, new Pose(3.4, 2.2, 0)));
+  }
+
+  private static RobotView driving(String name, Pose pose, long task) {
+    RobotView still = robot(name, RobotState.DRIVING, pose);
+    return new RobotView(
+        name,
+        still.floor(),
+        still.state(),
+        pose,
+        0.84,
+        task,
+        2,
+        5,
+        0.255,
+        "127.0.0.1",
+        7275,
+        "P1",
+        true,
+        List.of(new Vec2(5.4, 4.6), new Vec2(6.15, 3.15), new Vec2(8, 3.1), new Vec2(9, 1.05)),
+        2,
+        List.of(),
+        "Carries the load to its goal.",
+        TestFleet.START);
+  }
+
+  private static RobotView robot(String name, RobotState state, Pose pose) {
+    RobotView still = TestFleet.robot(name, state, pose, "127.0.0.1", 7275);
+    return state == RobotState.ERROR
+        ? new RobotView(
+            name,
+            still.floor(),
+            state,
+            pose,
+            0.12,
+            null,
+            0,
+            5,
+            0.255,
+            "127.0.0.1",
+            7275,
+            "P3",
+            true,
+            List.of(),
+            0,
+            List.of(new Fault("BATTERY_LOW", "The battery is nearly empty.")),
+            "Stands with an error.",
+            TestFleet.START)
+        : still;
+  }
+}

@@ -1,0 +1,320 @@
+package org.toqa.web;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.TaskArchive;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask;
+
+/** A fleet in memory: it stores wishes by the contract's rules and drives nothing by itself. */
+final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
+  static final Instant START = Instant.parse("2026-11-21T08:00:00Z");
+
+  /** Kilograms; what all robots together can carry. */
+  private static final double HEAVIEST = 50;
+
+  private final FloorMap floor = floor();
+  private final List<TaskView> tasks = new ArrayList<>();
+  private final List<EventRecord> events = new ArrayList<>();
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition changed = lock.newCondition();
+  private FleetSnapshot latest = new FleetSnapshot(1, START, List.of(), List.of(), List.of());
+  private boolean silent;
+
+  /** From now on the store does not answer. */
+  void fallSilent() {
+    silent = true;
+  }
+
+  /** Publishes other robots. */
+  void changeRobots(UnaryOperator<List<RobotView>> change) {
+    lock.lock();
+    try {
+      publish(change.apply(latest.robots()));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Publishes another state of a task and records it. */
+  void changeTask(long id, TaskState state, List<String> robots, String sentence) {
+    lock.lock();
+    try {
+      tasks.replaceAll(
+          view ->
+              view.id() == id
+                  ? new TaskView(view.task(), state, false, robots, null, null, latest.at())
+                  : view);
+      events.add(new EventRecord(latest.at(), state.name(), id, null, "fleet", sentence));
+      publish(latest.robots());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user) {
+    if (silent) {
+      return CompletableFuture.failedFuture(new IllegalStateException("no store"));
+    }
+    lock.lock();
+    try {
+      Optional<TaskPlace> start = place(order.start());
+      Optional<TaskPlace> goal = place(order.goal());
+      if (order.load() > HEAVIEST) {
+        return refused("load", "No robots here carry that much together. Split the load.");
+      }
+      if (start.isEmpty()) {
+        return refused("start", "The start is not a free place of the floor. Choose another one.");
+      }
+      if (goal.isEmpty()) {
+        return refused("goal", "The goal is not a free place of the floor. Choose another one.");
+      }
+      TransportTask task =
+          new TransportTask(
+              tasks.size() + 1,
+              order.name(),
+              order.load(),
+              start.get(),
+              goal.get(),
+              floor.name(),
+              order.priority(),
+              order.deadline(),
+              order.size(),
+              user,
+              latest.at());
+      TaskView view =
+          new TaskView(
+              task,
+              TaskState.QUEUED,
+              false,
+              List.of(),
+              "It waits for a free robot.",
+              null,
+              latest.at());
+      tasks.add(view);
+      events.add(
+          new EventRecord(latest.at(), "QUEUED", task.id(), null, user, "The task was ordered."));
+      publish(latest.robots());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(view));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user) {
+    lock.lock();
+    try {
+      if (latest.robots().stream().anyMatch(r -> r.name().equals(order.name()))) {
+        return refused("name", "There is a robot of that name already. Choose another name.");
+      }
+      RobotView robot =
+          robot(order.name(), RobotState.CONNECTING, null, order.host(), order.port());
+      List<RobotView> robots = new ArrayList<>(latest.robots());
+      robots.add(robot);
+      publish(robots);
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(robot));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> locate(String name, Pose pose, String user) {
+    if (!floor.grid().isFree(pose.position())) {
+      return refused(null, "There is a wall. Say where the robot really stands.");
+    }
+    lock.lock();
+    try {
+      Optional<RobotView> known =
+          latest.robots().stream().filter(r -> r.name().equals(name)).findFirst();
+      if (known.isEmpty()) {
+        return CompletableFuture.completedFuture(
+            new Answer.Unknown<>("There is no robot of that name."));
+      }
+      RobotView located =
+          robot(name, RobotState.IDLE, pose, known.get().host(), known.get().port());
+      publish(latest.robots().stream().map(r -> r.name().equals(name) ? located : r).toList());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(located));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public List<FloorMap> floors() {
+    return List.of(floor);
+  }
+
+  @Override
+  public SnapshotFeed feed() {
+    return this;
+  }
+
+  @Override
+  public FleetSnapshot latest() {
+    lock.lock();
+    try {
+      return latest;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public FleetSnapshot awaitNewer(long version, Duration limit) throws InterruptedException {
+    lock.lock();
+    try {
+      long left = limit.toNanos();
+      while (latest.version() <= version && left > 0) {
+        left = changed.awaitNanos(left);
+      }
+      return latest;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public List<TaskView> tasks(int offset, int limit) {
+    lock.lock();
+    try {
+      return newestFirst().stream().skip(offset).limit(limit).toList();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public Optional<TaskView> task(long id) {
+    lock.lock();
+    try {
+      return tasks.stream().filter(t -> t.id() == id).findFirst();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public List<EventRecord> history(long id) {
+    lock.lock();
+    try {
+      return events.stream().filter(e -> e.task() != null && e.task() == id).toList();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public long count() {
+    lock.lock();
+    try {
+      return tasks.size();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  static RobotView robot(
+      String name, RobotState state, @Nullable Pose pose, String host, int port) {
+    return new RobotView(
+        name,
+        "hall",
+        state,
+        pose,
+        pose == null ? null : Double.valueOf(0.84),
+        null,
+        0,
+        5,
+        0.255,
+        host,
+        port,
+        "P1",
+        true,
+        List.of(),
+        0,
+        List.of(),
+        "Stands at its parking point.",
+        pose == null ? null : START);
+  }
+
+  private void publish(List<RobotView> robots) {
+    latest =
+        new FleetSnapshot(
+            latest.version() + 1, latest.at().plusMillis(200), robots, newestFirst(), List.of());
+    changed.signalAll();
+  }
+
+  private List<TaskView> newestFirst() {
+    List<TaskView> copy = new ArrayList<>(tasks);
+    Collections.reverse(copy);
+    return copy;
+  }
+
+  private Optional<TaskPlace> place(Where where) {
+    return switch (where) {
+      case Where.Point(Vec2 position) ->
+          Optional.of(new TaskPlace(position, null)).filter(p -> floor.grid().isFree(p.position()));
+      case Where.Station(String name) ->
+          floor.place(name).map(p -> new TaskPlace(p.position(), p.name()));
+    };
+  }
+
+  private static <T> CompletionStage<Answer<T>> refused(@Nullable String field, String sentence) {
+    return CompletableFuture.completedFuture(new Answer.Refused<>(field, sentence));
+  }
+
+  /** 12 m x 6 m in cells of 0.3 m, walls around and one wall with a passage. */
+  private static FloorMap floor() {
+    int width = 40;
+    int height = 20;
+    BitSet occupied = new BitSet();
+    for (int row = 0; row < height; row++) {
+      for (int column = 0; column < width; column++) {
+        boolean edge = row == 0 || row == height - 1 || column == 0 || column == width - 1;
+        boolean wall = column == 20 && (row < 8 || row > 11);
+        boolean shelf = row == 6 && column > 5 && column < 15;
+        occupied.set(row * width + column, edge || wall || shelf);
+      }
+    }
+    return new FloorMap(
+        "hall",
+        new OccupancyGrid(width, height, 0.3, Vec2.ZERO, occupied),
+        List.of(place("Dock A", 1.05, 5.25), place("Shelf 3", 10.35, 1.05)),
+        List.of(place("P1", 1.05, 0.75), place("P2", 2.25, 0.75), place("P3", 3.45, 0.75)),
+        List.of(place("C1", 10.95, 5.25)));
+  }
+
+  private static Place place(String name, double x, double y) {
+    return new Place(name, new Vec2(x, y));
+  }
+}

@@ -1,0 +1,123 @@
+package org.toqa.web;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.CookieManager;
+import java.net.URI;
+import java.net.URLEncoder;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** Somebody with a browser's manners: keeps cookies, sends forms with their token. */
+final class Visitor implements AutoCloseable {
+  private static final Duration LIMIT = Duration.ofSeconds(20);
+  private static final Pattern CSRF = Pattern.compile("name=\"_csrf\" value=\"([^\"]+)\"");
+
+  private final URI root;
+  private final HttpClient client =
+      HttpClient.newBuilder()
+          .cookieHandler(new CookieManager())
+          .followRedirects(HttpClient.Redirect.NEVER)
+          .build();
+
+  Visitor(URI root) {
+    this.root = root;
+  }
+
+  static Visitor loggedIn(URI root, String name) {
+    Visitor visitor = new Visitor(root);
+    HttpResponse<String> answer =
+        visitor.post("", Map.of("name", name, "password", WebTestServer.PASSWORD));
+    if (answer.statusCode() != 303) {
+      throw new IllegalStateException("Login answered " + answer.statusCode());
+    }
+    return visitor;
+  }
+
+  HttpResponse<String> get(String path) {
+    return send(request(path).build());
+  }
+
+  HttpResponse<String> send(String method, String path) {
+    return send(request(path).method(method, BodyPublishers.noBody()).build());
+  }
+
+  /** Sends a form with the session's token. */
+  HttpResponse<String> post(String path, Map<String, String> fields) {
+    Map<String, String> all = new TreeMap<>(fields);
+    all.put("_csrf", csrf());
+    return postBare(path, all);
+  }
+
+  /** Sends a form as it is. */
+  HttpResponse<String> postBare(String path, Map<String, String> fields) {
+    String body =
+        fields.entrySet().stream()
+            .map(e -> encoded(e.getKey()) + "=" + encoded(e.getValue()))
+            .collect(Collectors.joining("&"));
+    return send(
+        request(path)
+            .header("Content-Type", "application/x-www-form-urlencoded")
+            .POST(BodyPublishers.ofString(body))
+            .build());
+  }
+
+  /** Sends JSON with the session's token in the header. */
+  HttpResponse<String> postJson(String path, String body) {
+    return send(
+        request(path)
+            .header("Content-Type", "application/json")
+            .header("X-CSRF-Token", csrf())
+            .POST(BodyPublishers.ofString(body))
+            .build());
+  }
+
+  HttpRequest.Builder request(String path) {
+    return HttpRequest.newBuilder(root.resolve(path)).timeout(LIMIT);
+  }
+
+  HttpResponse<String> send(HttpRequest request) {
+    return send(request, BodyHandlers.ofString());
+  }
+
+  <T> HttpResponse<T> send(HttpRequest request, HttpResponse.BodyHandler<T> handler) {
+    try {
+      return client.send(request, handler);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** The token that this visitor's pages have in their forms. */
+  String csrf() {
+    for (String page : new String[] {"statistics", "", "first-start"}) {
+      Matcher matcher = CSRF.matcher(get(page).body());
+      if (matcher.find()) {
+        return matcher.group(1);
+      }
+    }
+    throw new IllegalStateException("No page has a form.");
+  }
+
+  @Override
+  public void close() {
+    client.shutdownNow();
+  }
+
+  private static String encoded(String value) {
+    return URLEncoder.encode(value, StandardCharsets.UTF_8);
+  }
+}

@@ -1,0 +1,130 @@
+package org.toqa.web;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+import org.apache.catalina.LifecycleException;
+import org.apache.catalina.LifecycleState;
+import org.apache.catalina.WebResourceRoot;
+import org.apache.catalina.connector.Connector;
+import org.apache.catalina.core.StandardContext;
+import org.apache.catalina.startup.Tomcat;
+import org.apache.catalina.webresources.DirResourceSet;
+import org.apache.catalina.webresources.StandardRoot;
+import org.apache.tomcat.util.scan.StandardJarScanFilter;
+import org.apache.tomcat.util.scan.StandardJarScanner;
+import org.flywaydb.core.Flyway;
+import org.jdbi.v3.core.Jdbi;
+import org.toqa.store.Accounts;
+import org.toqa.store.ApiTokens;
+import org.toqa.store.Role;
+import org.toqa.web.access.Passwords;
+
+/** The shipped web application in an embedded Tomcat, over a fleet and a database in memory. */
+final class WebTestServer implements AutoCloseable {
+  static final String CLERK = "Clara";
+  static final String MANAGER = "Max";
+  static final String PASSWORD = "a long enough password";
+
+  /** Argon2id takes its time; once is enough. */
+  private static final Passwords PASSWORDS = new Passwords();
+
+  private static final String PASSWORD_HASH = PASSWORDS.hash(PASSWORD);
+
+  private final TestFleet fleet = new TestFleet();
+  private final Accounts accounts;
+  private final Tomcat tomcat = new Tomcat();
+  private final Path baseDir;
+
+  /** With a clerk and a manager. */
+  static WebTestServer start() throws IOException, LifecycleException {
+    WebTestServer server = startEmpty(0);
+    server.accounts.add(CLERK, PASSWORD_HASH, Role.CLERK);
+    server.accounts.add(MANAGER, PASSWORD_HASH, Role.MANAGER);
+    return server;
+  }
+
+  /**
+   * Without any user.
+   *
+   * @param port 0 for a free one
+   */
+  static WebTestServer startEmpty(int port) throws IOException, LifecycleException {
+    return new WebTestServer(port);
+  }
+
+  private WebTestServer(int port) throws IOException, LifecycleException {
+    String url =
+        "jdbc:h2:mem:web-%d;MODE=MySQL;DATABASE_TO_LOWER=TRUE;CASE_INSENSITIVE_IDENTIFIERS=TRUE;DB_CLOSE_DELAY=-1"
+            .formatted(System.nanoTime());
+    Flyway.configure().dataSource(url, "sa", "").locations("classpath:sql").load().migrate();
+    Jdbi jdbi = Jdbi.create(url, "sa", "");
+    accounts = new Accounts(jdbi, InstantSource.system());
+    ApiTokens tokens = new ApiTokens(jdbi, InstantSource.system(), Duration.ofHours(12));
+    Services services =
+        Services.of(fleet, fleet, accounts, tokens, PASSWORDS, InstantSource.system());
+    baseDir = Files.createTempDirectory("toqa-web-test");
+    startTomcat(port, services);
+  }
+
+  private void startTomcat(int port, Services services) throws LifecycleException {
+    tomcat.setBaseDir(baseDir.toString());
+    Connector connector = new Connector();
+    connector.setPort(port);
+    connector.setProperty("address", "127.0.0.1");
+    connector.setProperty("useVirtualThreads", "true");
+    tomcat.setConnector(connector);
+    StandardContext context =
+        (StandardContext) tomcat.addWebapp("", new File("src/main/webapp").getAbsolutePath());
+    context.setParentClassLoader(WebTestServer.class.getClassLoader());
+    StandardJarScanFilter filter = new StandardJarScanFilter();
+    filter.setDefaultTldScan(false);
+    filter.setDefaultPluggabilityScan(false);
+    filter.setTldScan("jakarta.servlet.jsp.jstl-*.jar");
+    ((StandardJarScanner) context.getJarScanner()).setJarScanFilter(filter);
+    WebResourceRoot root = new StandardRoot(context);
+    root.addPreResources(
+        new DirResourceSet(
+            root, "/assets/pico", new File("target/webapp/assets/pico").getAbsolutePath(), "/"));
+    context.setResources(root);
+    context.addServletContainerInitializer(
+        (classes, servletContext) -> servletContext.setAttribute(Services.ATTRIBUTE, services),
+        null);
+    tomcat.start();
+  }
+
+  TestFleet fleet() {
+    return fleet;
+  }
+
+  Accounts accounts() {
+    return accounts;
+  }
+
+  /** The root, with a slash at its end. */
+  URI root() {
+    return URI.create("http://127.0.0.1:%d/".formatted(tomcat.getConnector().getLocalPort()));
+  }
+
+  @Override
+  public void close() throws LifecycleException, IOException {
+    if (tomcat.getServer().getState() == LifecycleState.DESTROYED) {
+      return;
+    }
+    tomcat.stop();
+    tomcat.destroy();
+    try (Stream<Path> files = Files.walk(baseDir)) {
+      List<Path> deepestFirst = files.sorted(Comparator.reverseOrder()).toList();
+      for (Path file : deepestFirst) {
+        Files.delete(file);
+      }
+    }
+  }
+}

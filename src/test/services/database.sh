@@ -1,0 +1,102 @@
+# A private database server for one run: MySQL, or MariaDB where MySQL cannot be had.
+
+database_server=
+database_folder=
+
+# Sets database_url.
+start_database() {
+  if [ -n "${TOQA_TEST_MYSQL_URL:-}" ]; then
+    database_url=$TOQA_TEST_MYSQL_URL
+    return
+  fi
+  mkdir -p "$cache"
+  if unpack sid mysql-server-core "$cache/mysql"; then
+    brand=mysql
+  elif unpack "$(. /etc/os-release && echo "$VERSION_CODENAME")" mariadb-server-core \
+    "$cache/mariadb"; then
+    brand=mariadb
+    say "MySQL of Debian sid cannot be had; the tests run on MariaDB instead"
+  else
+    say "found no database server; start a MySQL and name it by TOQA_TEST_MYSQL_URL"
+    exit 1
+  fi
+  database_folder=$(mktemp -d)
+  log=$database_folder/log
+  say "starting $brand"
+  "initialise_$brand" >"$log" 2>&1 || database_failed
+  for port in 13307 13317 13327 13337 13347; do
+    "run_$brand" >"$log" 2>&1 &
+    database_server=$!
+    if database_answers; then
+      database_url="jdbc:mysql://127.0.0.1:$port/?user=root"
+      return
+    fi
+  done
+  database_failed
+}
+
+# Waits for at most a minute; false where the server ended, as when another one has the port.
+database_answers() {
+  seconds=60
+  while kill -0 "$database_server" 2>/dev/null && [ "$seconds" -gt 0 ]; do
+    grep -q "ready for connections" "$log" && grep -q "port: $port" "$log" && return
+    sleep 1
+    seconds=$((seconds - 1))
+  done
+  return 1
+}
+
+database_failed() {
+  cat "$log" >&2
+  say "the database server does not start"
+  exit 1
+}
+
+stop_database() {
+  if [ -n "$database_server" ]; then
+    kill "$database_server" 2>/dev/null || true
+    wait "$database_server" 2>/dev/null || true
+  fi
+  if [ -n "$database_folder" ]; then
+    rm -rf "$database_folder"
+  fi
+}
+
+mysql_server() {
+  within "$cache/mysql" /usr/sbin/mysqld --no-defaults --user="$(id -un)" \
+    --basedir="$cache/mysql/root/usr" --lc-messages-dir="$cache/mysql/root/usr/share/mysql" \
+    --datadir="$database_folder/data" "$@"
+}
+
+initialise_mysql() (
+  mysql_server --initialize-insecure
+)
+
+run_mysql() {
+  mysql_server --plugin-dir="$cache/mysql/root/usr/lib/mysql/plugin" \
+    --character-sets-dir="$cache/mysql/root/usr/share/mysql/charsets" \
+    --port="$port" --bind-address=127.0.0.1 --socket="$database_folder/socket" \
+    --mysqlx=OFF --secure-file-priv=NULL
+}
+
+mariadb_server() {
+  within "$cache/mariadb" /usr/sbin/mariadbd --no-defaults --user="$(id -un)" \
+    --basedir="$cache/mariadb/root/usr" --lc-messages-dir="$cache/mariadb/root/usr/share/mysql" \
+    --datadir="$database_folder/data" "$@"
+}
+
+initialise_mariadb() (
+  tables=$cache/mariadb/root/usr/share/mysql
+  mkdir -p "$database_folder/data/mysql"
+  {
+    echo "use mysql;"
+    cat "$tables/mysql_system_tables.sql" "$tables/mysql_performance_tables.sql" \
+      "$tables/mysql_system_tables_data.sql"
+  } | mariadb_server --bootstrap
+)
+
+# Under its own version Connector/J takes MariaDB 10 for a MySQL 5.5 and drops fractions of seconds.
+run_mariadb() {
+  mariadb_server --version=5.7.19-MariaDB --skip-grant-tables \
+    --port="$port" --bind-address=127.0.0.1 --socket="$database_folder/socket"
+}

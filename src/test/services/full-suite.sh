@@ -1,0 +1,57 @@
+#!/bin/sh
+# Runs every test of the product, with a browser, a stock Tomcat and a real database server on
+# private ports. ./toqa test calls it with JAVA_HOME set.
+set -eu
+
+services=$(cd "$(dirname "$0")" && pwd -P)
+root=$(cd "$services/../../.." && pwd -P)
+
+say() {
+  echo "toqa test: $1" >&2
+}
+
+. "$services/debian.sh"
+. "$services/database.sh"
+
+usage() {
+  cat <<'END'
+Usage: ./toqa test
+
+Runs the full test suite. On Debian it brings what it needs: Chromium (installed when you are
+root, named when not) and a private MySQL server (unpacked into ~/.cache/toqa, not installed).
+TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours instead; its user must be allowed to
+create databases.
+END
+}
+
+case ${1:-} in
+  "") ;;
+  -h | --help)
+    usage
+    exit 0
+    ;;
+  *)
+    say "\"$1\" is not known (./toqa test --help)"
+    exit 2
+    ;;
+esac
+
+finish() {
+  trap - EXIT INT TERM
+  [ -z "${maven:-}" ] || kill "$maven" 2>/dev/null || true
+  stop_database
+}
+trap finish EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
+
+require chromium chromium
+start_database
+
+cd "$root"
+./mvnw -B -ntp verify -Pfull -Dtoqa.mysql.url="$database_url" &
+maven=$!
+status=0
+wait "$maven" || status=$?
+maven=
+exit "$status"
