@@ -57,6 +57,22 @@ public final class RandomFloors {
             });
   }
 
+  /**
+   * An open floor with some pillars, no two of which touch, so that there are no dead ends and no
+   * aisles; robots on a quarter of it at most.
+   */
+  public static Floor roomy(Random random) {
+    int side = 4 + random.nextInt(5);
+    BitSet occupied = new BitSet();
+    for (int row = 1; row < side - 1; row += 2) {
+      for (int column = 1; column < side - 1; column += 2) {
+        occupied.set(row * side + column, random.nextInt(3) == 0);
+      }
+    }
+    OccupancyGrid grid = new OccupancyGrid(side, side, 1, Vec2.ZERO, occupied);
+    return floor(grid, 1 + random.nextInt(side * side / 4), random);
+  }
+
   private static Floor floor(OccupancyGrid grid, int most, Random random) {
     List<Cell> free =
         new ArrayList<>(

@@ -101,7 +101,7 @@ final class MapfBench implements Callable<Integer> {
     OccupancyGrid grid = files.map(map);
     List<Scenario> scenarios = files.scenarios(scen, grid, robots);
     Report report = measure(grid, scenarios);
-    System.out.println(JsonMapper.shared().writeValueAsString(report));
+    spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
     return report.solved() ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
@@ -119,16 +119,20 @@ final class MapfBench implements Callable<Integer> {
             .solve(instance, deadline, found -> first.set(System.nanoTime() - begin));
     return switch (result) {
       case Unsolved unsolved -> {
-        System.err.println("toqa: not solved: " + reason(unsolved));
+        complain("not solved: " + reason(unsolved));
         yield new Report(false, null, null, null);
       }
       case Solved(MapfPlan found, long lowerBound) -> {
         List<Violation> violations = check(grid, instance, found);
-        violations.forEach(violation -> System.err.println("toqa: " + violation));
+        violations.forEach(violation -> complain(violation.toString()));
         write(found);
         yield new Report(violations.isEmpty(), first.get() / 1e6, found.sumOfCosts(), lowerBound);
       }
     };
+  }
+
+  private void complain(String sentence) {
+    spec.commandLine().getErr().println("toqa: " + sentence);
   }
 
   private static String reason(Unsolved unsolved) {

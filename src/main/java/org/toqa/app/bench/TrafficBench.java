@@ -2,8 +2,8 @@ package org.toqa.app.bench;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 
-import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -15,13 +15,14 @@ import java.util.concurrent.Callable;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.TrafficRun.Report;
-import org.toqa.app.bench.TrafficRun.TraceWriter;
+import org.toqa.app.bench.TrafficRun.Witness;
 import org.toqa.grid.Cell;
 import org.toqa.planning.Heading;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
 import org.toqa.traffic.Stance;
+import org.toqa.traffic.TrafficChecker.Violation;
 import org.toqa.traffic.TrafficPlanner;
 import org.toqa.traffic.lifelong.ReservationPlanner;
 import org.toqa.traffic.lifelong.RollingPlanner;
@@ -112,37 +113,47 @@ final class TrafficBench implements Callable<Integer> {
     RoadGraph roads = new RoadGraph(files.map(map));
     Work work = tasks == null ? randomWork(roads, files) : listedWork(tasks, roads, files);
     Report report = run(roads, motion, planning, work, files);
-    System.out.println(JsonMapper.shared().writeValueAsString(report));
+    spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
     return report.collisions() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
   private Report run(
       RoadGraph roads, MotionModel motion, TrafficPlanner planning, Work work, BenchFiles files)
       throws IOException {
-    if (trace == null) {
-      return run(roads, motion, planning, work, stances -> {});
+    if (trace != null) {
+      files.mustBeWritable(trace);
     }
-    files.mustBeWritable(trace);
-    StanceLines lines = new StanceLines(motion);
-    try (BufferedWriter writer = Files.newBufferedWriter(trace, UTF_8)) {
-      return run(
-          roads, motion, planning, work, stances -> writer.write(lines.line(stances) + "\n"));
+    try (Writer writer =
+        trace == null ? Writer.nullWriter() : Files.newBufferedWriter(trace, UTF_8)) {
+      Duration limit = Duration.ofMillis(limitMs);
+      return new TrafficRun(
+              roads,
+              motion,
+              planning,
+              work.starts(),
+              work.goals(),
+              () -> Deadline.in(limit, System::nanoTime),
+              witness(motion, writer))
+          .run(steps);
     }
   }
 
-  private Report run(
-      RoadGraph roads, MotionModel motion, TrafficPlanner planning, Work work, TraceWriter writer)
-      throws IOException {
-    Duration limit = Duration.ofMillis(limitMs);
-    return new TrafficRun(
-            roads,
-            motion,
-            planning,
-            work.starts(),
-            work.goals(),
-            () -> Deadline.in(limit, System::nanoTime),
-            writer)
-        .run(steps);
+  private Witness witness(MotionModel motion, Writer writer) {
+    StanceLines lines = new StanceLines(motion);
+    return new Witness() {
+      @Override
+      public void sees(List<Stance> stances) throws IOException {
+        if (trace != null) {
+          writer.write(lines.line(stances));
+          writer.write('\n');
+        }
+      }
+
+      @Override
+      public void objects(int step, Violation violation) {
+        spec.commandLine().getErr().println("toqa: step " + step + ": " + violation);
+      }
+    };
   }
 
   private MotionModel motionModel(BenchFiles files) {

@@ -3,7 +3,9 @@ package org.toqa.app.bench;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.toqa.grid.Cell;
@@ -31,9 +33,12 @@ final class TrafficRun {
   private final TrafficChecker checker;
   private final GoalSource source;
   private final Supplier<Deadline> deadlines;
-  private final TraceWriter trace;
+  private final Witness witness;
   private final List<Stance> stances;
   private final List<Cell> goals;
+
+  /** The robots with a goal to reach. */
+  private final BitSet busy = new BitSet();
 
   /** The step after which each robot has stood where it is. */
   private final int[] arrivals;
@@ -42,9 +47,14 @@ final class TrafficRun {
   private int collisions;
   private int step;
 
-  /** Takes the stances of all robots, step 0 first. */
-  interface TraceWriter {
-    void write(List<Stance> stances) throws IOException;
+  /** Who looks on. */
+  interface Witness {
+
+    /** The stances of all robots, step 0 first. */
+    void sees(List<Stance> stances) throws IOException;
+
+    /** A rule was broken on the way to a step. */
+    void objects(int step, Violation violation);
   }
 
   /**
@@ -72,19 +82,19 @@ final class TrafficRun {
       List<Stance> starts,
       GoalSource source,
       Supplier<Deadline> deadlines,
-      TraceWriter trace) {
+      Witness witness) {
     this.roads = roads;
     this.planner = planner;
     this.checker = new TrafficChecker(roads.grid(), model);
     this.source = source;
     this.deadlines = deadlines;
-    this.trace = trace;
+    this.witness = witness;
     this.stances = new ArrayList<>(starts);
     this.goals = new ArrayList<>();
     this.arrivals = new int[starts.size()];
     for (int robot = 0; robot < starts.size(); robot++) {
-      Cell at = starts.get(robot).cell();
-      goals.add(source.next(robot, at).orElse(at));
+      goals.add(starts.get(robot).cell());
+      sendOn(robot);
     }
   }
 
@@ -92,13 +102,13 @@ final class TrafficRun {
   Report run(int steps) throws IOException {
     double[] millis = new double[steps];
     judge(checker.checkPlaces(stances));
-    trace.write(stances);
+    witness.sees(stances);
     while (step < steps && !isDone()) {
       long begin = System.nanoTime();
       TrafficPlan plan = planner.plan(scene(), deadlines.get());
       millis[step++] = (System.nanoTime() - begin) / 1e6;
       drive(plan);
-      trace.write(stances);
+      witness.sees(stances);
     }
     double[] sorted = Arrays.copyOf(millis, step);
     Arrays.sort(sorted);
@@ -110,6 +120,13 @@ final class TrafficRun {
         percentile(sorted, 0.99),
         step == 0 ? 0 : (double) goalsReached / step,
         step);
+  }
+
+  /** To the next goal; who has done all keeps its last one. */
+  private void sendOn(int robot) {
+    Optional<Cell> next = source.next(robot, goals.get(robot));
+    busy.set(robot, next.isPresent());
+    next.ifPresent(goal -> goals.set(robot, goal));
   }
 
   private boolean isDone() {
@@ -131,15 +148,14 @@ final class TrafficRun {
   private void drive(TrafficPlan plan) {
     List<Stance> before = List.copyOf(stances);
     for (int robot = 0; robot < stances.size(); robot++) {
-      boolean isIdle = isAtGoal(robot);
       Stance next = plan.of(robot).at(1);
       if (!next.cell().equals(before.get(robot).cell())) {
         arrivals[robot] = step;
       }
       stances.set(robot, next);
-      if (!isIdle && isAtGoal(robot)) {
+      if (busy.get(robot) && isAtGoal(robot)) {
         goalsReached++;
-        goals.set(robot, source.next(robot, next.cell()).orElse(next.cell()));
+        sendOn(robot);
       }
     }
     judge(checker.check(before, stances));
@@ -147,13 +163,13 @@ final class TrafficRun {
 
   private void judge(List<Violation> violations) {
     collisions += violations.size();
-    violations.forEach(v -> System.err.println("toqa: step " + step + ": " + v));
+    violations.forEach(violation -> witness.objects(step, violation));
   }
 
   private int stuck() {
     return (int)
         IntStream.range(0, stances.size())
-            .filter(robot -> !isAtGoal(robot) && step - arrivals[robot] >= STUCK)
+            .filter(robot -> busy.get(robot) && step - arrivals[robot] >= STUCK)
             .count();
   }
 

@@ -1,5 +1,6 @@
 package org.toqa.traffic.lifelong;
 
+import static org.toqa.traffic.RoadGraph.DIRECTIONS;
 import static org.toqa.traffic.RoadGraph.NONE;
 
 import java.util.ArrayList;
@@ -11,6 +12,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.Itinerary;
@@ -38,6 +40,8 @@ public final class RollingPlanner implements TrafficPlanner {
 
   /** Ways that are looked for at the same time, without knowing of each other. */
   private static final int AT_ONCE = 4;
+
+  private static final int LONGEST_STROLL = 24;
 
   private final MotionModel model;
   private final boolean mayRotate;
@@ -73,6 +77,7 @@ public final class RollingPlanner implements TrafficPlanner {
     Attendance attendance = Attendance.of(scene, floor.graph());
     forgetAbsent(scene, floor);
     List<Traveller> present = meet(scene, attendance, floor);
+    sendOnErrands(present, floor.graph());
     findWays(present, floor.guidance(), deadline.after(SHARE_OF_GUIDANCE));
     startFromHere(present, floor.operations());
     floor
@@ -80,7 +85,7 @@ public final class RollingPlanner implements TrafficPlanner {
         .improve(
             byPriority(scene, attendance, present),
             distances(present, floor),
-            present.stream().mapToInt(Traveller::goal).toArray(),
+            present.stream().mapToInt(Traveller::target).toArray(),
             deadline);
     return report(scene, attendance, present, floor);
   }
@@ -135,6 +140,42 @@ public final class RollingPlanner implements TrafficPlanner {
     return present;
   }
 
+  /** Whoever is at its wits' end, and who stands beside it. */
+  private void sendOnErrands(List<Traveller> present, StateGraph graph) {
+    Set<Integer> desperate =
+        present.stream()
+            .filter(Traveller::isAtWitsEnd)
+            .map(traveller -> graph.vertex(traveller.state()))
+            .collect(Collectors.toSet());
+    if (desperate.isEmpty()) {
+      return;
+    }
+    for (Traveller traveller : present) {
+      int vertex = graph.vertex(traveller.state());
+      boolean isInvolved =
+          desperate.contains(vertex)
+              || IntStream.range(0, DIRECTIONS)
+                  .anyMatch(d -> desperate.contains(graph.roads().neighbour(vertex, d)));
+      if (isInvolved) {
+        traveller.sendOff(stroll(vertex, graph.roads()));
+      }
+    }
+  }
+
+  /** Some vertex near another one: where a walk without turning back leads. */
+  private int stroll(int start, RoadGraph roads) {
+    int at = start;
+    int last = NONE;
+    for (int left = 1 + random.nextInt(LONGEST_STROLL); left > 0; left--) {
+      int next = roads.neighbour(at, random.nextInt(DIRECTIONS));
+      if (next != NONE && next != last) {
+        last = at;
+        at = next;
+      }
+    }
+    return at;
+  }
+
   /**
    * Looks for ways, a few at a time: these share the processor's cores, and the next few know of
    * the ways that they announce. Nobody who looks for a way is kept from one by what others said
@@ -150,7 +191,7 @@ public final class RollingPlanner implements TrafficPlanner {
     for (int k = 0; k < seekers.size() && !deadline.isPassed(); k += AT_ONCE) {
       List<Traveller> few = seekers.subList(k, Math.min(seekers.size(), k + AT_ONCE));
       List<char[]> found =
-          few.parallelStream().map(t -> guidance.distances(t.state(), t.goal())).toList();
+          few.parallelStream().map(t -> guidance.distances(t.state(), t.target())).toList();
       for (int f = 0; f < few.size(); f++) {
         Traveller traveller = few.get(f);
         traveller.learn(found.get(f), guidance.announce(traveller.state(), found.get(f)));
@@ -197,7 +238,7 @@ public final class RollingPlanner implements TrafficPlanner {
     for (int k = 0; k < attendance.size(); k++) {
       int robot = attendance.robot(k);
       Prospect prospect =
-          present.get(k).goal() == NONE || present.get(k).knowsWay()
+          present.get(k).target() == NONE || present.get(k).knowsWay()
               ? attendance.prospect(robot)
               : Prospect.NOT_YET_PLANNED;
       List<Stance> stances = new ArrayList<>();

@@ -14,12 +14,17 @@ import org.toqa.traffic.DistanceTables;
  * nearer to its goal for {@value #PATIENCE} steps looks for another way and lets all others go
  * first for a few steps, how many is up to chance. If it has not even left its cell for long, it
  * may instead, by chance, go before all others: of a jam in which nobody moves, one draws clear.
+ * And who has lost patience {@value #SETBACKS} times is at its wits' end: it and those around it
+ * are sent on errands, to anywhere near for a few steps, so that no order in which they stand is
+ * kept.
  */
 final class Traveller {
   private static final int PATIENCE = 8;
   private static final int LONGEST_YIELD = 8;
   private static final int LONG = 16;
   private static final int LONGEST_INSISTENCE = 16;
+  private static final int SETBACKS = 12;
+  private static final int LONGEST_ERRAND = 24;
   private static final int BEHIND_ALL = -1;
   private static final int BEFORE_ALL = Integer.MAX_VALUE / 2;
   private static final int[] NOWHERE = {};
@@ -35,7 +40,12 @@ final class Traveller {
   /** A vertex, or {@code NONE} where it has none that it could reach. */
   private int goal = NONE;
 
-  /** Costs to the goal by state; null until they have been found. */
+  /** A vertex to go to before, or {@code NONE}; and for how many steps at most. */
+  private int errand = NONE;
+
+  private int errandLeft;
+
+  /** Costs to the target by state; null until they have been found. */
   private char @Nullable [] distances;
 
   /** The edges that {@link Guidance} was told of. */
@@ -48,6 +58,7 @@ final class Traveller {
   private int nearest;
   private int stalled;
   private boolean hasLostPatience;
+  private int setbacks;
 
   /** Steps for which it has another priority than its own, and which one. */
   private int exceptional;
@@ -60,6 +71,11 @@ final class Traveller {
 
   int goal() {
     return goal;
+  }
+
+  /** Where it is going now: a vertex, or {@code NONE}. */
+  int target() {
+    return errand == NONE ? goal : errand;
   }
 
   char @Nullable [] distances() {
@@ -84,8 +100,29 @@ final class Traveller {
   void headFor(int newGoal) {
     goal = newGoal;
     travelled = 0;
+    setbacks = 0;
     exceptional = 0;
     hasLostPatience = false;
+    errand = NONE;
+    distances = null;
+  }
+
+  boolean isAtWitsEnd() {
+    return setbacks >= SETBACKS;
+  }
+
+  void sendOff(int nearbyVertex) {
+    errand = nearbyVertex;
+    errandLeft = LONGEST_ERRAND;
+    exception = BEFORE_ALL;
+    exceptional = LONGEST_ERRAND;
+    setbacks = 0;
+    distances = null;
+  }
+
+  private void comeBack() {
+    errand = NONE;
+    exceptional = 0;
     distances = null;
   }
 
@@ -94,12 +131,13 @@ final class Traveller {
     distances = null;
     way = NOWHERE;
     goal = NONE;
+    errand = NONE;
     operation = null;
   }
 
   /** Whether it has no way to its goal, or not one that it gets on with. */
   boolean seeksWay() {
-    return goal != NONE && (hasLostPatience || !knowsWay());
+    return target() != NONE && (hasLostPatience || !knowsWay());
   }
 
   boolean knowsWay() {
@@ -119,7 +157,10 @@ final class Traveller {
     state = newState;
     vertex = newVertex;
     exceptional = Math.max(0, exceptional - 1);
-    if (distances == null || vertex == goal) {
+    if (errand != NONE && (vertex == errand || errandLeft-- == 0)) {
+      comeBack();
+    }
+    if (distances == null || vertex == goal || errand != NONE) {
       return;
     }
     travelled++;
@@ -138,6 +179,7 @@ final class Traveller {
     exception = insists ? BEFORE_ALL : BEHIND_ALL;
     exceptional = 1 + random.nextInt(insists ? LONGEST_INSISTENCE : LONGEST_YIELD);
     stalled = 0;
+    setbacks++;
     hasLostPatience = true;
   }
 
