@@ -61,6 +61,7 @@ public final class Daemon implements AutoCloseable {
   private @Nullable ServerConnection server;
   private long nanos;
   private long heardNanos;
+  private long welcomedNanos;
   private @Nullable State lastState;
   private long lastStateNanos;
   private @Nullable PhaseEnd lastDone;
@@ -113,14 +114,17 @@ public final class Daemon implements AutoCloseable {
   }
 
   /**
-   * Whether a server is connected that was not heard for a second, nor has anything waiting to be
+   * Whether a server is connected that has said nothing for a second, and nothing of it waits to be
    * heard. A simulated world that runs server and daemon in one process waits for it then: a slow
    * machine is no lost link.
    *
    * @param now the time of the ticks
    */
   public boolean awaitsServer(long now) {
-    return server != null && inbox.isEmpty() && now - heardNanos > SILENCE_NANOS / 2;
+    return server != null
+        && server.ended() == null
+        && inbox.isEmpty()
+        && now - Math.max(heardNanos, welcomedNanos) > SILENCE_NANOS / 2;
   }
 
   /**
@@ -181,6 +185,7 @@ public final class Daemon implements AutoCloseable {
       server.close();
     }
     server = connection;
+    welcomedNanos = nanos;
     lastState = null;
     lastDone = control.done().orElse(null);
     lastDoneNanos = nanos;
