@@ -124,6 +124,17 @@ public final class RoadGraph {
     return neighbours[vertex * DIRECTIONS + direction];
   }
 
+  /** The direction that leads from a vertex to one beside it. */
+  public int direction(int from, int to) {
+    for (int d = 0; d < DIRECTIONS; d++) {
+      if (neighbour(from, d) == to) {
+        return d;
+      }
+    }
+    throw new IllegalArgumentException(
+        "There is no road from " + cell(from) + " to " + cell(to) + ".");
+  }
+
   /** How many neighbours it has. */
   public int degree(int vertex) {
     return degrees[vertex];

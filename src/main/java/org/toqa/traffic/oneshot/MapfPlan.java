@@ -3,6 +3,7 @@ package org.toqa.traffic.oneshot;
 import java.util.Arrays;
 import org.toqa.grid.Cell;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.route.Routes;
 
 /**
  * Where each robot is at each step: a robot a route, in the order of the instance. Whoever has

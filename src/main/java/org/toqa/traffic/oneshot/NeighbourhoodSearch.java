@@ -6,7 +6,12 @@ import static org.toqa.traffic.RoadGraph.NONE;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.toqa.traffic.Deadline;
+import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.route.Routes;
+import org.toqa.traffic.route.SafeIntervalSearch;
+import org.toqa.traffic.route.StateGraph;
+import org.toqa.traffic.route.Timetable;
 
 /**
  * Makes a plan better until the time is up, by large neighbourhood search.
@@ -59,7 +64,7 @@ final class NeighbourhoodSearch {
     for (int[] route : routes) {
       timetable.add(route);
     }
-    search = new SafeIntervalSearch(roads, timetable);
+    search = new SafeIntervalSearch(new StateGraph(roads, MotionModel.CLASSIC), timetable);
     group = new int[routes.length];
     former = new int[routes.length][];
     isInGroup = new boolean[routes.length];

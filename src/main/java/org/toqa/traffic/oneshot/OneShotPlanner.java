@@ -10,6 +10,7 @@ import org.toqa.grid.Cell;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.route.Routes;
 import org.toqa.traffic.oneshot.MapfResult.Culprit;
 import org.toqa.traffic.oneshot.MapfResult.Reason;
 import org.toqa.traffic.oneshot.MapfResult.Solved;

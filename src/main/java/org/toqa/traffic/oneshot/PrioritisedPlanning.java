@@ -9,7 +9,12 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.traffic.Deadline;
+import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.route.Routes;
+import org.toqa.traffic.route.SafeIntervalSearch;
+import org.toqa.traffic.route.StateGraph;
+import org.toqa.traffic.route.Timetable;
 
 /**
  * Plans one robot after the other, each around the routes of those before it; a robot that finds
@@ -54,7 +59,7 @@ final class PrioritisedPlanning {
     int robots = known.length;
     int longest = IntStream.range(0, robots).map(this::shortest).max().orElse(0);
     timetable = new Timetable(roads, longest + longest / 2);
-    search = new SafeIntervalSearch(roads, timetable);
+    search = new SafeIntervalSearch(new StateGraph(roads, MotionModel.CLASSIC), timetable);
     routes = new int[robots][];
     ranks = new int[robots];
     double[] lengths =

@@ -1,18 +1,18 @@
-package org.toqa.traffic.oneshot;
+package org.toqa.traffic.route;
 
 import java.util.List;
 
 /** Routes as planners hold them: vertices at the times 0, 1, 2 ... up to the arrival. */
-final class Routes {
+public final class Routes {
   private Routes() {}
 
   /** The vertex at a time; the goal from the arrival on. */
-  static int at(int[] route, int time) {
+  public static int at(int[] route, int time) {
     return route[Math.min(time, route.length - 1)];
   }
 
   /** Whether two robots meet in a vertex or change places. */
-  static boolean collide(int[] one, int[] other) {
+  public static boolean collide(int[] one, int[] other) {
     if (one[0] == other[0]) {
       return true;
     }
@@ -28,7 +28,7 @@ final class Routes {
   }
 
   /** A route a robot, from the places of all robots step by step. */
-  static int[][] of(List<int[]> configurations) {
+  public static int[][] of(List<int[]> configurations) {
     int last = configurations.size() - 1;
     int robots = configurations.getFirst().length;
     int[][] routes = new int[robots][];
@@ -47,7 +47,7 @@ final class Routes {
   }
 
   /** Steps until the arrival, summed over the robots. */
-  static long sumOfCosts(int[][] routes) {
+  public static long sumOfCosts(int[][] routes) {
     long sum = 0;
     for (int[] route : routes) {
       sum += route.length - 1;

@@ -1,7 +1,6 @@
-package org.toqa.traffic.oneshot;
+package org.toqa.traffic.route;
 
 import static org.toqa.traffic.RoadGraph.DIRECTIONS;
-import static org.toqa.traffic.RoadGraph.opposite;
 
 import org.toqa.traffic.RoadGraph;
 
@@ -11,7 +10,7 @@ import org.toqa.traffic.RoadGraph;
  *
  * <p>A route is the vertices at the times 0, 1, 2 ... up to the arrival.
  */
-final class Timetable {
+public final class Timetable {
   private static final int WORD = 6;
 
   private final RoadGraph roads;
@@ -22,7 +21,7 @@ final class Timetable {
   /**
    * @param steps how far the table reaches, at least
    */
-  Timetable(RoadGraph roads, int steps) {
+  public Timetable(RoadGraph roads, int steps) {
     this.roads = roads;
     this.words = (steps >> WORD) + 1;
     this.taken = new long[roads.vertices() * words];
@@ -30,25 +29,25 @@ final class Timetable {
   }
 
   /** The first step that is beyond the table; stands for "for ever". */
-  int end() {
+  public int end() {
     return words << WORD;
   }
 
-  void add(int[] route) {
+  public void add(int[] route) {
     for (int t = 0; t < route.length; t++) {
       taken[word(route[t], t)] |= 1L << t;
       if (t > 0 && route[t] != route[t - 1]) {
-        driven[edgeWord(route[t - 1], direction(route[t - 1], route[t]), t - 1)] |= 1L << (t - 1);
+        driven[edgeWord(route[t - 1], roads.direction(route[t - 1], route[t]), t - 1)] |= 1L << (t - 1);
       }
     }
     park(route, true);
   }
 
-  void remove(int[] route) {
+  public void remove(int[] route) {
     for (int t = 0; t < route.length; t++) {
       taken[word(route[t], t)] &= ~(1L << t);
       if (t > 0 && route[t] != route[t - 1]) {
-        driven[edgeWord(route[t - 1], direction(route[t - 1], route[t]), t - 1)] &=
+        driven[edgeWord(route[t - 1], roads.direction(route[t - 1], route[t]), t - 1)] &=
             ~(1L << (t - 1));
       }
     }
@@ -65,14 +64,8 @@ final class Timetable {
     }
   }
 
-  boolean isTaken(int vertex, int time) {
+  public boolean isTaken(int vertex, int time) {
     return (taken[word(vertex, time)] >>> time & 1) != 0;
-  }
-
-  /** Whether somebody drives against one who leaves {@code vertex} in a direction at a time. */
-  boolean isOncoming(int vertex, int direction, int time) {
-    int ahead = roads.neighbour(vertex, direction);
-    return (driven[edgeWord(ahead, opposite(direction), time)] >>> time & 1) != 0;
   }
 
   /** The first time from {@code time} on at which the vertex is free, or {@link #end}. */
@@ -126,13 +119,4 @@ final class Timetable {
     return (vertex * DIRECTIONS + direction) * words + (time >> WORD);
   }
 
-  private int direction(int from, int to) {
-    for (int d = 0; d < DIRECTIONS; d++) {
-      if (roads.neighbour(from, d) == to) {
-        return d;
-      }
-    }
-    throw new IllegalArgumentException(
-        "There is no road from " + roads.cell(from) + " to " + roads.cell(to) + ".");
-  }
 }

@@ -1,0 +1,348 @@
+package org.toqa.traffic.lifelong;
+
+import static org.toqa.traffic.RoadGraph.NONE;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.route.StateGraph;
+
+/**
+ * Chooses an operation, some steps long, for every robot: priority inheritance with backtracking
+ * over operations instead of single steps.
+ *
+ * <p>Idea: as in PIBT, robots choose in the order of their priority, and whoever is in the way has
+ * to choose anew, itself pushing others. But what they choose are all ways to use the next few
+ * steps, so that a robot turns round in time, or backs out of an aisle, which no single step would
+ * pay for. An operation may be in the way of one other robot at most. Everybody always has an
+ * operation, the rest of the last one if nothing else, so there is a valid plan at any time.
+ *
+ * <p>Afterwards robots picked by chance choose again, pushing whomever, where that makes all of
+ * them together better off.
+ *
+ * <p>Cost: listing a robot's operations, some hundred, is a tree walk that is cut where it meets a
+ * second robot. A robot is asked {@value #MOST_VISITS} times at most for each that begins.
+ *
+ * <p>E. Yukhnevich and A. Andreychuk, "Enhancing PIBT via multi-action operations", 2025.
+ */
+final class OperationSearch {
+  private static final int MOST_VISITS = 10;
+  private static final int LONGEST_CHAIN = 200;
+  private static final int EXCHANGE_EFFORT = 2000;
+
+  // A choice as one number, best first: cost, slowness, robot in the way + 1, actions.
+  private static final int ACTION_BITS = 3;
+  private static final int CODE_BITS = 15;
+  private static final int ROBOT_BITS = 16;
+  private static final int SLOWNESS_BITS = 8;
+  private static final int ROBOT_SHIFT = CODE_BITS;
+  private static final int SLOWNESS_SHIFT = ROBOT_SHIFT + ROBOT_BITS;
+  private static final int COST_SHIFT = SLOWNESS_SHIFT + SLOWNESS_BITS;
+  private static final int SLOWEST = (1 << SLOWNESS_BITS) - 1;
+
+  /** The longest operation that a choice has room for. */
+  static final int DEEPEST = CODE_BITS / ACTION_BITS;
+
+  private final StateGraph graph;
+  private final Operations operations;
+  private final SplittableRandom random;
+  private final boolean mayRotate;
+  private final int depth;
+
+  private char[][] distances = new char[0][];
+  private int[] goals = new int[0];
+  private int[] ranks = new int[0];
+  private int[] visits = new int[0];
+  private int[] visitedIn = new int[0];
+  private int round;
+  private boolean[] isInChain = new boolean[0];
+  private int effort;
+
+  /** The robots that wait for each other's choice, and for each its choices and its last one. */
+  private final int[] chain = new int[LONGEST_CHAIN];
+
+  private final long[][] choices = new long[LONGEST_CHAIN][];
+  private final int[][] formers = new int[LONGEST_CHAIN][];
+  private int listed;
+
+  /** The rank that began; only robots behind it can be pushed. Any, while robots exchange. */
+  private int beginner;
+
+  private boolean isExchange;
+
+  /**
+   * @param mayRotate whether robots may drive round in a full ring, all at once
+   */
+  OperationSearch(
+      StateGraph graph, Operations operations, boolean mayRotate, SplittableRandom random) {
+    this.graph = graph;
+    this.operations = operations;
+    this.mayRotate = mayRotate;
+    this.random = random;
+    this.depth = operations.depth();
+  }
+
+  /**
+   * Gives the robots better operations; what they have is valid before and after.
+   *
+   * @param order the robots by falling priority
+   * @param distances costs to the goal by robot and state, as {@link Guidance} has them
+   * @param goals vertices, or {@code NONE}
+   */
+  void improve(int[] order, char[][] distances, int[] goals, Deadline deadline) {
+    this.distances = distances;
+    this.goals = goals;
+    if (ranks.length != order.length) {
+      ranks = new int[order.length];
+      visits = new int[order.length];
+      visitedIn = new int[order.length];
+      isInChain = new boolean[order.length];
+    }
+    for (int k = 0; k < order.length; k++) {
+      ranks[order[k]] = k;
+    }
+    effort = 0;
+    chooseInOrder(order, deadline);
+    exchange(order, deadline);
+  }
+
+  private void chooseInOrder(int[] order, Deadline deadline) {
+    isExchange = false;
+    round++;
+    for (int k = 0; k < order.length && !deadline.isPassed(); k++) {
+      beginner = k;
+      begin(order[k]);
+    }
+  }
+
+  private void exchange(int[] order, Deadline deadline) {
+    isExchange = true;
+    beginner = order.length / 8;
+    int last = effort + EXCHANGE_EFFORT;
+    while (order.length > 0 && effort < last && !deadline.isPassed()) {
+      round++;
+      begin(order[random.nextInt(order.length)]);
+    }
+  }
+
+  private void begin(int robot) {
+    operations.take(robot);
+    if (!choose(robot, 0, 0)) {
+      operations.put(robot);
+    }
+  }
+
+  /**
+   * Finds an operation for a robot that is taken off, pushing others. Where there is none, answers
+   * false and leaves everything as it was.
+   *
+   * @param worse by how much the robots before it in the chain are worse off than they were
+   */
+  private boolean choose(int robot, int level, int worse) {
+    effort++;
+    visits[robot] = visits(robot) + 1;
+    visitedIn[robot] = round;
+    isInChain[robot] = true;
+    chain[level] = robot;
+    int[] operation = operations.of(robot);
+    int[] former = keep(operation, level);
+    int cost = isExchange ? cost(robot) : 0;
+    int count = list(robot, level);
+    long[] list = choices[level];
+    boolean isChosen = false;
+    for (int k = 0; k < count && !isChosen; k++) {
+      long choice = takeBest(list, k, count);
+      int other = (int) (choice >>> ROBOT_SHIFT & ((1 << ROBOT_BITS) - 1)) - 1;
+      int nowWorse = worse + (int) (choice >>> COST_SHIFT) - cost;
+      if (isExchange && nowWorse >= (other == NONE ? 0 : mostGain(other))) {
+        break;
+      }
+      if (other != NONE && !isPushable(other)) {
+        continue;
+      }
+      decode(choice, operation);
+      isChosen =
+          other == NONE ? settle(robot, level) : push(robot, other, level, nowWorse);
+    }
+    isInChain[robot] = false;
+    if (!isChosen) {
+      System.arraycopy(former, 0, operation, 0, former.length);
+    }
+    return isChosen;
+  }
+
+  /** Ends the chain: nobody is in the way of this robot. */
+  private boolean settle(int robot, int level) {
+    operations.put(robot);
+    if (mayRotate) {
+      return true;
+    }
+    for (int k = 0; k <= level; k++) {
+      if (operations.closesRing(chain[k])) {
+        operations.take(robot);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean push(int robot, int other, int level, int worse) {
+    if (level + 1 == LONGEST_CHAIN) {
+      return false;
+    }
+    operations.take(other);
+    operations.put(robot);
+    if (choose(other, level + 1, worse)) {
+      return true;
+    }
+    operations.take(robot);
+    operations.put(other);
+    return false;
+  }
+
+  private int visits(int robot) {
+    return visitedIn[robot] == round ? visits[robot] : 0;
+  }
+
+  private boolean isPushable(int robot) {
+    return !isInChain[robot] && ranks[robot] > beginner && visits(robot) < MOST_VISITS;
+  }
+
+  private int[] keep(int[] operation, int level) {
+    if (formers[level] == null) {
+      formers[level] = new int[depth + 1];
+    }
+    System.arraycopy(operation, 0, formers[level], 0, depth + 1);
+    return formers[level];
+  }
+
+  /** Moves the best of the choices from {@code k} on to {@code k}. */
+  private static long takeBest(long[] list, int k, int count) {
+    int best = k;
+    for (int j = k + 1; j < count; j++) {
+      best = list[j] < list[best] ? j : best;
+    }
+    long choice = list[best];
+    list[best] = list[k];
+    list[k] = choice;
+    return choice;
+  }
+
+  private void decode(long choice, int[] operation) {
+    for (int t = 1; t <= depth; t++) {
+      operation[t] = graph.after(operation[t - 1], action((int) choice, t - 1));
+    }
+  }
+
+  /** Waiting comes last, so that of two choices that are equal otherwise the livelier is taken. */
+  private int digit(int action, int t) {
+    return Math.floorMod(action - 1, graph.actions()) << (t * ACTION_BITS);
+  }
+
+  private int action(int code, int t) {
+    int digit = code >>> (t * ACTION_BITS) & ((1 << ACTION_BITS) - 1);
+    return (digit + 1) % graph.actions();
+  }
+
+  /** What the robot's operation leaves to be done, and the time it takes itself. */
+  private int cost(int robot) {
+    int[] operation = operations.of(robot);
+    for (int t = 1; t <= depth; t++) {
+      if (graph.vertex(operation[t]) == goals[robot]) {
+        return t * Guidance.STEP;
+      }
+    }
+    return depth * Guidance.STEP + distances[robot][operation[depth]];
+  }
+
+  /** By how much another operation could be better, at most. */
+  private int mostGain(int robot) {
+    return Math.max(0, cost(robot) - distances[robot][operations.state(robot, 0)]);
+  }
+
+  /** Lists the operations of a robot that are in the way of one other at most. */
+  private int list(int robot, int level) {
+    if (choices[level] == null) {
+      int most = 1;
+      for (int t = 0; t < depth; t++) {
+        most *= graph.actions();
+      }
+      choices[level] = new long[most];
+    }
+    listed = 0;
+    list(robot, choices[level], operations.state(robot, 0), 0, NONE, 0, 0, NONE);
+    return listed;
+  }
+
+  /**
+   * @param state after {@code t} steps
+   * @param inWay the robot that these steps meet, or {@code NONE}
+   * @param code the actions so far
+   * @param sum of the costs to go after each of them
+   * @param arrival the step that led to the goal, or {@code NONE}
+   */
+  private void list(
+      int robot, long[] into, int state, int t, int inWay, int code, int sum, int arrival) {
+    if (t == depth) {
+      into[listed++] = choice(robot, distances[robot][state], inWay, code, sum, arrival);
+      return;
+    }
+    int vertex = graph.vertex(state);
+    for (int action = 0; action < graph.actions(); action++) {
+      int next = graph.after(state, action);
+      if (next == NONE) {
+        continue;
+      }
+      int there = graph.vertex(next);
+      int met = operations.occupant(t + 1, there);
+      if (met == NONE && there != vertex) {
+        int passed = operations.occupant(t + 1, vertex);
+        met = passed != NONE && operations.occupant(t, there) == passed ? passed : NONE;
+      } else if (met != NONE && there != vertex) {
+        int passed = operations.occupant(t + 1, vertex);
+        if (passed != NONE && passed != met && operations.occupant(t, there) == passed) {
+          continue;
+        }
+      }
+      if (met != NONE && met != inWay && (inWay != NONE || !isPushable(met))) {
+        continue;
+      }
+      boolean arrives = arrival == NONE && there == goals[robot];
+      int arrived = arrives ? t + 1 : arrival;
+      list(
+          robot,
+          into,
+          next,
+          t + 1,
+          met == NONE ? inWay : met,
+          code | digit(action, t),
+          arrived == NONE ? sum + distances[robot][next] : sum,
+          arrived);
+    }
+  }
+
+  private long choice(int robot, int toGo, int inWay, int code, int sum, int arrival) {
+    int cost;
+    int slowness;
+    if (arrival != NONE) {
+      cost = arrival * Guidance.STEP;
+      slowness = movesFrom(arrival, code);
+    } else {
+      cost = depth * Guidance.STEP + toGo;
+      int lag = (sum - depth * toGo) / Guidance.STEP + SLOWEST / 4;
+      slowness = goals[robot] == NONE ? movesFrom(0, code) : Math.clamp(lag, 0, SLOWEST);
+    }
+    return (long) cost << COST_SHIFT
+        | (long) slowness << SLOWNESS_SHIFT
+        | (long) (inWay + 1) << ROBOT_SHIFT
+        | code;
+  }
+
+  private int movesFrom(int step, int code) {
+    int moves = 0;
+    for (int t = step; t < depth; t++) {
+      moves += action(code, t) == StateGraph.WAIT ? 0 : 1;
+    }
+    return moves;
+  }
+}
