@@ -85,9 +85,7 @@ public final class TrafficChecker {
         int eighths = Math.floorMod(to.heading().ordinal() - heading.ordinal(), 8);
         boolean isQuarter = eighths == 2 || eighths == 6;
         boolean isForward = columns == heading.dColumn() && rows == heading.dRow();
-        yield cells == 0
-            ? eighths == 0 || isQuarter
-            : cells == 1 && isForward && eighths == 0;
+        yield cells == 0 ? eighths == 0 || isQuarter : cells == 1 && isForward && eighths == 0;
       }
     };
   }

@@ -12,7 +12,6 @@ import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -60,6 +59,9 @@ public final class FloorTraffic {
   private static final Duration BREAK_AFTER = Duration.ofMillis(500);
   private static final Duration PLAN_AGAIN_AFTER = Duration.ofSeconds(5);
 
+  /** A robot that waits for its place this many cells from it is near enough. */
+  private static final int NEAR = 4;
+
   /** Released ahead of a robot: at least so many stretches, and so many seconds of driving. */
   private static final int STRETCHES_AHEAD = 2;
 
@@ -75,6 +77,12 @@ public final class FloorTraffic {
 
   /** Whether something changed since the robots were last planned together. */
   private boolean changed = true;
+
+  /** Whether a robot gave up a part of its way that others wait for it to drive. */
+  private boolean broken;
+
+  /** When any robot last completed a stretch. */
+  private Instant lastProgress = Instant.MIN;
 
   private Instant plannedTogether = Instant.MIN;
 
@@ -95,12 +103,14 @@ public final class FloorTraffic {
   public void stands(String robot, Pose pose, double footprint, Instant now) {
     Mover m =
         movers.computeIfAbsent(robot, name -> new Mover(name, grid, pose, footprint / 2, now));
+    broken |= m.hasUnreleased();
     if (m.course != null || !grid.cellAt(m.pose.position()).equals(grid.cellAt(pose.position()))) {
       changed = true;
     }
     m.pose = pose;
     m.radius = footprint / 2;
     m.course = null;
+    m.isCutUntold = false;
     m.done = 0;
     m.released = 0;
   }
@@ -119,6 +129,7 @@ public final class FloorTraffic {
       if (done > m.done) {
         m.done = done;
         m.lastProgress = now;
+        lastProgress = now;
         changed |= done == course.size();
       }
     }
@@ -175,12 +186,13 @@ public final class FloorTraffic {
       m.movable = !fixed;
       changed = true;
       if (fixed) {
-        m.cut();
+        giveUpTheRest(m);
       }
     }
   }
 
   public void leaves(String robot) {
+    broken |= mover(robot).hasUnreleased();
     movers.remove(robot);
     changed = true;
   }
@@ -228,7 +240,10 @@ public final class FloorTraffic {
     Told told = new Told();
     watchForStalls(now);
     planEachAlone(now, told);
-    if (movers.values().stream().anyMatch(Mover::isUnserved)
+    if (isStandstill(now)) {
+      broken = true;
+    }
+    if ((broken || movers.values().stream().anyMatch(Mover::isUnserved))
         && (changed || plannedTogether.plus(PLAN_AGAIN_AFTER).isBefore(now))) {
       plannedTogether = now;
       changed = false;
@@ -268,6 +283,10 @@ public final class FloorTraffic {
         }
         int released = course.segmentsOf(m.released);
         Integer from = redrivenFrom.get(m.name);
+        if (from == null && m.isCutUntold) {
+          from = m.released;
+        }
+        m.isCutUntold = false;
         if (begun.contains(m.name)) {
           decisions.add(new Decision.Begin(m.name, course.trajectory(), released, endsAtGoal(m)));
         } else if (from != null) {
@@ -284,6 +303,18 @@ public final class FloorTraffic {
       }
       return decisions;
     }
+  }
+
+  private void giveUpTheRest(Mover m) {
+    broken |= m.hasUnreleased();
+    m.cut();
+  }
+
+  /** Whether robots have ways and none has got on for long: that must not be, so plan anew. */
+  private boolean isStandstill(Instant now) {
+    return lastProgress.plus(STALLED_AFTER).isBefore(now)
+        && movers.values().stream().anyMatch(Mover::hasUnreleased)
+        && movers.values().stream().noneMatch(m -> m.isDriving() && !m.stalled);
   }
 
   private boolean endsAtGoal(Mover m) {
@@ -310,7 +341,7 @@ public final class FloorTraffic {
         m.stalled = stalled;
         changed = true;
         if (stalled) {
-          m.cut();
+          giveUpTheRest(m);
         }
       }
     }
@@ -429,6 +460,9 @@ public final class FloorTraffic {
     int[] starts = planned.stream().mapToInt(m -> roads.vertex(m.releasedCell())).toArray();
     BitSet wished = wishes(planned);
     int[] goals = new Goals(roads, planned, starts, wished).assigned();
+    if (!broken && wished.isEmpty() && allWaitersStay(planned, starts, goals)) {
+      return;
+    }
     Optional<List<int[]>> steps = joint.plan(roads, starts, goals, patience.get());
     if (steps.isEmpty()) {
       planned.stream()
@@ -436,6 +470,7 @@ public final class FloorTraffic {
           .forEach(m -> m.reason = "Waits: no way was found yet that clears all robots' ways.");
       return;
     }
+    broken = false;
     Map<Mover, Boolean> stood = new HashMap<>();
     planned.forEach(m -> stood.put(m, m.course == null));
     new JointPlan(grid, roads, planned, steps.get()).adopt(fitter);
@@ -448,6 +483,17 @@ public final class FloorTraffic {
         m.waitingSince = null;
       }
     }
+  }
+
+  /** Whether those without a way can only wait, and the others drive: no plan would help now. */
+  private static boolean allWaitersStay(List<Mover> planned, int[] starts, int[] goals) {
+    for (int i = 0; i < planned.size(); i++) {
+      Mover m = planned.get(i);
+      if (m.isUnserved() && starts[i] != goals[i]) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** The ways of robots that are too large to be planned with the others, as if these were not. */
@@ -559,23 +605,38 @@ public final class FloorTraffic {
       return "Waits: robots that cannot be moved block every way to its goal.";
     }
 
-    /** The vertex nearest to the one, reachable from the other, that nobody has as goal. */
+    /**
+     * A vertex near to the wanted one that nobody else goes to. A robot that is near already stays
+     * where it is; otherwise waiting robots would change places for ever.
+     */
     private int nearest(int to, int start) {
       Deque<Integer> queue = new ArrayDeque<>(List.of(to));
-      Set<Integer> seen = new LinkedHashSet<>(queue);
+      Map<Integer, Integer> steps = new HashMap<>(Map.of(to, 0));
+      int found = RoadGraph.NONE;
       while (!queue.isEmpty()) {
         int vertex = queue.poll();
-        if (!taken.containsKey(vertex) && !isWished(vertex)) {
-          return vertex;
+        int here = steps.getOrDefault(vertex, 0);
+        if (found != RoadGraph.NONE && here > NEAR) {
+          return found;
+        }
+        if (isOpen(vertex)) {
+          if (vertex == start) {
+            return start;
+          }
+          found = found == RoadGraph.NONE ? vertex : found;
         }
         for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
           int next = roads.neighbour(vertex, d);
-          if (next != RoadGraph.NONE && seen.add(next)) {
+          if (next != RoadGraph.NONE && steps.putIfAbsent(next, here + 1) == null) {
             queue.add(next);
           }
         }
       }
-      return start;
+      return found == RoadGraph.NONE ? start : found;
+    }
+
+    private boolean isOpen(int vertex) {
+      return !taken.containsKey(vertex) && !isWished(vertex);
     }
   }
 

@@ -2,7 +2,6 @@ package org.toqa.traffic.lifelong;
 
 import static org.toqa.traffic.RoadGraph.NONE;
 
-import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.route.StateGraph;
@@ -161,8 +160,7 @@ final class OperationSearch {
         continue;
       }
       decode(choice, operation);
-      isChosen =
-          other == NONE ? settle(robot, level) : push(robot, other, level, nowWorse);
+      isChosen = other == NONE ? settle(robot, level) : push(robot, other, level, nowWorse);
     }
     isInChain[robot] = false;
     if (!isChosen) {

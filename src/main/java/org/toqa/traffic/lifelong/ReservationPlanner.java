@@ -99,7 +99,8 @@ public final class ReservationPlanner implements TrafficPlanner {
       Booking booking = present.get(k);
       if (isObeyed) {
         booking.route =
-            Arrays.copyOfRange(booking.route, Math.min(1, booking.route.length - 1), booking.route.length);
+            Arrays.copyOfRange(
+                booking.route, Math.min(1, booking.route.length - 1), booking.route.length);
       } else {
         booking.route = new int[] {attendance.state(k)};
         booking.goal = NONE;
@@ -114,11 +115,7 @@ public final class ReservationPlanner implements TrafficPlanner {
   }
 
   private static void book(
-      Booking booking,
-      int goal,
-      StateGraph graph,
-      Timetable timetable,
-      SafeIntervalSearch search) {
+      Booking booking, int goal, StateGraph graph, Timetable timetable, SafeIntervalSearch search) {
     int state = booking.route[0];
     boolean ends = graph.vertex(booking.route[booking.route.length - 1]) == goal;
     if (goal == NONE || (booking.goal == goal && ends)) {
@@ -145,8 +142,7 @@ public final class ReservationPlanner implements TrafficPlanner {
     Itinerary[] itineraries = new Itinerary[scene.robots().size()];
     for (int robot = 0; robot < itineraries.length; robot++) {
       TrafficRobot asked = scene.robots().get(robot);
-      itineraries[robot] =
-          new Itinerary(List.of(asked.stance()), attendance.prospect(robot));
+      itineraries[robot] = new Itinerary(List.of(asked.stance()), attendance.prospect(robot));
     }
     for (int k = 0; k < attendance.size(); k++) {
       int robot = attendance.robot(k);

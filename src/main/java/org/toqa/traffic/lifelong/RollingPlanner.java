@@ -106,8 +106,7 @@ public final class RollingPlanner implements TrafficPlanner {
   }
 
   private void forgetAbsent(TrafficScene scene, Floor floor) {
-    Set<String> names =
-        scene.robots().stream().map(TrafficRobot::name).collect(Collectors.toSet());
+    Set<String> names = scene.robots().stream().map(TrafficRobot::name).collect(Collectors.toSet());
     travellers
         .entrySet()
         .removeIf(
@@ -130,8 +129,7 @@ public final class RollingPlanner implements TrafficPlanner {
         floor.guidance().withdraw(traveller.takeWay());
         traveller.headFor(goal);
       }
-      traveller.isAt(
-          attendance.state(k), floor.graph().vertex(attendance.state(k)), random);
+      traveller.isAt(attendance.state(k), floor.graph().vertex(attendance.state(k)), random);
       present.add(traveller);
     }
     return present;
@@ -194,8 +192,7 @@ public final class RollingPlanner implements TrafficPlanner {
     Itinerary[] itineraries = new Itinerary[scene.robots().size()];
     for (int robot = 0; robot < itineraries.length; robot++) {
       itineraries[robot] =
-          new Itinerary(
-              List.of(scene.robots().get(robot).stance()), attendance.prospect(robot));
+          new Itinerary(List.of(scene.robots().get(robot).stance()), attendance.prospect(robot));
     }
     for (int k = 0; k < attendance.size(); k++) {
       int robot = attendance.robot(k);

@@ -10,11 +10,11 @@ import org.toqa.grid.Cell;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.route.Routes;
 import org.toqa.traffic.oneshot.MapfResult.Culprit;
 import org.toqa.traffic.oneshot.MapfResult.Reason;
 import org.toqa.traffic.oneshot.MapfResult.Solved;
 import org.toqa.traffic.oneshot.MapfResult.Unsolved;
+import org.toqa.traffic.route.Routes;
 
 /**
  * Plans ways for all robots from start to goal: a first plan as soon as can be ({@link Lacam}), a

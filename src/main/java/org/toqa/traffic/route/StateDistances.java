@@ -25,7 +25,9 @@ public final class StateDistances {
     }
     for (int head = 0; head < tail; head++) {
       int next = steps[queue[head]] + 1;
-      for (int action = 1; action < graph.actions() && next < DistanceTables.UNREACHABLE; action++) {
+      for (int action = 1;
+          action < graph.actions() && next < DistanceTables.UNREACHABLE;
+          action++) {
         int state = graph.before(queue[head], action);
         if (state != NONE && steps[state] == DistanceTables.UNREACHABLE) {
           steps[state] = (char) next;

@@ -37,7 +37,8 @@ public final class Timetable {
     for (int t = 0; t < route.length; t++) {
       taken[word(route[t], t)] |= 1L << t;
       if (t > 0 && route[t] != route[t - 1]) {
-        driven[edgeWord(route[t - 1], roads.direction(route[t - 1], route[t]), t - 1)] |= 1L << (t - 1);
+        driven[edgeWord(route[t - 1], roads.direction(route[t - 1], route[t]), t - 1)] |=
+            1L << (t - 1);
       }
     }
     park(route, true);
@@ -118,5 +119,4 @@ public final class Timetable {
   private int edgeWord(int vertex, int direction, int time) {
     return (vertex * DIRECTIONS + direction) * words + (time >> WORD);
   }
-
 }
