@@ -5,6 +5,8 @@ import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.AgentConfig;
@@ -69,14 +71,11 @@ public final class SimulatedFleet implements AutoCloseable {
     this.clock = clock;
   }
 
-  /** Where the robot listens, on loopback. */
-  public int port(String robot) {
+  /** Where each robot listens, on loopback, by its name. */
+  public Map<String, Integer> ports() {
     return robots.stream()
         .map(Inhabitant::daemon)
-        .filter(daemon -> daemon.robot().equals(robot))
-        .mapToInt(Daemon::port)
-        .findFirst()
-        .orElseThrow(() -> new IllegalArgumentException("There is no robot " + robot + "."));
+        .collect(Collectors.toMap(Daemon::robot, Daemon::port));
   }
 
   /** Takes the robots out of the world, the last one first, and ends their daemons. */
