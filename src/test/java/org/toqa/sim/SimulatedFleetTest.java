@@ -8,7 +8,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -107,9 +106,7 @@ class SimulatedFleetTest {
     private final RobotLink link;
 
     Peer(String robot, SimulatedFleet fleet) {
-      link =
-          new TcpRobotLinks(false)
-              .open(robot, "localhost", Objects.requireNonNull(fleet.ports().get(robot)), this);
+      link = new TcpRobotLinks(false).open(robot, "localhost", fleet.port(robot), this);
     }
 
     void ping() {
