@@ -41,8 +41,11 @@ public final class Daemon implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Daemon.class);
 
   private static final long SILENCE_NANOS = 2_000_000_000;
-  private static final long STATE_NANOS = 200_000_000;
-  private static final long DONE_NANOS = 1_000_000_000;
+
+  /** Half a tick early, since a tick is never quite on time. */
+  private static final long STATE_NANOS = 190_000_000;
+
+  private static final long DONE_NANOS = 990_000_000;
 
   /** A tick that comes later than this moves the reference as if it came then. */
   private static final double LONGEST_STEP_SECONDS = 0.1;
@@ -189,11 +192,11 @@ public final class Daemon implements AutoCloseable {
     lastState = null;
     lastDone = control.done().orElse(null);
     lastDoneNanos = nanos;
-    say(control.hello());
+    say(control.report().hello());
   }
 
   private void report() {
-    State state = control.state(clock.millis());
+    State state = control.report().state(clock.millis());
     if (nanos - lastStateNanos >= STATE_NANOS || isChange(state)) {
       say(state);
       lastState = state;
