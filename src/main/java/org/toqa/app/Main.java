@@ -2,6 +2,7 @@ package org.toqa.app;
 
 import java.io.PrintWriter;
 import java.util.Set;
+import org.toqa.app.bench.BenchCommand;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -15,7 +16,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 @Command(
     name = "toqa",
     description = "A fleet server for cooperating mobile robots.",
-    subcommands = {DemoCommand.class, ServerCommand.class})
+    subcommands = {DemoCommand.class, ServerCommand.class, BenchCommand.class})
 public final class Main implements Runnable {
 
   /** A run that failed. */

@@ -27,7 +27,7 @@ import org.toqa.traffic.route.StateGraph;
 final class OperationSearch {
   private static final int MOST_VISITS = 10;
   private static final int LONGEST_CHAIN = 200;
-  private static final int EXCHANGE_EFFORT = 2000;
+  private static final int EXCHANGE_EFFORT = 1500;
 
   // A choice as one number, best first: cost, slowness, robot in the way + 1, actions.
   private static final int ACTION_BITS = 3;
@@ -288,7 +288,7 @@ final class OperationSearch {
     int vertex = graph.vertex(state);
     for (int action = 0; action < graph.actions(); action++) {
       int next = graph.after(state, action);
-      if (next == NONE) {
+      if (next == NONE || (t > 0 && graph.isIdlePair(action(code, t - 1), action))) {
         continue;
       }
       int there = graph.vertex(next);

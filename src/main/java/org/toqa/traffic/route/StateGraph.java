@@ -142,4 +142,14 @@ public final class StateGraph {
       case TURNS -> action == FORWARD ? heading(state) : NONE;
     };
   }
+
+  /**
+   * Whether doing the two one after the other gains nothing over another pair that takes the same
+   * time: to turn and back, right about instead of left about, to wait before a turn instead of
+   * after it.
+   */
+  public boolean isIdlePair(int action, int next) {
+    boolean turns = model == MotionModel.TURNS && (next == LEFT || next == RIGHT);
+    return turns && action != FORWARD && !(action == LEFT && next == LEFT);
+  }
 }

@@ -1,0 +1,20 @@
+package org.toqa.app.bench;
+
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code toqa bench}: the measurements. */
+@Command(
+    name = "bench",
+    description = "Measures the planners; prints JSON.",
+    subcommands = {TrafficBench.class, MapfBench.class})
+public final class BenchCommand implements Runnable {
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public void run() {
+    throw new ParameterException(spec.commandLine(), "What to measure is missing");
+  }
+}

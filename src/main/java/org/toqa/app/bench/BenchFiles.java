@@ -1,0 +1,77 @@
+package org.toqa.app.bench;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.toqa.grid.FloorReader;
+import org.toqa.grid.MapFormatException;
+import org.toqa.grid.MovingAiReader;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Scenario;
+import org.toqa.grid.ScenarioReader;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+
+/** The files that a measurement is asked to use; a wrong one is a wrong argument. */
+record BenchFiles(CommandSpec spec) {
+
+  ParameterException wrong(String sentence) {
+    return new ParameterException(spec.commandLine(), sentence);
+  }
+
+  /** A MovingAI map, or the yaml file of a map_server pair. */
+  OccupancyGrid map(Path file) {
+    try {
+      return file.toString().endsWith(".map")
+          ? MovingAiReader.read(file)
+          : FloorReader.read(file).grid();
+    } catch (MapFormatException e) {
+      throw wrong(String.valueOf(e.getMessage()));
+    }
+  }
+
+  /** The first lines of a scenario that belongs to the map. */
+  List<Scenario> scenarios(Path file, OccupancyGrid map, int count) {
+    List<Scenario> all;
+    try {
+      all = ScenarioReader.read(file);
+    } catch (MapFormatException e) {
+      throw wrong(String.valueOf(e.getMessage()));
+    }
+    if (all.size() < count) {
+      throw wrong("%s has %d lines, fewer than %d robots".formatted(file, all.size(), count));
+    }
+    for (Scenario scenario : all) {
+      if (scenario.width() != map.width() || scenario.height() != map.height()) {
+        throw wrong(
+            "%s is for a map of %d x %d cells, but the map has %d x %d"
+                .formatted(file, scenario.width(), scenario.height(), map.width(), map.height()));
+      }
+    }
+    return all.subList(0, count);
+  }
+
+  List<String> lines(Path file) {
+    try {
+      return Files.readAllLines(file);
+    } catch (IOException e) {
+      throw wrong(file + " cannot be read");
+    }
+  }
+
+  /** Fails before a measurement rather than after it. */
+  void mustBeWritable(Path file) {
+    Path folder = file.toAbsolutePath().getParent();
+    if (folder == null || !Files.isWritable(folder) || Files.isDirectory(file)) {
+      throw wrong(file + " must be a file in a folder that can be written");
+    }
+  }
+
+  /** A number out of its range. */
+  void mustBeBetween(String option, long value, long least, long most) {
+    if (value < least || value > most) {
+      throw wrong("%s %d: it must be from %d to %d".formatted(option, value, least, most));
+    }
+  }
+}

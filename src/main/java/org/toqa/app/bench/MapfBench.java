@@ -1,0 +1,184 @@
+package org.toqa.app.bench;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Scenario;
+import org.toqa.planning.Heading;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.MotionModel;
+import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Stance;
+import org.toqa.traffic.TrafficChecker;
+import org.toqa.traffic.TrafficChecker.Violation;
+import org.toqa.traffic.oneshot.MapfInstance;
+import org.toqa.traffic.oneshot.MapfPlan;
+import org.toqa.traffic.oneshot.MapfResult;
+import org.toqa.traffic.oneshot.MapfResult.Solved;
+import org.toqa.traffic.oneshot.MapfResult.Unsolved;
+import org.toqa.traffic.oneshot.OneShotPlanner;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import tools.jackson.databind.json.JsonMapper;
+
+/** {@code toqa bench mapf}: ways for all robots of a scenario, planned in one go. */
+@Command(
+    name = "mapf",
+    description = "Plans ways for all robots of a scenario in one go (four neighbours or wait).")
+final class MapfBench implements Callable<Integer> {
+  private static final int MOST_ROBOTS = 20_000;
+  private static final int LONGEST_LIMIT = 3_600_000;
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Option(names = "--map", required = true, paramLabel = "FILE", description = "A MovingAI map.")
+  private Path map = Path.of("");
+
+  @Option(
+      names = "--scen",
+      required = true,
+      paramLabel = "FILE",
+      description = "A MovingAI scenario; its first N lines are starts and goals.")
+  private Path scen = Path.of("");
+
+  @Option(names = "--robots", required = true, paramLabel = "N", description = "How many.")
+  private int robots;
+
+  @Option(
+      names = "--limit-ms",
+      required = true,
+      paramLabel = "T",
+      description = "When to stop making the plan better, milliseconds from the start.")
+  private int limitMs;
+
+  @Option(
+      names = "--seed",
+      defaultValue = "1",
+      paramLabel = "S",
+      description = "Of what is left to chance (default: ${DEFAULT-VALUE}).")
+  private long seed;
+
+  @Option(
+      names = "--plan",
+      paramLabel = "FILE",
+      description = "Writes the plan: a line a step, the robots as column,row.")
+  private @Nullable Path plan;
+
+  /**
+   * @param firstMs until the first plan, milliseconds
+   * @param sumOfCosts steps until each robot stays at its goal, summed
+   * @param lowerBound the same, were each robot alone
+   */
+  record Report(
+      boolean solved,
+      @Nullable Double firstMs,
+      @Nullable Long sumOfCosts,
+      @Nullable Long lowerBound) {}
+
+  @Override
+  public Integer call() throws IOException {
+    BenchFiles files = new BenchFiles(spec);
+    files.mustBeBetween("--robots", robots, 1, MOST_ROBOTS);
+    files.mustBeBetween("--limit-ms", limitMs, 1, LONGEST_LIMIT);
+    if (plan != null) {
+      files.mustBeWritable(plan);
+    }
+    OccupancyGrid grid = files.map(map);
+    List<Scenario> scenarios = files.scenarios(scen, grid, robots);
+    Report report = measure(grid, scenarios);
+    System.out.println(JsonMapper.shared().writeValueAsString(report));
+    return report.solved() ? ExitCode.OK : ExitCode.SOFTWARE;
+  }
+
+  private Report measure(OccupancyGrid grid, List<Scenario> scenarios) throws IOException {
+    MapfInstance instance =
+        new MapfInstance(
+            new RoadGraph(grid),
+            scenarios.stream().map(Scenario::start).toList(),
+            scenarios.stream().map(Scenario::goal).toList());
+    long begin = System.nanoTime();
+    AtomicLong first = new AtomicLong();
+    Deadline deadline = Deadline.in(Duration.ofMillis(limitMs), System::nanoTime);
+    MapfResult result =
+        new OneShotPlanner(seed)
+            .solve(instance, deadline, found -> first.set(System.nanoTime() - begin));
+    return switch (result) {
+      case Unsolved unsolved -> {
+        System.err.println("toqa: not solved: " + reason(unsolved));
+        yield new Report(false, null, null, null);
+      }
+      case Solved(MapfPlan found, long lowerBound) -> {
+        List<Violation> violations = check(grid, instance, found);
+        violations.forEach(violation -> System.err.println("toqa: " + violation));
+        write(found);
+        yield new Report(violations.isEmpty(), first.get() / 1e6, found.sumOfCosts(), lowerBound);
+      }
+    };
+  }
+
+  private static String reason(Unsolved unsolved) {
+    MapfResult.Culprit culprit = unsolved.robot();
+    return culprit == null
+        ? unsolved.reason().name()
+        : "%s (line %d, cell %s)".formatted(unsolved.reason(), culprit.index() + 1, culprit.cell());
+  }
+
+  /** What is wrong with a plan, by the checker, which knows no planner. */
+  private static List<Violation> check(OccupancyGrid grid, MapfInstance instance, MapfPlan plan) {
+    TrafficChecker checker = new TrafficChecker(grid, MotionModel.CLASSIC);
+    List<Stance> before = stances(plan, 0);
+    List<Violation> violations = new ArrayList<>(checker.checkPlaces(before));
+    violations.addAll(elsewhere(before, instance.starts()));
+    for (int step = 1; step <= plan.makespan(); step++) {
+      List<Stance> after = stances(plan, step);
+      violations.addAll(checker.check(before, after));
+      before = after;
+    }
+    violations.addAll(elsewhere(before, instance.goals()));
+    return violations;
+  }
+
+  private static List<Violation> elsewhere(List<Stance> stances, List<Cell> expected) {
+    return IntStream.range(0, stances.size())
+        .filter(robot -> !stances.get(robot).cell().equals(expected.get(robot)))
+        .mapToObj(
+            robot ->
+                new Violation(
+                    TrafficChecker.Rule.A_STEP_OF_THE_MODEL, robot, stances.get(robot).cell()))
+        .toList();
+  }
+
+  private static List<Stance> stances(MapfPlan plan, int step) {
+    return IntStream.range(0, plan.robots())
+        .mapToObj(robot -> new Stance(plan.at(robot, step), Heading.EAST))
+        .toList();
+  }
+
+  private void write(MapfPlan found) throws IOException {
+    if (plan == null) {
+      return;
+    }
+    StanceLines lines = new StanceLines(MotionModel.CLASSIC);
+    try (BufferedWriter writer = Files.newBufferedWriter(plan, UTF_8)) {
+      for (int step = 0; step <= found.makespan(); step++) {
+        writer.write(lines.line(stances(found, step)));
+        writer.write('\n');
+      }
+    }
+  }
+}

@@ -1,0 +1,192 @@
+package org.toqa.app.bench;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.Callable;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.app.bench.TrafficRun.Report;
+import org.toqa.app.bench.TrafficRun.TraceWriter;
+import org.toqa.grid.Cell;
+import org.toqa.planning.Heading;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.MotionModel;
+import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Stance;
+import org.toqa.traffic.TrafficPlanner;
+import org.toqa.traffic.lifelong.ReservationPlanner;
+import org.toqa.traffic.lifelong.RollingPlanner;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import tools.jackson.databind.json.JsonMapper;
+
+/** {@code toqa bench traffic}: robots that get a new goal whenever they reach one. */
+@Command(
+    name = "traffic",
+    description = "Drives robots that get a new goal whenever they reach one.")
+final class TrafficBench implements Callable<Integer> {
+  private static final int MOST_ROBOTS = 20_000;
+  private static final int MOST_STEPS = 1_000_000;
+  private static final int LONGEST_LIMIT = 60_000;
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Option(
+      names = "--map",
+      required = true,
+      paramLabel = "FILE",
+      description = "A MovingAI map, or the yaml file of a map_server pair.")
+  private Path map = Path.of("");
+
+  @Option(
+      names = "--robots",
+      paramLabel = "N",
+      description = "How many; with --tasks, only the first N of them.")
+  private @Nullable Integer robots;
+
+  @Option(names = "--steps", required = true, paramLabel = "T", description = "How many.")
+  private int steps;
+
+  @Option(
+      names = "--seed",
+      defaultValue = "1",
+      paramLabel = "S",
+      description = "Of starts, goals and what else is left to chance (default: ${DEFAULT-VALUE}).")
+  private long seed;
+
+  @Option(
+      names = "--model",
+      defaultValue = "classic",
+      paramLabel = "classic|turns",
+      description = "What a robot can do in a step (default: ${DEFAULT-VALUE}).")
+  private String model = "classic";
+
+  @Option(
+      names = "--planner",
+      defaultValue = "rolling",
+      paramLabel = "rolling|reservation",
+      description = "The fleet's planner, or first come, first served (default: ${DEFAULT-VALUE}).")
+  private String planner = "rolling";
+
+  @Option(
+      names = "--limit-ms",
+      defaultValue = "100",
+      paramLabel = "MS",
+      description = "How long a step may be planned, milliseconds (default: ${DEFAULT-VALUE}).")
+  private int limitMs;
+
+  @Option(
+      names = "--tasks",
+      paramLabel = "FILE",
+      description = "A line a robot: start and goals as column,row; instead of random ones.")
+  private @Nullable Path tasks;
+
+  @Option(
+      names = "--trace",
+      paramLabel = "FILE",
+      description = "Writes all steps: a line a step, the robots as column,row or column,row,H.")
+  private @Nullable Path trace;
+
+  /** Where the robots begin, and where they go. */
+  private record Work(List<Stance> starts, GoalSource goals) {}
+
+  @Override
+  public Integer call() throws IOException {
+    BenchFiles files = new BenchFiles(spec);
+    files.mustBeBetween("--steps", steps, 1, MOST_STEPS);
+    files.mustBeBetween("--limit-ms", limitMs, 1, LONGEST_LIMIT);
+    MotionModel motion = motionModel(files);
+    TrafficPlanner planning = trafficPlanner(motion, files);
+    RoadGraph roads = new RoadGraph(files.map(map));
+    Work work = tasks == null ? randomWork(roads, files) : listedWork(tasks, roads, files);
+    Report report = run(roads, motion, planning, work, files);
+    System.out.println(JsonMapper.shared().writeValueAsString(report));
+    return report.collisions() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
+  }
+
+  private Report run(
+      RoadGraph roads, MotionModel motion, TrafficPlanner planning, Work work, BenchFiles files)
+      throws IOException {
+    if (trace == null) {
+      return run(roads, motion, planning, work, stances -> {});
+    }
+    files.mustBeWritable(trace);
+    StanceLines lines = new StanceLines(motion);
+    try (BufferedWriter writer = Files.newBufferedWriter(trace, UTF_8)) {
+      return run(
+          roads, motion, planning, work, stances -> writer.write(lines.line(stances) + "\n"));
+    }
+  }
+
+  private Report run(
+      RoadGraph roads, MotionModel motion, TrafficPlanner planning, Work work, TraceWriter writer)
+      throws IOException {
+    Duration limit = Duration.ofMillis(limitMs);
+    return new TrafficRun(
+            roads,
+            motion,
+            planning,
+            work.starts(),
+            work.goals(),
+            () -> Deadline.in(limit, System::nanoTime),
+            writer)
+        .run(steps);
+  }
+
+  private MotionModel motionModel(BenchFiles files) {
+    return switch (model) {
+      case "classic" -> MotionModel.CLASSIC;
+      case "turns" -> MotionModel.TURNS;
+      default -> throw files.wrong("--model " + model + ": it is classic or turns");
+    };
+  }
+
+  private TrafficPlanner trafficPlanner(MotionModel motion, BenchFiles files) {
+    return switch (planner) {
+      case "rolling" -> new RollingPlanner(motion, true, seed);
+      case "reservation" -> new ReservationPlanner(motion);
+      default -> throw files.wrong("--planner " + planner + ": it is rolling or reservation");
+    };
+  }
+
+  /** Starts and goals by chance in the largest connected part, starts all different. */
+  private Work randomWork(RoadGraph roads, BenchFiles files) {
+    if (robots == null) {
+      throw files.wrong("--robots is missing");
+    }
+    List<Cell> cells =
+        IntStream.range(0, roads.vertices())
+            .filter(roads::isInLargestPart)
+            .mapToObj(roads::cell)
+            .toList();
+    files.mustBeBetween("--robots", robots, 1, Math.min(MOST_ROBOTS, cells.size() - 1));
+    Random random = new Random(seed);
+    List<Cell> shuffled = new ArrayList<>(cells);
+    Collections.shuffle(shuffled, random);
+    List<Stance> starts =
+        shuffled.subList(0, robots).stream()
+            .map(cell -> new Stance(cell, Heading.EAST.turned(2 * random.nextInt(4))))
+            .toList();
+    return new Work(starts, GoalSource.random(cells, random));
+  }
+
+  private Work listedWork(Path file, RoadGraph roads, BenchFiles files) {
+    List<TaskList> all = TaskList.read(file, roads, files);
+    int count = robots == null ? all.size() : robots;
+    files.mustBeBetween("--robots", count, 1, all.size());
+    List<TaskList> lists = all.subList(0, count);
+    return new Work(lists.stream().map(TaskList::start).toList(), GoalSource.listed(lists));
+  }
+}

@@ -1,0 +1,163 @@
+package org.toqa.app.bench;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Supplier;
+import java.util.stream.IntStream;
+import org.toqa.grid.Cell;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.MotionModel;
+import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Stance;
+import org.toqa.traffic.TrafficChecker;
+import org.toqa.traffic.TrafficChecker.Violation;
+import org.toqa.traffic.TrafficPlan;
+import org.toqa.traffic.TrafficPlanner;
+import org.toqa.traffic.TrafficRobot;
+import org.toqa.traffic.TrafficScene;
+
+/**
+ * Robots that do what a planner says, step by step, and go to their next goals as they arrive. A
+ * checker that knows no planner looks at every step.
+ */
+final class TrafficRun {
+  /** Who has not left its cell for so many steps, short of its goal, is stuck. */
+  private static final int STUCK = 50;
+
+  private final RoadGraph roads;
+  private final TrafficPlanner planner;
+  private final TrafficChecker checker;
+  private final GoalSource source;
+  private final Supplier<Deadline> deadlines;
+  private final TraceWriter trace;
+  private final List<Stance> stances;
+  private final List<Cell> goals;
+
+  /** The step after which each robot has stood where it is. */
+  private final int[] arrivals;
+
+  private int goalsReached;
+  private int collisions;
+  private int step;
+
+  /** Takes the stances of all robots, step 0 first. */
+  interface TraceWriter {
+    void write(List<Stance> stances) throws IOException;
+  }
+
+  /**
+   * @param goals how many were reached
+   * @param collisions how often a rule of the traffic was broken
+   * @param stuck robots that have not moved for the last 50 steps, short of their goal
+   * @param p50Ms planning time of a step, milliseconds
+   */
+  record Report(
+      int goals,
+      int collisions,
+      int stuck,
+      double p50Ms,
+      double p99Ms,
+      double goalsPerStep,
+      int steps) {}
+
+  /**
+   * @param deadlines how long each step may be planned
+   */
+  TrafficRun(
+      RoadGraph roads,
+      MotionModel model,
+      TrafficPlanner planner,
+      List<Stance> starts,
+      GoalSource source,
+      Supplier<Deadline> deadlines,
+      TraceWriter trace) {
+    this.roads = roads;
+    this.planner = planner;
+    this.checker = new TrafficChecker(roads.grid(), model);
+    this.source = source;
+    this.deadlines = deadlines;
+    this.trace = trace;
+    this.stances = new ArrayList<>(starts);
+    this.goals = new ArrayList<>();
+    this.arrivals = new int[starts.size()];
+    for (int robot = 0; robot < starts.size(); robot++) {
+      Cell at = starts.get(robot).cell();
+      goals.add(source.next(robot, at).orElse(at));
+    }
+  }
+
+  /** Ends after so many steps, or earlier when no robot has anything left to do. */
+  Report run(int steps) throws IOException {
+    double[] millis = new double[steps];
+    judge(checker.checkPlaces(stances));
+    trace.write(stances);
+    while (step < steps && !isDone()) {
+      long begin = System.nanoTime();
+      TrafficPlan plan = planner.plan(scene(), deadlines.get());
+      millis[step++] = (System.nanoTime() - begin) / 1e6;
+      drive(plan);
+      trace.write(stances);
+    }
+    double[] sorted = Arrays.copyOf(millis, step);
+    Arrays.sort(sorted);
+    return new Report(
+        goalsReached,
+        collisions,
+        stuck(),
+        percentile(sorted, 0.50),
+        percentile(sorted, 0.99),
+        step == 0 ? 0 : (double) goalsReached / step,
+        step);
+  }
+
+  private boolean isDone() {
+    return IntStream.range(0, goals.size()).allMatch(this::isAtGoal);
+  }
+
+  private boolean isAtGoal(int robot) {
+    return stances.get(robot).cell().equals(goals.get(robot));
+  }
+
+  private TrafficScene scene() {
+    return new TrafficScene(
+        roads,
+        IntStream.range(0, stances.size())
+            .mapToObj(r -> new TrafficRobot("r" + r, stances.get(r), goals.get(r), 0))
+            .toList());
+  }
+
+  private void drive(TrafficPlan plan) {
+    List<Stance> before = List.copyOf(stances);
+    for (int robot = 0; robot < stances.size(); robot++) {
+      boolean isIdle = isAtGoal(robot);
+      Stance next = plan.of(robot).at(1);
+      if (!next.cell().equals(before.get(robot).cell())) {
+        arrivals[robot] = step;
+      }
+      stances.set(robot, next);
+      if (!isIdle && isAtGoal(robot)) {
+        goalsReached++;
+        goals.set(robot, source.next(robot, next.cell()).orElse(next.cell()));
+      }
+    }
+    judge(checker.check(before, stances));
+  }
+
+  private void judge(List<Violation> violations) {
+    collisions += violations.size();
+    violations.forEach(v -> System.err.println("toqa: step " + step + ": " + v));
+  }
+
+  private int stuck() {
+    return (int)
+        IntStream.range(0, stances.size())
+            .filter(robot -> !isAtGoal(robot) && step - arrivals[robot] >= STUCK)
+            .count();
+  }
+
+  private static double percentile(double[] sorted, double share) {
+    return sorted.length == 0 ? 0 : sorted[(int) Math.ceil(share * sorted.length) - 1];
+  }
+}
