@@ -14,6 +14,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -162,6 +163,7 @@ public final class FloorTraffic {
     m.take(Course.meetingNobody(way.start(), stretches));
     m.released = stretches.size();
     m.done = Math.min(segments, stretches.size());
+    m.isCutUntold = true;
     m.lastProgress = now;
   }
 
@@ -170,7 +172,7 @@ public final class FloorTraffic {
    */
   public void wants(String robot, @Nullable Vec2 goal, Instant now) {
     Mover m = mover(robot);
-    if (!java.util.Objects.equals(m.goal, goal)) {
+    if (!Objects.equals(m.goal, goal)) {
       m.goal = goal;
       m.wish = new BitSet();
       m.waitingSince = goal == null ? null : now;
@@ -456,6 +458,7 @@ public final class FloorTraffic {
       }
     }
     planned.forEach(m -> closed.clear(grid.index(m.releasedCell())));
+    planned.forEach(m -> centre(m, told));
     RoadGraph roads = new RoadGraph(grid.withOccupied(closed));
     int[] starts = planned.stream().mapToInt(m -> roads.vertex(m.releasedCell())).toArray();
     BitSet wished = wishes(planned);
@@ -483,6 +486,21 @@ public final class FloorTraffic {
         m.waitingSince = null;
       }
     }
+  }
+
+  /**
+   * A plan knows cells only, so a robot that was stopped between two of them first goes to the
+   * middle of its own. It needs no leave for that: it sweeps no cell but those that it is in.
+   */
+  private void centre(Mover m, Told told) {
+    Pose from = m.releasedEnd();
+    if (SweptCells.standing(grid, from.position(), m.radius).cardinality() <= 1) {
+      return;
+    }
+    List<Waypoint> middle = List.of(new Waypoint(grid.centre(m.releasedCell()), false));
+    told.redriven(m, m.course == null);
+    m.take(Course.meetingNobody(from, fitter.fit(from, middle, m.radius)));
+    m.released = Objects.requireNonNull(m.course).size();
   }
 
   /** Whether those without a way can only wait, and the others drive: no plan would help now. */
@@ -652,7 +670,7 @@ public final class FloorTraffic {
         if (!standsBefore(m, now) || !breakCorner(m, course, told)) {
           return;
         }
-        course = java.util.Objects.requireNonNull(m.course);
+        course = Objects.requireNonNull(m.course);
         continue;
       }
       if (m.done == m.released) {
