@@ -145,7 +145,7 @@ final class Toqa implements AutoCloseable {
     try {
       for (int i = 0; i < robots.size(); i++) {
         String name = robots.get(i).name();
-        int port = simulated.ports().getOrDefault(name, 0);
+        int port = simulated.port(name);
         String parking = i < floor.parking().size() ? places.get(i).name() : null;
         store.saveRobot(
             new RobotRecord(name, floor.name(), "127.0.0.1", port, SIMULATED_LOAD, parking, true));

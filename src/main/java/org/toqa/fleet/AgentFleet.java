@@ -13,7 +13,10 @@ import java.util.function.Function;
 import org.apache.pekko.actor.BootstrapSetup;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.ActorSystem;
+import org.apache.pekko.actor.typed.Behavior;
+import org.apache.pekko.actor.typed.SupervisorStrategy;
 import org.apache.pekko.actor.typed.javadsl.AskPattern;
+import org.apache.pekko.actor.typed.javadsl.Behaviors;
 import org.apache.pekko.pattern.StatusReply;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -74,6 +77,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
             "toqa",
             BootstrapSetup.create(CONFIG.withFallback(ConfigFactory.load(loader)))
                 .withClassloader(loader));
+  }
+
+  /** A surprise in one message of an agent is logged; the agent goes on with the next. */
+  static <T> Behavior<T> goingOn(Behavior<T> agent) {
+    return Behaviors.supervise(agent).onFailure(SupervisorStrategy.resume());
   }
 
   /** Time goes on: timers fire, robots are pinged, waiting tasks are looked at. */

@@ -30,6 +30,7 @@ import org.toqa.grid.Place;
 import org.toqa.link.RobotLinks;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
@@ -85,9 +86,10 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       InstantSource clock,
       Instant now,
       ActorRef<ManagerMessage> manager) {
-    return Behaviors.setup(
-        context ->
-            new FloorAgent(context, floor, robots, begun, store, links, clock, now, manager));
+    return AgentFleet.goingOn(
+        Behaviors.setup(
+            context ->
+                new FloorAgent(context, floor, robots, begun, store, links, clock, now, manager)));
   }
 
   private FloorAgent(
@@ -332,7 +334,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     if (robot.told != null && state.drive() == robot.told.seq()) {
       robot.driveUnderway = false;
       traffic.moved(robot.name(), state.pose(), state.segment(), now);
-    } else if (!robot.driveUnderway) {
+    } else if (!robot.driveUnderway && state.mode() != Mode.DRIVING) {
       if (state.drive() == 0) {
         robot.told = null;
         robot.cancelling = false;

@@ -11,7 +11,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
 import org.apache.pekko.actor.typed.PostStop;
@@ -26,6 +28,7 @@ import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
 import org.toqa.fleet.FleetStore.OpenTask;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinks;
 import org.toqa.mission.TaskState;
@@ -52,7 +55,13 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final Map<String, ManagerMessage.FloorReport> reports = new HashMap<>();
   private final Map<Long, TaskView> handedOver = new HashMap<>();
   private final Deque<TaskView> ended = new ArrayDeque<>();
+
+  /** By floor: the robots that can be given a task. */
+  private final Map<String, Set<String>> available = new HashMap<>();
+
+  /** Whether robots or tasks have changed since the queue was last gone through. */
   private boolean reconsider = true;
+
   private boolean changed = true;
 
   /** A queued task and what it waits for. */
@@ -72,10 +81,11 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       SnapshotBoard board) {
     List<RobotRecord> robots = store.robots();
     List<OpenTask> open = store.openTasks();
-    return Behaviors.setup(
-        context ->
-            new ManagerAgent(
-                context, floors, robots, open, store, links, allocator, clock, now, board));
+    return AgentFleet.goingOn(
+        Behaviors.setup(
+            context ->
+                new ManagerAgent(
+                    context, floors, robots, open, store, links, allocator, clock, now, board)));
   }
 
   private ManagerAgent(
@@ -240,7 +250,14 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     reports.put(m.floor(), m);
     m.ended().forEach(this::shelve);
     changed = true;
-    reconsider = true;
+    Set<String> free =
+        m.robots().stream()
+            .filter(this::isAvailable)
+            .map(RobotView::name)
+            .collect(Collectors.toSet());
+    if (!free.equals(available.put(m.floor(), free))) {
+      reconsider = true;
+    }
   }
 
   private void shelve(TaskView task) {
@@ -253,6 +270,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   /** Goes through the queue, highest priority first, and gives each task robots if there are. */
   private void allocate() {
     reconsider = false;
+    Map<String, List<Candidate>> candidates = new HashMap<>();
+    floors.keySet().forEach(floor -> candidates.put(floor, candidates(floor)));
     List<Waiting> inOrder =
         queue.values().stream()
             .sorted(
@@ -261,8 +280,15 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             .toList();
     for (Waiting w : inOrder) {
       TransportTask task = w.task();
-      switch (allocator.allocate(task.load(), task.start().position(), candidates(task.floor()))) {
-        case Decision.Assigned(List<String> chosen, String why) -> handOver(task, chosen, why);
+      if (!reports.containsKey(task.floor())) {
+        continue;
+      }
+      List<Candidate> here = candidates.getOrDefault(task.floor(), List.of());
+      switch (allocator.allocate(task.load(), task.start().position(), here)) {
+        case Decision.Assigned(List<String> chosen, String why) -> {
+          handOver(task, chosen, why);
+          candidates.put(task.floor(), candidates(task.floor()));
+        }
         case Decision.Waits(String why) -> {
           if (!why.equals(w.why())) {
             queue.put(task.id(), new Waiting(task, why, w.since()));
@@ -300,9 +326,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     }
     List<Candidate> candidates = new ArrayList<>();
     for (RobotView r : report.robots()) {
-      if (r.pose() != null) {
-        candidates.add(new Candidate(r.name(), r.maxLoad(), r.pose().position(), isAvailable(r)));
-      }
+      Vec2 position = r.pose() == null ? Vec2.ZERO : r.pose().position();
+      candidates.add(new Candidate(r.name(), r.maxLoad(), position, isAvailable(r)));
     }
     return candidates;
   }

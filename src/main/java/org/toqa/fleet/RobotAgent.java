@@ -65,7 +65,8 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
       FleetStore store,
       RobotLinks links,
       Instant now) {
-    return Behaviors.setup(context -> new RobotAgent(context, robot, floor, store, links, now));
+    return AgentFleet.goingOn(
+        Behaviors.setup(context -> new RobotAgent(context, robot, floor, store, links, now)));
   }
 
   private RobotAgent(

@@ -5,8 +5,6 @@ import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Collectors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.AgentConfig;
@@ -71,11 +69,14 @@ public final class SimulatedFleet implements AutoCloseable {
     this.clock = clock;
   }
 
-  /** Where each robot listens, on loopback, by its name. */
-  public Map<String, Integer> ports() {
+  /** Where the robot listens, on loopback. */
+  public int port(String robot) {
     return robots.stream()
         .map(Inhabitant::daemon)
-        .collect(Collectors.toMap(Daemon::robot, Daemon::port));
+        .filter(daemon -> daemon.robot().equals(robot))
+        .mapToInt(Daemon::port)
+        .findFirst()
+        .orElseThrow(() -> new IllegalArgumentException("There is no robot " + robot + "."));
   }
 
   /** Takes the robots out of the world, the last one first, and ends their daemons. */

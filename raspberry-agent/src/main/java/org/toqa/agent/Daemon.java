@@ -41,8 +41,11 @@ public final class Daemon implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Daemon.class);
 
   private static final long SILENCE_NANOS = 2_000_000_000;
-  private static final long STATE_NANOS = 200_000_000;
-  private static final long DONE_NANOS = 1_000_000_000;
+
+  /** Half a tick early, since a tick is never quite on time. */
+  private static final long STATE_NANOS = 190_000_000;
+
+  private static final long DONE_NANOS = 990_000_000;
 
   /** A tick that comes later than this moves the reference as if it came then. */
   private static final double LONGEST_STEP_SECONDS = 0.1;
@@ -61,6 +64,7 @@ public final class Daemon implements AutoCloseable {
   private @Nullable ServerConnection server;
   private long nanos;
   private long heardNanos;
+  private long welcomedNanos;
   private @Nullable State lastState;
   private long lastStateNanos;
   private @Nullable PhaseEnd lastDone;
@@ -113,14 +117,17 @@ public final class Daemon implements AutoCloseable {
   }
 
   /**
-   * Whether a server is connected that was not heard for a second, nor has anything waiting to be
+   * Whether a server is connected that has said nothing for a second, and nothing of it waits to be
    * heard. A simulated world that runs server and daemon in one process waits for it then: a slow
    * machine is no lost link.
    *
    * @param now the time of the ticks
    */
   public boolean awaitsServer(long now) {
-    return server != null && inbox.isEmpty() && now - heardNanos > SILENCE_NANOS / 2;
+    return server != null
+        && server.ended() == null
+        && inbox.isEmpty()
+        && now - Math.max(heardNanos, welcomedNanos) > SILENCE_NANOS / 2;
   }
 
   /**
@@ -181,14 +188,15 @@ public final class Daemon implements AutoCloseable {
       server.close();
     }
     server = connection;
+    welcomedNanos = nanos;
     lastState = null;
     lastDone = control.done().orElse(null);
     lastDoneNanos = nanos;
-    say(control.hello());
+    say(control.report().hello());
   }
 
   private void report() {
-    State state = control.state(clock.millis());
+    State state = control.report().state(clock.millis());
     if (nanos - lastStateNanos >= STATE_NANOS || isChange(state)) {
       say(state);
       lastState = state;

@@ -9,14 +9,16 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.link.message.AgentMessage.Fault;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
  * The daemon's memory across its own death: one small file that is replaced as a whole, so that it
- * is always the old entry or the new one.
+ * is always the old entry or the new one. An entry that could not be written is not taken.
  *
  * <p>There are two deaths to outlive. {@link #save} outlives the process; it does not wait for the
  * disk, so that it may be called while the robot drives. {@link #secure} outlives a loss of power
@@ -30,13 +32,52 @@ final class Journal {
   private final Path file;
   private final Path next;
 
-  Journal(Path folder) {
+  private Optional<JournalEntry> entry;
+  private @Nullable Fault fault;
+
+  /** Reads what an earlier daemon wrote into the folder. */
+  Journal(Path folder) throws IOException {
     file = folder.resolve("journal.json");
     next = folder.resolve("journal.json.next");
+    entry = read();
   }
 
   /** The last entry; empty if there is none, or none that can be read. */
-  Optional<JournalEntry> read() throws IOException {
+  Optional<JournalEntry> entry() {
+    return entry;
+  }
+
+  /** Why the last entry could not be written; empty if it could. */
+  Optional<Fault> fault() {
+    return Optional.ofNullable(fault);
+  }
+
+  /** Whether the entry is written now, against the death of the process. */
+  boolean save(JournalEntry newEntry) {
+    return write(newEntry, false);
+  }
+
+  /** Whether the entry is written now, against a loss of power. */
+  boolean secure(JournalEntry newEntry) {
+    return write(newEntry, true);
+  }
+
+  private boolean write(JournalEntry newEntry, boolean force) {
+    try {
+      replace(newEntry, force);
+      entry = Optional.of(newEntry);
+      fault = null;
+      return true;
+    } catch (IOException e) {
+      if (fault == null) {
+        log.error("The journal {} cannot be written.", file, e);
+      }
+      fault = new Fault("JOURNAL", "The journal cannot be written: " + e.getMessage());
+      return false;
+    }
+  }
+
+  private Optional<JournalEntry> read() throws IOException {
     try {
       return Optional.of(MAPPER.readValue(Files.readAllBytes(file), JournalEntry.class));
     } catch (NoSuchFileException e) {
@@ -52,25 +93,14 @@ final class Journal {
     }
   }
 
-  void save(JournalEntry entry) throws IOException {
-    write(entry, false);
-  }
-
-  void secure(JournalEntry entry) throws IOException {
-    write(entry, true);
-    try (FileChannel folder = FileChannel.open(file.toAbsolutePath().getParent())) {
-      folder.force(true);
-    }
-  }
-
-  private void write(JournalEntry entry, boolean force) throws IOException {
+  private void replace(JournalEntry newEntry, boolean force) throws IOException {
     try (FileChannel channel =
         FileChannel.open(
             next,
             StandardOpenOption.CREATE,
             StandardOpenOption.TRUNCATE_EXISTING,
             StandardOpenOption.WRITE)) {
-      ByteBuffer json = ByteBuffer.wrap(MAPPER.writeValueAsBytes(entry));
+      ByteBuffer json = ByteBuffer.wrap(MAPPER.writeValueAsBytes(newEntry));
       while (json.hasRemaining()) {
         channel.write(json);
       }
@@ -79,5 +109,10 @@ final class Journal {
       }
     }
     Files.move(next, file, StandardCopyOption.ATOMIC_MOVE);
+    if (force) {
+      try (FileChannel folder = FileChannel.open(file.toAbsolutePath().getParent())) {
+        folder.force(true);
+      }
+    }
   }
 }

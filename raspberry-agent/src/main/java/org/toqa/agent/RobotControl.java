@@ -15,13 +15,9 @@ import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Fault;
-import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.Reject;
-import org.toqa.link.message.AgentMessage.Role;
-import org.toqa.link.message.AgentMessage.Speed;
-import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
@@ -63,7 +59,6 @@ final class RobotControl {
   private final AgentConfig config;
   private final DriveRules rules;
   private final Journal journal;
-  private JournalEntry entry;
   private ChassisReading body;
 
   private @Nullable SegmentRunner runner;
@@ -71,22 +66,25 @@ final class RobotControl {
   private boolean cancelled;
   private boolean silent;
   private @Nullable Fault interrupted;
-  private @Nullable Fault journalFault;
 
+  /**
+   * @throws IOException if the journal cannot be written: such a robot is not started
+   */
   RobotControl(AgentConfig config, Journal journal, ChassisReading body) throws IOException {
     this.config = config;
     this.rules = new DriveRules(config.limits());
     this.journal = journal;
     this.body = body;
-    this.entry = recovered(journal.read());
-    journal.secure(entry);
+    if (!journal.secure(recovered())) {
+      throw new IOException(journal.fault().orElseThrow().text());
+    }
   }
 
-  private JournalEntry recovered(Optional<JournalEntry> kept) {
-    if (kept.isEmpty()) {
+  private JournalEntry recovered() {
+    if (journal.entry().isEmpty()) {
       return JournalEntry.of(body.powerCycle(), body.placedAt());
     }
-    JournalEntry old = kept.get();
+    JournalEntry old = memory();
     if (old.drive() != 0) {
       interrupted =
           new Fault(
@@ -110,39 +108,44 @@ final class RobotControl {
   }
 
   private void lostPower(ChassisReading reading) {
-    log.warn("{}: the body was powered up anew; its place is not known.", config.name());
+    log.warn("{}: the body was powered up anew.", who());
     runner = null;
-    entry = entry.drivenNoMore().anchoredAt(reading.powerCycle(), reading.placedAt());
-    keep(true);
+    journal.secure(memory().drivenNoMore().anchoredAt(reading.powerCycle(), reading.placedAt()));
   }
 
-  boolean isLocalised() {
-    return entry.anchor() != null;
+  private JournalEntry memory() {
+    return journal.entry().orElseThrow();
+  }
+
+  private boolean isLocalised() {
+    return anchor() != null;
+  }
+
+  private @Nullable Pose anchor() {
+    return memory().powerCycle() == body.powerCycle() ? memory().anchor() : null;
   }
 
   /** Map frame; an arbitrary frame while the robot is not localised. */
-  Pose pose() {
-    return entry.anchor() == null ? body.odometry() : entry.anchor().compose(body.odometry());
+  private Pose pose() {
+    Pose anchor = anchor();
+    return anchor == null ? body.odometry() : anchor.compose(body.odometry());
   }
 
   Optional<PhaseEnd> done() {
-    return Optional.ofNullable(entry.done());
+    return Optional.ofNullable(memory().done());
   }
 
   /** The answer to a command, which has its effect by then. */
   AgentMessage obey(Command command) {
-    if (command instanceof Ping || command.seq() <= entry.lastSeq()) {
+    if (command instanceof Ping || command.seq() <= memory().lastSeq()) {
       return new Ack(command.seq());
     }
     Optional<String> objection = objectionTo(command);
     if (objection.isEmpty()) {
-      JournalEntry before = entry;
-      entry = after(command).accepted(command.seq());
-      if (keep(!(command instanceof Extend || command instanceof Release))) {
+      if (isRemembered(command)) {
         begin(command);
         return new Ack(command.seq());
       }
-      entry = before;
       objection = Optional.of("The robot cannot write its journal, so it did nothing.");
     }
     log.warn(
@@ -154,15 +157,22 @@ final class RobotControl {
     return new Reject(command.seq(), objection.get());
   }
 
+  private boolean isRemembered(Command command) {
+    JournalEntry next = after(command).accepted(command.seq());
+    return switch (command) {
+      case Extend _, Release _ -> journal.save(next); // it drives, and must not wait for the disk
+      default -> journal.secure(next);
+    };
+  }
+
   /** The server has stored the end of this drive. */
   void acknowledged(long drive) {
-    PhaseEnd done = entry.done();
+    PhaseEnd done = memory().done();
     if (done == null || done.drive() != drive) {
       return;
     }
-    boolean isTaskOver = done.phase() == 3 && entry.drive() == 0;
-    entry = isTaskOver ? entry.released() : entry.doneAcknowledged();
-    keep(true);
+    boolean isTaskOver = done.phase() == 3 && memory().drive() == 0;
+    journal.secure(isTaskOver ? memory().released() : memory().doneAcknowledged());
   }
 
   /**
@@ -178,15 +188,14 @@ final class RobotControl {
       return Twist.ZERO;
     }
     Way way = runner.way();
-    boolean onward = !entry.held() && !cancelled && body.faults().isEmpty();
+    boolean onward = !memory().held() && !cancelled && body.faults().isEmpty();
     Twist command = runner.steer(pose(), seconds, onward);
     if (cancelled) {
       endCancelledWhenItStands(way);
     } else if (last && runner.isAtEnd()) {
       endPhase();
-    } else if (way.completed() != entry.segment()) {
-      entry = entry.at(way.completed());
-      keep(false);
+    } else if (way.completed() != memory().segment()) {
+      journal.save(memory().at(way.completed()));
     }
     return runner == null || !body.faults().isEmpty() ? Twist.ZERO : command;
   }
@@ -198,13 +207,9 @@ final class RobotControl {
   }
 
   private void endPhase() {
-    JournalEntry driving = entry;
-    entry = entry.phaseEnded();
-    if (keep(true)) {
+    if (journal.secure(memory().phaseEnded())) {
       runner = null;
-      log.info("{}: phase {} is done.", who(), entry.phase());
-    } else {
-      entry = driving;
+      log.info("{}: phase {} is done.", who(), memory().phase());
     }
   }
 
@@ -236,7 +241,7 @@ final class RobotControl {
     if (runner != null && !cancelled) {
       return Optional.of(
           "The robot has not ended drive %d; wait for its end or send cancel."
-              .formatted(entry.drive()));
+              .formatted(memory().drive()));
     }
     return runner == null && body.stands()
         ? Optional.empty()
@@ -244,27 +249,29 @@ final class RobotControl {
   }
 
   private Optional<String> objectionToChanging(long drive) {
-    if (runner != null && entry.drive() == drive) {
+    if (runner != null && memory().drive() == drive) {
       return Optional.empty();
     }
     return Optional.of(
-        entry.drive() == 0
+        memory().drive() == 0
             ? "There is no drive %d any more; the robot has none.".formatted(drive)
             : "There is no drive %d any more; the robot has drive %d."
-                .formatted(drive, entry.drive()));
+                .formatted(drive, memory().drive()));
   }
 
   private JournalEntry after(Command command) {
     return switch (command) {
-      case Drive drive -> entry.driving(drive.seq(), drive.task(), drive.phase());
-      case Hold _ -> entry.holding(true);
-      case Resume _ -> entry.holding(false);
-      case Cancel cancel -> Objects.equals(cancel.task(), entry.task()) ? entry.released() : entry;
+      case Drive drive -> memory().driving(drive.seq(), drive.task(), drive.phase());
+      case Hold _ -> memory().holding(true);
+      case Resume _ -> memory().holding(false);
+      case Cancel cancel ->
+          Objects.equals(cancel.task(), memory().task()) ? memory().released() : memory();
       case Locate locate ->
           // anchor * odometry = pose
-          entry.anchoredAt(
-              body.powerCycle(), locate.pose().compose(body.odometry().relative(ORIGIN)));
-      case Extend _, Release _, Lead _, Follow _, Ping _ -> entry;
+          memory()
+              .anchoredAt(
+                  body.powerCycle(), locate.pose().compose(body.odometry().relative(ORIGIN)));
+      case Extend _, Release _, Lead _, Follow _, Ping _ -> memory();
     };
   }
 
@@ -279,8 +286,8 @@ final class RobotControl {
       }
       case Release release -> Objects.requireNonNull(runner).way().release(release.released());
       case Cancel _ -> {
-        cancelled = runner != null && entry.drive() == 0;
-        interrupted = entry.task() == null ? null : interrupted;
+        cancelled = runner != null && memory().drive() == 0;
+        interrupted = memory().task() == null ? null : interrupted;
       }
       case Locate _ -> log.info("{}: told to be at {}.", config.name(), pose());
       case Hold _, Resume _, Lead _, Follow _, Ping _ -> {}
@@ -304,33 +311,14 @@ final class RobotControl {
   }
 
   private String who() {
-    return entry.task() == null ? config.name() : config.name() + " task " + entry.task();
-  }
-
-  /** Whether the entry is in the journal now. */
-  private boolean keep(boolean againstPowerLoss) {
-    try {
-      if (againstPowerLoss) {
-        journal.secure(entry);
-      } else {
-        journal.save(entry);
-      }
-      journalFault = null;
-      return true;
-    } catch (IOException e) {
-      if (journalFault == null) {
-        log.error("{}: the journal cannot be written.", config.name(), e);
-      }
-      journalFault = new Fault("JOURNAL", "The journal cannot be written: " + e.getMessage());
-      return false;
-    }
+    return memory().task() == null ? config.name() : config.name() + " task " + memory().task();
   }
 
   private Mode mode() {
     if (!body.faults().isEmpty()) {
       return Mode.ERROR;
     }
-    if (entry.held() || isHeldBySilence()) {
+    if (memory().held() || isHeldBySilence()) {
       return Mode.HOLDING;
     }
     return runner == null ? Mode.IDLE : Mode.DRIVING;
@@ -343,18 +331,12 @@ final class RobotControl {
         && runner.way().stands();
   }
 
-  private int released() {
-    return runner == null || cancelled ? 0 : runner.way().released();
-  }
-
   private List<Fault> errors() {
     List<Fault> errors = new ArrayList<>(body.faults());
     if (interrupted != null) {
       errors.add(interrupted);
     }
-    if (journalFault != null) {
-      errors.add(journalFault);
-    }
+    journal.fault().ifPresent(errors::add);
     if (runner != null && runner.isOffWay()) {
       errors.add(
           new Fault(
@@ -364,45 +346,16 @@ final class RobotControl {
     return errors;
   }
 
-  Hello hello() {
-    return new Hello(
-        AgentMessage.VERSION,
-        config.name(),
-        config.maxLoad(),
-        config.limits().speed(),
-        config.footprint(),
+  RobotReport report() {
+    return new RobotReport(
+        config,
+        memory(),
+        body,
         isLocalised(),
         pose(),
         mode(),
-        entry.task(),
-        entry.phase(),
-        Role.ALONE,
-        entry.drive(),
-        entry.segment(),
-        released(),
-        entry.lastSeq(),
-        entry.done());
-  }
-
-  /**
-   * @param stamp milliseconds since 1970
-   */
-  State state(long stamp) {
-    return new State(
-        stamp,
-        isLocalised(),
-        pose(),
-        new Speed(body.twist().vx(), body.twist().w()),
-        mode(),
-        entry.task(),
-        entry.phase(),
-        Role.ALONE,
-        entry.drive(),
-        entry.segment(),
-        released(),
-        body.battery(),
-        body.ranges(),
-        List.of(),
+        runner == null || cancelled ? 0 : runner.way().completed(),
+        runner == null || cancelled ? 0 : runner.way().released(),
         errors());
   }
 }

@@ -12,9 +12,9 @@ import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
@@ -60,6 +60,9 @@ public final class FloorTraffic {
   private static final Duration BREAK_AFTER = Duration.ofMillis(500);
   private static final Duration PLAN_AGAIN_AFTER = Duration.ofSeconds(5);
 
+  /** A robot that waits for its place this many cells from it is near enough. */
+  private static final int NEAR = 4;
+
   /** Released ahead of a robot: at least so many stretches, and so many seconds of driving. */
   private static final int STRETCHES_AHEAD = 2;
 
@@ -75,6 +78,12 @@ public final class FloorTraffic {
 
   /** Whether something changed since the robots were last planned together. */
   private boolean changed = true;
+
+  /** Whether a robot gave up a part of its way that others wait for it to drive. */
+  private boolean broken;
+
+  /** When any robot last completed a stretch. */
+  private Instant lastProgress = Instant.MIN;
 
   private Instant plannedTogether = Instant.MIN;
 
@@ -95,12 +104,14 @@ public final class FloorTraffic {
   public void stands(String robot, Pose pose, double footprint, Instant now) {
     Mover m =
         movers.computeIfAbsent(robot, name -> new Mover(name, grid, pose, footprint / 2, now));
+    broken |= m.hasUnreleased();
     if (m.course != null || !grid.cellAt(m.pose.position()).equals(grid.cellAt(pose.position()))) {
       changed = true;
     }
     m.pose = pose;
     m.radius = footprint / 2;
     m.course = null;
+    m.isCutUntold = false;
     m.done = 0;
     m.released = 0;
   }
@@ -119,6 +130,7 @@ public final class FloorTraffic {
       if (done > m.done) {
         m.done = done;
         m.lastProgress = now;
+        lastProgress = now;
         changed |= done == course.size();
       }
     }
@@ -151,6 +163,7 @@ public final class FloorTraffic {
     m.take(Course.meetingNobody(way.start(), stretches));
     m.released = stretches.size();
     m.done = Math.min(segments, stretches.size());
+    m.isCutUntold = true;
     m.lastProgress = now;
   }
 
@@ -159,7 +172,7 @@ public final class FloorTraffic {
    */
   public void wants(String robot, @Nullable Vec2 goal, Instant now) {
     Mover m = mover(robot);
-    if (!java.util.Objects.equals(m.goal, goal)) {
+    if (!Objects.equals(m.goal, goal)) {
       m.goal = goal;
       m.wish = new BitSet();
       m.waitingSince = goal == null ? null : now;
@@ -175,12 +188,13 @@ public final class FloorTraffic {
       m.movable = !fixed;
       changed = true;
       if (fixed) {
-        m.cut();
+        giveUpTheRest(m);
       }
     }
   }
 
   public void leaves(String robot) {
+    broken |= mover(robot).hasUnreleased();
     movers.remove(robot);
     changed = true;
   }
@@ -228,7 +242,10 @@ public final class FloorTraffic {
     Told told = new Told();
     watchForStalls(now);
     planEachAlone(now, told);
-    if (movers.values().stream().anyMatch(Mover::isUnserved)
+    if (isStandstill(now)) {
+      broken = true;
+    }
+    if ((broken || movers.values().stream().anyMatch(Mover::isUnserved))
         && (changed || plannedTogether.plus(PLAN_AGAIN_AFTER).isBefore(now))) {
       plannedTogether = now;
       changed = false;
@@ -268,6 +285,10 @@ public final class FloorTraffic {
         }
         int released = course.segmentsOf(m.released);
         Integer from = redrivenFrom.get(m.name);
+        if (from == null && m.isCutUntold) {
+          from = m.released;
+        }
+        m.isCutUntold = false;
         if (begun.contains(m.name)) {
           decisions.add(new Decision.Begin(m.name, course.trajectory(), released, endsAtGoal(m)));
         } else if (from != null) {
@@ -284,6 +305,18 @@ public final class FloorTraffic {
       }
       return decisions;
     }
+  }
+
+  private void giveUpTheRest(Mover m) {
+    broken |= m.hasUnreleased();
+    m.cut();
+  }
+
+  /** Whether robots have ways and none has got on for long: that must not be, so plan anew. */
+  private boolean isStandstill(Instant now) {
+    return lastProgress.plus(STALLED_AFTER).isBefore(now)
+        && movers.values().stream().anyMatch(Mover::hasUnreleased)
+        && movers.values().stream().noneMatch(m -> m.isDriving() && !m.stalled);
   }
 
   private boolean endsAtGoal(Mover m) {
@@ -310,7 +343,7 @@ public final class FloorTraffic {
         m.stalled = stalled;
         changed = true;
         if (stalled) {
-          m.cut();
+          giveUpTheRest(m);
         }
       }
     }
@@ -425,10 +458,14 @@ public final class FloorTraffic {
       }
     }
     planned.forEach(m -> closed.clear(grid.index(m.releasedCell())));
+    planned.forEach(m -> centre(m, told));
     RoadGraph roads = new RoadGraph(grid.withOccupied(closed));
     int[] starts = planned.stream().mapToInt(m -> roads.vertex(m.releasedCell())).toArray();
     BitSet wished = wishes(planned);
     int[] goals = new Goals(roads, planned, starts, wished).assigned();
+    if (!broken && wished.isEmpty() && allWaitersStay(planned, starts, goals)) {
+      return;
+    }
     Optional<List<int[]>> steps = joint.plan(roads, starts, goals, patience.get());
     if (steps.isEmpty()) {
       planned.stream()
@@ -436,6 +473,7 @@ public final class FloorTraffic {
           .forEach(m -> m.reason = "Waits: no way was found yet that clears all robots' ways.");
       return;
     }
+    broken = false;
     Map<Mover, Boolean> stood = new HashMap<>();
     planned.forEach(m -> stood.put(m, m.course == null));
     new JointPlan(grid, roads, planned, steps.get()).adopt(fitter);
@@ -448,6 +486,32 @@ public final class FloorTraffic {
         m.waitingSince = null;
       }
     }
+  }
+
+  /**
+   * A plan knows cells only, so a robot that was stopped between two of them first goes to the
+   * middle of its own. It needs no leave for that: it sweeps no cell but those that it is in.
+   */
+  private void centre(Mover m, Told told) {
+    Pose from = m.releasedEnd();
+    if (SweptCells.standing(grid, from.position(), m.radius).cardinality() <= 1) {
+      return;
+    }
+    List<Waypoint> middle = List.of(new Waypoint(grid.centre(m.releasedCell()), false));
+    told.redriven(m, m.course == null);
+    m.take(Course.meetingNobody(from, fitter.fit(from, middle, m.radius)));
+    m.released = Objects.requireNonNull(m.course).size();
+  }
+
+  /** Whether those without a way can only wait, and the others drive: no plan would help now. */
+  private static boolean allWaitersStay(List<Mover> planned, int[] starts, int[] goals) {
+    for (int i = 0; i < planned.size(); i++) {
+      Mover m = planned.get(i);
+      if (m.isUnserved() && starts[i] != goals[i]) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** The ways of robots that are too large to be planned with the others, as if these were not. */
@@ -559,23 +623,38 @@ public final class FloorTraffic {
       return "Waits: robots that cannot be moved block every way to its goal.";
     }
 
-    /** The vertex nearest to the one, reachable from the other, that nobody has as goal. */
+    /**
+     * A vertex near to the wanted one that nobody else goes to. A robot that is near already stays
+     * where it is; otherwise waiting robots would change places for ever.
+     */
     private int nearest(int to, int start) {
       Deque<Integer> queue = new ArrayDeque<>(List.of(to));
-      Set<Integer> seen = new LinkedHashSet<>(queue);
+      Map<Integer, Integer> steps = new HashMap<>(Map.of(to, 0));
+      int found = RoadGraph.NONE;
       while (!queue.isEmpty()) {
         int vertex = queue.poll();
-        if (!taken.containsKey(vertex) && !isWished(vertex)) {
-          return vertex;
+        int here = steps.getOrDefault(vertex, 0);
+        if (found != RoadGraph.NONE && here > NEAR) {
+          return found;
+        }
+        if (isOpen(vertex)) {
+          if (vertex == start) {
+            return start;
+          }
+          found = found == RoadGraph.NONE ? vertex : found;
         }
         for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
           int next = roads.neighbour(vertex, d);
-          if (next != RoadGraph.NONE && seen.add(next)) {
+          if (next != RoadGraph.NONE && steps.putIfAbsent(next, here + 1) == null) {
             queue.add(next);
           }
         }
       }
-      return start;
+      return found == RoadGraph.NONE ? start : found;
+    }
+
+    private boolean isOpen(int vertex) {
+      return !taken.containsKey(vertex) && !isWished(vertex);
     }
   }
 
@@ -591,7 +670,7 @@ public final class FloorTraffic {
         if (!standsBefore(m, now) || !breakCorner(m, course, told)) {
           return;
         }
-        course = java.util.Objects.requireNonNull(m.course);
+        course = Objects.requireNonNull(m.course);
         continue;
       }
       if (m.done == m.released) {

@@ -24,6 +24,9 @@ final class Mover {
   /** Counts its courses, so that a wait for an old one counts as over. */
   int courseNumber;
 
+  /** Whether the robot does not know yet that what was not released is given up. */
+  boolean isCutUntold;
+
   /** Stretches of the course that are completed. */
   int done;
 
@@ -130,6 +133,7 @@ final class Mover {
       released = 0;
     }
     courseNumber++;
+    blockedSince = null;
   }
 
   /** Gives up what is not released. */
@@ -138,6 +142,7 @@ final class Mover {
     if (way != null && released < way.size()) {
       course = way.continued(released, Course.meetingNobody(releasedEnd(), List.of()));
       courseNumber++;
+      isCutUntold = true;
     }
   }
 }

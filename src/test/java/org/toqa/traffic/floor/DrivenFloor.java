@@ -96,6 +96,12 @@ final class DrivenFloor {
     traffic.wants(robot, to, now);
   }
 
+  /** It stops where it is and wants nothing any more, as after a cancel or a restart. */
+  void giveUp(String robot) {
+    body(robot).way = null;
+    send(robot, null);
+  }
+
   boolean isAt(String robot, Cell cell) {
     Body body = body(robot);
     return body.way == null && body.pose.position().distanceTo(grid.centre(cell)) < 1e-3;

@@ -161,6 +161,49 @@ class FloorTrafficTest {
     assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
   }
 
+  @ParameterizedTest
+  @ValueSource(ints = {5, 15, 25, 40, 60, 80, 100, 120, 150, 180})
+  void aRobotThatGivesUpItsWayIsNotWaitedForForEver(int steps) {
+    DrivenFloor floor =
+        new DrivenFloor(
+            DrivenFloor.draw(
+                "#########", //
+                "a.......b",
+                "##.###.##"),
+            1);
+    floor.put("a", new Cell(0, 1));
+    floor.put("b", new Cell(8, 1));
+    floor.send("a", new Cell(8, 1));
+    floor.send("b", new Cell(0, 1));
+    for (int i = 0; i < steps; i++) {
+      floor.step();
+    }
+
+    floor.giveUp("a");
+
+    floor.drive(LIMIT);
+    assertTrue(floor.isArrived("b"), () -> floor.reasons().toString());
+  }
+
+  @Test
+  void aRobotThatCannotBeToldAnythingIsGoneRound() {
+    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw(".......", ".......", "......."), 4);
+    floor.put("a", new Cell(0, 1));
+    floor.put("b", new Cell(6, 1));
+    floor.send("a", new Cell(6, 1));
+    floor.send("b", new Cell(0, 1));
+    for (int i = 0; i < 40; i++) {
+      floor.step();
+    }
+
+    floor.traffic.isFixed("a", true);
+
+    for (int i = 0; i < 1500 && !floor.isArrived("b"); i++) {
+      floor.step();
+    }
+    assertTrue(floor.isArrived("b"), () -> floor.reasons().toString());
+  }
+
   @Test
   void robotsOfDifferentSizeShareAFloor() {
     DrivenFloor floor =

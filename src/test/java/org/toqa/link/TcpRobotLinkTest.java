@@ -1,0 +1,240 @@
+package org.toqa.link;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import java.nio.charset.StandardCharsets;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Ack;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.ServerMessage.Ping;
+
+/** The server's end of the link, against a robot that the test plays by hand. */
+@Timeout(30)
+class TcpRobotLinkTest {
+
+  private static final String HELLO =
+      """
+      {"type":"hello","version":1,"robot":"r1","maxLoad":5.0,"maxSpeed":0.5,"footprint":0.255,\
+      "localised":true,"pose":{"x":1.5,"y":2.25,"theta":0.5},"mode":"IDLE","task":null,"phase":0,\
+      "role":"ALONE","drive":0,"segment":0,"released":0,"lastSeq":19,"done":null}""";
+
+  private ServerSocket robot;
+  private final Heard heard = new Heard();
+  private RobotLink link;
+
+  /** What the link told, in its order. */
+  private static final class Heard implements RobotLink.Listener {
+    final BlockingQueue<Object> told = new LinkedBlockingQueue<>();
+
+    @Override
+    public void connected(Hello hello) {
+      told.add(hello);
+    }
+
+    @Override
+    public void received(AgentMessage message) {
+      told.add(message);
+    }
+
+    @Override
+    public void disconnected(String sentence) {
+      told.add(sentence);
+    }
+
+    Object next() throws InterruptedException {
+      Object next = told.poll(10, TimeUnit.SECONDS);
+      assertNotNull(next, "nothing was told");
+      return next;
+    }
+  }
+
+  @BeforeEach
+  void open() throws IOException {
+    robot = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
+    robot.setSoTimeout(10_000);
+    link = link("127.0.0.1", robot.getLocalPort());
+  }
+
+  @AfterEach
+  void close() throws IOException {
+    link.close();
+    robot.close();
+  }
+
+  @Test
+  void helloConnectsAndMessagesGoBothWays() throws Exception {
+    try (Socket socket = greet()) {
+      link.send(new Ping(3));
+      assertEquals("{\"type\":\"ping\",\"seq\":3}", line(socket));
+      say(socket, "{\"type\":\"ack\",\"seq\":3}");
+      assertEquals(new Ack(3), heard.next());
+    }
+  }
+
+  @Test
+  void linkConnectsAgainByItself() throws Exception {
+    greet().close();
+    assertEquals("r1 closed the connection.", heard.next());
+
+    try (Socket socket = greet()) {
+      say(socket, "{\"type\":\"ack\",\"seq\":4}");
+      assertEquals(new Ack(4), heard.next());
+    }
+  }
+
+  @Test
+  void whatIsSentWithoutAConnectionIsDropped() throws Exception {
+    link.send(new Ping(1));
+    try (Socket socket = greet()) {
+      link.send(new Ping(2));
+      assertEquals("{\"type\":\"ping\",\"seq\":2}", line(socket));
+    }
+  }
+
+  @Test
+  void anotherRobotIsRefused() throws Exception {
+    try (Socket socket = robot.accept()) {
+      say(socket, HELLO.replace("\"r1\"", "\"r2\""));
+
+      assertEquals(
+          "At 127.0.0.1:%d answers robot r2, not r1; correct the address or the name."
+              .formatted(robot.getLocalPort()),
+          heard.next());
+      assertNull(line(socket), "the connection is closed");
+    }
+  }
+
+  @Test
+  void anotherVersionIsRefused() throws Exception {
+    try (Socket socket = robot.accept()) {
+      say(socket, HELLO.replace("\"version\":1", "\"version\":2"));
+
+      assertEquals(
+          "r1 speaks version 2 of the robot link, this server version 1; update the older one.",
+          heard.next());
+    }
+  }
+
+  @Test
+  void peerThatDoesNotSayHelloIsRefused() throws Exception {
+    try (Socket socket = robot.accept()) {
+      say(socket, "{\"type\":\"ack\",\"seq\":3}");
+
+      assertEquals(
+          "What answers at 127.0.0.1:%d is not r1: it did not say hello."
+              .formatted(robot.getLocalPort()),
+          heard.next());
+    }
+  }
+
+  @Test
+  void silentPeerIsLeftAfterFiveSeconds() throws Exception {
+    try (Socket socket = robot.accept()) {
+      assertEquals("r1 has said nothing for 5 s.", heard.next());
+      assertNull(line(socket), "the connection is closed");
+    }
+  }
+
+  @Test
+  void lineThatCannotBeReadIsPassedOver() throws Exception {
+    try (Socket socket = greet()) {
+      say(socket, "{\"type\":\"song\"}");
+      say(socket, "x".repeat(1_000_000));
+      say(socket, "\u0000\u0007garbage");
+      say(socket, "{\"type\":\"ack\",\"seq\":5}");
+
+      assertEquals(new Ack(5), heard.next());
+    }
+  }
+
+  @Test
+  void robotThatDoesNotReadIsLeftAndTheCallerNeverWaits() throws Exception {
+    try (Socket _ = greet()) {
+      // the socket's buffers and the queue of 1000 lines fill
+      for (int i = 0; i < 1_000_000 && heard.told.isEmpty(); i++) {
+        link.send(new Ping(i));
+      }
+
+      assertEquals("r1 does not take what it is told.", heard.next());
+    }
+  }
+
+  @Test
+  void robotThatIsNotThereIsToldOnceAndTriedAgain() throws Exception {
+    int port = robot.getLocalPort();
+    link.close();
+    robot.close();
+    Heard another = new Heard();
+    try (RobotLink _ = new TcpRobotLinks(false).open("r1", "127.0.0.1", port, another)) {
+      String sentence = String.valueOf(another.next());
+      assertTrue(sentence.startsWith("r1 cannot be reached at 127.0.0.1:" + port), sentence);
+
+      try (ServerSocket late = new ServerSocket(port, 10, InetAddress.getLoopbackAddress());
+          Socket socket = late.accept()) {
+        say(socket, HELLO);
+        assertTrue(another.next() instanceof Hello, "no second complaint comes before it");
+      }
+    }
+  }
+
+  @Test
+  void robotOnAnotherMachineIsRefusedUnlessAllowed() throws Exception {
+    Heard another = new Heard();
+    try (RobotLink _ = new TcpRobotLinks(false).open("r1", "192.0.2.1", 7275, another)) {
+      assertEquals(
+          "r1 is on another machine (192.0.2.1:7275), and the link is not encrypted; the server's"
+              + " configuration must allow that by name.",
+          another.next());
+    }
+  }
+
+  @Test
+  void closedLinkTellsNothingMoreAndDoesNotComeBack() throws Exception {
+    try (Socket socket = greet()) {
+      link.close();
+      assertNull(line(socket), "the connection is closed");
+    }
+    robot.setSoTimeout(600); // longer than the first wait for another attempt
+    assertThrows(SocketTimeoutException.class, () -> robot.accept().close());
+    assertTrue(heard.told.isEmpty(), heard.told::toString);
+  }
+
+  private Socket greet() throws IOException, InterruptedException {
+    Socket socket = robot.accept();
+    say(socket, HELLO);
+    assertEquals(19, ((Hello) heard.next()).lastSeq());
+    return socket;
+  }
+
+  private RobotLink link(String host, int port) {
+    return new TcpRobotLinks(false).open("r1", host, port, heard);
+  }
+
+  private static void say(Socket socket, String line) throws IOException {
+    socket.getOutputStream().write((line + "\n").getBytes(StandardCharsets.UTF_8));
+  }
+
+  private static String line(Socket socket) throws IOException {
+    return new BufferedReader(
+            new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))
+        .readLine();
+  }
+}
