@@ -27,6 +27,9 @@ public final class Database implements AutoCloseable {
     HikariConfig config = new HikariConfig();
     config.setPoolName("toqa");
     config.setJdbcUrl(url);
+    // Named, since the container's DriverManager does not look into a web application.
+    config.setDriverClassName(
+        url.startsWith("jdbc:mysql:") ? "com.mysql.cj.jdbc.Driver" : "org.h2.Driver");
     config.setUsername(user);
     config.setPassword(password);
     config.setMaximumPoolSize(10);
