@@ -45,7 +45,7 @@ class ClerkIT extends BrowserTest {
       Locator map = page.locator("#map");
       click(page, map, 11.55, 1.05); // the station Goods-out
       assertThat(page.locator("#startStation")).hasValue("Goods-out");
-      click(page, map, 10.35, 4.35); // a free place
+      click(page, map, 9.45, 2.85); // a free place
       page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task"))
           .click();
 
