@@ -31,16 +31,13 @@ record BenchFiles(CommandSpec spec) {
     }
   }
 
-  /** The first lines of a scenario that belongs to the map. */
-  List<Scenario> scenarios(Path file, OccupancyGrid map, int count) {
+  /** The lines of a scenario file, which has to be one for the map. */
+  List<Scenario> scenarios(Path file, OccupancyGrid map) {
     List<Scenario> all;
     try {
       all = ScenarioReader.read(file);
     } catch (MapFormatException e) {
       throw wrong(String.valueOf(e.getMessage()));
-    }
-    if (all.size() < count) {
-      throw wrong("%s has %d lines, fewer than %d robots".formatted(file, all.size(), count));
     }
     for (Scenario scenario : all) {
       if (scenario.width() != map.width() || scenario.height() != map.height()) {
@@ -49,7 +46,7 @@ record BenchFiles(CommandSpec spec) {
                 .formatted(file, scenario.width(), scenario.height(), map.width(), map.height()));
       }
     }
-    return all.subList(0, count);
+    return all;
   }
 
   List<String> lines(Path file) {

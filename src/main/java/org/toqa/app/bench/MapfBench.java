@@ -8,10 +8,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Random;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
@@ -53,7 +57,8 @@ final class MapfBench implements Callable<Integer> {
       names = "--scen",
       required = true,
       paramLabel = "FILE",
-      description = "A MovingAI scenario; its first N lines are starts and goals.")
+      description =
+          "A MovingAI scenario: starts and goals; more than it has are chosen by the seed.")
   private Path scen = Path.of("");
 
   @Option(names = "--robots", required = true, paramLabel = "N", description = "How many.")
@@ -99,18 +104,43 @@ final class MapfBench implements Callable<Integer> {
       files.mustBeWritable(plan);
     }
     OccupancyGrid grid = files.map(map);
-    List<Scenario> scenarios = files.scenarios(scen, grid, robots);
-    Report report = measure(grid, scenarios);
+    Report report =
+        measure(grid, instance(new RoadGraph(grid), files.scenarios(scen, grid), files));
     spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
     return report.solved() ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
-  private Report measure(OccupancyGrid grid, List<Scenario> scenarios) throws IOException {
-    MapfInstance instance =
-        new MapfInstance(
-            new RoadGraph(grid),
-            scenarios.stream().map(Scenario::start).toList(),
-            scenarios.stream().map(Scenario::goal).toList());
+  /** The scenario's first robots; more than it has, by chance in the largest connected part. */
+  private MapfInstance instance(RoadGraph roads, List<Scenario> scenarios, BenchFiles files) {
+    List<Cell> starts = scenarios.stream().limit(robots).map(Scenario::start).toList();
+    List<Cell> goals = scenarios.stream().limit(robots).map(Scenario::goal).toList();
+    int missing = robots - starts.size();
+    if (missing == 0) {
+      return new MapfInstance(roads, starts, goals);
+    }
+    complain(
+        "the scenario has %d robots; %d more stand and go anywhere, by seed %d"
+            .formatted(starts.size(), missing, seed));
+    Random random = new Random(seed);
+    return new MapfInstance(
+        roads, filledUp(starts, roads, random, files), filledUp(goals, roads, random, files));
+  }
+
+  private List<Cell> filledUp(List<Cell> cells, RoadGraph roads, Random random, BenchFiles files) {
+    Set<Cell> taken = Set.copyOf(cells);
+    List<Cell> free =
+        new ArrayList<>(
+            IntStream.range(0, roads.vertices())
+                .filter(roads::isInLargestPart)
+                .mapToObj(roads::cell)
+                .filter(cell -> !taken.contains(cell))
+                .toList());
+    files.mustBeBetween("--robots", robots, 1, cells.size() + free.size());
+    Collections.shuffle(free, random);
+    return Stream.concat(cells.stream(), free.stream()).limit(robots).toList();
+  }
+
+  private Report measure(OccupancyGrid grid, MapfInstance instance) throws IOException {
     long begin = System.nanoTime();
     AtomicLong first = new AtomicLong();
     Deadline deadline = Deadline.in(Duration.ofMillis(limitMs), System::nanoTime);

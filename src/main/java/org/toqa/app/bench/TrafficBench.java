@@ -83,7 +83,7 @@ final class TrafficBench implements Callable<Integer> {
 
   @Option(
       names = "--limit-ms",
-      defaultValue = "100",
+      defaultValue = "80",
       paramLabel = "MS",
       description = "How long a step may be planned, milliseconds (default: ${DEFAULT-VALUE}).")
   private int limitMs;

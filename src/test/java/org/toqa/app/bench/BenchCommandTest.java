@@ -65,6 +65,15 @@ class BenchCommandTest {
   }
 
   @Test
+  void robotsThatTheScenarioLacksStandAndGoAnywhere() throws IOException {
+    assertEquals(0, run("mapf " + MAPF + " --robots 6 --limit-ms 200 --plan plan"));
+
+    List<String> plan = Files.readAllLines(file("plan"));
+    assertTrue(plan.getFirst().matches("0,0 4,0 0,2 \\d,\\d \\d,\\d \\d,\\d"), plan::getFirst);
+    assertTrue(err.toString().contains("3 more stand and go anywhere"), err::toString);
+  }
+
+  @Test
   void mapfSaysWhyItFails() throws IOException {
     Files.writeString(
         file("small.map"), MAP.replaceAll("@.@", "@@@").replace(".....\n", "...@.\n"));
@@ -139,7 +148,7 @@ class BenchCommandTest {
           traffic --map small.map --robots 2 --steps 9 --model flying | --model flying: it is classic or turns
           traffic --map small.map --robots 2 --steps 9 --trace none/trace | none/trace must be a file in a folder
           traffic --map small.map --steps 9 --tasks bad.tasks   | line 2: expected a start and its goals
-          mapf --map small.map --scen small.scen --robots 4 --limit-ms 9 | has 3 lines, fewer than 4 robots
+          mapf --map small.map --scen small.scen --robots 14 --limit-ms 9 | --robots 14: it must be from 1 to 13
           mapf --map small.map --scen small.map --robots 1 --limit-ms 9 | expected 'version 1'
           mapf --map small.map --scen small.scen --robots 1     | --limit-ms
           """)
@@ -149,8 +158,7 @@ class BenchCommandTest {
     assertEquals(2, run(command));
 
     assertEquals("", out.toString());
-    String sentence = err.toString().lines().findFirst().orElse("");
-    assertTrue(sentence.contains(words), sentence);
+    assertTrue(err.toString().contains(words), err::toString);
   }
 
   private static final String MAPF = "--map small.map --scen small.scen";
