@@ -302,6 +302,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.Heard m -> heard(robot, m.state());
       case FloorMessage.PhaseEnded m -> phaseEnded(robot, m.end());
       case FloorMessage.DriveBegun m -> driveBegun(robot, m.drive());
+      case FloorMessage.DriveTaken m -> driveTaken(robot, m.drive());
       case FloorMessage.Rejected m -> rejected(robot, m.reason());
     }
   }
@@ -364,6 +365,14 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     if (drive.task() != null) {
       handle(
           drive.task(), new MissionEvent.DriveStarted(robot.name(), drive.phase()), "task.started");
+    }
+  }
+
+  /** A drive may be so short that no state of the robot ever tells of it. */
+  private static void driveTaken(FloorRobot robot, long drive) {
+    if (robot.told != null && robot.told.seq() == drive) {
+      robot.driveUnderway = false;
+      robot.drive = drive;
     }
   }
 

@@ -55,5 +55,8 @@ sealed interface FloorMessage {
   /** The robot is being sent this drive. */
   record DriveBegun(String robot, StoredDrive drive) implements FromRobot {}
 
+  /** The robot has taken this drive: what it says from now on, it says with it or after it. */
+  record DriveTaken(String robot, long drive) implements FromRobot {}
+
   record Rejected(String robot, long seq, String reason) implements FromRobot {}
 }

@@ -47,7 +47,7 @@ final class FloorRobot {
   /** The drive that it was told, until it is over. */
   @Nullable StoredDrive told;
 
-  /** A drive was told and the robot has not said yet that it drives it. */
+  /** A drive was told and the robot has not said yet that it takes it. */
   boolean driveUnderway;
 
   boolean cancelling;
