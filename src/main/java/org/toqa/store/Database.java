@@ -22,13 +22,19 @@ public final class Database implements AutoCloseable {
 
   /**
    * @param url JDBC
+   * @param user empty: the one in the URL, if any
    */
   public static Database open(String url, String user, String password) {
     HikariConfig config = new HikariConfig();
     config.setPoolName("toqa");
     config.setJdbcUrl(url);
-    config.setUsername(user);
-    config.setPassword(password);
+    // Named, since the container's DriverManager does not look into a web application.
+    config.setDriverClassName(
+        url.startsWith("jdbc:mysql:") ? "com.mysql.cj.jdbc.Driver" : "org.h2.Driver");
+    if (!user.isEmpty()) { // else the URL may name one
+      config.setUsername(user);
+      config.setPassword(password);
+    }
     config.setMaximumPoolSize(10);
     config.setConnectionTimeout(Duration.ofSeconds(5).toMillis());
     HikariDataSource pool = new HikariDataSource(config);

@@ -74,7 +74,7 @@ class ToqaScriptIT {
   void theServerEndsWhenItIsTold() throws Exception {
     try (ToqaProcess server = ToqaProcess.toqa(folder, "server", "--port", "0")) {
       URI address = URI.create(server.awaitErr("http://[^ ]*").group());
-      assertEquals(200, status(address));
+      assertEquals(200, status(address.resolve("first-start")));
 
       server.terminate();
 

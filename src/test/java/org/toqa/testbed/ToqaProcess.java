@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -28,8 +29,14 @@ public final class ToqaProcess implements AutoCloseable {
 
   /** The launcher, run from another folder than the project's. */
   public static ToqaProcess toqa(Path folder, String... arguments) throws IOException {
+    return toqa(folder, Map.of(), arguments);
+  }
+
+  /** The same, with variables in its environment. */
+  public static ToqaProcess toqa(Path folder, Map<String, String> variables, String... arguments)
+      throws IOException {
     String launcher = Path.of("toqa").toAbsolutePath().toString();
-    return command(folder, prepend(List.of(launcher), arguments));
+    return start(folder, variables, prepend(List.of(launcher), arguments));
   }
 
   /** A jar or WAR, run by this Java. */
@@ -41,7 +48,13 @@ public final class ToqaProcess implements AutoCloseable {
 
   /** Any command, with its caches under the folder. */
   public static ToqaProcess command(Path folder, String... command) throws IOException {
+    return start(folder, Map.of(), command);
+  }
+
+  private static ToqaProcess start(Path folder, Map<String, String> variables, String... command)
+      throws IOException {
     ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
+    builder.environment().putAll(variables);
     builder.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
     return new ToqaProcess(builder.start());
   }
@@ -80,6 +93,16 @@ public final class ToqaProcess implements AutoCloseable {
   /** Asks it to end, as Ctrl-C and a service manager do. */
   public void terminate() {
     process.destroy();
+  }
+
+  /** Ctrl-C. */
+  public void interrupt() throws IOException, InterruptedException {
+    new ProcessBuilder("kill", "-INT", String.valueOf(pid())).start().waitFor();
+  }
+
+  /** Ends it as {@code kill -9} does, and waits until it is gone. */
+  public void kill() throws InterruptedException {
+    process.destroyForcibly().waitFor();
   }
 
   @Override

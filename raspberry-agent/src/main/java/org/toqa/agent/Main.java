@@ -10,18 +10,23 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** The command line of a robot's daemon. */
-@Command(
-    name = "agent",
-    mixinStandardHelpOptions = true,
-    description = "Runs the daemon of a robot until it is stopped.")
+@Command(name = "agent", description = "Runs the daemon of a robot until it is stopped.")
 public final class Main implements Callable<Integer> {
 
   private static final int FAILED = 1;
   private static final int WRONG_CONFIGURATION = 2;
   private static final long LONGEST_END_SECONDS = 3;
+
+  @Option(
+      names = {"-h", "--help"},
+      usageHelp = true,
+      description = "Shows this.")
+  @SuppressWarnings("unused") // picocli asks the option, nobody the field
+  private boolean help;
 
   @Option(
       names = "--config",
@@ -36,7 +41,16 @@ public final class Main implements Callable<Integer> {
   private CommandSpec spec;
 
   public static void main(String[] args) {
-    System.exit(new CommandLine(new Main()).execute(args));
+    System.exit(
+        new CommandLine(new Main())
+            .setParameterExceptionHandler((e, arguments) -> complain(e))
+            .execute(args));
+  }
+
+  private static int complain(ParameterException e) {
+    String sentence = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
+    e.getCommandLine().getErr().println(sentence + " (agent --help lists what there is)");
+    return WRONG_CONFIGURATION;
   }
 
   @Override

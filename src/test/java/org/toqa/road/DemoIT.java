@@ -1,0 +1,50 @@
+package org.toqa.road;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.testbed.ToqaProcess;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+class DemoIT {
+  @TempDir private Path folder;
+
+  @Test
+  void theDemoTasksAreDoneAndReported() throws Exception {
+    Path report = folder.resolve("report.json");
+    try (ToqaProcess demo =
+        ToqaProcess.toqa(
+            folder,
+            "demo",
+            "--once",
+            "--speed",
+            "20",
+            "--port",
+            "0",
+            "--report",
+            report.toString())) {
+      assertEquals(0, demo.exitCode(), () -> "it said: " + report);
+    }
+    JsonNode tasks = JsonMapper.builder().build().readTree(Files.readString(report)).get("tasks");
+    assertTrue(tasks.size() >= 2);
+    for (JsonNode task : tasks) {
+      assertEquals("DONE", task.get("state").asString(), task.toString());
+      assertEquals(1, task.get("robots").size(), task.toString());
+      assertTrue(task.get("seconds").asDouble() > 0, task.toString());
+    }
+  }
+
+  @Test
+  void endingItLeavesNothing() throws Exception {
+    try (ToqaProcess demo = ToqaProcess.toqa(folder, "demo", "--port", "0")) {
+      demo.awaitErr("Log in as demo");
+      demo.interrupt();
+      assertEquals(130, demo.exitCode());
+    }
+  }
+}

@@ -1,0 +1,107 @@
+package org.toqa.road;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Objects;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.testbed.RealMySql;
+import org.toqa.testbed.ToqaProcess;
+import tools.jackson.databind.JsonNode;
+
+/** A server on a real MySQL, and three daemons, each a process of its own; each is killed. */
+@Tag("full")
+class RealPartsIT {
+  private static final Map<String, double[]> STARTS =
+      Map.of(
+          "carl", new double[] {7.95, 3.15},
+          "dora", new double[] {14.25, 1.05},
+          "emil", new double[] {15.15, 1.05});
+
+  @TempDir private Path folder;
+
+  private final Map<String, ToqaProcess> agents = new HashMap<>();
+  private final Map<String, Integer> ports = new HashMap<>();
+
+  @Test
+  void serverAndAgentAreKilledInEveryPhase() throws Exception {
+    Path config = folder.resolve("server.yaml");
+    Files.writeString(config, "database:\n  url: \"" + RealMySql.newDatabase() + "\"\n");
+    try (RunningServer server = new RunningServer(folder, "--config", config.toString())) {
+      for (String name : STARTS.keySet().stream().sorted().toList()) {
+        ports.put(name, freePort());
+        startAgent(name);
+        server
+            .api()
+            .post(
+                "robots",
+                Map.of("name", name, "host", "127.0.0.1", "port", ports.get(name), "maxLoad", 5));
+      }
+      server.await("robots", RealPartsIT::areAllIdle);
+
+      long task = server.addTask("crate", "Packing 1", "Packing 2");
+      server.awaitState(task, "TO_OBJECT");
+      server.killAndStartAgain();
+      server.awaitState(task, "CARRYING");
+      server.killAndStartAgain();
+
+      String carrier = server.task(task).get("robots").get(0).asString();
+      Objects.requireNonNull(agents.get(carrier)).kill();
+      server.await("robots/" + carrier, r -> r.get("state").asString().equals("LOST"));
+      assertEquals("CARRYING", server.state(task));
+      startAgent(carrier);
+
+      server.awaitState(task, "RETURNING");
+      server.killAndStartAgain();
+      server.awaitState(task, "DONE");
+      assertEquals(1, server.happened(task, "Picked up"));
+      assertEquals(1, server.happened(task, "Delivered"));
+    } finally {
+      agents.values().forEach(ToqaProcess::close);
+    }
+  }
+
+  private static boolean areAllIdle(JsonNode robots) {
+    for (JsonNode robot : robots) {
+      if (!robot.get("state").asString().equals("IDLE")) {
+        return false;
+      }
+    }
+    return robots.size() == STARTS.size();
+  }
+
+  private void startAgent(String name) throws IOException, InterruptedException {
+    Path home = Files.createDirectories(folder.resolve(name));
+    double[] start = Objects.requireNonNull(STARTS.get(name));
+    Path config = home.resolve("agent.yaml");
+    Files.writeString(
+        config,
+        """
+        name: %s
+        port: %d
+        dataDir: data
+        chassis:
+          type: simulated
+          start: {x: %s, y: %s, heading: 0}
+        """
+            .formatted(name, ports.get(name), start[0], start[1]));
+    ToqaProcess agent = ToqaProcess.toqa(home, Map.of(), "agent", "--config", config.toString());
+    agents.put(name, agent);
+    assertTrue(agent.awaitErr(name + ".*" + ports.get(name)).find(0));
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return socket.getLocalPort();
+    }
+  }
+}

@@ -1,0 +1,5 @@
+/** The whole road of a task, on the product as it is packaged: processes, sockets, databases. */
+@NullMarked
+package org.toqa.road;
+
+import org.jspecify.annotations.NullMarked;

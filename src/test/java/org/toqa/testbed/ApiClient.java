@@ -1,0 +1,68 @@
+package org.toqa.testbed;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.time.Duration;
+import java.util.Map;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** A user of the API, logged in. */
+public final class ApiClient implements AutoCloseable {
+  private static final JsonMapper JSON = JsonMapper.builder().build();
+
+  private final HttpClient http = HttpClient.newHttpClient();
+  private final URI root;
+  private final String token;
+
+  public ApiClient(URI root, String name, String password)
+      throws IOException, InterruptedException {
+    this.root = root;
+    this.token =
+        JSON.readTree(
+                send(
+                    HttpRequest.newBuilder(root.resolve("api/v1/session"))
+                        .POST(body(Map.of("name", name, "password", password)))))
+            .get("token")
+            .asString();
+  }
+
+  public JsonNode get(String path) throws IOException, InterruptedException {
+    return JSON.readTree(send(request(path)));
+  }
+
+  public JsonNode post(String path, Object body) throws IOException, InterruptedException {
+    return JSON.readTree(send(request(path).POST(body(body))));
+  }
+
+  private HttpRequest.Builder request(String path) {
+    return HttpRequest.newBuilder(root.resolve("api/v1/" + path))
+        .header("Authorization", "Bearer " + token);
+  }
+
+  private static HttpRequest.BodyPublisher body(Object body) {
+    return HttpRequest.BodyPublishers.ofString(JSON.writeValueAsString(body));
+  }
+
+  private String send(HttpRequest.Builder request) throws IOException, InterruptedException {
+    HttpResponse<String> response =
+        http.send(
+            request
+                .header("Content-Type", "application/json")
+                .timeout(Duration.ofSeconds(30))
+                .build(),
+            HttpResponse.BodyHandlers.ofString());
+    if (response.statusCode() >= 300) {
+      throw new AssertionError(response.statusCode() + ": " + response.body());
+    }
+    return response.body();
+  }
+
+  @Override
+  public void close() {
+    http.close();
+  }
+}
