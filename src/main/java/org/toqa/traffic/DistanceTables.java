@@ -12,6 +12,9 @@ public final class DistanceTables {
   /** No way, or one of more steps than a table can say. */
   public static final int UNREACHABLE = Character.MAX_VALUE;
 
+  /** Goals that are searched in one go, to keep the cores from queueing for work. */
+  private static final int CHUNK = 8;
+
   private DistanceTables() {}
 
   /**
@@ -36,8 +39,6 @@ public final class DistanceTables {
         .takeWhile(table -> table != null)
         .toArray(char[][]::new);
   }
-
-  private static final int CHUNK = 8;
 
   private static char[] of(RoadGraph roads, int goal, int[] queue) {
     char[] steps = new char[roads.vertices()];

@@ -5,6 +5,7 @@ import static org.toqa.traffic.RoadGraph.NONE;
 import static org.toqa.traffic.RoadGraph.opposite;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.route.StateGraph;
 
@@ -17,8 +18,9 @@ import org.toqa.traffic.route.StateGraph;
  * an aisle that is driven in its direction; one-way streets form by themselves, and dissolve when
  * the traffic changes. A robot keeps its distances until it has a new goal.
  *
- * <p>Cost: one Dijkstra search a goal, with a row of stacks as queue, as the costs are small whole
- * numbers; it ends a margin beyond the robot.
+ * <p>Cost: one A* search a goal, from the goal to the robot and a margin beyond, so that distances
+ * are known in an ellipse around both; with a row of stacks as queue, as costs are small whole
+ * numbers.
  *
  * <p>After Z. Chen et al., "Traffic flow optimisation for lifelong multi-agent path finding", AAAI
  * 2024.
@@ -30,7 +32,7 @@ final class Guidance {
   private static final int ONCOMING = STEP / 2;
   private static final int MOST_ONCOMING = 8 * STEP;
 
-  /** More than the cost of any edge, and a power of two. */
+  /** More than a key can rise at an edge, and a power of two. */
   private static final int STACKS = 64;
 
   /** How far beyond the robot distances are known, for when it is pushed aside. */
@@ -41,8 +43,14 @@ final class Guidance {
   /** By edge, which is {@code vertex * 4 + direction}: how many have announced it. */
   private final int[] announced;
 
+  private final int[] columns;
+  private final int[] rows;
+
   Guidance(StateGraph graph) {
     this.graph = graph;
+    this.columns =
+        IntStream.range(0, graph.roads().vertices()).map(graph.roads()::columnOf).toArray();
+    this.rows = IntStream.range(0, graph.roads().vertices()).map(graph.roads()::rowOf).toArray();
     this.announced = new int[graph.roads().vertices() * DIRECTIONS];
   }
 
@@ -54,35 +62,41 @@ final class Guidance {
     char[] costs = new char[graph.states()];
     Arrays.fill(costs, (char) DistanceTables.UNREACHABLE);
     StackRow open = new StackRow(graph.states());
+    int first = atLeast(goal, graph.vertex(start));
     for (int heading = 0; heading < graph.headings(); heading++) {
       int state = graph.state(goal, heading);
       costs[state] = 0;
-      open.push(state, 0);
+      open.push(state, first);
     }
     int last = DistanceTables.UNREACHABLE - STACKS;
-    for (int cost = 0; cost <= last && open.size > 0; cost++) {
-      for (int state = open.pop(cost); state != NONE; state = open.pop(cost)) {
-        if (costs[state] == cost) {
-          relax(state, cost, costs, open);
+    for (int key = first; key <= last && open.size > 0; key++) {
+      for (int state = open.pop(key); state != NONE; state = open.pop(key)) {
+        if (costs[state] + atLeast(graph.vertex(state), graph.vertex(start)) == key) {
+          relax(state, graph.vertex(start), costs, open);
         }
       }
-      if (costs[start] == cost) {
-        last = Math.min(last, cost + MARGIN);
+      if (costs[start] <= key) {
+        last = Math.min(last, costs[start] + MARGIN);
       }
     }
     return costs;
   }
 
-  private void relax(int state, int cost, char[] costs, StackRow open) {
+  /** What the way between two vertices costs at least: the steps on an empty floor. */
+  private int atLeast(int from, int to) {
+    return STEP * (Math.abs(columns[from] - columns[to]) + Math.abs(rows[from] - rows[to]));
+  }
+
+  private void relax(int state, int start, char[] costs, StackRow open) {
     for (int action = 1; action < graph.actions(); action++) {
       int from = graph.before(state, action);
       if (from == NONE) {
         continue;
       }
-      int through = cost + cost(from, state, action);
+      int through = costs[state] + cost(from, state, action);
       if (through < costs[from]) {
         costs[from] = (char) through;
-        open.push(from, through);
+        open.push(from, through + atLeast(graph.vertex(from), start));
       }
     }
   }

@@ -32,11 +32,6 @@ public final class MapfPlan {
     return roads.cell(Routes.at(routes[robot], step));
   }
 
-  /** The step from which on the robot stays at its goal. */
-  public int arrival(int robot) {
-    return routes[robot].length - 1;
-  }
-
   /** The arrivals of all robots, summed. */
   public long sumOfCosts() {
     return Routes.sumOfCosts(routes);
