@@ -178,6 +178,8 @@ class PagesInBrowserTest {
     }
     page.navigate(server.root() + "tasks/new");
     page.locator("form button[type=submit], form:not(.top form) button").last().click();
+    assertThat(page.locator("[aria-invalid=true], :user-invalid").first()).isVisible();
+    page.waitForLoadState();
     picture(page, name + "-tasks-new-refused");
     page.context().clearCookies();
     page.navigate(server.root().toString());
