@@ -95,11 +95,6 @@ public final class ToqaProcess implements AutoCloseable {
     process.destroy();
   }
 
-  /** Ctrl-C. */
-  public void interrupt() throws IOException, InterruptedException {
-    new ProcessBuilder("kill", "-INT", String.valueOf(pid())).start().waitFor();
-  }
-
   /** Ends it as {@code kill -9} does, and waits until it is gone. */
   public void kill() throws InterruptedException {
     process.destroyForcibly().waitFor();
