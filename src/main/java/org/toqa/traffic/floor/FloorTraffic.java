@@ -76,6 +76,9 @@ public final class FloorTraffic {
   final Map<String, Mover> movers = new TreeMap<>();
   private final Map<Double, OccupancyGrid> inflated = new HashMap<>();
 
+  /** Cells where something stands that the map does not show. */
+  private BitSet obstructed = new BitSet();
+
   /** Whether something changed since the robots were last planned together. */
   private boolean changed = true;
 
@@ -193,6 +196,20 @@ public final class FloorTraffic {
     }
   }
 
+  /**
+   * Something stands where the map shows nothing: robots go round, and ways that are not released
+   * are given up where they meet it.
+   *
+   * @param cells all that are obstructed now, as bits by {@link OccupancyGrid#index}; instead of
+   *     those told before
+   */
+  public void isObstructed(BitSet cells) {
+    if (!cells.equals(obstructed)) {
+      obstructed = (BitSet) cells.clone();
+      changed = true;
+    }
+  }
+
   public void leaves(String robot) {
     broken |= mover(robot).hasUnreleased();
     movers.remove(robot);
@@ -227,6 +244,11 @@ public final class FloorTraffic {
   /** The cells that are its own now, as bits by {@link OccupancyGrid#index}. */
   public BitSet held(String robot) {
     return mover(robot).held();
+  }
+
+  /** Robots that do not get on as they should, each in one of these at most. */
+  public List<Standstill> standstills() {
+    return List.of();
   }
 
   /** The rest of its way. */
