@@ -38,7 +38,6 @@ import org.toqa.mission.MissionCommand;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
-import org.toqa.motion.DriveSpeeds;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.Decision;
 import org.toqa.traffic.floor.FloorTraffic;
@@ -113,7 +112,6 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     this.traffic =
         new FloorTraffic(
             floor.grid(),
-            DriveSpeeds.DEFAULT,
             new LacamFloorPlanner(),
             () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
     records.forEach(this::join);

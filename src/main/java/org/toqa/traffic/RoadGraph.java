@@ -6,8 +6,8 @@ import org.toqa.grid.OccupancyGrid;
 
 /**
  * The free cells of a grid as vertices 0, 1, 2 ... in reading order, each joined with its free
- * neighbours in the four directions. Flat arrays, because planners ask for neighbours some million
- * times a second. Immutable.
+ * neighbours in the four directions, as far as the passage to them is open. Flat arrays, because
+ * planners ask for neighbours some million times a second. Immutable.
  */
 public final class RoadGraph {
   public static final int EAST = 0;
@@ -31,8 +31,22 @@ public final class RoadGraph {
   private final int[] degrees;
   private final int[] components;
   private final int largestComponent;
+  private int largestPart;
+
+  /** Whether one can go on from a cell in a direction; the same as back from there. */
+  @FunctionalInterface
+  public interface Passage {
+    boolean isOpen(int column, int row, int direction);
+  }
 
   public RoadGraph(OccupancyGrid grid) {
+    this(grid, (column, row, direction) -> true);
+  }
+
+  /**
+   * @param passage asked for pairs of free cells only
+   */
+  public RoadGraph(OccupancyGrid grid, Passage passage) {
     this.grid = grid;
     int cells = grid.width() * grid.height();
     vertexAt = new int[cells];
@@ -51,8 +65,9 @@ public final class RoadGraph {
     for (int v = 0; v < count; v++) {
       for (int d = 0; d < DIRECTIONS; d++) {
         int u = vertex(columnOf(v) + D_COLUMN[d], rowOf(v) + D_ROW[d]);
-        neighbours[v * DIRECTIONS + d] = u;
-        degrees[v] += u == NONE ? 0 : 1;
+        boolean isOpen = u != NONE && passage.isOpen(columnOf(v), rowOf(v), d);
+        neighbours[v * DIRECTIONS + d] = isOpen ? u : NONE;
+        degrees[v] += isOpen ? 1 : 0;
       }
     }
     components = new int[count];
@@ -64,7 +79,6 @@ public final class RoadGraph {
     Arrays.fill(components, NONE);
     int[] queue = new int[vertices()];
     int largest = NONE;
-    int largestSize = 0;
     for (int root = 0; root < vertices(); root++) {
       if (components[root] != NONE) {
         continue;
@@ -81,8 +95,8 @@ public final class RoadGraph {
           }
         }
       }
-      if (tail > largestSize) {
-        largestSize = tail;
+      if (tail > largestPart) {
+        largestPart = tail;
         largest = root;
       }
     }
@@ -146,6 +160,11 @@ public final class RoadGraph {
 
   public boolean isConnected(int vertex, int other) {
     return components[vertex] == components[other];
+  }
+
+  /** How many vertices the largest connected part has. */
+  public int largestPart() {
+    return largestPart;
   }
 
   public boolean isInLargestPart(int vertex) {

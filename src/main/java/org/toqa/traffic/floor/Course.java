@@ -1,11 +1,11 @@
 package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
@@ -16,6 +16,7 @@ import org.toqa.motion.Trajectory;
  * @param start where it begins, map frame
  * @param stretches in order
  * @param base how many stretches come from earlier plans and were released then
+ * @param lattice whose cells the visits are
  * @param visits the cells visited from {@code base} on, the first being where that part begins;
  *     empty for a way that meets nobody's
  * @param visitAfter by stretch from {@code base} on: the index of the visit at its end
@@ -25,6 +26,7 @@ record Course(
     Pose start,
     List<Stretch> stretches,
     int base,
+    @Nullable OccupancyGrid lattice,
     List<Cell> visits,
     List<Integer> visitAfter,
     List<@Nullable Wait> waits) {
@@ -40,7 +42,7 @@ record Course(
 
   static Course meetingNobody(Pose start, List<Stretch> stretches) {
     return new Course(
-        start, stretches, 0, List.of(), stretches.stream().map(s -> 0).toList(), List.of());
+        start, stretches, 0, null, List.of(), stretches.stream().map(s -> 0).toList(), List.of());
   }
 
   int size() {
@@ -87,24 +89,20 @@ record Course(
     return count <= base ? 0 : visitAfter.get(count - base - 1);
   }
 
-  /** All cells of the stretches in [from, to). */
-  BitSet cells(int from, int to) {
-    BitSet cells = new BitSet();
-    for (int i = from; i < to; i++) {
-      cells.or(stretches.get(i).cells());
-    }
-    return cells;
+  /** Whether it may meet others' cells, in an order. */
+  boolean isShared() {
+    return !visits.isEmpty();
   }
 
   /** Its first {@code count} stretches, and then the whole of another course. */
   Course continued(int count, Course next) {
     List<Stretch> joined = new ArrayList<>(stretches.subList(0, count));
     joined.addAll(next.stretches);
-    return new Course(start, joined, count, next.visits, next.visitAfter, next.waits);
+    return new Course(start, joined, count, next.lattice, next.visits, next.visitAfter, next.waits);
   }
 
   Course withWaits(List<@Nullable Wait> others) {
-    return new Course(start, stretches, base, visits, visitAfter, others);
+    return new Course(start, stretches, base, lattice, visits, visitAfter, others);
   }
 
   /** The same visits in the same order, from stretch {@code count} on driven in other stretches. */
@@ -113,6 +111,6 @@ record Course(
     joined.addAll(others);
     List<Integer> joinedVisits = new ArrayList<>(visitAfter.subList(0, count - base));
     joinedVisits.addAll(othersVisits);
-    return new Course(start, joined, base, visits, joinedVisits, waits);
+    return new Course(start, joined, base, lattice, visits, joinedVisits, waits);
   }
 }

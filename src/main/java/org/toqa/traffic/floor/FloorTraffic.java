@@ -5,34 +5,22 @@ import static java.util.Comparator.nullsLast;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
-import java.util.Deque;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
-import org.toqa.geometry.Waypoint;
-import org.toqa.grid.Cell;
-import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
-import org.toqa.planning.HeadingAStar;
-import org.toqa.planning.PathPlanner;
-import org.toqa.planning.PlanResult;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
-import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.floor.Course.Wait;
 
 /**
  * Who may drive where on one floor, and in which order.
@@ -56,28 +44,20 @@ import org.toqa.traffic.floor.Course.Wait;
  * </ol>
  */
 public final class FloorTraffic {
-  private static final Duration STALLED_AFTER = Duration.ofSeconds(10);
-  private static final Duration BREAK_AFTER = Duration.ofMillis(500);
+  private static final Duration NO_PROGRESS_AFTER = Duration.ofSeconds(10);
   private static final Duration PLAN_AGAIN_AFTER = Duration.ofSeconds(5);
+  private static final Duration BACK_OFF_AFTER = Duration.ofSeconds(2);
+  private static final Duration EXPLAIN_AGAIN_AFTER = Duration.ofSeconds(1);
 
-  /** A robot that waits for its place this many cells from it is near enough. */
-  private static final int NEAR = 4;
-
-  /** Released ahead of a robot: at least so many stretches, and so many seconds of driving. */
-  private static final int STRETCHES_AHEAD = 2;
-
-  private static final double SECONDS_AHEAD = 3;
-
-  private final OccupancyGrid grid;
-  private final CourseFitter fitter;
-  private final PathPlanner planner = new HeadingAStar();
-  private final JointPlanner joint;
-  private final Supplier<Deadline> patience;
-  final Map<String, Mover> movers = new TreeMap<>();
-  private final Map<Double, OccupancyGrid> inflated = new HashMap<>();
-
-  /** Cells where something stands that the map does not show. */
-  private BitSet obstructed = new BitSet();
+  private final Ground ground;
+  private final OwnWays ways;
+  private final JointPlanning together;
+  private final Releases releases;
+  private final Hindrances hindrances;
+  private final Holdings holdings;
+  private final StandstillWatch watch = new StandstillWatch();
+  private final Map<String, Mover> movers = new TreeMap<>();
+  private int joined;
 
   /** Whether something changed since the robots were last planned together. */
   private boolean changed = true;
@@ -93,30 +73,37 @@ public final class FloorTraffic {
   /**
    * @param patience how long a plan for all robots may take
    */
-  public FloorTraffic(
-      OccupancyGrid grid, DriveSpeeds speeds, JointPlanner joint, Supplier<Deadline> patience) {
-    this.grid = grid;
-    this.fitter = new CourseFitter(grid, speeds);
-    this.joint = joint;
-    this.patience = patience;
+  public FloorTraffic(OccupancyGrid grid, JointPlanner joint, Supplier<Deadline> patience) {
+    CourseFitter fitter = new CourseFitter(grid);
+    this.ground = new Ground(grid);
+    this.ways = new OwnWays(ground, fitter);
+    this.together = new JointPlanning(ground, ways, fitter, joint, patience);
+    this.holdings = new Holdings(grid, movers.values());
+    this.releases = new Releases(fitter, movers, holdings);
+    this.hindrances = new Hindrances(ground, ways);
   }
 
   // --- what is so -------------------------------------------------------------------------------
 
   /** The robot stands at a pose and has no way; it may be new here. */
   public void stands(String robot, Pose pose, double footprint, Instant now) {
+    OccupancyGrid grid = ground.grid();
     Mover m =
-        movers.computeIfAbsent(robot, name -> new Mover(name, grid, pose, footprint / 2, now));
+        movers.computeIfAbsent(
+            robot, name -> new Mover(name, ++joined, grid, pose, footprint / 2, now));
     broken |= m.hasUnreleased();
-    if (m.course != null || !grid.cellAt(m.pose.position()).equals(grid.cellAt(pose.position()))) {
-      changed = true;
-    }
-    m.pose = pose;
-    m.radius = footprint / 2;
-    m.course = null;
-    m.isCutUntold = false;
-    m.done = 0;
-    m.released = 0;
+    changed |= m.course != null || !m.cell().equals(grid.cellAt(pose.position()));
+    m.isAt(pose, footprint / 2);
+    m.stop();
+  }
+
+  /**
+   * How fast the robot shall drive from now on.
+   *
+   * @param robot one that stands or drives here
+   */
+  public void drivesAt(String robot, DriveSpeeds speeds) {
+    mover(robot).speeds = speeds;
   }
 
   /**
@@ -126,7 +113,7 @@ public final class FloorTraffic {
    */
   public void moved(String robot, Pose pose, int segments, Instant now) {
     Mover m = mover(robot);
-    m.pose = pose;
+    m.isAt(pose, m.radius);
     Course course = m.course;
     if (course != null) {
       int done = Math.min(course.stretchesOf(segments), m.released);
@@ -148,7 +135,7 @@ public final class FloorTraffic {
       String robot,
       Pose pose,
       double footprint,
-      org.toqa.motion.Trajectory way,
+      Trajectory way,
       int segments,
       int released,
       Instant now) {
@@ -156,8 +143,9 @@ public final class FloorTraffic {
     Mover m = mover(robot);
     List<Stretch> stretches = new ArrayList<>();
     Pose at = way.start();
-    for (var segment : way.segments().subList(0, Math.min(released, way.segments().size()))) {
-      BitSet cells = SweptCells.of(grid, at, segment, m.radius);
+    OccupancyGrid grid = ground.grid();
+    for (Segment segment : way.segments().subList(0, Math.min(released, way.segments().size()))) {
+      CellSet cells = SweptCells.of(grid, at, segment, m.radius);
       at = at.advanced(segment.twist(), segment.t());
       stretches.add(
           new Stretch(
@@ -166,7 +154,8 @@ public final class FloorTraffic {
     m.take(Course.meetingNobody(way.start(), stretches));
     m.released = stretches.size();
     m.done = Math.min(segments, stretches.size());
-    m.isCutUntold = true;
+    m.begun = true;
+    m.toldReleased = m.released;
     m.lastProgress = now;
   }
 
@@ -179,7 +168,8 @@ public final class FloorTraffic {
       m.goal = goal;
       m.wish = new BitSet();
       m.waitingSince = goal == null ? null : now;
-      m.reason = null;
+      m.hindrance = null;
+      m.takenBy = null;
       changed = true;
     }
   }
@@ -204,9 +194,9 @@ public final class FloorTraffic {
    *     those told before
    */
   public void isObstructed(BitSet cells) {
-    if (!cells.equals(obstructed)) {
-      obstructed = (BitSet) cells.clone();
+    if (ground.takeObstacles(cells)) {
       changed = true;
+      movers.values().stream().filter(m -> m.needsAny(cells)).forEach(this::giveUpTheRest);
     }
   }
 
@@ -237,8 +227,8 @@ public final class FloorTraffic {
 
   /** Why it does not go on, for people; null while it does. */
   public @Nullable String reason(String robot) {
-    Mover m = mover(robot);
-    return m.isDriving() || m.reason != null ? m.reason : m.obstruction;
+    Hindrance why = mover(robot).why();
+    return why == null ? null : why.sentence();
   }
 
   /** The cells that are its own now, as bits by {@link OccupancyGrid#index}. */
@@ -248,7 +238,7 @@ public final class FloorTraffic {
 
   /** Robots that do not get on as they should, each in one of these at most. */
   public List<Standstill> standstills() {
-    return List.of();
+    return watch.standstills();
   }
 
   /** The rest of its way. */
@@ -261,72 +251,15 @@ public final class FloorTraffic {
 
   /** Plans for whoever needs a way, and releases what can be. */
   public List<Decision> decide(Instant now) {
-    Told told = new Told();
+    holdings.take();
     watchForStalls(now);
-    planEachAlone(now, told);
-    if (isStandstill(now)) {
-      broken = true;
-    }
-    if ((broken || movers.values().stream().anyMatch(Mover::isUnserved))
-        && (changed || plannedTogether.plus(PLAN_AGAIN_AFTER).isBefore(now))) {
-      plannedTogether = now;
-      changed = false;
-      planTogether(told);
-    }
-    for (Mover m : movers.values()) {
-      release(m, now, told);
-    }
-    return told.decisions();
-  }
-
-  /** Gathers what changed for each robot, and says it in as few words as possible. */
-  private final class Told {
-    private final Map<String, Integer> releasedBefore = new HashMap<>();
-    private final Map<String, Integer> redrivenFrom = new TreeMap<>();
-    private final Set<String> begun = new HashSet<>();
-
-    Told() {
-      movers.values().forEach(m -> releasedBefore.put(m.name, m.released));
-    }
-
-    /** From its released part on, the robot has another way than before. */
-    void redriven(Mover m, boolean stood) {
-      if (stood) {
-        begun.add(m.name);
-      } else {
-        redrivenFrom.putIfAbsent(m.name, m.released);
-      }
-    }
-
-    List<Decision> decisions() {
-      List<Decision> decisions = new ArrayList<>();
-      for (Mover m : movers.values()) {
-        Course course = m.course;
-        if (course == null || !m.movable) {
-          continue;
-        }
-        int released = course.segmentsOf(m.released);
-        Integer from = redrivenFrom.get(m.name);
-        if (from == null && m.isCutUntold) {
-          from = m.released;
-        }
-        m.isCutUntold = false;
-        if (begun.contains(m.name)) {
-          decisions.add(new Decision.Begin(m.name, course.trajectory(), released, endsAtGoal(m)));
-        } else if (from != null) {
-          decisions.add(
-              new Decision.Extend(
-                  m.name,
-                  course.segmentsOf(from),
-                  course.segmentsFrom(from),
-                  released,
-                  endsAtGoal(m)));
-        } else if (m.released > releasedBefore.getOrDefault(m.name, 0)) {
-          decisions.add(new Decision.Release(m.name, released));
-        }
-      }
-      return decisions;
-    }
+    planEachAlone(now);
+    planTogether(now);
+    explain(now);
+    movers.values().stream().filter(m -> m.isUnserved()).forEach(m -> makeRoomFor(m, now));
+    movers.values().forEach(m -> releases.release(m, now));
+    watch.look(movers.values(), now);
+    return movers.values().stream().flatMap(m -> m.untold().stream()).toList();
   }
 
   private void giveUpTheRest(Mover m) {
@@ -334,33 +267,12 @@ public final class FloorTraffic {
     m.cut();
   }
 
-  /** Whether robots have ways and none has got on for long: that must not be, so plan anew. */
-  private boolean isStandstill(Instant now) {
-    return lastProgress.plus(STALLED_AFTER).isBefore(now)
-        && movers.values().stream().anyMatch(Mover::hasUnreleased)
-        && movers.values().stream().noneMatch(m -> m.isDriving() && !m.stalled);
-  }
-
-  private boolean endsAtGoal(Mover m) {
-    Course course = m.course;
-    return course != null
-        && (m.goal == null || grid.cellAt(course.end().position()).equals(m.goalCell()));
-  }
-
   private void watchForStalls(Instant now) {
     for (Mover m : movers.values()) {
-      Course course = m.course;
-      if (course == null || !m.isDriving()) {
+      if (!m.isDriving()) {
         m.lastProgress = now;
-        if (m.stalled) {
-          m.stalled = false;
-          changed = true;
-        }
-        continue;
       }
-      double planned = course.stretches().get(m.done).duration();
-      Duration patient = STALLED_AFTER.plusMillis((long) (3000 * planned));
-      boolean stalled = m.lastProgress.plus(patient).isBefore(now);
+      boolean stalled = StandstillWatch.isNotMoving(m, now);
       if (stalled != m.stalled) {
         m.stalled = stalled;
         changed = true;
@@ -371,75 +283,38 @@ public final class FloorTraffic {
     }
   }
 
-  // --- alone ------------------------------------------------------------------------------------
-
-  private void planEachAlone(Instant now, Told told) {
+  /** Gives their own ways to those that wait, the longest waiting first. */
+  private void planEachAlone(Instant now) {
     List<Mover> unserved =
         movers.values().stream()
             .filter(Mover::isUnserved)
-            .filter(m -> m.course == null || m.done == m.released)
             .sorted(comparing(m -> m.waitingSince, nullsLast(Comparator.<Instant>naturalOrder())))
             .toList();
     for (Mover m : unserved) {
       if (m.waitingSince == null) {
         m.waitingSince = now;
       }
-      if (!changed && m.triedAlone) {
-        continue;
+      if (changed || !m.triedAlone) {
+        m.triedAlone = true;
+        ways.among(m, movers.values(), claimedByOthers(m)).ifPresent(way -> takeOwn(m, way));
       }
-      m.triedAlone = true;
-      smooth(m)
-          .ifPresent(
-              stretches -> {
-                boolean stood = m.course == null;
-                m.take(Course.meetingNobody(m.releasedEnd(), stretches));
-                m.reason = null;
-                m.waitingSince = null;
-                m.wish = new BitSet();
-                told.redriven(m, stood);
-              });
     }
   }
 
-  /** Its own shortest way round whoever stands, if that meets nobody's cells. */
-  private Optional<List<Stretch>> smooth(Mover m) {
-    Cell goal = m.goalCell();
-    if (goal == null) {
-      return Optional.empty();
-    }
-    BitSet claimed = claimedByOthers(m);
-    OccupancyGrid free = blocked(clear(m.radius), claimed, m.radius, m.releasedCell());
-    if (!(planner.plan(free, m.releasedCell(), goal) instanceof PlanResult.Found(var path))) {
-      return Optional.empty();
-    }
-    List<Waypoint> way = path.waypoints(grid);
-    List<Stretch> stretches = fitter.fit(m.releasedEnd(), way, m.radius);
-    boolean isAlone = stretches.stream().noneMatch(s -> s.cells().intersects(claimed));
-    boolean isClear = stretches.stream().allMatch(s -> isOffTheWalls(s.cells()));
-    return isAlone && isClear ? Optional.of(stretches) : Optional.empty();
-  }
-
-  private boolean isOffTheWalls(BitSet cells) {
-    return !cells.intersects(walls());
-  }
-
-  private @Nullable BitSet walls;
-
-  private BitSet walls() {
-    BitSet known = walls;
-    if (known == null) {
-      known = grid.occupied();
-      walls = known;
-    }
-    return known;
+  private static void takeOwn(Mover m, List<Stretch> way) {
+    m.take(Course.meetingNobody(m.releasedEnd(), way));
+    m.hindrance = null;
+    m.takenBy = null;
+    m.waitingSince = null;
+    m.wish = new BitSet();
   }
 
   private BitSet claimedByOthers(Mover m) {
     BitSet claimed = new BitSet();
     for (Mover other : movers.values()) {
       if (other != m) {
-        claimed.or(other.claimed());
-        if (waitsLonger(other, m)) {
+        other.addClaimedTo(claimed);
+        if (other.waitsLongerThan(m)) {
           claimed.or(other.wish);
         }
       }
@@ -447,332 +322,67 @@ public final class FloorTraffic {
     return claimed;
   }
 
-  private static boolean waitsLonger(Mover other, Mover m) {
-    return other.waitingSince != null
-        && (m.waitingSince == null || other.waitingSince.isBefore(m.waitingSince));
-  }
-
-  private OccupancyGrid clear(double radius) {
-    return inflated.computeIfAbsent(radius, r -> Inflation.of(grid, r));
-  }
-
-  /** Blocks the cells too, with the robot's margin round them; not the one where it stands. */
-  private OccupancyGrid blocked(OccupancyGrid clear, BitSet cells, double radius, Cell standing) {
-    if (cells.isEmpty()) {
-      return clear;
+  private void planTogether(Instant now) {
+    broken |= isStandstill(now);
+    boolean isNeeded = broken || movers.values().stream().anyMatch(Mover::isUnserved);
+    if (!isNeeded || !(changed || plannedTogether.plus(PLAN_AGAIN_AFTER).isBefore(now))) {
+      return;
     }
-    BitSet all = grid.occupied();
-    all.or(cells);
-    BitSet grown = Inflation.of(grid.withOccupied(all), radius).occupied();
-    grown.or(clear.occupied());
-    grown.clear(grid.index(standing));
-    return grid.withOccupied(grown);
+    plannedTogether = now;
+    changed = false;
+    if (together.plan(movers.values(), holdings, broken) == JointPlanning.Outcome.PLANNED) {
+      broken = false;
+      for (Mover m : movers.values()) {
+        if (m.isServed()) {
+          m.hindrance = null;
+          m.waitingSince = null;
+        }
+      }
+    }
   }
 
-  // --- together ---------------------------------------------------------------------------------
+  /** Whether robots wait in a circle, or have ways and none has got on for long. */
+  private boolean isStandstill(Instant now) {
+    boolean isCycle =
+        watch.standstills().stream().anyMatch(s -> s.kind() == Standstill.Kind.CYCLE_OF_WAITS);
+    return isCycle
+        || (lastProgress.plus(NO_PROGRESS_AFTER).isBefore(now)
+            && movers.values().stream().anyMatch(Mover::hasUnreleased)
+            && movers.values().stream().noneMatch(m -> m.isDriving() && !m.stalled));
+  }
 
-  private void planTogether(Told told) {
-    List<Mover> planned = movers.values().stream().filter(this::canBePlanned).toList();
-    BitSet closed = grid.occupied();
+  private void explain(Instant now) {
     for (Mover m : movers.values()) {
-      if (!planned.contains(m)) {
-        closed.or(m.claimed());
-      }
-    }
-    planned.forEach(m -> closed.clear(grid.index(m.releasedCell())));
-    planned.forEach(m -> centre(m, told));
-    RoadGraph roads = new RoadGraph(grid.withOccupied(closed));
-    int[] starts = planned.stream().mapToInt(m -> roads.vertex(m.releasedCell())).toArray();
-    BitSet wished = wishes(planned);
-    int[] goals = new Goals(roads, planned, starts, wished).assigned();
-    if (!broken && wished.isEmpty() && allWaitersStay(planned, starts, goals)) {
-      return;
-    }
-    Optional<List<int[]>> steps = joint.plan(roads, starts, goals, patience.get());
-    if (steps.isEmpty()) {
-      planned.stream()
-          .filter(Mover::isUnserved)
-          .forEach(m -> m.reason = "Waits: no way was found yet that clears all robots' ways.");
-      return;
-    }
-    broken = false;
-    Map<Mover, Boolean> stood = new HashMap<>();
-    planned.forEach(m -> stood.put(m, m.course == null));
-    new JointPlan(grid, roads, planned, steps.get()).adopt(fitter);
-    for (Mover m : planned) {
-      if (m.course != null) {
-        told.redriven(m, Boolean.TRUE.equals(stood.get(m)));
-      }
-      if (endsAtGoal(m)) {
-        m.reason = null;
-        m.waitingSince = null;
+      if (!m.isUnserved()) {
+        m.hindrance = null;
+      } else if (m.hindrance == null || m.hindranceSince.plus(EXPLAIN_AGAIN_AFTER).isBefore(now)) {
+        m.hindrance = hindrances.of(m, movers.values());
+        m.hindranceSince = now;
       }
     }
   }
 
   /**
-   * A plan knows cells only, so a robot that was stopped between two of them first goes to the
-   * middle of its own. It needs no leave for that: it sweeps no cell but those that it is in.
+   * Where a robot stands in another's only way and no plan for all could move it, as one that is
+   * too large for the lanes, it is sent to the nearest place where it stands in nobody's way.
    */
-  private void centre(Mover m, Told told) {
-    Pose from = m.releasedEnd();
-    if (SweptCells.standing(grid, from.position(), m.radius).cardinality() <= 1) {
+  private void makeRoomFor(Mover m, Instant now) {
+    if (!(m.hindrance instanceof Hindrance.Standing standing)
+        || m.waitingSince == null
+        || m.waitingSince.plus(BACK_OFF_AFTER).isAfter(now)) {
       return;
     }
-    List<Waypoint> middle = List.of(new Waypoint(grid.centre(m.releasedCell()), false));
-    told.redriven(m, m.course == null);
-    m.take(Course.meetingNobody(from, fitter.fit(from, middle, m.radius)));
-    m.released = Objects.requireNonNull(m.course).size();
-  }
-
-  /** Whether those without a way can only wait, and the others drive: no plan would help now. */
-  private static boolean allWaitersStay(List<Mover> planned, int[] starts, int[] goals) {
-    for (int i = 0; i < planned.size(); i++) {
-      Mover m = planned.get(i);
-      if (m.isUnserved() && starts[i] != goals[i]) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /** The ways of robots that are too large to be planned with the others, as if these were not. */
-  private BitSet wishes(List<Mover> planned) {
-    BitSet wished = new BitSet();
-    for (Mover m : movers.values()) {
-      Cell goal = m.goalCell();
-      if (planned.contains(m) || !m.isUnserved() || m.course != null || goal == null) {
-        continue;
-      }
-      m.wish = new BitSet();
-      if (planner.plan(clear(m.radius), m.releasedCell(), goal)
-          instanceof PlanResult.Found(var path)) {
-        fitter.fit(m.pose, path.waypoints(grid), m.radius).forEach(s -> m.wish.or(s.cells()));
-        m.reason = "Waits for room on its way.";
-        wished.or(m.wish);
-      } else {
-        m.reason = "Waits: there is no way to its goal that is wide enough.";
-      }
-    }
-    return wished;
-  }
-
-  /** A robot that fits a cell, can be told to move, and does not share its cell. */
-  private boolean canBePlanned(Mover m) {
-    return m.movable && !m.stalled && m.radius <= grid.resolution() / 2 && isOnFreeCell(m);
-  }
-
-  private boolean isOnFreeCell(Mover m) {
-    return grid.isFree(m.releasedCell())
-        && movers.values().stream()
-            .noneMatch(o -> o != m && o.releasedCell().equals(m.releasedCell()));
-  }
-
-  /**
-   * A goal for each robot, all different: its own if it can have it, else a place near to it; and
-   * for a robot that wants nothing the place where it stands, unless another wants that. Whoever
-   * has a place or a way to it keeps it, then whoever waits longest chooses.
-   */
-  private final class Goals {
-    private final RoadGraph roads;
-    private final List<Mover> planned;
-    private final int[] starts;
-    private final int[] assigned;
-    private final Map<Integer, String> taken = new HashMap<>();
-    private final BitSet wished;
-
-    /**
-     * @param wished cells where nobody shall stay
-     */
-    Goals(RoadGraph roads, List<Mover> planned, int[] starts, BitSet wished) {
-      this.roads = roads;
-      this.planned = planned;
-      this.starts = starts;
-      this.assigned = new int[planned.size()];
-      this.wished = wished;
-    }
-
-    int[] assigned() {
-      List<Integer> order = new ArrayList<>();
-      for (int i = 0; i < planned.size(); i++) {
-        order.add(i);
-      }
-      order.sort(
-          Comparator.<Integer, Boolean>comparing(i -> planned.get(i).goal == null)
-              .thenComparing(i -> planned.get(i).isUnserved())
-              .thenComparing(
-                  i -> planned.get(i).waitingSince, nullsLast(Comparator.<Instant>naturalOrder())));
-      for (int i : order) {
-        assigned[i] = goal(i);
-        taken.put(assigned[i], planned.get(i).name);
-      }
-      return assigned;
-    }
-
-    private int goal(int i) {
-      Mover m = planned.get(i);
-      Cell wanted = m.goalCell();
-      if (wanted == null) {
-        return nearest(starts[i], starts[i]);
-      }
-      int vertex = roads.vertex(wanted);
-      if (vertex == RoadGraph.NONE || !roads.isConnected(starts[i], vertex)) {
-        m.reason = blocker(wanted);
-        return nearest(starts[i], starts[i]);
-      }
-      String other = taken.get(vertex);
-      if (other != null) {
-        m.reason = "Waits for " + other + " to leave the place.";
-        return nearest(vertex, starts[i]);
-      }
-      if (isWished(vertex)) {
-        m.reason = "Waits for a larger robot to pass.";
-        return nearest(vertex, starts[i]);
-      }
-      return vertex;
-    }
-
-    private boolean isWished(int vertex) {
-      return wished.get(grid.index(roads.cell(vertex)));
-    }
-
-    private String blocker(Cell wanted) {
-      for (Mover other : movers.values()) {
-        if (!planned.contains(other) && other.claimed().get(grid.index(wanted))) {
-          return "Waits for " + other.name + ", which stands where it has to go.";
-        }
-      }
-      return "Waits: robots that cannot be moved block every way to its goal.";
-    }
-
-    /**
-     * A vertex near to the wanted one that nobody else goes to. A robot that is near already stays
-     * where it is; otherwise waiting robots would change places for ever.
-     */
-    private int nearest(int to, int start) {
-      Deque<Integer> queue = new ArrayDeque<>(List.of(to));
-      Map<Integer, Integer> steps = new HashMap<>(Map.of(to, 0));
-      int found = RoadGraph.NONE;
-      while (!queue.isEmpty()) {
-        int vertex = queue.poll();
-        int here = steps.getOrDefault(vertex, 0);
-        if (found != RoadGraph.NONE && here > NEAR) {
-          return found;
-        }
-        if (isOpen(vertex)) {
-          if (vertex == start) {
-            return start;
-          }
-          found = found == RoadGraph.NONE ? vertex : found;
-        }
-        for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
-          int next = roads.neighbour(vertex, d);
-          if (next != RoadGraph.NONE && steps.putIfAbsent(next, here + 1) == null) {
-            queue.add(next);
-          }
-        }
-      }
-      return found == RoadGraph.NONE ? start : found;
-    }
-
-    private boolean isOpen(int vertex) {
-      return !taken.containsKey(vertex) && !isWished(vertex);
-    }
-  }
-
-  // --- release ----------------------------------------------------------------------------------
-
-  private void release(Mover m, Instant now, Told told) {
-    Course course = m.course;
-    if (course == null || !m.movable || m.stalled) {
+    Mover other = movers.get(standing.robot());
+    if (other == null || other.course != null || !other.movable || other.waitsLongerThan(m)) {
       return;
     }
-    while (m.released < course.size() && !isEnoughAhead(m, course)) {
-      if (!mayEnter(m, course, m.released)) {
-        if (!standsBefore(m, now) || !breakCorner(m, course, told)) {
-          return;
-        }
-        course = Objects.requireNonNull(m.course);
-        continue;
-      }
-      if (m.done == m.released) {
-        m.lastProgress = now;
-      }
-      m.released++;
-      m.blockedSince = null;
-      m.obstruction = null;
-    }
-  }
-
-  private static boolean isEnoughAhead(Mover m, Course course) {
-    double seconds = 0;
-    for (int i = m.done; i < m.released; i++) {
-      seconds += course.stretches().get(i).duration();
-    }
-    return m.released - m.done >= STRETCHES_AHEAD && seconds >= SECONDS_AHEAD;
-  }
-
-  private boolean mayEnter(Mover m, Course course, int index) {
-    Stretch stretch = course.stretches().get(index);
-    for (Mover other : movers.values()) {
-      if (other != m && stretch.cells().intersects(other.held())) {
-        m.obstruction = "Waits for " + other.name + " to pass.";
-        return false;
-      }
-    }
-    if (index < course.base() || course.visits().isEmpty()) {
-      return true;
-    }
-    int last = course.visitAfterStretches(index + 1);
-    for (int v = course.visitAfterStretches(index) + 1; v <= last; v++) {
-      Wait wait = course.waits().get(v);
-      if (wait != null && !isOver(wait)) {
-        m.obstruction = "Waits for " + wait.robot() + " to pass.";
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private boolean isOver(Wait wait) {
-    Mover other = movers.get(wait.robot());
-    return other == null
-        || other.courseNumber != wait.course()
-        || other.course == null
-        || other.course.visitAfterStretches(other.done) > wait.visit();
-  }
-
-  private static boolean standsBefore(Mover m, Instant now) {
-    if (m.done < m.released) {
-      return false;
-    }
-    if (m.blockedSince == null) {
-      m.blockedSince = now;
-    }
-    return m.blockedSince.plus(BREAK_AFTER).isBefore(now);
-  }
-
-  /**
-   * A corner that is rounded needs the cells before and behind it at once; a robot that has waited
-   * for both drives up to the corner, turns there on the spot, and so needs one at a time.
-   */
-  private boolean breakCorner(Mover m, Course course, Told told) {
-    int index = m.released;
-    if (!course.stretches().get(index).rounds()
-        || course.visits().isEmpty()
-        || index < course.base()) {
-      return false;
-    }
-    int from = course.visitAfterStretches(index);
-    int until = course.visitAfterStretches(index + 1);
-    List<Waypoint> way =
-        JointPlan.waypoints(grid, course.visits(), from, v -> v > from && v < until);
-    List<Stretch> stretches = fitter.fit(course.poseAfter(index), way, m.radius);
-    told.redriven(m, m.course != null && m.released == 0 && told.begun.contains(m.name));
-    m.course =
-        course.redriven(
-            index, stretches, JointPlan.visitsAfter(grid, stretches, course.visits(), from));
-    m.blockedSince = null;
-    return true;
+    m.wish = new BitSet();
+    ways.alone(m).ifPresent(way -> way.forEach(s -> s.cells().addTo(m.wish)));
+    ways.outOf(other, movers.values(), claimedByOthers(other), m.wish)
+        .ifPresent(
+            way -> {
+              other.take(Course.meetingNobody(other.releasedEnd(), way));
+              other.waitingSince = other.goal == null ? null : now;
+            });
   }
 }

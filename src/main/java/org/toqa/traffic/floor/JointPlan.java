@@ -2,6 +2,7 @@ package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
@@ -24,16 +25,19 @@ import org.toqa.traffic.floor.Course.Wait;
  * and robust execution of MAPF schedules in warehouses", RA-L 2019).
  */
 final class JointPlan {
-  private final OccupancyGrid grid;
+  private final Lanes lanes;
+  private final BitSet closed;
   private final RoadGraph roads;
   private final List<Mover> movers;
   private final List<int[]> steps;
 
   /**
+   * @param closed cells of the floor where none of them must be
    * @param steps the vertices of the movers after each step, in the movers' order
    */
-  JointPlan(OccupancyGrid grid, RoadGraph roads, List<Mover> movers, List<int[]> steps) {
-    this.grid = grid;
+  JointPlan(Lanes lanes, BitSet closed, RoadGraph roads, List<Mover> movers, List<int[]> steps) {
+    this.lanes = lanes;
+    this.closed = closed;
     this.roads = roads;
     this.movers = movers;
     this.steps = steps;
@@ -86,16 +90,31 @@ final class JointPlan {
       mover.cut();
       return;
     }
+    List<Stretch> rounding = fit(mover, visits, fitter, i -> false);
     List<Stretch> stretches =
-        fitter.fit(mover.releasedEnd(), waypoints(grid, visits, 0, i -> false), mover.radius);
+        rounding.stream().noneMatch(s -> s.cells().intersects(closed))
+            ? rounding
+            : fit(mover, visits, fitter, i -> true);
     mover.take(
         new Course(
             mover.releasedEnd(),
             stretches,
             0,
+            lanes.lattice(),
             visits,
-            visitsAfter(grid, stretches, visits, 0),
+            visitsAfter(lanes.lattice(), stretches, visits, 0),
             Arrays.asList(new @Nullable Wait[visits.size()])));
+  }
+
+  private List<Stretch> fit(
+      Mover mover, List<Cell> visits, CourseFitter fitter, IntPredicate stopsAt) {
+    OccupancyGrid lattice = lanes.lattice();
+    return fitter.fit(
+        mover,
+        mover.releasedEnd(),
+        waypoints(lattice, visits, 0, stopsAt),
+        lattice.resolution(),
+        new Halts.Middles(lattice));
   }
 
   private List<@Nullable Wait> waits(int m, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
@@ -119,13 +138,13 @@ final class JointPlan {
 
   /** Where the way over the cells bends, from visit {@code from} on; the start is left out. */
   static List<Waypoint> waypoints(
-      OccupancyGrid grid, List<Cell> visits, int from, IntPredicate stopsAt) {
+      OccupancyGrid lattice, List<Cell> visits, int from, IntPredicate stopsAt) {
     List<Waypoint> way = new ArrayList<>();
     for (int i = from + 1; i < visits.size(); i++) {
       Cell before = visits.get(i - 1);
       Cell here = visits.get(i);
       if (i + 1 == visits.size()) {
-        way.add(new Waypoint(grid.centre(here), false));
+        way.add(new Waypoint(lattice.centre(here), false));
         break;
       }
       Cell next = visits.get(i + 1);
@@ -135,7 +154,7 @@ final class JointPlan {
           next.column() - here.column() == dColumn && next.row() - here.row() == dRow;
       boolean isReversal = next.equals(before);
       if (!isStraight) {
-        way.add(new Waypoint(grid.centre(here), isReversal || stopsAt.test(i)));
+        way.add(new Waypoint(lattice.centre(here), isReversal || stopsAt.test(i)));
       }
     }
     return way;
@@ -146,12 +165,12 @@ final class JointPlan {
    * on through the corners that it rounds, and ends at the first cell that it does not.
    */
   static List<Integer> visitsAfter(
-      OccupancyGrid grid, List<Stretch> stretches, List<Cell> visits, int from) {
+      OccupancyGrid lattice, List<Stretch> stretches, List<Cell> visits, int from) {
     List<Integer> after = new ArrayList<>();
     int visit = from;
     for (Stretch s : stretches) {
       if (s.segments().stream().anyMatch(segment -> segment.v() != 0)) {
-        Cell end = grid.cellAt(s.end().position());
+        Cell end = lattice.cellAt(s.end().position());
         int arcs =
             (int)
                 s.segments().stream()

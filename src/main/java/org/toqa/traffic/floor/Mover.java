@@ -3,19 +3,30 @@ package org.toqa.traffic.floor;
 import java.time.Instant;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.DriveSpeeds;
 
 /** A robot in {@link FloorTraffic}: where it stands, what it has of the floor, where it goes. */
 final class Mover {
+  /** So near to its goal, metres, a robot has arrived. */
+  private static final double ARRIVED = 0.03;
+
   final String name;
+
+  /** Above 0, all different. */
+  final int number;
+
   private final OccupancyGrid grid;
 
   Pose pose;
   double radius;
+  DriveSpeeds speeds = DriveSpeeds.DEFAULT;
   boolean movable;
   @Nullable Vec2 goal;
 
@@ -24,8 +35,14 @@ final class Mover {
   /** Counts its courses, so that a wait for an old one counts as over. */
   int courseNumber;
 
-  /** Whether the robot does not know yet that what was not released is given up. */
-  boolean isCutUntold;
+  /** Whether the robot was told to begin the course. */
+  boolean begun;
+
+  /** So many stretches the robot was told that it may drive. */
+  int toldReleased;
+
+  /** Whether the robot does not know yet that its way goes on otherwise behind these. */
+  boolean redriven;
 
   /** Stretches of the course that are completed. */
   int done;
@@ -48,42 +65,75 @@ final class Mover {
   /** Whether its own smooth way was looked for since something last changed. */
   boolean triedAlone;
 
-  /** Why it has no way to its goal, for people. */
-  @Nullable String reason;
+  /** Why it has no way to its goal; null while it has. */
+  @Nullable Hindrance hindrance;
 
-  /** Why it does not go on with its way, for people. */
-  @Nullable String obstruction;
+  /** When the hindrance was found. */
+  Instant hindranceSince = Instant.MIN;
+
+  /** Who has its goal, by the last plan for all. */
+  @Nullable String takenBy;
+
+  /** Why it may not enter the next stretch of its way; null while it may. */
+  @Nullable Hindrance obstruction;
 
   /** The cells that a robot too large to be planned with the others waits for to become free. */
   BitSet wish = new BitSet();
 
-  Mover(String name, OccupancyGrid grid, Pose pose, double radius, Instant now) {
+  private CellSet standing;
+
+  Mover(String name, int number, OccupancyGrid grid, Pose pose, double radius, Instant now) {
     this.name = name;
+    this.number = number;
     this.grid = grid;
     this.pose = pose;
     this.radius = radius;
     this.lastProgress = now;
+    this.standing = SweptCells.standing(grid, pose.position(), radius);
   }
 
-  /** The cells that are its own now: where it stands, and all of what it may drive. */
+  void isAt(Pose now, double itsRadius) {
+    if (!now.position().equals(pose.position()) || itsRadius != radius) {
+      standing = SweptCells.standing(grid, now.position(), itsRadius);
+    }
+    pose = now;
+    radius = itsRadius;
+  }
+
+  /** The cells under it. */
+  CellSet standing() {
+    return standing;
+  }
+
+  /** The cells that are its own now, in parts: where it stands, and all of what it may drive. */
+  void forEachHeld(Consumer<CellSet> consumer) {
+    consumer.accept(standing);
+    Course way = course;
+    if (way != null) {
+      for (int i = Math.min(done, released); i < released; i++) {
+        consumer.accept(way.stretches().get(i).cells());
+      }
+      if (released > 0) {
+        consumer.accept(way.stretches().get(released - 1).endCells());
+      }
+    }
+  }
+
   BitSet held() {
-    BitSet cells = SweptCells.standing(grid, pose.position(), radius);
-    Course way = course;
-    if (way != null) {
-      cells.or(way.cells(Math.min(done, released), released));
-      cells.or(SweptCells.standing(grid, way.poseAfter(released).position(), radius));
-    }
+    BitSet cells = new BitSet();
+    forEachHeld(part -> part.addTo(cells));
     return cells;
   }
 
-  /** The cells that it holds or will need. */
-  BitSet claimed() {
-    BitSet cells = held();
+  /** Adds the cells that it holds or will need. */
+  void addClaimedTo(BitSet cells) {
+    forEachHeld(part -> part.addTo(cells));
     Course way = course;
     if (way != null) {
-      cells.or(way.cells(Math.min(done, way.size()), way.size()));
+      for (int i = released; i < way.size(); i++) {
+        way.stretches().get(i).cells().addTo(cells);
+      }
     }
-    return cells;
   }
 
   /** Where it will stand when it has driven what is released. */
@@ -91,12 +141,24 @@ final class Mover {
     return course == null ? pose : course.poseAfter(released);
   }
 
+  /** The cell where it is. */
+  Cell cell() {
+    return grid.cellAt(pose.position());
+  }
+
   Cell releasedCell() {
     return grid.cellAt(releasedEnd().position());
   }
 
   boolean isAtGoal() {
-    return goal != null && course == null && grid.cellAt(pose.position()).equals(goalCell());
+    return goal != null && course == null && isGoal(pose);
+  }
+
+  /** Whether who stands there stands at its goal. */
+  boolean isGoal(Pose place) {
+    return goal != null
+        && (place.position().distanceTo(goal) < ARRIVED
+            || grid.cellAt(place.position()).equals(grid.cellAt(goal)));
   }
 
   @Nullable Cell goalCell() {
@@ -105,15 +167,37 @@ final class Mover {
 
   /** Wants to go somewhere and has no way there, or only one that ends short of it. */
   boolean isUnserved() {
-    if (goal == null || !movable) {
-      return false;
-    }
+    return goal != null && movable && released == size() && !isGoal(releasedEnd());
+  }
+
+  /** Wants to go somewhere, and is there or on its way. */
+  boolean isServed() {
+    return goal != null && isGoal(course == null ? pose : course.end());
+  }
+
+  /** Whether what it has not been released yet needs one of the cells. */
+  boolean needsAny(BitSet cells) {
     Course way = course;
-    if (way == null) {
-      return !isAtGoal();
+    return way != null
+        && way.stretches().subList(released, way.size()).stream()
+            .anyMatch(s -> s.cells().intersects(cells));
+  }
+
+  boolean waitsLongerThan(Mover other) {
+    return waitingSince != null
+        && (other.waitingSince == null || waitingSince.isBefore(other.waitingSince));
+  }
+
+  /** Why it does not get on; null while it does. */
+  @Nullable Hindrance why() {
+    if (hindrance != null) {
+      return hindrance;
     }
-    return released == way.size()
-        && !grid.cellAt(way.poseAfter(way.size()).position()).equals(goalCell());
+    return isDriving() ? null : obstruction;
+  }
+
+  private int size() {
+    return course == null ? released : course.size();
   }
 
   boolean isDriving() {
@@ -122,6 +206,16 @@ final class Mover {
 
   boolean hasUnreleased() {
     return course != null && released < course.size();
+  }
+
+  /** Whether what is left of its way was planned together with others' ways. */
+  boolean isOnSharedWay() {
+    return course != null && course.isShared() && hasUnreleased();
+  }
+
+  /** Whether it is on a way that meets nobody's. */
+  boolean isOnOwnWay() {
+    return course != null && !course.isShared() && hasUnreleased();
   }
 
   /** Begins another way where the released part of this one ends. */
@@ -133,7 +227,21 @@ final class Mover {
       released = 0;
     }
     courseNumber++;
+    redriven = true;
     blockedSince = null;
+    obstruction = null;
+    triedAlone = false;
+  }
+
+  /** It stands and has no way. */
+  void stop() {
+    course = null;
+    done = 0;
+    released = 0;
+    begun = false;
+    toldReleased = 0;
+    redriven = false;
+    obstruction = null;
   }
 
   /** Gives up what is not released. */
@@ -142,7 +250,36 @@ final class Mover {
     if (way != null && released < way.size()) {
       course = way.continued(released, Course.meetingNobody(releasedEnd(), List.of()));
       courseNumber++;
-      isCutUntold = true;
+      redriven = true;
+      obstruction = null;
     }
+  }
+
+  /** What the robot does not know yet of its course, if anything; counts as told from now on. */
+  Optional<Decision> untold() {
+    Course way = course;
+    if (way == null || !movable) {
+      return Optional.empty();
+    }
+    int count = way.segmentsOf(released);
+    boolean endsAtGoal = goal == null || isGoal(way.end());
+    Decision decision = null;
+    if (!begun) {
+      decision = new Decision.Begin(name, way.trajectory(), count, endsAtGoal);
+    } else if (redriven) {
+      decision =
+          new Decision.Extend(
+              name,
+              way.segmentsOf(toldReleased),
+              way.segmentsFrom(toldReleased),
+              count,
+              endsAtGoal);
+    } else if (released > toldReleased) {
+      decision = new Decision.Release(name, count);
+    }
+    begun = true;
+    redriven = false;
+    toldReleased = released;
+    return Optional.ofNullable(decision);
   }
 }

@@ -1,21 +1,19 @@
 package org.toqa.traffic.floor;
 
-import java.util.BitSet;
 import java.util.List;
 import org.toqa.geometry.Pose;
 import org.toqa.motion.Segment;
 
 /**
  * The unit of reservation: a piece of a way that is released as a whole, and at whose end the robot
- * can stand, in the middle of a cell.
+ * can stand.
  *
  * @param segments what is driven
  * @param end where the robot then stands, map frame
- * @param cells all cells that the robot touches meanwhile, from the first moment to the last, as
- *     bits by {@link org.toqa.grid.OccupancyGrid#index}
+ * @param cells all cells that the robot touches meanwhile, from the first moment to the last
  * @param endCells those that it touches at the end
  */
-record Stretch(List<Segment> segments, Pose end, BitSet cells, BitSet endCells) {
+record Stretch(List<Segment> segments, Pose end, CellSet cells, CellSet endCells) {
   Stretch {
     segments = List.copyOf(segments);
   }

@@ -14,7 +14,6 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
-import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
@@ -59,7 +58,6 @@ final class DrivenFloor {
     this.traffic =
         new FloorTraffic(
             grid,
-            DriveSpeeds.DEFAULT,
             new LacamFloorPlanner(),
             () -> Deadline.in(Duration.ofSeconds(2), System::nanoTime));
   }

@@ -1,0 +1,62 @@
+package org.toqa.traffic.floor;
+
+import java.util.BitSet;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.motion.Segment;
+
+/**
+ * Whether robots that stand so near to each other that they touch the same cell may part. Cells
+ * cannot tell; here the discs themselves are looked at.
+ */
+final class Clearance {
+  /** More than this between two robots, metres, is enough. */
+  private static final double ENOUGH = 0.02;
+
+  private static final double ROUNDING = 1e-6;
+
+  /** An arc is looked at in pieces of at most so many radians. */
+  private static final double PIECE = 0.1;
+
+  private Clearance() {}
+
+  /**
+   * Whether a robot can drive a stretch beside one that stands: the two share no cell but those
+   * under the robot now, and it does not come nearer than it is.
+   *
+   * @param from where the stretch begins
+   */
+  static boolean isKept(Mover mover, Pose from, Stretch stretch, Mover standing) {
+    BitSet under = new BitSet();
+    mover.standing().addTo(under);
+    BitSet others = standing.held();
+    others.andNot(under);
+    if (stretch.cells().intersects(others) || standing.isDriving()) {
+      return false;
+    }
+    Vec2 middle = standing.pose.position();
+    double needed =
+        Math.min(mover.radius + standing.radius + ENOUGH, mover.pose.position().distanceTo(middle));
+    Pose pose = from;
+    for (Segment segment : stretch.segments()) {
+      int pieces = Math.max(1, (int) Math.ceil(Math.abs(segment.angle()) / PIECE));
+      for (int i = 0; i < pieces; i++) {
+        Pose next = pose.advanced(segment.twist(), segment.t() / pieces);
+        if (distance(pose.position(), next.position(), middle) < needed - ROUNDING) {
+          return false;
+        }
+        pose = next;
+      }
+    }
+    return true;
+  }
+
+  /** From a line to a point. */
+  private static double distance(Vec2 a, Vec2 b, Vec2 point) {
+    Vec2 along = b.minus(a);
+    Vec2 to = point.minus(a);
+    double squared = along.x() * along.x() + along.y() * along.y();
+    double t = squared == 0 ? 0 : (to.x() * along.x() + to.y() * along.y()) / squared;
+    return point.distanceTo(a.plus(along.times(Math.clamp(t, 0, 1))));
+  }
+}

@@ -1,0 +1,177 @@
+package org.toqa.traffic.floor;
+
+import java.util.ArrayDeque;
+import java.util.BitSet;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Vec2;
+import org.toqa.geometry.Waypoint;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.planning.HeadingAStar;
+import org.toqa.planning.Path;
+import org.toqa.planning.PathPlanner;
+import org.toqa.planning.PlanResult;
+import org.toqa.traffic.RoadGraph;
+
+/**
+ * A robot's own shortest way in eight headings, smooth, as if it were alone or round the others.
+ */
+final class OwnWays {
+  private final Ground ground;
+  private final CourseFitter fitter;
+  private final PathPlanner alone = new HeadingAStar();
+  private final PathPlanner amongOthers = new HeadingAStar();
+
+  OwnWays(Ground ground, CourseFitter fitter) {
+    this.ground = ground;
+    this.fitter = fitter;
+  }
+
+  /** As if no other robot were there; empty where the floor has no way. */
+  Optional<List<Stretch>> alone(Mover m) {
+    Cell goal = m.goalCell();
+    if (goal == null) {
+      return Optional.empty();
+    }
+    OccupancyGrid free = ground.clear(m.radius, new BitSet(), List.of(), m.releasedCell());
+    return path(alone, free, m.releasedCell(), goal)
+        .flatMap(path -> firstFit(m, path.waypoints(ground.grid()), this::isClear));
+  }
+
+  /** The points of its way, were there neither robots nor obstacles; empty where there is none. */
+  List<Vec2> withoutObstacles(Mover m) {
+    Cell goal = m.goalCell();
+    OccupancyGrid grid = ground.grid();
+    OccupancyGrid free = ground.clearOfWalls(m.radius);
+    return goal == null
+        ? List.of()
+        : path(alone, free, m.releasedCell(), goal).stream()
+            .flatMap(path -> path.cells().stream())
+            .map(grid::centre)
+            .toList();
+  }
+
+  /**
+   * One that meets nobody's cells.
+   *
+   * @param claimed the cells that others have or will need
+   */
+  Optional<List<Stretch>> among(Mover m, Collection<Mover> others, BitSet claimed) {
+    Cell goal = m.goalCell();
+    return goal == null ? Optional.empty() : among(m, others, claimed, (free, start) -> goal);
+  }
+
+  /**
+   * One that meets nobody's cells, to the nearest place outside of some cells.
+   *
+   * @param left what it has to leave
+   */
+  Optional<List<Stretch>> outOf(Mover m, Collection<Mover> others, BitSet claimed, BitSet left) {
+    return among(m, others, claimed, (free, start) -> nearestOutside(free, start, m.radius, left));
+  }
+
+  /** Where to go on a floor, if anywhere. */
+  private interface Aim {
+    @Nullable Cell from(OccupancyGrid free, Cell start);
+  }
+
+  private @Nullable Cell nearestOutside(
+      OccupancyGrid free, Cell start, double radius, BitSet left) {
+    RoadGraph roads = new RoadGraph(free);
+    BitSet seen = new BitSet();
+    Deque<Integer> queue = new ArrayDeque<>();
+    queue.add(roads.vertex(start));
+    while (!queue.isEmpty()) {
+      int vertex = queue.poll();
+      Cell cell = roads.cell(vertex);
+      if (!SweptCells.standing(free, free.centre(cell), radius).intersects(left)) {
+        return cell;
+      }
+      for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
+        int next = roads.neighbour(vertex, d);
+        if (next != RoadGraph.NONE && !seen.get(next)) {
+          seen.set(next);
+          queue.add(next);
+        }
+      }
+    }
+    return null;
+  }
+
+  private Optional<List<Stretch>> among(
+      Mover m, Collection<Mover> others, BitSet claimed, Aim aim) {
+    List<Mover> beside = beside(m, others);
+    BitSet taken = claimed;
+    if (!beside.isEmpty()) {
+      taken = (BitSet) claimed.clone();
+      m.standing().forEach(taken::clear);
+    }
+    BitSet notOwn = taken;
+    OccupancyGrid free = ground.clear(m.radius, notOwn, beside, m.releasedCell());
+    Cell goal = aim.from(free, m.releasedCell());
+    if (goal == null) {
+      return Optional.empty();
+    }
+    return path(amongOthers, free, m.releasedCell(), goal)
+        .map(path -> path.waypoints(ground.grid()))
+        .flatMap(way -> firstFit(m, way, w -> isClear(w) && meetsNobody(m, w, beside, notOwn)));
+  }
+
+  /** Robots so near to it that they touch the same cell. */
+  private static List<Mover> beside(Mover m, Collection<Mover> others) {
+    if (m.isDriving()) {
+      return List.of();
+    }
+    BitSet under = new BitSet();
+    m.standing().addTo(under);
+    return others.stream().filter(o -> o != m && o.standing().intersects(under)).toList();
+  }
+
+  private boolean isClear(List<Stretch> way) {
+    return isOffAll(way, ground.closed());
+  }
+
+  private static boolean meetsNobody(Mover m, List<Stretch> way, List<Mover> beside, BitSet taken) {
+    return isOffAll(way, taken)
+        && beside.stream().allMatch(o -> Clearance.isKept(m, m.releasedEnd(), way.getFirst(), o));
+  }
+
+  private static boolean isOffAll(List<Stretch> way, BitSet cells) {
+    return way.stream().noneMatch(s -> s.cells().intersects(cells));
+  }
+
+  private static Optional<Path> path(
+      PathPlanner planner, OccupancyGrid free, Cell start, Cell goal) {
+    return planner.plan(free, start, goal) instanceof PlanResult.Found(Path path)
+        ? Optional.of(path)
+        : Optional.empty();
+  }
+
+  /** In wide arcs; where these touch something in narrow ones, and else turning on the spot. */
+  private Optional<List<Stretch>> firstFit(
+      Mover m, List<Waypoint> way, Predicate<List<Stretch>> isRight) {
+    OccupancyGrid grid = ground.grid();
+    int side = Lanes.side(grid, 2 * m.radius);
+    double narrow = grid.resolution();
+    Halts halts = side == 1 ? new Halts.Middles(grid) : new Halts.Spaced(side * narrow);
+    return Stream.<Supplier<List<Stretch>>>of(
+            () -> fitter.fit(m, m.releasedEnd(), way, side * narrow, halts),
+            () -> fitter.fit(m, m.releasedEnd(), way, narrow, halts),
+            () -> fitter.fit(m, m.releasedEnd(), stopping(way), narrow, halts))
+        .map(Supplier::get)
+        .filter(stretches -> !stretches.isEmpty())
+        .filter(isRight)
+        .findFirst();
+  }
+
+  private static List<Waypoint> stopping(List<Waypoint> way) {
+    return way.stream().map(w -> new Waypoint(w.position(), true)).toList();
+  }
+}
