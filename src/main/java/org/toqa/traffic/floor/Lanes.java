@@ -7,6 +7,7 @@ import java.util.List;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
+import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.RoadGraph;
 
@@ -17,8 +18,9 @@ import org.toqa.traffic.RoadGraph;
  * one touches no other, and one that drives straight to the next touches those two only, so robots
  * that keep to different lane cells never need the same cell of the floor. A lane cell is open
  * where the disc fits in its middle, and joined with the next where the disc fits all the way: a
- * wall in its corner closes nothing. The lattice is laid so that the largest connected part of the
- * floor has as many lane cells as can be.
+ * wall in its corner closes nothing. The lattice is laid so that robots on it come near to as much
+ * as can be of where they could be without it; a wider one is taken only where it fits the aisles
+ * better.
  *
  * <p>Where the floor's own cells are large enough, they are the lane cells. Immutable.
  */
@@ -26,8 +28,8 @@ final class Lanes {
   /** A lane cell is wider than the robot by at least so much, metres: nobody stands exactly. */
   private static final double PLAY = 0.02;
 
-  /** Places of the lattice that are tried in each direction. */
-  private static final int TRIED = 8;
+  /** Cells of the floor that are looked at, to find the best lattice. */
+  private static final long WORK = 20_000_000;
 
   private final OccupancyGrid floor;
 
@@ -80,18 +82,26 @@ final class Lanes {
    * @param diameter metres, of the largest robot that shall use them
    */
   static Lanes of(OccupancyGrid floor, double diameter) {
-    int side = side(floor, diameter);
-    int step = Math.max(1, side / TRIED);
-    BitSet walls = floor.occupied();
+    int narrowest = side(floor, diameter);
+    if (narrowest == 1) {
+      return new Lanes(floor, 1, diameter, new Cell(0, 0));
+    }
+    OccupancyGrid clear = Inflation.of(floor, diameter / 2);
+    long tries = Math.max(4, WORK / ((long) floor.width() * floor.height()));
+    int sides = Math.max(1, Math.min(narrowest / 2, (int) (tries / 16)));
+    int perSide = (int) Math.max(1, Math.sqrt((double) tries / sides));
     Lanes best = null;
     int most = -1;
-    for (int row = 0; row < side && row + side <= floor.height(); row += step) {
-      for (int column = 0; column < side && column + side <= floor.width(); column += step) {
-        Lanes lanes = new Lanes(floor, side, diameter, new Cell(column, row));
-        int open = lanes.roads(walls).largestPart();
-        if (open > most) {
-          best = lanes;
-          most = open;
+    for (int side = narrowest; side < narrowest + sides; side++) {
+      int step = Math.max(1, side / perSide);
+      for (int row = 0; row < side && row + side <= floor.height(); row += step) {
+        for (int column = 0; column < side && column + side <= floor.width(); column += step) {
+          Lanes lanes = new Lanes(floor, side, diameter, new Cell(column, row));
+          int reached = lanes.reached(clear);
+          if (reached > most + (best == null || best.side == side ? 0 : most / 50)) {
+            best = lanes;
+            most = reached;
+          }
         }
       }
     }
@@ -99,6 +109,34 @@ final class Lanes {
       throw new IllegalArgumentException("The floor is smaller than a robot of that size.");
     }
     return best;
+  }
+
+  /**
+   * How many cells of the floor lie near to open lane cells; those near to the largest connected
+   * part count twice.
+   *
+   * @param clear where the middle of a robot can be
+   */
+  private int reached(OccupancyGrid clear) {
+    RoadGraph roads = roads(floor.occupied());
+    BitSet near = new BitSet();
+    BitSet nearLargest = new BitSet();
+    int half = side * 3 / 4;
+    for (int v = 0; v < roads.vertices(); v++) {
+      int column = corner.column() + roads.columnOf(v) * side + side / 2;
+      int row = corner.row() + roads.rowOf(v) * side + side / 2;
+      int first = Math.max(0, column - half);
+      int end = Math.min(floor.width(), column + half + 1);
+      for (int r = Math.max(0, row - half); r < Math.min(floor.height(), row + half + 1); r++) {
+        near.set(r * floor.width() + first, r * floor.width() + end);
+        if (roads.isInLargestPart(v)) {
+          nearLargest.set(r * floor.width() + first, r * floor.width() + end);
+        }
+      }
+    }
+    near.andNot(clear.occupied());
+    nearLargest.andNot(clear.occupied());
+    return near.cardinality() + nearLargest.cardinality();
   }
 
   /**

@@ -81,7 +81,10 @@ final class DrivenFloor {
   }
 
   void put(String robot, Cell cell, double diameter) {
-    Vec2 p = grid.centre(cell);
+    putAt(robot, grid.centre(cell), diameter);
+  }
+
+  void putAt(String robot, Vec2 p, double diameter) {
     Body body = new Body(new Pose(p.x(), p.y(), 0), diameter);
     bodies.put(robot, body);
     traffic.stands(robot, body.pose, diameter, now);
@@ -89,9 +92,17 @@ final class DrivenFloor {
   }
 
   void send(String robot, @Nullable Cell goal) {
-    Vec2 to = goal == null ? null : grid.centre(goal);
+    sendTo(robot, goal == null ? null : grid.centre(goal));
+  }
+
+  void sendTo(String robot, @Nullable Vec2 to) {
     body(robot).goal = to;
     traffic.wants(robot, to, now);
+  }
+
+  void remove(String robot) {
+    bodies.remove(robot);
+    traffic.leaves(robot);
   }
 
   /** It stops where it is and wants nothing any more, as after a cancel or a restart. */
@@ -108,7 +119,7 @@ final class DrivenFloor {
   boolean isArrived(String robot) {
     Body body = body(robot);
     return body.goal == null
-        || (body.way == null && body.pose.position().distanceTo(body.goal) < 1e-3);
+        || (body.way == null && grid.cellAt(body.pose.position()).equals(grid.cellAt(body.goal)));
   }
 
   boolean areAllArrived() {
@@ -213,8 +224,10 @@ final class DrivenFloor {
 
   private boolean isOffTheWalls(Body body) {
     double r = body.diameter / 2 - 1e-6;
-    for (int row = 0; row < grid.height(); row++) {
-      for (int column = 0; column < grid.width(); column++) {
+    Cell middle = grid.cellAt(body.pose.position());
+    int reach = (int) Math.ceil(r / grid.resolution());
+    for (int row = middle.row() - reach; row <= middle.row() + reach; row++) {
+      for (int column = middle.column() - reach; column <= middle.column() + reach; column++) {
         Cell cell = new Cell(column, row);
         if (!grid.isFree(cell)) {
           Vec2 d = body.pose.position().minus(grid.centre(cell));

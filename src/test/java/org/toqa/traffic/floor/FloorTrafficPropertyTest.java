@@ -49,6 +49,44 @@ class FloorTrafficPropertyTest {
     }
   }
 
+  /** Floors whose cells are far smaller than a robot, which stands anywhere, and is of any size. */
+  @Property(tries = 60, seed = "20261121")
+  void onFineMapsEveryRobotArrivesOrSaysWhy(@ForAll @LongRange(min = 0) long seed) {
+    Random random = new Random(seed);
+    OccupancyGrid coarse = aisles(random);
+    int fine = 6 + random.nextInt(5);
+    OccupancyGrid grid = finer(coarse, fine, 0.05, random);
+    List<Cell> free = largestPart(coarse);
+    int robots = Math.min(1 + random.nextInt(8), free.size() / 4);
+    if (robots < 1) {
+      return;
+    }
+    DrivenFloor floor = new DrivenFloor(grid, seed);
+    Collections.shuffle(free, random);
+    for (int i = 0; i < robots; i++) {
+      floor.putAt("r" + i, place(grid, coarse, free.get(i), fine), DrivenFloor.DIAMETER);
+    }
+    for (int round = 0; round < 3; round++) {
+      Collections.shuffle(free, random);
+      for (int i = 0; i < robots; i++) {
+        floor.sendTo(
+            "r" + i, random.nextInt(5) == 0 ? null : place(grid, coarse, free.get(i), fine));
+      }
+      floor.drive(Duration.ofMinutes(20));
+      assertTrue(
+          floor.areAllArrived(),
+          () -> floor.reasons() + " fine " + fine + " on\n" + String.join("\n", picture(coarse)));
+    }
+  }
+
+  /** The middle of a coarse cell on the finer grid. */
+  private static Vec2 place(OccupancyGrid grid, OccupancyGrid coarse, Cell cell, int fine) {
+    double left = (grid.width() - coarse.width() * fine) * grid.resolution();
+    double side = fine * grid.resolution();
+    return new Vec2(
+        left + (cell.column() + 0.5) * side, (coarse.height() - cell.row() - 0.5) * side);
+  }
+
   /** Goals change while all drive, robots stop for a while and go on. */
   @Property(tries = 100, seed = "20261121")
   void newGoalsStopsAndDelaysDisturbNothing(@ForAll @LongRange(min = 0) long seed) {
@@ -89,6 +127,25 @@ class FloorTrafficPropertyTest {
           floor.isArrived(robot) || floor.reason(robot).startsWith("Waits for"),
           () -> floor.reasons() + " on\n" + String.join("\n", picture(grid)));
     }
+  }
+
+  /** The same floor in smaller cells, with a margin so that no lattice begins at its corner. */
+  private static OccupancyGrid finer(
+      OccupancyGrid grid, int fine, double resolution, Random random) {
+    int left = random.nextInt(fine);
+    int top = random.nextInt(fine);
+    int width = left + grid.width() * fine;
+    int height = top + grid.height() * fine;
+    BitSet occupied = new BitSet();
+    for (int row = 0; row < height; row++) {
+      for (int column = 0; column < width; column++) {
+        boolean isMargin = row < top || column < left;
+        occupied.set(
+            row * width + column,
+            isMargin || !grid.isFree((column - left) / fine, (row - top) / fine));
+      }
+    }
+    return new OccupancyGrid(width, height, resolution, Vec2.ZERO, occupied);
   }
 
   /** Corridors between blocks, some closed, some blocks hollow. */
