@@ -1,6 +1,7 @@
 package org.toqa.traffic.floor;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collection;
 import java.util.Deque;
@@ -42,6 +43,7 @@ final class OwnWays {
     }
     OccupancyGrid free = ground.clear(m.radius, new BitSet(), List.of(), m.releasedCell());
     return path(alone, free, m.releasedCell(), goal)
+        .filter(path -> path.cells().size() > 1)
         .flatMap(path -> firstFit(m, path.waypoints(ground.grid()), this::isClear));
   }
 
@@ -120,6 +122,7 @@ final class OwnWays {
       return Optional.empty();
     }
     return path(amongOthers, free, m.releasedCell(), goal)
+        .filter(path -> path.cells().size() > 1)
         .map(path -> path.waypoints(ground.grid()))
         .flatMap(way -> firstFit(m, way, w -> isClear(w) && meetsNobody(m, w, beside, notOwn)));
   }
@@ -161,14 +164,28 @@ final class OwnWays {
     int side = Lanes.side(grid, 2 * m.radius);
     double narrow = grid.resolution();
     Halts halts = side == 1 ? new Halts.Middles(grid) : new Halts.Spaced(side * narrow);
+    List<Waypoint> exact = side == 1 ? way : toGoal(m, way);
     return Stream.<Supplier<List<Stretch>>>of(
-            () -> fitter.fit(m, m.releasedEnd(), way, side * narrow, halts),
-            () -> fitter.fit(m, m.releasedEnd(), way, narrow, halts),
+            () -> fitter.fit(m, m.releasedEnd(), exact, side * narrow, halts),
+            () -> fitter.fit(m, m.releasedEnd(), exact, narrow, halts),
+            () -> fitter.fit(m, m.releasedEnd(), stopping(exact), narrow, halts),
             () -> fitter.fit(m, m.releasedEnd(), stopping(way), narrow, halts))
         .map(Supplier::get)
         .filter(stretches -> !stretches.isEmpty())
         .filter(isRight)
         .findFirst();
+  }
+
+  /** The same way, ending at its goal itself if it ends in the cell of that. */
+  private List<Waypoint> toGoal(Mover m, List<Waypoint> way) {
+    Vec2 goal = m.goal;
+    OccupancyGrid grid = ground.grid();
+    if (goal == null || !grid.cellAt(way.getLast().position()).equals(grid.cellAt(goal))) {
+      return way;
+    }
+    List<Waypoint> exact = new ArrayList<>(way);
+    exact.set(way.size() - 1, new Waypoint(goal, false));
+    return exact;
   }
 
   private static List<Waypoint> stopping(List<Waypoint> way) {

@@ -28,6 +28,9 @@ final class DrivenFloor {
   static final double DIAMETER = 0.255;
   private static final double STEP = 0.1;
 
+  /** So near to its goal, metres, a robot has to come. */
+  private static final double ARRIVED = 0.03;
+
   final OccupancyGrid grid;
   final FloorTraffic traffic;
   final Map<String, Body> bodies = new TreeMap<>();
@@ -119,7 +122,7 @@ final class DrivenFloor {
   boolean isArrived(String robot) {
     Body body = body(robot);
     return body.goal == null
-        || (body.way == null && grid.cellAt(body.pose.position()).equals(grid.cellAt(body.goal)));
+        || (body.way == null && body.pose.position().distanceTo(body.goal) < ARRIVED);
   }
 
   boolean areAllArrived() {
