@@ -1,6 +1,7 @@
 package org.toqa.planning;
 
 import java.util.List;
+import java.util.function.LongConsumer;
 import org.toqa.grid.Cell;
 
 /**
@@ -16,6 +17,17 @@ import org.toqa.grid.Cell;
  * guides the search over headings.
  */
 public final class HeadingAStar extends GridAStar {
+
+  public HeadingAStar() {
+    this(expanded -> {});
+  }
+
+  /**
+   * @param effort is told after each search how many states it has expanded
+   */
+  public HeadingAStar(LongConsumer effort) {
+    super(effort);
+  }
 
   @Override
   Path search(SearchSpace space, Cell start, Cell goal) {

@@ -1,5 +1,6 @@
 package org.toqa.planning;
 
+import java.util.function.LongConsumer;
 import org.toqa.grid.Cell;
 
 /**
@@ -7,6 +8,17 @@ import org.toqa.grid.Cell;
  * goal to the start. For benchmarks, and as the length below which no way with headings can be.
  */
 public final class OctileAStar extends GridAStar {
+
+  public OctileAStar() {
+    this(expanded -> {});
+  }
+
+  /**
+   * @param effort is told after each search how many states it has expanded
+   */
+  public OctileAStar(LongConsumer effort) {
+    super(effort);
+  }
 
   @Override
   Path search(SearchSpace space, Cell start, Cell goal) {

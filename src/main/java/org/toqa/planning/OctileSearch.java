@@ -23,6 +23,7 @@ final class OctileSearch {
   private final OpenList open = new OpenList();
   private final MoveGraph graph;
   private int generation;
+  private long expanded;
   private int towardColumn;
   private int towardRow;
 
@@ -93,7 +94,13 @@ final class OctileSearch {
     throw new IllegalStateException("Cell " + graph.cell(cell) + " was never reached.");
   }
 
+  /** How many cells were ever expanded. */
+  long expanded() {
+    return expanded;
+  }
+
   private void expand(int cell, int closed) {
+    expanded++;
     for (int moves = graph.moves(cell); moves != 0; moves &= moves - 1) {
       int heading = Integer.numberOfTrailingZeros(moves);
       int next = graph.target(cell, heading);

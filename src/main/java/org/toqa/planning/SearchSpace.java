@@ -16,6 +16,11 @@ final class SearchSpace {
     heading = new HeadingSearch(graph, octile);
   }
 
+  /** How many states were ever expanded in this space. */
+  long expanded() {
+    return octile.expanded() + heading.expanded();
+  }
+
   /** Keeps the last space for the next search on the same grid; any thread may use it. */
   static final class Pool {
     private final AtomicReference<@Nullable SearchSpace> spare = new AtomicReference<>();

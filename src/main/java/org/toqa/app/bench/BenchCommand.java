@@ -9,7 +9,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "bench",
     description = "Measures the planners; prints JSON.",
-    subcommands = {TrafficBench.class, MapfBench.class})
+    subcommands = {ScenBench.class, TrafficBench.class, MapfBench.class})
 public final class BenchCommand implements Runnable {
   @Spec private CommandSpec spec = CommandSpec.create();
 

@@ -1,0 +1,64 @@
+package org.toqa.app.command;
+
+import java.util.Locale;
+import java.util.function.LongConsumer;
+import org.toqa.planning.HeadingAStar;
+import org.toqa.planning.OctileAStar;
+import org.toqa.planning.PathPlanner;
+import org.toqa.planning.PlanChecker.Rule;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** {@code --moves}: what a way may consist of, and who plans it. */
+public enum Moves {
+  /** To any of the eight neighbours, whatever the corners. */
+  OCTILE(Rule.OCTILE) {
+    @Override
+    public PathPlanner planner(LongConsumer effort) {
+      return new OctileAStar(effort);
+    }
+  },
+
+  /** What a robot can drive in arcs; turns on the spot only where there is no other way. */
+  HEADING(Rule.HEADING) {
+    @Override
+    public PathPlanner planner(LongConsumer effort) {
+      return new HeadingAStar(effort);
+    }
+  };
+
+  private final Rule rule;
+
+  Moves(Rule rule) {
+    this.rule = rule;
+  }
+
+  /**
+   * @param effort is told after each search how many states it has expanded
+   */
+  public abstract PathPlanner planner(LongConsumer effort);
+
+  /** What the checker holds such a way to. */
+  public Rule rule() {
+    return rule;
+  }
+
+  /** As a user types it. */
+  @Override
+  public String toString() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+
+  /** Reads what a user types. */
+  public static final class Converter implements ITypeConverter<Moves> {
+    @Override
+    public Moves convert(String text) {
+      for (Moves moves : values()) {
+        if (moves.toString().equals(text)) {
+          return moves;
+        }
+      }
+      throw new TypeConversionException("it is octile or heading, not \"" + text + "\"");
+    }
+  }
+}
