@@ -3,6 +3,7 @@ package org.toqa.app;
 import java.io.PrintWriter;
 import java.util.Set;
 import org.toqa.app.bench.BenchCommand;
+import org.toqa.app.plan.PlanCommand;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -16,7 +17,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 @Command(
     name = "toqa",
     description = "A fleet server for cooperating mobile robots.",
-    subcommands = {DemoCommand.class, ServerCommand.class, BenchCommand.class})
+    subcommands = {DemoCommand.class, ServerCommand.class, PlanCommand.class, BenchCommand.class})
 public final class Main implements Runnable {
 
   /** A run that failed. */

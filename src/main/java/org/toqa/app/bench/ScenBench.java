@@ -25,14 +25,16 @@ import tools.jackson.databind.json.JsonMapper;
     description = "Plans one way for each query of a MovingAI scenario file.",
     footer = {
       "",
-      "JSON: queries, solved, mismatches, turnsOnSpot (ways that turn on the spot), nodesPerSecond",
-      "(states expanded), and the time of a query: meanMicros, p50Micros, p99Micros, maxMicros.",
-      "The queries run once or several times before they are timed, in all for at most 3 s.",
+      "JSON: queries, solved, mismatches, turnsOnSpot (ways that turn on the spot),",
+      "nodesPerSecond (states expanded), and the time of a query: meanMicros,",
+      "p50Micros, p99Micros, maxMicros. Before they are timed, the queries run up",
+      "to 20 times, in all for at most 3 s.",
       "",
-      "A mismatch is a way that breaks a rule, or whose length is not the file's optimal one",
-      "(within 1e-4 of it), or that was not found. The file's lengths are octile ones: with",
-      "--moves heading only a length below them is a mismatch, since corners may cost more.",
-      "A mismatch is named on standard error, and the command exits 1."
+      "A mismatch is a way that breaks a rule, or whose length is not the file's",
+      "optimal one (within 1e-4 of it), or that was not found. The file's lengths",
+      "are octile ones: with --moves heading only a length below them is a",
+      "mismatch, since such ways may be longer. Mismatches are named on standard",
+      "error, and the command exits 1."
     })
 final class ScenBench implements Callable<Integer> {
   @Spec private CommandSpec spec = CommandSpec.create();

@@ -1,13 +1,10 @@
 package org.toqa.app.command;
 
-import java.util.Locale;
 import java.util.function.LongConsumer;
 import org.toqa.planning.HeadingAStar;
 import org.toqa.planning.OctileAStar;
 import org.toqa.planning.PathPlanner;
 import org.toqa.planning.PlanChecker.Rule;
-import picocli.CommandLine.ITypeConverter;
-import picocli.CommandLine.TypeConversionException;
 
 /** {@code --moves}: what a way may consist of, and who plans it. */
 public enum Moves {
@@ -43,22 +40,10 @@ public enum Moves {
     return rule;
   }
 
-  /** As a user types it. */
-  @Override
-  public String toString() {
-    return name().toLowerCase(Locale.ROOT);
-  }
-
   /** Reads what a user types. */
-  public static final class Converter implements ITypeConverter<Moves> {
-    @Override
-    public Moves convert(String text) {
-      for (Moves moves : values()) {
-        if (moves.toString().equals(text)) {
-          return moves;
-        }
-      }
-      throw new TypeConversionException("it is octile or heading, not \"" + text + "\"");
+  public static final class Converter extends WordConverter<Moves> {
+    public Converter() {
+      super(values());
     }
   }
 }
