@@ -35,7 +35,7 @@ class ToqaScriptIT {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"demo", "server", "agent", "test"})
+  @ValueSource(strings = {"demo", "server", "agent", "plan", "bench", "test"})
   void everyCommandExplainsItself(String command) throws Exception {
     try (ToqaProcess help = ToqaProcess.toqa(folder, command, "--help")) {
       assertEquals(0, help.exitCode(), () -> "it said " + said(help));
@@ -54,6 +54,8 @@ class ToqaScriptIT {
         Arguments.of(List.of("server", "now"), "\"now\" is not known"),
         Arguments.of(List.of("demo", "--speed", "0"), "from 0.1 to 100"),
         Arguments.of(List.of("demo", "--report", "no/such/folder"), "that can be written"),
+        Arguments.of(List.of("plan", "--map", "nowhere.yaml"), "--from"),
+        Arguments.of(List.of("bench", "swim"), "\"swim\" is not known"),
         Arguments.of(List.of("agent", "--confg", "x"), "--config"),
         Arguments.of(List.of("test", "me"), "\"me\" is not known"));
   }
