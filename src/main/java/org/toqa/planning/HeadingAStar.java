@@ -1,8 +1,6 @@
 package org.toqa.planning;
 
-import java.util.List;
 import java.util.function.LongConsumer;
-import org.toqa.grid.Cell;
 
 /**
  * Shortest ways that a robot can drive in arcs, always facing forward: A* with state (cell,
@@ -16,7 +14,7 @@ import org.toqa.grid.Cell;
  * <p>Two searches: octile distances from the goal, as far as needed, are the lower bound that
  * guides the search over headings.
  */
-public final class HeadingAStar extends GridAStar {
+public final class HeadingAStar extends GridPlanner {
 
   public HeadingAStar() {
     this(expanded -> {});
@@ -26,16 +24,6 @@ public final class HeadingAStar extends GridAStar {
    * @param effort is told after each search how many states it has expanded
    */
   public HeadingAStar(LongConsumer effort) {
-    super(effort);
-  }
-
-  @Override
-  Path search(SearchSpace space, Cell start, Cell goal) {
-    int from = space.graph.grid().index(start);
-    int to = space.graph.grid().index(goal);
-    List<Heading> moves = space.heading.way(from, to, false);
-    return moves.isEmpty()
-        ? Path.of(start, space.heading.way(from, to, true), true)
-        : Path.of(start, moves, true);
+    super(HeadingSpace::new, effort);
   }
 }

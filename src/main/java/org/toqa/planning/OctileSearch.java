@@ -1,8 +1,6 @@
 package org.toqa.planning;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * A* over cells with eight moves, resumable: it answers the exact distance from its source to one
@@ -67,31 +65,6 @@ final class OctileSearch {
       }
     }
     return g[cell];
-  }
-
-  /** The moves of a shortest way from a reached cell to the source, with few bends. */
-  List<Heading> wayToSource(int from) {
-    List<Heading> way = new ArrayList<>();
-    int heading = 0;
-    for (int cell = from; g[cell] > 0; cell = graph.target(cell, heading)) {
-      heading = downhill(cell, heading);
-      way.add(Heading.of(heading));
-    }
-    return way;
-  }
-
-  private int downhill(int cell, int preferred) {
-    int moves = graph.moves(cell);
-    for (int turn = 0; turn < 8; turn++) {
-      int heading = preferred + turn & 7;
-      if ((moves >> heading & 1) == 1) {
-        int next = graph.target(cell, heading);
-        if (stamp[next] == 2 * generation + 1 && g[next] + MoveGraph.cost(heading) == g[cell]) {
-          return heading;
-        }
-      }
-    }
-    throw new IllegalStateException("Cell " + graph.cell(cell) + " was never reached.");
   }
 
   /** How many cells were ever expanded. */

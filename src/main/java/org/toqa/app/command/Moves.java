@@ -2,7 +2,7 @@ package org.toqa.app.command;
 
 import java.util.function.LongConsumer;
 import org.toqa.planning.HeadingAStar;
-import org.toqa.planning.OctileAStar;
+import org.toqa.planning.JumpPointSearch;
 import org.toqa.planning.PathPlanner;
 import org.toqa.planning.PlanChecker.Rule;
 
@@ -12,7 +12,7 @@ public enum Moves {
   OCTILE(Rule.OCTILE) {
     @Override
     public PathPlanner planner(LongConsumer effort) {
-      return new OctileAStar(effort);
+      return new JumpPointSearch(effort);
     }
   },
 

@@ -16,9 +16,9 @@ import org.toqa.planning.PlanResult.NotFound;
 import org.toqa.planning.PlanResult.Reason;
 import org.toqa.planning.RandomGrids.Query;
 
-class GridAStarPropertyTest {
+class GridPlannerPropertyTest {
   private final PathPlanner heading = new HeadingAStar();
-  private final PathPlanner octile = new OctileAStar();
+  private final PathPlanner octile = new JumpPointSearch();
 
   @Provide
   Arbitrary<Query> strewn() {
