@@ -1,8 +1,6 @@
 package org.toqa.planning;
 
-import java.util.ArrayDeque;
 import java.util.Arrays;
-import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import org.toqa.grid.Cell;
@@ -14,14 +12,17 @@ import org.toqa.grid.OccupancyGrid;
  */
 final class JumpPoints implements GridSearch {
   private static final int ALL_DIRECTIONS = 0xFF;
+  private static final int EAST = Heading.EAST.ordinal();
+  private static final int SOUTH = Heading.SOUTH.ordinal();
 
   /** Directions in which a shortest way may go on, by {@code 256 arrival + moves}. */
   private static final byte[] ONWARD = onward();
 
   private final OccupancyGrid grid;
+  private final int width;
   private final MoveGraph graph;
-  private final BlockedLines rows;
-  private final BlockedLines columns;
+  private final StraightRuns alongRows;
+  private final StraightRuns alongColumns;
   private final int[] g;
 
   /** {@code 2 generation}: the cell's values are valid; {@code 2 generation + 1}: and final. */
@@ -40,9 +41,10 @@ final class JumpPoints implements GridSearch {
 
   JumpPoints(OccupancyGrid grid) {
     this.grid = grid;
+    width = grid.width();
     graph = new MoveGraph(grid);
-    rows = BlockedLines.rows(grid);
-    columns = BlockedLines.columns(grid);
+    alongRows = StraightRuns.alongRows(grid);
+    alongColumns = StraightRuns.alongColumns(grid);
     g = new int[graph.size()];
     stamp = new int[graph.size()];
     parent = new int[graph.size()];
@@ -64,7 +66,7 @@ final class JumpPoints implements GridSearch {
     begin(goal);
     int from = grid.index(start);
     int to = grid.index(goal);
-    reach(from, 0, from, 0);
+    reach(start.column(), start.row(), 0, from, EAST);
     while (!open.isEmpty()) {
       int cell = open.pop();
       if (stamp[cell] != 2 * generation + 1) {
@@ -120,7 +122,7 @@ final class JumpPoints implements GridSearch {
       row += heading.dRow();
       length += MoveCost.DIAGONAL;
       if (column == goalColumn && row == goalRow) {
-        reach(cell, length, from, direction);
+        reach(column, row, length, from, direction);
         return;
       }
       runStraight(column, row, direction - 1, length, from);
@@ -129,7 +131,7 @@ final class JumpPoints implements GridSearch {
   }
 
   /**
-   * Reaches the jump point or the goal in a straight line.
+   * Reaches the jump point or the goal in a straight line, if there is one.
    *
    * @param length to the cell where the line begins
    * @param from the node from which that cell was reached
@@ -137,42 +139,37 @@ final class JumpPoints implements GridSearch {
   private void runStraight(int column, int row, int direction, int length, int from) {
     if ((direction & 2) == 0) {
       int goal = row == goalRow ? goalColumn : column;
-      int end = end(rows, row, column, direction == Heading.EAST.ordinal(), goal);
+      int end = end(alongRows, row, column, direction == EAST, goal);
       if (end >= 0) {
-        int next = row * grid.width() + end;
-        reach(next, length + Math.abs(end - column) * MoveCost.STRAIGHT, from, direction);
+        int straight = Math.abs(end - column) * MoveCost.STRAIGHT;
+        reach(end, row, length + straight, from, direction);
       }
     } else {
       int goal = column == goalColumn ? goalRow : row;
-      int end = end(columns, column, row, direction == Heading.SOUTH.ordinal(), goal);
+      int end = end(alongColumns, column, row, direction == SOUTH, goal);
       if (end >= 0) {
-        int next = end * grid.width() + column;
-        reach(next, length + Math.abs(end - row) * MoveCost.STRAIGHT, from, direction);
+        int straight = Math.abs(end - row) * MoveCost.STRAIGHT;
+        reach(column, end, length + straight, from, direction);
       }
     }
   }
 
   /**
-   * Where a straight run ends, -1 for nowhere.
+   * The position of the goal or of the jump point to which a straight run leads, -1 for neither.
    *
    * @param goal a position in the line; {@code position} where the goal lies elsewhere
    */
-  private static int end(BlockedLines lines, int line, int position, boolean forward, int goal) {
-    if (forward) {
-      int answer = lines.forward(line, position);
-      if (goal > position && goal <= BlockedLines.end(answer)) {
-        return goal;
-      }
-      return BlockedLines.isDeadEnd(answer) ? -1 : answer;
-    }
-    int answer = lines.backward(line, position);
-    if (goal < position && goal >= BlockedLines.end(answer)) {
+  private static int end(StraightRuns runs, int line, int position, boolean forward, int goal) {
+    int end = forward ? runs.forwardEnd(line, position) : runs.backwardEnd(line, position);
+    boolean passesGoal = forward ? goal > position && goal <= end : goal < position && goal >= end;
+    if (passesGoal) {
       return goal;
     }
-    return BlockedLines.isDeadEnd(answer) ? -1 : answer;
+    return runs.isFree(line, end) ? end : -1;
   }
 
-  private void reach(int cell, int length, int from, int direction) {
+  private void reach(int column, int row, int length, int from, int direction) {
+    int cell = row * width + column;
     int valid = 2 * generation;
     int known = stamp[cell];
     if (known != valid + 1 && (known != valid || length < g[cell])) {
@@ -180,32 +177,36 @@ final class JumpPoints implements GridSearch {
       stamp[cell] = valid;
       parent[cell] = from;
       arrival[cell] = (byte) direction;
-      open.push(cell, length, h(cell));
+      open.push(cell, length, MoveCost.octile(column - goalColumn, row - goalRow));
     }
-  }
-
-  private int h(int cell) {
-    return MoveCost.octile(graph.column(cell) - goalColumn, graph.row(cell) - goalRow);
   }
 
   /** From node to node first the diagonal moves, then the straight ones. */
   private List<Heading> movesTo(int goal) {
-    Deque<Heading> moves = new ArrayDeque<>();
+    int left = 0;
     for (int cell = goal; g[cell] > 0; cell = parent[cell]) {
-      int dColumn = graph.column(cell) - graph.column(parent[cell]);
-      int dRow = graph.row(cell) - graph.row(parent[cell]);
-      int shorter = Math.min(Math.abs(dColumn), Math.abs(dRow));
-      int longer = Math.max(Math.abs(dColumn), Math.abs(dRow));
-      Heading straight = Heading.of(arrival[cell]);
-      for (int i = shorter; i < longer; i++) {
-        moves.addFirst(straight);
-      }
-      Heading diagonal = Heading.of(diagonal(dColumn, dRow));
-      for (int i = 0; i < shorter; i++) {
-        moves.addFirst(diagonal);
-      }
+      left += Math.max(Math.abs(columnsToParent(cell)), Math.abs(rowsToParent(cell)));
     }
-    return List.copyOf(moves);
+    Heading[] moves = new Heading[left];
+    for (int cell = goal; g[cell] > 0; cell = parent[cell]) {
+      int dColumn = -columnsToParent(cell);
+      int dRow = -rowsToParent(cell);
+      int diagonals = Math.min(Math.abs(dColumn), Math.abs(dRow));
+      int straights = Math.max(Math.abs(dColumn), Math.abs(dRow)) - diagonals;
+      Arrays.fill(moves, left - straights, left, Heading.of(arrival[cell]));
+      left -= straights;
+      Arrays.fill(moves, left - diagonals, left, Heading.of(diagonal(dColumn, dRow)));
+      left -= diagonals;
+    }
+    return Arrays.asList(moves);
+  }
+
+  private int columnsToParent(int cell) {
+    return graph.column(parent[cell]) - graph.column(cell);
+  }
+
+  private int rowsToParent(int cell) {
+    return graph.row(parent[cell]) - graph.row(cell);
   }
 
   private static int diagonal(int dColumn, int dRow) {
