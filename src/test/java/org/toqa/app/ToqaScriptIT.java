@@ -56,6 +56,8 @@ class ToqaScriptIT {
         Arguments.of(List.of("demo", "--robots", "9"), "--robots \"9\": it must be"),
         Arguments.of(List.of("demo", "--robots", "six"), "'six'"),
         Arguments.of(List.of("demo", "--report", "no/such/folder"), "that can be written"),
+        Arguments.of(
+            List.of("bench", "fleet", "--robots", "1"), "--robots 1: it must be from 2 to 500"),
         Arguments.of(List.of("agent", "--confg", "x"), "--config"),
         Arguments.of(List.of("test", "me"), "\"me\" is not known"));
   }
