@@ -11,12 +11,16 @@ import tools.jackson.databind.JsonNode;
 /** Where the robots of a floor were, snapshot by snapshot, as the API tells it. */
 final class Tracks {
   private static final double CELL = 0.3; // metres
-  private static final double STANDS = 0.02; // metres between two snapshots
+  private static final double STEP = 0.02; // metres; shorter ones have no direction
 
   /** Two ways cross where their directions differ by more than this, whichever way round. */
   private static final double ALONG = Math.PI / 6;
 
   private final Map<String, Spot> spots = new HashMap<>();
+
+  /** Where each robot was when it had last gone a step. */
+  private final Map<String, Spot> steps = new HashMap<>();
+
   private final Map<List<Long>, List<Passage>> passages = new HashMap<>();
   private final Set<String> crossings = new TreeSet<>();
   private double nearest = Double.POSITIVE_INFINITY;
@@ -62,12 +66,12 @@ final class Tracks {
   }
 
   private void move(String robot, Spot to) {
-    Spot from = spots.getOrDefault(robot, to);
-    if (Math.hypot(to.x - from.x, to.y - from.y) < STANDS) {
-      spots.putIfAbsent(robot, to);
+    spots.put(robot, to);
+    Spot from = steps.computeIfAbsent(robot, name -> to);
+    if (Math.hypot(to.x - from.x, to.y - from.y) < STEP) {
       return;
     }
-    spots.put(robot, to);
+    steps.put(robot, to);
     Passage passage = new Passage(robot, Math.atan2(to.y - from.y, to.x - from.x));
     List<Passage> here = passages.computeIfAbsent(to.cell(), cell -> new ArrayList<>());
     for (Passage other : here) {
