@@ -1,5 +1,7 @@
 package org.toqa.app;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.PrintWriter;
 import java.util.Set;
 import org.toqa.app.bench.BenchCommand;
@@ -43,8 +45,10 @@ public final class Main implements Runnable {
   }
 
   static CommandLine commandLine() {
-    return new CommandLine(new Main())
-        .setParameterExceptionHandler((e, args) -> complain(e))
+    CommandLine line = new CommandLine(new Main());
+    // The planners' benches know nothing of a server; this one needs all of it.
+    requireNonNull(line.getSubcommands().get("bench")).addSubcommand(new FleetBench());
+    return line.setParameterExceptionHandler((e, args) -> complain(e))
         .setExecutionExceptionHandler((e, command, result) -> fail(e, command));
   }
 
