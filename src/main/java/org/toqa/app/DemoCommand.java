@@ -14,14 +14,20 @@ import picocli.CommandLine.Option;
 /** {@code toqa demo}: the main job on embedded defaults. */
 @Command(
     name = "demo",
-    description = "Shows three simulated robots at work, on nothing but this machine.")
+    description = "Shows simulated robots at work, on nothing but this machine.")
 final class DemoCommand implements Callable<Integer> {
-  private static final String ROBOTS = "3";
   private static final String USER = "demo";
   private static final String PASSWORD = "demo-robots";
 
   @Option(names = "--once", description = "Runs the demo tasks, prints a table, and ends.")
   private boolean once;
+
+  @Option(
+      names = "--robots",
+      defaultValue = "3",
+      paramLabel = "N",
+      description = "How many, 1 to " + DemoTasks.MOST_ROBOTS + " (default: ${DEFAULT-VALUE}).")
+  private int robots;
 
   @Option(
       names = "--speed",
@@ -43,6 +49,7 @@ final class DemoCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
+    checkRobots();
     checkReport();
     Path webapp = Webapp.folder();
     try (StopSignal stop = new StopSignal();
@@ -60,7 +67,7 @@ final class DemoCommand implements Callable<Integer> {
     System.err.println("  Ctrl-C ends everything; nothing is kept.");
     System.err.println();
     DemoTasks tasks = new DemoTasks(toqa.fleet(), toqa.fleetTime());
-    tasks.submit(USER);
+    tasks.submit(DemoTasks.orders(robots), USER);
     if (once) {
       boolean isDone = tasks.untilEnded(stop, System.err::println);
       System.err.println();
@@ -77,13 +84,24 @@ final class DemoCommand implements Callable<Integer> {
 
   private Layer options(Path data) {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
-    options.put(Setting.SIMULATE, ROBOTS);
+    options.put(Setting.SIMULATE, String.valueOf(robots));
     options.put(Setting.MANAGER, USER + ":" + PASSWORD);
     options.put(Setting.LOG_LEVEL, "WARN");
     options.put(Setting.DATA, data.toString());
     options.put(Setting.SPEED, speed);
     options.put(Setting.PORT, port);
     return Layer.ofCommandLine(options);
+  }
+
+  private void checkRobots() throws ConfigurationException {
+    if (robots < 1 || robots > DemoTasks.MOST_ROBOTS) {
+      throw new ConfigurationException(
+          "--robots \""
+              + robots
+              + "\": it must be a whole number from 1 to "
+              + DemoTasks.MOST_ROBOTS
+              + ".");
+    }
   }
 
   private void checkReport() throws ConfigurationException {

@@ -19,7 +19,10 @@ import org.toqa.fleet.TaskView;
 import org.toqa.mission.TaskState;
 import tools.jackson.databind.json.JsonMapper;
 
-/** The tasks of the demo: puts them in, tells how they get on, and sums them up. */
+/**
+ * The tasks of the demo: puts them in, tells how they get on, and sums them up. They go to and fro
+ * between all sides of the shipped floor, so that the robots' ways cross.
+ */
 final class DemoTasks {
   private static final Duration LOOK_EVERY = Duration.ofMillis(250);
 
@@ -29,7 +32,18 @@ final class DemoTasks {
           order("Parts to assembly", 2.5, "Store A", "Assembly"),
           order("Finished unit to packing", 3, "Assembly", "Packing 1"),
           order("Parcel to goods-out", 1.5, "Packing 2", "Goods-out"),
-          order("Tools back to the store", 2, "Workbench 1", "Store C"));
+          order("Tools back to the store", 2, "Workbench 1", "Store C"),
+          order("Castings to the test bench", 3.5, "Goods-in 2", "Test bench"),
+          order("Bar stock to the store", 5, "Goods-in 1", "Store B"),
+          order("Tested unit to packing", 3, "Test bench", "Packing 2"),
+          order("Turned parts to goods-out", 2, "Mill", "Goods-out"),
+          order("Spare parts to packing", 1, "Store C", "Packing 1"));
+
+  /** More tasks than robots: some have to wait for a robot. */
+  private static final int QUEUED_AT_FIRST = 2;
+
+  /** As many as the shipped floor has parking points. */
+  static final int MOST_ROBOTS = 8;
 
   private final Fleet fleet;
   private final InstantSource time;
@@ -57,8 +71,17 @@ final class DemoTasks {
         name, load, new Where.Station(start), new Where.Station(goal), null, 0, null, null);
   }
 
-  void submit(String user) throws Exception {
-    for (TaskOrder order : ORDERS) {
+  /**
+   * What there is to do for so many robots.
+   *
+   * @param robots 1 to {@link #MOST_ROBOTS}
+   */
+  static List<TaskOrder> orders(int robots) {
+    return ORDERS.subList(0, robots + QUEUED_AT_FIRST);
+  }
+
+  void submit(List<TaskOrder> orders, String user) throws Exception {
+    for (TaskOrder order : orders) {
       Answer<TaskView> answer =
           fleet.submit(order, user).toCompletableFuture().get(30, TimeUnit.SECONDS);
       switch (answer) {

@@ -1,8 +1,11 @@
 package org.toqa.app;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.PrintWriter;
 import java.util.Set;
 import org.toqa.app.bench.BenchCommand;
+import org.toqa.app.plan.PlanCommand;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -16,7 +19,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 @Command(
     name = "toqa",
     description = "A fleet server for cooperating mobile robots.",
-    subcommands = {DemoCommand.class, ServerCommand.class, BenchCommand.class})
+    subcommands = {DemoCommand.class, ServerCommand.class, PlanCommand.class, BenchCommand.class})
 public final class Main implements Runnable {
 
   /** A run that failed. */
@@ -42,8 +45,10 @@ public final class Main implements Runnable {
   }
 
   static CommandLine commandLine() {
-    return new CommandLine(new Main())
-        .setParameterExceptionHandler((e, args) -> complain(e))
+    CommandLine line = new CommandLine(new Main());
+    // The planners' benches know nothing of a server; this one needs all of it.
+    requireNonNull(line.getSubcommands().get("bench")).addSubcommand(new FleetBench());
+    return line.setParameterExceptionHandler((e, args) -> complain(e))
         .setExecutionExceptionHandler((e, command, result) -> fail(e, command));
   }
 

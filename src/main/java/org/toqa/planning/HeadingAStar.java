@@ -1,7 +1,6 @@
 package org.toqa.planning;
 
-import java.util.List;
-import org.toqa.grid.Cell;
+import java.util.function.LongConsumer;
 
 /**
  * Shortest ways that a robot can drive in arcs, always facing forward: A* with state (cell,
@@ -15,15 +14,16 @@ import org.toqa.grid.Cell;
  * <p>Two searches: octile distances from the goal, as far as needed, are the lower bound that
  * guides the search over headings.
  */
-public final class HeadingAStar extends GridAStar {
+public final class HeadingAStar extends GridPlanner {
 
-  @Override
-  Path search(SearchSpace space, Cell start, Cell goal) {
-    int from = space.graph.grid().index(start);
-    int to = space.graph.grid().index(goal);
-    List<Heading> moves = space.heading.way(from, to, false);
-    return moves.isEmpty()
-        ? Path.of(start, space.heading.way(from, to, true), true)
-        : Path.of(start, moves, true);
+  public HeadingAStar() {
+    this(expanded -> {});
+  }
+
+  /**
+   * @param effort is told after each search how many states it has expanded
+   */
+  public HeadingAStar(LongConsumer effort) {
+    super(HeadingSpace::new, effort);
   }
 }

@@ -31,6 +31,7 @@ final class HeadingSearch {
 
   private final OpenList open = new OpenList();
   private int generation;
+  private long expanded;
 
   /** The largest change of heading, in eighths of a turn. */
   private int largestTurn;
@@ -77,7 +78,13 @@ final class HeadingSearch {
     return List.of();
   }
 
+  /** How many states were ever expanded. */
+  long expanded() {
+    return expanded;
+  }
+
   private void expand(int state) {
+    expanded++;
     int cell = state >> 3;
     int moves = graph.moves(cell);
     for (int turn = -largestTurn; turn <= largestTurn && turn < 4; turn++) {

@@ -1,8 +1,6 @@
 package org.toqa.planning;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 
 /**
  * A* over cells with eight moves, resumable: it answers the exact distance from its source to one
@@ -23,6 +21,7 @@ final class OctileSearch {
   private final OpenList open = new OpenList();
   private final MoveGraph graph;
   private int generation;
+  private long expanded;
   private int towardColumn;
   private int towardRow;
 
@@ -68,32 +67,13 @@ final class OctileSearch {
     return g[cell];
   }
 
-  /** The moves of a shortest way from a reached cell to the source, with few bends. */
-  List<Heading> wayToSource(int from) {
-    List<Heading> way = new ArrayList<>();
-    int heading = 0;
-    for (int cell = from; g[cell] > 0; cell = graph.target(cell, heading)) {
-      heading = downhill(cell, heading);
-      way.add(Heading.of(heading));
-    }
-    return way;
-  }
-
-  private int downhill(int cell, int preferred) {
-    int moves = graph.moves(cell);
-    for (int turn = 0; turn < 8; turn++) {
-      int heading = preferred + turn & 7;
-      if ((moves >> heading & 1) == 1) {
-        int next = graph.target(cell, heading);
-        if (stamp[next] == 2 * generation + 1 && g[next] + MoveGraph.cost(heading) == g[cell]) {
-          return heading;
-        }
-      }
-    }
-    throw new IllegalStateException("Cell " + graph.cell(cell) + " was never reached.");
+  /** How many cells were ever expanded. */
+  long expanded() {
+    return expanded;
   }
 
   private void expand(int cell, int closed) {
+    expanded++;
     for (int moves = graph.moves(cell); moves != 0; moves &= moves - 1) {
       int heading = Integer.numberOfTrailingZeros(moves);
       int next = graph.target(cell, heading);

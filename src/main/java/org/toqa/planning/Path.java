@@ -34,14 +34,14 @@ public record Path(List<Step> steps, double cost, int turnsOnSpot) {
    *     with its step and its cost; otherwise it is a corner like any other
    */
   static Path of(Cell start, List<Heading> moves, boolean turnsOnSpot) {
-    List<Step> steps = new ArrayList<>();
+    List<Step> steps = new ArrayList<>(moves.size() + 1);
     double cost = 0;
     int turns = 0;
     Cell cell = start;
     Heading heading = moves.isEmpty() ? Heading.EAST : moves.getFirst();
     for (Heading move : moves) {
-      int eighths = Math.abs(heading.eighthsTo(move));
-      if (turnsOnSpot && eighths > 1) {
+      int eighths = turnsOnSpot ? Math.abs(heading.eighthsTo(move)) : 0;
+      if (eighths > 1) {
         steps.add(new Step(cell, heading));
         cost += eighths / 2.0;
         turns++;

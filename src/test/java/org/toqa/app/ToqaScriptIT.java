@@ -35,7 +35,7 @@ class ToqaScriptIT {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"demo", "server", "agent", "test"})
+  @ValueSource(strings = {"demo", "server", "agent", "plan", "bench", "test"})
   void everyCommandExplainsItself(String command) throws Exception {
     try (ToqaProcess help = ToqaProcess.toqa(folder, command, "--help")) {
       assertEquals(0, help.exitCode(), () -> "it said " + said(help));
@@ -53,7 +53,13 @@ class ToqaScriptIT {
         Arguments.of(List.of("server", "--config", "nowhere.yaml"), "there is no such file"),
         Arguments.of(List.of("server", "now"), "\"now\" is not known"),
         Arguments.of(List.of("demo", "--speed", "0"), "from 0.1 to 100"),
+        Arguments.of(List.of("demo", "--robots", "9"), "--robots \"9\": it must be"),
+        Arguments.of(List.of("demo", "--robots", "six"), "'six'"),
         Arguments.of(List.of("demo", "--report", "no/such/folder"), "that can be written"),
+        Arguments.of(List.of("plan", "--map", "nowhere.yaml"), "--from"),
+        Arguments.of(List.of("bench", "swim"), "\"swim\" is not known"),
+        Arguments.of(
+            List.of("bench", "fleet", "--robots", "1"), "--robots 1: it must be from 2 to 500"),
         Arguments.of(List.of("agent", "--confg", "x"), "--config"),
         Arguments.of(List.of("test", "me"), "\"me\" is not known"));
   }

@@ -68,8 +68,9 @@ class KnownAnswersTest {
 
   @Test
   void octileWaysAreAsShortAsTheScenariosSay() throws IOException {
-    PathPlanner planner = new OctileAStar();
-    for (String name : List.of("32room_000", "random512-10-0", "warehouse-20-40-10-2-2")) {
+    PathPlanner planner = new JumpPointSearch();
+    for (String name :
+        List.of("32room_000", "maze512-8-0", "random512-10-0", "warehouse-20-40-10-2-2")) {
       OccupancyGrid grid = MovingAiReader.read(FOLDER.resolve(name + ".map"));
       List<Scenario> scenarios = ScenarioReader.read(FOLDER.resolve(name + ".map.scen"));
       for (int i = 0; i < scenarios.size(); i += EVERY) {

@@ -33,8 +33,20 @@ final class RandomGrids {
   static Arbitrary<Query> strewn(
       int shortestSide, int longestSide, double crowded, double resolution) {
     Arbitrary<Integer> side = Arbitraries.integers().between(shortestSide, longestSide);
+    return strewn(side, side, crowded, resolution);
+  }
+
+  /** The same, a few cells wide in one direction and more than 64 in the other. */
+  static Arbitrary<Query> strewnAlongAnAisle(double crowded) {
+    Arbitrary<Integer> narrow = Arbitraries.integers().between(1, 5);
+    Arbitrary<Integer> wide = Arbitraries.integers().between(60, 200);
+    return Arbitraries.oneOf(strewn(wide, narrow, crowded, 1), strewn(narrow, wide, crowded, 1));
+  }
+
+  private static Arbitrary<Query> strewn(
+      Arbitrary<Integer> widths, Arbitrary<Integer> heights, double crowded, double resolution) {
     return Combinators.combine(
-            side, side, Arbitraries.doubles().between(0, crowded), Arbitraries.longs())
+            widths, heights, Arbitraries.doubles().between(0, crowded), Arbitraries.longs())
         .as(
             (width, height, density, seed) -> {
               Random random = new Random(seed);

@@ -8,7 +8,6 @@ import com.microsoft.playwright.Page;
 import com.microsoft.playwright.assertions.LocatorAssertions.HasTextOptions;
 import com.microsoft.playwright.options.AriaRole;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,10 +27,6 @@ class ClerkIT extends BrowserTest {
   void aTaskIsAssignedOnTheMapAndSeenToItsEnd(int width, int height) throws Exception {
     Page page = page();
     page.setViewportSize(width, height);
-    List<String> complaints = new ArrayList<>();
-    page.onConsoleMessage(
-        m -> complaints.addAll(m.type().equals("error") ? List.of(m.text()) : List.of()));
-    page.onPageError(complaints::add);
     try (RunningServer server = new RunningServer(folder, "--simulate", "3", "--speed", "10")) {
       page.navigate(server.root().toString());
       page.getByLabel("Name").fill(RunningServer.MANAGER);
@@ -65,7 +60,7 @@ class ClerkIT extends BrowserTest {
       assertThat(page.locator("[aria-current=step]"))
           .hasText("Done", new HasTextOptions().setTimeout(120_000));
     }
-    assertEquals(List.of(), complaints);
+    assertEquals(List.of(), complaints());
   }
 
   /** Clicks where the floor, fitted into the canvas with its margin, has the point. */

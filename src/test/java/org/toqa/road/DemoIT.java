@@ -7,6 +7,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -14,14 +16,17 @@ import tools.jackson.databind.json.JsonMapper;
 class DemoIT {
   @TempDir private Path folder;
 
-  @Test
-  void theDemoTasksAreDoneAndReported() throws Exception {
+  @ParameterizedTest
+  @ValueSource(ints = {3, 6})
+  void theDemoTasksAreDoneAndReported(int robots) throws Exception {
     Path report = folder.resolve("report.json");
     try (ToqaProcess demo =
         ToqaProcess.toqa(
             folder,
             "demo",
             "--once",
+            "--robots",
+            String.valueOf(robots),
             "--speed",
             "20",
             "--port",
@@ -31,7 +36,7 @@ class DemoIT {
       assertEquals(0, demo.exitCode(), () -> "it said: " + report);
     }
     JsonNode tasks = JsonMapper.builder().build().readTree(Files.readString(report)).get("tasks");
-    assertTrue(tasks.size() >= 2);
+    assertTrue(tasks.size() > robots);
     for (JsonNode task : tasks) {
       assertEquals("DONE", task.get("state").asString(), task.toString());
       assertEquals(1, task.get("robots").size(), task.toString());

@@ -7,6 +7,8 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.time.Duration;
 import java.util.Map;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -36,6 +38,22 @@ public final class ApiClient implements AutoCloseable {
 
   public JsonNode post(String path, Object body) throws IOException, InterruptedException {
     return JSON.readTree(send(request(path).POST(body(body))));
+  }
+
+  /** Reads the live events until one satisfies the condition. */
+  public void awaitSnapshot(Predicate<JsonNode> condition)
+      throws IOException, InterruptedException {
+    HttpRequest events = request("events").build();
+    try (Stream<String> lines = http.send(events, HttpResponse.BodyHandlers.ofLines()).body()) {
+      boolean isSatisfied =
+          lines
+              .filter(line -> line.startsWith("data: "))
+              .map(line -> JSON.readTree(line.substring("data: ".length())))
+              .anyMatch(condition);
+      if (!isSatisfied) {
+        throw new AssertionError("the live events ended");
+      }
+    }
   }
 
   private HttpRequest.Builder request(String path) {

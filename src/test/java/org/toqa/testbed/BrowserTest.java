@@ -11,6 +11,7 @@ import com.microsoft.playwright.Playwright.CreateOptions;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
@@ -33,10 +34,16 @@ public abstract class BrowserTest {
   private @Nullable Browser browser;
   private @Nullable BrowserContext profile;
   private @Nullable Page page;
+  private final List<String> complaints = new ArrayList<>();
 
   /** The one open page. */
   protected final Page page() {
     return requireNonNull(page);
+  }
+
+  /** Errors on the page's console, and of its scripts. */
+  protected final List<String> complaints() {
+    return complaints;
   }
 
   @BeforeAll
@@ -58,6 +65,14 @@ public abstract class BrowserTest {
   final void openPage() {
     profile = requireNonNull(browser).newContext();
     page = profile.newPage();
+    complaints.clear();
+    page.onPageError(complaints::add);
+    page.onConsoleMessage(
+        message -> {
+          if (message.type().equals("error")) {
+            complaints.add(message.text());
+          }
+        });
   }
 
   @AfterEach

@@ -8,8 +8,8 @@ import picocli.CommandLine.Spec;
 /** {@code toqa bench}: the measurements. */
 @Command(
     name = "bench",
-    description = "Measures the planners; prints JSON.",
-    subcommands = {TrafficBench.class, MapfBench.class})
+    description = "Measures the planners, and a whole fleet; prints JSON.",
+    subcommands = {ScenBench.class, TrafficBench.class, MapfBench.class})
 public final class BenchCommand implements Runnable {
   @Spec private CommandSpec spec = CommandSpec.create();
 

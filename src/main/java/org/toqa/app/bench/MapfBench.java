@@ -17,6 +17,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.app.command.Arguments;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Scenario;
@@ -97,21 +98,21 @@ final class MapfBench implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    BenchFiles files = new BenchFiles(spec);
-    files.mustBeBetween("--robots", robots, 1, MOST_ROBOTS);
-    files.mustBeBetween("--limit-ms", limitMs, 1, LONGEST_LIMIT);
+    Arguments arguments = new Arguments(spec);
+    arguments.mustBeBetween("--robots", robots, 1, MOST_ROBOTS);
+    arguments.mustBeBetween("--limit-ms", limitMs, 1, LONGEST_LIMIT);
     if (plan != null) {
-      files.mustBeWritable(plan);
+      arguments.mustBeWritable(plan);
     }
-    OccupancyGrid grid = files.map(map);
+    OccupancyGrid grid = arguments.map(map);
     Report report =
-        measure(grid, instance(new RoadGraph(grid), files.scenarios(scen, grid), files));
+        measure(grid, instance(new RoadGraph(grid), arguments.scenarios(scen, grid), arguments));
     spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
     return report.solved() ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
   /** The scenario's first robots; more than it has, by chance in the largest connected part. */
-  private MapfInstance instance(RoadGraph roads, List<Scenario> scenarios, BenchFiles files) {
+  private MapfInstance instance(RoadGraph roads, List<Scenario> scenarios, Arguments arguments) {
     List<Cell> starts = scenarios.stream().limit(robots).map(Scenario::start).toList();
     List<Cell> goals = scenarios.stream().limit(robots).map(Scenario::goal).toList();
     int missing = robots - starts.size();
@@ -123,10 +124,13 @@ final class MapfBench implements Callable<Integer> {
             .formatted(starts.size(), missing, seed));
     Random random = new Random(seed);
     return new MapfInstance(
-        roads, filledUp(starts, roads, random, files), filledUp(goals, roads, random, files));
+        roads,
+        filledUp(starts, roads, random, arguments),
+        filledUp(goals, roads, random, arguments));
   }
 
-  private List<Cell> filledUp(List<Cell> cells, RoadGraph roads, Random random, BenchFiles files) {
+  private List<Cell> filledUp(
+      List<Cell> cells, RoadGraph roads, Random random, Arguments arguments) {
     Set<Cell> taken = Set.copyOf(cells);
     List<Cell> free =
         new ArrayList<>(
@@ -135,7 +139,7 @@ final class MapfBench implements Callable<Integer> {
                 .mapToObj(roads::cell)
                 .filter(cell -> !taken.contains(cell))
                 .toList());
-    files.mustBeBetween("--robots", robots, 1, cells.size() + free.size());
+    arguments.mustBeBetween("--robots", robots, 1, cells.size() + free.size());
     Collections.shuffle(free, random);
     return Stream.concat(cells.stream(), free.stream()).limit(robots).toList();
   }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.toqa.app.command.Arguments;
 import org.toqa.grid.Cell;
 import org.toqa.planning.Heading;
 import org.toqa.traffic.RoadGraph;
@@ -28,10 +29,10 @@ record TaskList(Stance start, List<Cell> goals) {
   }
 
   /** A robot a line; each start once, and all cells on the road, each goal with a way to it. */
-  static List<TaskList> read(Path file, RoadGraph roads, BenchFiles files) {
+  static List<TaskList> read(Path file, RoadGraph roads, Arguments arguments) {
     List<TaskList> lists = new ArrayList<>();
     Map<Cell, Integer> starts = new HashMap<>();
-    List<String> lines = files.lines(file);
+    List<String> lines = arguments.lines(file);
     for (int i = 0; i < lines.size(); i++) {
       String text = lines.get(i).replaceFirst("#.*", "").strip();
       if (text.isEmpty()) {
@@ -42,18 +43,18 @@ record TaskList(Stance start, List<Cell> goals) {
           parse(text, roads)
               .orElseThrow(
                   () ->
-                      files.wrong(
+                      arguments.wrong(
                           "%s, line %d: expected a start and its goals, column,row each, on free cells that are connected"
                               .formatted(file, number)));
       Integer other = starts.put(list.start().cell(), number);
       if (other != null) {
-        throw files.wrong(
+        throw arguments.wrong(
             "%s, line %d: another robot starts there (line %d)".formatted(file, number, other));
       }
       lists.add(list);
     }
     if (lists.isEmpty()) {
-      throw files.wrong(file + " names no robot");
+      throw arguments.wrong(file + " names no robot");
     }
     return lists;
   }

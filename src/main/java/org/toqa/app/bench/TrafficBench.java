@@ -16,6 +16,7 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.TrafficRun.Report;
 import org.toqa.app.bench.TrafficRun.Witness;
+import org.toqa.app.command.Arguments;
 import org.toqa.grid.Cell;
 import org.toqa.planning.Heading;
 import org.toqa.traffic.Deadline;
@@ -105,23 +106,23 @@ final class TrafficBench implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    BenchFiles files = new BenchFiles(spec);
-    files.mustBeBetween("--steps", steps, 1, MOST_STEPS);
-    files.mustBeBetween("--limit-ms", limitMs, 1, LONGEST_LIMIT);
-    MotionModel motion = motionModel(files);
-    TrafficPlanner planning = trafficPlanner(motion, files);
-    RoadGraph roads = new RoadGraph(files.map(map));
-    Work work = tasks == null ? randomWork(roads, files) : listedWork(tasks, roads, files);
-    Report report = run(roads, motion, planning, work, files);
+    Arguments arguments = new Arguments(spec);
+    arguments.mustBeBetween("--steps", steps, 1, MOST_STEPS);
+    arguments.mustBeBetween("--limit-ms", limitMs, 1, LONGEST_LIMIT);
+    MotionModel motion = motionModel(arguments);
+    TrafficPlanner planning = trafficPlanner(motion, arguments);
+    RoadGraph roads = new RoadGraph(arguments.map(map));
+    Work work = tasks == null ? randomWork(roads, arguments) : listedWork(tasks, roads, arguments);
+    Report report = run(roads, motion, planning, work, arguments);
     spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
     return report.collisions() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
   private Report run(
-      RoadGraph roads, MotionModel motion, TrafficPlanner planning, Work work, BenchFiles files)
+      RoadGraph roads, MotionModel motion, TrafficPlanner planning, Work work, Arguments arguments)
       throws IOException {
     if (trace != null) {
-      files.mustBeWritable(trace);
+      arguments.mustBeWritable(trace);
     }
     try (Writer writer =
         trace == null ? Writer.nullWriter() : Files.newBufferedWriter(trace, UTF_8)) {
@@ -156,33 +157,33 @@ final class TrafficBench implements Callable<Integer> {
     };
   }
 
-  private MotionModel motionModel(BenchFiles files) {
+  private MotionModel motionModel(Arguments arguments) {
     return switch (model) {
       case "classic" -> MotionModel.CLASSIC;
       case "turns" -> MotionModel.TURNS;
-      default -> throw files.wrong("--model " + model + ": it is classic or turns");
+      default -> throw arguments.wrong("--model " + model + ": it is classic or turns");
     };
   }
 
-  private TrafficPlanner trafficPlanner(MotionModel motion, BenchFiles files) {
+  private TrafficPlanner trafficPlanner(MotionModel motion, Arguments arguments) {
     return switch (planner) {
       case "rolling" -> new RollingPlanner(motion, true, seed);
       case "reservation" -> new ReservationPlanner(motion);
-      default -> throw files.wrong("--planner " + planner + ": it is rolling or reservation");
+      default -> throw arguments.wrong("--planner " + planner + ": it is rolling or reservation");
     };
   }
 
   /** Starts and goals by chance in the largest connected part, starts all different. */
-  private Work randomWork(RoadGraph roads, BenchFiles files) {
+  private Work randomWork(RoadGraph roads, Arguments arguments) {
     if (robots == null) {
-      throw files.wrong("--robots is missing");
+      throw arguments.wrong("--robots is missing");
     }
     List<Cell> cells =
         IntStream.range(0, roads.vertices())
             .filter(roads::isInLargestPart)
             .mapToObj(roads::cell)
             .toList();
-    files.mustBeBetween("--robots", robots, 1, Math.min(MOST_ROBOTS, cells.size() - 1));
+    arguments.mustBeBetween("--robots", robots, 1, Math.min(MOST_ROBOTS, cells.size() - 1));
     Random random = new Random(seed);
     List<Cell> shuffled = new ArrayList<>(cells);
     Collections.shuffle(shuffled, random);
@@ -193,10 +194,10 @@ final class TrafficBench implements Callable<Integer> {
     return new Work(starts, GoalSource.random(cells, random));
   }
 
-  private Work listedWork(Path file, RoadGraph roads, BenchFiles files) {
-    List<TaskList> all = TaskList.read(file, roads, files);
+  private Work listedWork(Path file, RoadGraph roads, Arguments arguments) {
+    List<TaskList> all = TaskList.read(file, roads, arguments);
     int count = robots == null ? all.size() : robots;
-    files.mustBeBetween("--robots", count, 1, all.size());
+    arguments.mustBeBetween("--robots", count, 1, all.size());
     List<TaskList> lists = all.subList(0, count);
     return new Work(lists.stream().map(TaskList::start).toList(), GoalSource.listed(lists));
   }

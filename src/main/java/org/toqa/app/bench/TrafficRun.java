@@ -110,14 +110,13 @@ final class TrafficRun {
       drive(plan);
       witness.sees(stances);
     }
-    double[] sorted = Arrays.copyOf(millis, step);
-    Arrays.sort(sorted);
+    Timings timings = new Timings(Arrays.copyOf(millis, step));
     return new Report(
         goalsReached,
         collisions,
         stuck(),
-        percentile(sorted, 0.50),
-        percentile(sorted, 0.99),
+        timings.percentile(0.50),
+        timings.percentile(0.99),
         step == 0 ? 0 : (double) goalsReached / step,
         step);
   }
@@ -171,9 +170,5 @@ final class TrafficRun {
         IntStream.range(0, stances.size())
             .filter(robot -> busy.get(robot) && step - arrivals[robot] >= STUCK)
             .count();
-  }
-
-  private static double percentile(double[] sorted, double share) {
-    return sorted.length == 0 ? 0 : sorted[(int) Math.ceil(share * sorted.length) - 1];
   }
 }

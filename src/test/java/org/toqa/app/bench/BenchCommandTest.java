@@ -40,6 +40,15 @@ class BenchCommandTest {
       0	small.map	5	3	0	2	0	0	2
       """;
 
+  /** Straight on, nowhere, and round a corner. */
+  private static final String WAYS_SCEN =
+      """
+      version 1
+      0	small.map	5	3	0	0	4	0	4
+      0	small.map	5	3	0	0	0	0	0
+      0	small.map	5	3	2	0	4	2	4
+      """;
+
   @TempDir private Path folder;
   private final StringWriter out = new StringWriter();
   private final StringWriter err = new StringWriter();
@@ -48,6 +57,7 @@ class BenchCommandTest {
   void writeFiles() throws IOException {
     Files.writeString(file("small.map"), MAP);
     Files.writeString(file("small.scen"), SCEN);
+    Files.writeString(file("ways.scen"), WAYS_SCEN);
   }
 
   @Test
@@ -82,6 +92,58 @@ class BenchCommandTest {
 
     assertEquals(false, JsonMapper.shared().readTree(out.toString()).path("solved").booleanValue());
     assertTrue(err.toString().contains("NO_WAY (line 1, cell (4,0))"), err::toString);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"octile", "heading"})
+  void scenChecksTheLengthsAndWritesThem(String moves) throws IOException {
+    assertEquals(0, run("scen " + WAYS + " --lengths lengths --moves " + moves));
+
+    JsonNode json = JsonMapper.shared().readTree(out.toString());
+    assertEquals(3, json.path("queries").intValue());
+    assertEquals(3, json.path("solved").intValue());
+    assertEquals(0, json.path("mismatches").intValue());
+    assertTrue(json.path("nodesPerSecond").doubleValue() > 0);
+    assertTrue(json.path("p50Micros").doubleValue() > 0);
+    assertTrue(json.path("p99Micros").doubleValue() >= json.path("p50Micros").doubleValue());
+    assertTrue(json.path("maxMicros").doubleValue() >= json.path("meanMicros").doubleValue());
+    boolean turns = moves.equals("heading"); // the last one's corner costs as much as a cell
+    assertEquals(turns ? 1 : 0, json.path("turnsOnSpot").intValue());
+    assertEquals(List.of("4.0", "0.0", turns ? "5.0" : "4.0"), Files.readAllLines(file("lengths")));
+  }
+
+  @Test
+  void scenNamesEachMismatch() throws IOException {
+    Files.writeString(
+        file("small.map"), MAP.replace(".@.@.\n.....", ".@.@.\n@@@@@")); // the last one has no way
+    Files.writeString(file("ways.scen"), WAYS_SCEN.replace("0\t4\n", "0\t3.9\n"));
+
+    assertEquals(1, run("scen " + WAYS + " --lengths lengths"));
+
+    JsonNode json = JsonMapper.shared().readTree(out.toString());
+    assertEquals(2, json.path("solved").intValue());
+    assertEquals(2, json.path("mismatches").intValue());
+    assertTrue(err.toString().contains("query 1: The length is 4.0; the file has 3.9."));
+    assertTrue(err.toString().contains("query 3: No way was found"), err::toString);
+    assertEquals(List.of("4.0", "0.0", "-1"), Files.readAllLines(file("lengths")));
+  }
+
+  @Test
+  void aHeadingWayMayBeLongerThanTheFileSaysButNotShorter() throws IOException {
+    Files.writeString(file("ways.scen"), WAYS_SCEN.replace("0\t4\n", "0\t3.9\n"));
+    assertEquals(0, run("scen " + WAYS + " --moves heading"));
+
+    Files.writeString(file("ways.scen"), WAYS_SCEN.replace("0\t4\n", "0\t4.1\n"));
+    assertEquals(1, run("scen " + WAYS + " --moves heading"));
+    assertTrue(err.toString().contains("query 1: The length is 4.0; the file has 4.1."));
+  }
+
+  @Test
+  void scenStopsAtTheLimit() throws IOException {
+    assertEquals(0, run("scen " + WAYS + " --limit 2 --lengths lengths"));
+
+    assertEquals(2, JsonMapper.shared().readTree(out.toString()).path("queries").intValue());
+    assertEquals(List.of("4.0", "0.0"), Files.readAllLines(file("lengths")));
   }
 
   @ParameterizedTest
@@ -148,12 +210,20 @@ class BenchCommandTest {
           traffic --map small.map --robots 2 --steps 9 --model flying | --model flying: it is classic or turns
           traffic --map small.map --robots 2 --steps 9 --trace none/trace | none/trace must be a file in a folder
           traffic --map small.map --steps 9 --tasks bad.tasks   | line 2: expected a start and its goals
+          scen --map small.map --scen none.scen                 | none.scen
+          scen --map small.map --scen small.map                 | expected 'version 1'
+          scen --map small.map --scen other.scen                | is for a map of 6 x 3 cells
+          scen --map small.map --scen small.scen --limit 0      | --limit 0: it must be from 1
+          scen --map small.map --scen small.scen --moves fly    | it is octile or heading, not fly
+          scen --map small.map --scen small.scen --lengths none/l | none/l must be a file in a folder
+          scen --map small.map                                  | --scen
           mapf --map small.map --scen small.scen --robots 14 --limit-ms 9 | --robots 14: it must be from 1 to 13
           mapf --map small.map --scen small.map --robots 1 --limit-ms 9 | expected 'version 1'
           mapf --map small.map --scen small.scen --robots 1     | --limit-ms
           """)
   void aWrongArgumentIsOneSentenceAndExitTwo(String command, String words) throws IOException {
     Files.writeString(file("bad.tasks"), "0,0 4,0\n1,1 0,0\n");
+    Files.writeString(file("other.scen"), SCEN.replace("5\t3", "6\t3"));
 
     assertEquals(2, run(command));
 
@@ -162,17 +232,19 @@ class BenchCommandTest {
   }
 
   private static final String MAPF = "--map small.map --scen small.scen";
+  private static final String WAYS = "--map small.map --scen ways.scen";
 
   private Path file(String name) {
     return folder.resolve(name);
   }
 
-  /** Words with a dot or after --plan, --trace and --tasks are files in the test's folder. */
+  /** Words after an option for a file are files in the test's folder. */
   private int run(String command) {
     String[] words = command.split(" +");
     for (int i = 1; i < words.length; i++) {
       boolean isFile =
-          List.of("--map", "--scen", "--plan", "--trace", "--tasks").contains(words[i - 1]);
+          List.of("--map", "--scen", "--plan", "--trace", "--tasks", "--lengths")
+              .contains(words[i - 1]);
       words[i] = isFile ? file(words[i]).toString() : words[i];
     }
     return new CommandLine(new BenchCommand())

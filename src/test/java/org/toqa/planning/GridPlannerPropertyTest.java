@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import net.jqwik.api.Arbitrary;
@@ -16,9 +17,9 @@ import org.toqa.planning.PlanResult.NotFound;
 import org.toqa.planning.PlanResult.Reason;
 import org.toqa.planning.RandomGrids.Query;
 
-class GridAStarPropertyTest {
+class GridPlannerPropertyTest {
   private final PathPlanner heading = new HeadingAStar();
-  private final PathPlanner octile = new OctileAStar();
+  private final PathPlanner octile = new JumpPointSearch();
 
   @Provide
   Arbitrary<Query> strewn() {
@@ -28,6 +29,11 @@ class GridAStarPropertyTest {
   @Provide
   Arbitrary<Query> rooms() {
     return RandomGrids.rooms(1);
+  }
+
+  @Provide
+  Arbitrary<Query> aisles() {
+    return RandomGrids.strewnAlongAnAisle(0.15);
   }
 
   @Property
@@ -41,20 +47,36 @@ class GridAStarPropertyTest {
   }
 
   @Property
-  void octileWaysAreShortest(@ForAll("strewn") Query query) {
+  void octileWaysAreShortestOnStrewnGrids(@ForAll("strewn") Query query) {
+    assertOctileWayIsShortest(query);
+  }
+
+  @Property(tries = 300)
+  void octileWaysAreShortestInRooms(@ForAll("rooms") Query query) {
+    assertOctileWayIsShortest(query);
+  }
+
+  /** Longer than the 64 cells that a jump point search looks at together. */
+  @Property(tries = 500)
+  void octileWaysAreShortestAlongAisles(@ForAll("aisles") Query query) {
+    assertOctileWayIsShortest(query);
+  }
+
+  @Property(tries = 200)
+  void plannersRememberNothing(@ForAll("rooms") Query first, @ForAll("rooms") Query second) {
+    for (PathPlanner used : List.of(new HeadingAStar(), new JumpPointSearch())) {
+      PlanResult firstAnswer = used.plan(first.grid(), first.start(), first.goal());
+      used.plan(second.grid(), second.start(), second.goal());
+      used.plan(first.grid(), first.goal(), first.start());
+      assertEquals(firstAnswer, used.plan(first.grid(), first.start(), first.goal()));
+    }
+  }
+
+  private void assertOctileWayIsShortest(Query query) {
     OptionalDouble shortest =
         ReferenceSearch.shortest(query.grid(), query.start(), query.goal(), ReferenceSearch.FREE);
     PlanResult result = octile.plan(query.grid(), query.start(), query.goal());
     assertSame(query, shortest, result, Rule.OCTILE);
-  }
-
-  @Property(tries = 200)
-  void plannerRemembersNothing(@ForAll("rooms") Query first, @ForAll("rooms") Query second) {
-    PathPlanner used = new HeadingAStar();
-    PlanResult firstAnswer = used.plan(first.grid(), first.start(), first.goal());
-    used.plan(second.grid(), second.start(), second.goal());
-    used.plan(first.grid(), first.goal(), first.start());
-    assertEquals(firstAnswer, used.plan(first.grid(), first.start(), first.goal()));
   }
 
   private void assertHeadingWayIsShortest(Query query) {

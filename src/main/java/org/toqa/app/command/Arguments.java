@@ -1,9 +1,10 @@
-package org.toqa.app.bench;
+package org.toqa.app.command;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
 import org.toqa.grid.MapFormatException;
 import org.toqa.grid.MovingAiReader;
@@ -13,15 +14,17 @@ import org.toqa.grid.ScenarioReader;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
-/** The files that a measurement is asked to use; a wrong one is a wrong argument. */
-record BenchFiles(CommandSpec spec) {
+/**
+ * The files and numbers that a command is asked to use; what cannot be used is a wrong argument.
+ */
+public record Arguments(CommandSpec spec) {
 
-  ParameterException wrong(String sentence) {
+  public ParameterException wrong(String sentence) {
     return new ParameterException(spec.commandLine(), sentence);
   }
 
   /** A MovingAI map, or the yaml file of a map_server pair. */
-  OccupancyGrid map(Path file) {
+  public OccupancyGrid map(Path file) {
     try {
       return file.toString().endsWith(".map")
           ? MovingAiReader.read(file)
@@ -31,8 +34,17 @@ record BenchFiles(CommandSpec spec) {
     }
   }
 
+  /** A map of either kind, with its places and keep-out zones where it has some. */
+  public FloorMap floor(Path file) {
+    try {
+      return FloorReader.read(file);
+    } catch (MapFormatException e) {
+      throw wrong(String.valueOf(e.getMessage()));
+    }
+  }
+
   /** The lines of a scenario file, which has to be one for the map. */
-  List<Scenario> scenarios(Path file, OccupancyGrid map) {
+  public List<Scenario> scenarios(Path file, OccupancyGrid map) {
     List<Scenario> all;
     try {
       all = ScenarioReader.read(file);
@@ -49,7 +61,7 @@ record BenchFiles(CommandSpec spec) {
     return all;
   }
 
-  List<String> lines(Path file) {
+  public List<String> lines(Path file) {
     try {
       return Files.readAllLines(file);
     } catch (IOException e) {
@@ -58,7 +70,7 @@ record BenchFiles(CommandSpec spec) {
   }
 
   /** Fails before a measurement rather than after it. */
-  void mustBeWritable(Path file) {
+  public void mustBeWritable(Path file) {
     Path folder = file.toAbsolutePath().getParent();
     if (folder == null || !Files.isWritable(folder) || Files.isDirectory(file)) {
       throw wrong(file + " must be a file in a folder that can be written");
@@ -66,7 +78,7 @@ record BenchFiles(CommandSpec spec) {
   }
 
   /** A number out of its range. */
-  void mustBeBetween(String option, long value, long least, long most) {
+  public void mustBeBetween(String option, long value, long least, long most) {
     if (value < least || value > most) {
       throw wrong("%s %d: it must be from %d to %d".formatted(option, value, least, most));
     }

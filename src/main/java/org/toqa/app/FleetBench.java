@@ -1,0 +1,128 @@
+package org.toqa.app;
+
+import java.net.URI;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.toqa.app.FleetMeter.Report;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.SnapshotFeed;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import tools.jackson.databind.json.JsonMapper;
+
+/** {@code toqa bench fleet}: what a whole fleet costs that always has something to carry. */
+@Command(
+    name = "fleet",
+    description = "Runs a whole server with simulated robots in real time.",
+    footer = {
+      "",
+      "Prints JSON: pace (the fleet's seconds a second; below 1 where the machine",
+      "cannot keep up), cores (processor seconds a second, of the whole process),",
+      "metresDriven and tasksDone by all robots together, and nearestMetres (the",
+      "least that two robots' edges were ever apart; below 0 it exits 1)."
+    })
+final class FleetBench implements Callable<Integer> {
+  private static final Duration LOOK_EVERY = Duration.ofMillis(250);
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Option(
+      names = "--robots",
+      required = true,
+      paramLabel = "N",
+      description = "How many, 2 to 500.")
+  private int robots;
+
+  @Option(
+      names = "--seconds",
+      defaultValue = "60",
+      paramLabel = "S",
+      description = "How long it is measured, 1 to 3600 (default: ${DEFAULT-VALUE}).")
+  private int seconds;
+
+  @Option(
+      names = "--warm-up",
+      defaultValue = "30",
+      paramLabel = "S",
+      description = "How long it runs before that, 0 to 3600 (default: ${DEFAULT-VALUE}).")
+  private int warmUp;
+
+  @Option(
+      names = "--seed",
+      defaultValue = "1",
+      paramLabel = "S",
+      description = "Of starts and goals (default: ${DEFAULT-VALUE}).")
+  private long seed;
+
+  @Option(
+      names = "--map",
+      paramLabel = "FILE",
+      description = "The floor's map, .yaml or .map (default: the shipped map).")
+  private @Nullable String map;
+
+  @Override
+  public Integer call() throws Exception {
+    mustBeBetween("--robots", robots, 2, 500);
+    mustBeBetween("--seconds", seconds, 1, 3600);
+    mustBeBetween("--warm-up", warmUp, 0, 3600);
+    Path webapp = Webapp.folder();
+    try (StopSignal stop = new StopSignal();
+        TemporaryFolder data = TemporaryFolder.create("toqa-bench")) {
+      Configuration configuration = Configuration.of(webapp, List.of(options(data.path())));
+      Operation measurement = this::measure;
+      return measurement.runOn(configuration, webapp, stop);
+    }
+  }
+
+  private int measure(Toqa toqa, URI address, StopSignal stop) throws Exception {
+    Demand demand = Demand.on(toqa.fleet(), robots, seed);
+    run(toqa.fleet().feed(), demand, new FleetMeter(toqa.fleetTime()), warmUp, stop);
+    FleetMeter meter = new FleetMeter(toqa.fleetTime());
+    run(toqa.fleet().feed(), demand, meter, seconds, stop);
+    Report report = meter.report();
+    spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+    return report.nearestMetres() >= 0 ? ExitCode.OK : Main.FAILED;
+  }
+
+  private static void run(
+      SnapshotFeed feed, Demand demand, FleetMeter meter, int seconds, StopSignal stop)
+      throws Exception {
+    long end = System.nanoTime() + Duration.ofSeconds(seconds).toNanos();
+    long version = -1;
+    while (System.nanoTime() < end && !stop.isWished()) {
+      FleetSnapshot snapshot = feed.awaitNewer(version, LOOK_EVERY);
+      if (snapshot.version() > version) {
+        version = snapshot.version();
+        meter.sees(snapshot);
+        demand.fill(snapshot);
+      }
+    }
+  }
+
+  private Layer options(Path data) {
+    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    options.put(Setting.SIMULATE, String.valueOf(robots));
+    options.put(Setting.LOG_LEVEL, "ERROR");
+    options.put(Setting.DATA, data.toString());
+    options.put(Setting.MAP, map);
+    options.put(Setting.PORT, "0");
+    return Layer.ofCommandLine(options);
+  }
+
+  private void mustBeBetween(String option, int value, int least, int most) {
+    if (value < least || value > most) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "%s %d: it must be from %d to %d".formatted(option, value, least, most));
+    }
+  }
+}

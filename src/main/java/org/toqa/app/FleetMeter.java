@@ -1,0 +1,97 @@
+package org.toqa.app;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TaskState;
+
+/** Measures the fleet of this process, from when it is made until it reports. */
+final class FleetMeter {
+  private final OperatingSystemMXBean system =
+      ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+  private final InstantSource fleetTime;
+  private final long cpuAtFirst = system.getProcessCpuTime();
+  private final long began = System.nanoTime();
+  private final Instant fleetBegan;
+
+  /** Those that had ended before. */
+  private final Set<Long> old = new HashSet<>();
+
+  private final Set<Long> done = new HashSet<>();
+  private final Map<String, Vec2> positions = new HashMap<>();
+  private boolean isFirst = true;
+  private double metres;
+  private double nearest = Double.POSITIVE_INFINITY;
+
+  /** The floor under a robot that was heard of; metres. */
+  private record Disc(String robot, Vec2 centre, double radius) {
+    static Stream<Disc> of(RobotView robot) {
+      return Stream.ofNullable(robot.pose())
+          .map(pose -> new Disc(robot.name(), pose.position(), robot.footprint() / 2));
+    }
+
+    double gap(Disc other) {
+      return centre.distanceTo(other.centre) - radius - other.radius;
+    }
+  }
+
+  /**
+   * @param pace the fleet's seconds a second; below 1 where the machine cannot keep up
+   * @param cores processor seconds a second
+   * @param metresDriven by all robots together
+   * @param nearestMetres the least that two robots' edges were apart
+   */
+  record Report(
+      int robots,
+      double seconds,
+      double pace,
+      double cores,
+      double metresDriven,
+      int tasksDone,
+      double nearestMetres) {}
+
+  FleetMeter(InstantSource fleetTime) {
+    this.fleetTime = fleetTime;
+    this.fleetBegan = fleetTime.instant();
+  }
+
+  void sees(FleetSnapshot snapshot) {
+    Set<Long> ended = isFirst ? old : done;
+    isFirst = false;
+    snapshot.tasks().stream()
+        .filter(task -> task.state() == TaskState.DONE && !old.contains(task.id()))
+        .forEach(task -> ended.add(task.id()));
+    List<Disc> discs = snapshot.robots().stream().flatMap(Disc::of).toList();
+    for (int i = 0; i < discs.size(); i++) {
+      Disc disc = discs.get(i);
+      Vec2 before = positions.put(disc.robot(), disc.centre());
+      metres += before == null ? 0 : before.distanceTo(disc.centre());
+      for (int j = 0; j < i; j++) {
+        nearest = Math.min(nearest, disc.gap(discs.get(j)));
+      }
+    }
+  }
+
+  Report report() {
+    double nanos = System.nanoTime() - began;
+    return new Report(
+        positions.size(),
+        nanos / 1e9,
+        Duration.between(fleetBegan, fleetTime.instant()).toNanos() / nanos,
+        (system.getProcessCpuTime() - cpuAtFirst) / nanos,
+        metres,
+        done.size(),
+        nearest);
+  }
+}

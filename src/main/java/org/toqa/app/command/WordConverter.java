@@ -1,0 +1,34 @@
+package org.toqa.app.command;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.TypeConversionException;
+
+/** Reads one of a few words, the names of an enum in lower case. */
+public abstract class WordConverter<E extends Enum<E>> implements ITypeConverter<E> {
+  private final List<E> choices;
+
+  protected WordConverter(E[] choices) {
+    this.choices = List.of(choices);
+  }
+
+  @Override
+  public E convert(String text) {
+    return choices.stream()
+        .filter(choice -> word(choice).equals(text))
+        .findFirst()
+        .orElseThrow(() -> new TypeConversionException("it is " + words() + ", not " + text));
+  }
+
+  private String words() {
+    String[] words = choices.stream().map(WordConverter::word).toArray(String[]::new);
+    int last = words.length - 1;
+    return String.join(", ", Arrays.copyOf(words, last)) + " or " + words[last];
+  }
+
+  private static String word(Enum<?> choice) {
+    return choice.name().toLowerCase(Locale.ROOT);
+  }
+}

@@ -1,0 +1,15 @@
+package org.toqa.app.plan;
+
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.Trajectory;
+import org.toqa.planning.Path;
+
+/**
+ * A way on a map, and how a robot drives it.
+ *
+ * @param floor the map as it was read
+ * @param grown its grid with the margin round the obstacles, on which the way was planned
+ * @param trajectory from the middle of the first cell to the middle of the last one
+ */
+record PlannedDrive(FloorMap floor, OccupancyGrid grown, Path path, Trajectory trajectory) {}

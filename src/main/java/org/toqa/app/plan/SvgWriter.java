@@ -1,0 +1,95 @@
+package org.toqa.app.plan;
+
+import java.io.StringWriter;
+import javax.xml.stream.XMLOutputFactory;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamWriter;
+
+/** Writes a well-formed SVG document, whatever the texts in it. */
+final class SvgWriter {
+  private final StringWriter text = new StringWriter();
+  private final XMLStreamWriter xml;
+
+  /** Begins a document of that many pixels. */
+  SvgWriter(double width, double height) {
+    try {
+      xml = XMLOutputFactory.newInstance().createXMLStreamWriter(text);
+    } catch (XMLStreamException e) {
+      throw unexpected(e);
+    }
+    open(
+        "svg",
+        "xmlns",
+        "http://www.w3.org/2000/svg",
+        "width",
+        number(width),
+        "height",
+        number(height),
+        "viewBox",
+        "0 0 %s %s".formatted(number(width), number(height)));
+  }
+
+  /**
+   * Begins an element.
+   *
+   * @param attributes names and values by turns
+   */
+  void open(String name, String... attributes) {
+    try {
+      xml.writeStartElement(name);
+      for (int i = 0; i < attributes.length; i += 2) {
+        xml.writeAttribute(attributes[i], attributes[i + 1]);
+      }
+    } catch (XMLStreamException e) {
+      throw unexpected(e);
+    }
+  }
+
+  /** Ends the element that was begun last. */
+  void close() {
+    try {
+      xml.writeEndElement();
+      xml.writeCharacters("\n");
+    } catch (XMLStreamException e) {
+      throw unexpected(e);
+    }
+  }
+
+  /** An element with nothing inside. */
+  void element(String name, String... attributes) {
+    open(name, attributes);
+    close();
+  }
+
+  /** An element with a text inside. */
+  void text(String content, String name, String... attributes) {
+    open(name, attributes);
+    try {
+      xml.writeCharacters(content);
+    } catch (XMLStreamException e) {
+      throw unexpected(e);
+    }
+    close();
+  }
+
+  /** Ends the document. */
+  String end() {
+    try {
+      xml.writeEndDocument();
+      xml.close();
+    } catch (XMLStreamException e) {
+      throw unexpected(e);
+    }
+    return text.toString();
+  }
+
+  /** A coordinate: at most three decimals, none that says nothing. */
+  static String number(double value) {
+    double rounded = Math.round(value * 1000) / 1000.0;
+    return rounded == Math.rint(rounded) ? Long.toString((long) rounded) : Double.toString(rounded);
+  }
+
+  private static IllegalStateException unexpected(XMLStreamException e) {
+    return new IllegalStateException("Writing into memory failed.", e);
+  }
+}

@@ -1,0 +1,5 @@
+/** {@code toqa plan}: one way on a map, as a table, as JSON or as a picture. */
+@NullMarked
+package org.toqa.app.plan;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,22 @@
+package org.toqa.planning;
+
+import java.util.Optional;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+
+/** A search that is laid out for one grid; used by one thread at a time, then by the next. */
+interface GridSearch {
+
+  OccupancyGrid grid();
+
+  /**
+   * A shortest way, empty where there is none.
+   *
+   * @param start free
+   * @param goal free, not the start
+   */
+  Optional<Path> way(Cell start, Cell goal);
+
+  /** How many states this search has ever expanded. */
+  long expanded();
+}

@@ -1,0 +1,51 @@
+// Put into a page before it opens: films the live map, and notes how far each text on it moves.
+{
+  const PERIOD = 100; // milliseconds between two pictures
+  const CHUNK = 1_000; // milliseconds of film that are kept at once
+
+  let places = new Map();
+
+  const fillText = CanvasRenderingContext2D.prototype.fillText;
+  CanvasRenderingContext2D.prototype.fillText = function (text, x, y, ...more) {
+    const {way, ...before} = places.get(text) ?? {x, y, way: 0};
+    places.set(text, {x, y, way: way + Math.hypot(x - before.x, y - before.y)});
+    return fillText.call(this, text, x, y, ...more);
+  };
+
+  /** Pixels that a text has gone since the film began. */
+  window.wayOf = (text) => places.get(text)?.way ?? 0;
+
+  const base64 = (blob) =>
+    new Promise((resolve) => {
+      const reader = new FileReader();
+      reader.addEventListener('load', () => resolve(reader.result.replace(/.*,/, '')));
+      reader.readAsDataURL(blob);
+    });
+
+  window.beginFilm = (map) => {
+    places = new Map();
+    const picture = document.createElement('canvas');
+    picture.width = map.width;
+    picture.height = map.height;
+    const context = picture.getContext('2d');
+    context.fillStyle = getComputedStyle(document.documentElement).backgroundColor;
+    const draw = () => {
+      context.fillRect(0, 0, picture.width, picture.height);
+      context.drawImage(map, 0, 0);
+    };
+    draw();
+    setInterval(draw, PERIOD);
+
+    let kept = Promise.resolve();
+    const recorder = new MediaRecorder(picture.captureStream(), {mimeType: 'video/webm'});
+    recorder.addEventListener('dataavailable', ({data}) => {
+      kept = kept.then(async () => window.keepFilm(await base64(data)));
+    });
+    window.endFilm = () =>
+      new Promise((resolve) => {
+        recorder.addEventListener('stop', () => resolve(kept));
+        recorder.stop();
+      });
+    recorder.start(CHUNK);
+  };
+}
