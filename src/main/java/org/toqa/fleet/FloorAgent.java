@@ -4,11 +4,13 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
@@ -24,7 +26,11 @@ import org.slf4j.LoggerFactory;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.FloorRobot.Errand;
+import org.toqa.fleet.FloorView.StandstillView;
+import org.toqa.fleet.ObstacleMap.Obstacle;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.link.RobotLinks;
@@ -36,6 +42,7 @@ import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionCommand;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.motion.DriveSpeeds;
@@ -67,6 +74,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private final ActorRef<ManagerMessage> manager;
   private final StoreWriter writer;
   private final FloorTraffic traffic;
+  private final ObstacleMap obstacles;
+  private final StandstillWatch standstills;
 
   private final Map<String, FloorRobot> robots = new TreeMap<>();
   private final Map<Long, OpenMission> missions = new LinkedHashMap<>();
@@ -80,6 +89,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   static Behavior<FloorMessage> of(
       FloorMap floor,
       List<RobotRecord> robots,
+      Set<String> outOfService,
       List<OpenTask> begun,
       FleetStore store,
       RobotLinks links,
@@ -89,13 +99,24 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     return AgentFleet.goingOn(
         Behaviors.setup(
             context ->
-                new FloorAgent(context, floor, robots, begun, store, links, clock, now, manager)));
+                new FloorAgent(
+                    context,
+                    floor,
+                    robots,
+                    outOfService,
+                    begun,
+                    store,
+                    links,
+                    clock,
+                    now,
+                    manager)));
   }
 
   private FloorAgent(
       ActorContext<FloorMessage> context,
       FloorMap floor,
       List<RobotRecord> records,
+      Set<String> outOfService,
       List<OpenTask> begun,
       FleetStore store,
       RobotLinks links,
@@ -116,7 +137,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
             DriveSpeeds.DEFAULT,
             new LacamFloorPlanner(),
             () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
-    records.forEach(this::join);
+    this.obstacles = new ObstacleMap(floor.grid());
+    this.standstills = new StandstillWatch(floor.grid());
+    records.forEach(record -> join(record, !outOfService.contains(record.name())));
     begun.forEach(this::recover);
   }
 
@@ -131,8 +154,10 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private Behavior<FloorMessage> on(FloorMessage message) {
     switch (message) {
       case FloorMessage.Begin m -> begin(m);
-      case FloorMessage.RobotJoined m -> join(m.robot());
+      case FloorMessage.RobotJoined m -> join(m.robot(), true);
       case FloorMessage.Locate m -> locate(m);
+      case FloorMessage.Serve m -> serve(m);
+      case FloorMessage.ServiceStored m -> serviceStored(m.wish());
       case FloorMessage.Stored m -> m.step().commands().forEach(c -> carryOut(m.step(), c));
       case FloorMessage.Tick m -> tick(m.now());
       case FloorMessage.FromRobot m -> fromRobot(m);
@@ -143,7 +168,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   // --- missions ---------------------------------------------------------------------------------
 
   private void begin(FloorMessage.Begin m) {
-    if (m.robots().stream().anyMatch(this::isEngaged)) {
+    if (m.robots().stream().anyMatch(r -> isEngaged(r) || !isInService(r))) {
       manager.tell(new ManagerMessage.NotBegun(m.task()));
       return;
     }
@@ -174,6 +199,11 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         .flatMap(mission -> mission.carrier(robot))
         .filter(carrier -> carrier.phase() < 3)
         .isPresent();
+  }
+
+  private boolean isInService(String robot) {
+    FloorRobot known = robots.get(robot);
+    return known != null && known.inService;
   }
 
   private Optional<Mission> missionOf(String robot) {
@@ -257,13 +287,15 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
 
   // --- robots -----------------------------------------------------------------------------------
 
-  private void join(RobotRecord record) {
+  private void join(RobotRecord record, boolean inService) {
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
                 RobotAgent.of(record, getContext().getSelf(), store, links, now),
                 "robot-" + robots.size());
-    robots.put(record.name(), new FloorRobot(record, agent));
+    FloorRobot robot = new FloorRobot(record, agent);
+    robot.inService = inService;
+    robots.put(record.name(), robot);
     changed = true;
   }
 
@@ -274,7 +306,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private Answer<RobotView> located(FloorMessage.Locate m) {
     FloorRobot robot = robots.get(m.robot());
     if (robot == null) {
-      return new Answer.Unknown<>("There is no robot " + m.robot() + " on this floor.");
+      return unknown(m.robot());
     }
     if (!robot.connected) {
       return new Answer.Refused<>(null, m.robot() + " is not connected; try again when it is.");
@@ -287,6 +319,75 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     note("robot.located", null, m.robot(), m.user(), m.user() + " said where " + m.robot() + " is");
     return new Answer.Accepted<>(view(robot));
   }
+
+  private static Answer<RobotView> unknown(String robot) {
+    return new Answer.Unknown<>("There is no robot " + robot + " on this floor.");
+  }
+
+  // --- service ----------------------------------------------------------------------------------
+
+  private void serve(FloorMessage.Serve m) {
+    FloorRobot robot = robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(unknown(m.robot())));
+      return;
+    }
+    boolean clears = !m.inService() && isKept(robot);
+    if (robot.inService == m.inService() && !clears) {
+      m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view(robot))));
+      return;
+    }
+    EventRecord event =
+        new EventRecord(
+            clock.instant(),
+            m.inService() ? "robot.in-service" : "robot.out-of-service",
+            missionOf(robot.name()).map(Mission::id).orElse(null),
+            robot.name(),
+            m.user(),
+            sentence(m, clears));
+    ActorRef<FloorMessage> self = getContext().getSelf();
+    writer.tryOnce(
+        () -> store.saveService(m.robot(), m.inService(), List.of(event)),
+        () -> self.tell(new FloorMessage.ServiceStored(m)),
+        failure ->
+            m.replyTo()
+                .tell(
+                    StatusReply.error(
+                        "The database does not answer, so nothing was changed; try again.")));
+  }
+
+  private static String sentence(FloorMessage.Serve m, boolean clears) {
+    if (m.inService()) {
+      return m.user() + " put " + m.robot() + " back in service";
+    }
+    return m.user()
+        + " took "
+        + m.robot()
+        + " out of service"
+        + (clears ? "; it does not stand any more where it was lost" : "");
+  }
+
+  private void serviceStored(FloorMessage.Serve m) {
+    FloorRobot robot = robots.get(m.robot());
+    if (robot == null) {
+      return;
+    }
+    robot.inService = m.inService();
+    if (!m.inService() && isKept(robot)) {
+      traffic.leaves(robot.name());
+      robot.pose = null;
+      robot.driveUnderway = false;
+    }
+    report();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view(robot))));
+  }
+
+  /** Whether its cells stay reserved though nothing is heard from it. */
+  private boolean isKept(FloorRobot robot) {
+    return !robot.isHeard() && traffic.knows(robot.name());
+  }
+
+  // --- what robots say --------------------------------------------------------------------------
 
   private void fromRobot(FloorMessage.FromRobot message) {
     FloorRobot robot = robots.get(message.robot());
@@ -314,14 +415,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     robot.cancelling = false;
     robot.told = stored.filter(d -> d.seq() == hello.drive()).orElse(null);
     if (robot.told != null) {
-      traffic.drives(
-          robot.name(),
-          hello.pose(),
-          hello.footprint(),
-          robot.told.way(),
-          hello.segment(),
-          hello.released(),
-          now);
+      isOnItsWay(robot, robot.told, hello.pose(), hello.segment(), hello.released());
     } else {
       traffic.stands(robot.name(), hello.pose(), hello.footprint(), now);
     }
@@ -334,7 +428,11 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     robot.hear(state, clock.instant());
     if (robot.told != null && state.drive() == robot.told.seq()) {
       robot.driveUnderway = false;
-      traffic.moved(robot.name(), state.pose(), state.segment(), now);
+      if (traffic.knows(robot.name())) {
+        traffic.moved(robot.name(), state.pose(), state.segment(), now);
+      } else {
+        isOnItsWay(robot, robot.told, state.pose(), state.segment(), state.released());
+      }
     } else if (!robot.driveUnderway && state.mode() != Mode.DRIVING) {
       if (state.drive() == 0) {
         robot.told = null;
@@ -342,6 +440,37 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       }
       traffic.stands(robot.name(), state.pose(), robot.footprint, now);
     }
+    if (state.localised() && !state.obstacles().isEmpty()) {
+      sees(robot, state.obstacles());
+    }
+  }
+
+  private void isOnItsWay(
+      FloorRobot robot, StoredDrive drive, Pose pose, int segment, int released) {
+    traffic.drives(robot.name(), pose, robot.footprint, drive.way(), segment, released, now);
+  }
+
+  private void sees(FloorRobot robot, List<Vec2> percepts) {
+    BitSet others = new BitSet();
+    robots.keySet().stream()
+        .filter(other -> !other.equals(robot.name()) && traffic.knows(other))
+        .forEach(other -> others.or(traffic.held(other)));
+    Long task = missionOf(robot.name()).map(Mission::id).orElse(null);
+    for (Obstacle obstacle : obstacles.see(robot.name(), percepts, others, now)) {
+      note(
+          "floor.obstacle",
+          task,
+          robot.name(),
+          EventRecord.SYSTEM,
+          robot.name()
+              + " sees something at "
+              + place(obstacle)
+              + " that the map does not show; robots go round it");
+    }
+  }
+
+  private String place(Obstacle obstacle) {
+    return new TaskPlace(floor.grid().centre(obstacle.cell()), null).text();
   }
 
   private void phaseEnded(FloorRobot robot, PhaseEnd end) {
@@ -399,6 +528,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         direct(robot);
       }
     }
+    forgetObstacles();
+    traffic.isObstructed(obstacles.cells());
     for (Decision decision : traffic.decide(now)) {
       FloorRobot robot = robots.get(decision.robot());
       if (robot != null) {
@@ -406,13 +537,44 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         changed = true;
       }
     }
+    watchStandstills();
+  }
+
+  private void forgetObstacles() {
+    for (Obstacle gone : obstacles.forget(now)) {
+      changed = true;
+      note(
+          "floor.obstacle-gone",
+          null,
+          gone.seenBy(),
+          EventRecord.SYSTEM,
+          "The obstacle at "
+              + place(gone)
+              + " was not seen any more; robots may drive there again");
+    }
+  }
+
+  private void watchStandstills() {
+    StandstillWatch.Change change = standstills.update(traffic.standstills());
+    change.begun().forEach(s -> noteForEach(s, "traffic.standstill", s.text()));
+    change.over().forEach(s -> noteForEach(s, "traffic.resolved", StandstillWatch.over(s)));
+    changed |= !change.isNone();
+  }
+
+  /** In the history of each of the robots and its task. */
+  private void noteForEach(StandstillView standstill, String kind, String text) {
+    for (String robot : standstill.robots()) {
+      Long task = missionOf(robot).map(Mission::id).orElse(null);
+      note(kind, task, robot, EventRecord.SYSTEM, text);
+    }
   }
 
   private void direct(FloorRobot robot) {
-    Errand errand = robot.errand;
+    Errand errand = robot.duty();
     boolean isOnOtherWay = !robot.isStanding() && (errand == null || !robot.isOnTheWayOf(errand));
-    boolean isStray = isOnOtherWay && (robot.told == null || robot.told.task() != null);
-    if (isStray && !robot.driveUnderway) {
+    boolean isStray =
+        isOnOtherWay && (!robot.inService || robot.told == null || robot.told.task() != null);
+    if (isStray && !robot.driveUnderway && robot.drive != 0) {
       cancel(robot);
     }
     boolean isWaiting = robot.notBefore.isAfter(now);
@@ -486,12 +648,20 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
             : List.of("The database does not answer: " + writer.trouble());
     manager.tell(
         new ManagerMessage.FloorReport(
-            floor.name(),
+            view(),
             robots.values().stream().map(r -> view(r)).toList(),
             missions.values().stream().map(this::view).toList(),
             List.copyOf(ended),
             alerts));
     ended.clear();
+  }
+
+  private FloorView view() {
+    Map<String, CellRuns> kept = new TreeMap<>();
+    robots.values().stream()
+        .filter(this::isKept)
+        .forEach(r -> kept.put(r.name(), CellRuns.of(traffic.held(r.name()))));
+    return new FloorView(floor.name(), CellRuns.of(obstacles.cells()), kept, standstills.lasting());
   }
 
   private RobotView view(FloorRobot robot) {
@@ -524,6 +694,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         case NOT_LOCALISED ->
             reasons.add(robot.name() + " does not know where it is: say it on the robot's page");
         case ERROR -> reasons.add(robot.name() + " reports an error");
+        case OUT_OF_SERVICE ->
+            reasons.add(robot.name() + " is out of service: put it back in service");
         case IDLE, DRIVING, HOLDING -> {
           if (robot.trouble != null) {
             reasons.add(robot.trouble);

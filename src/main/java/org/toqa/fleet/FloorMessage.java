@@ -27,6 +27,17 @@ sealed interface FloorMessage {
       String robot, Pose pose, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
+  /** A person takes a robot out of service, or puts it back in. */
+  record Serve(
+      String robot,
+      boolean inService,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
+
+  /** That is safe: now let it have its effect. */
+  record ServiceStored(Serve wish) implements FloorMessage {}
+
   /** The mission's new state is safe: now do what follows from it. */
   record Stored(Mission.Step step) implements FloorMessage {}
 

@@ -17,6 +17,7 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FloorView;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -46,7 +47,9 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   private final List<EventRecord> events = new ArrayList<>();
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
-  private FleetSnapshot latest = new FleetSnapshot(1, START, List.of(), List.of(), List.of());
+  private FleetSnapshot latest =
+      new FleetSnapshot(1, START, List.of(), List.of(), List.of(), List.of());
+  private List<FloorView> floors = List.of();
   private boolean silent;
 
   /** From now on the store does not answer. */
@@ -59,6 +62,17 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     lock.lock();
     try {
       publish(change.apply(latest.robots()));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Publishes what is in the way on the floor. */
+  void changeFloor(FloorView view) {
+    lock.lock();
+    try {
+      floors = List.of(view);
+      publish(latest.robots());
     } finally {
       lock.unlock();
     }
@@ -153,6 +167,23 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     if (!floor.grid().isFree(pose.position())) {
       return refused(null, "There is a wall. Say where the robot really stands.");
     }
+    return change(name, known -> robot(name, RobotState.IDLE, pose, known.host(), known.port()));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> takeOutOfService(String name, String user) {
+    return change(
+        name,
+        known -> robot(name, RobotState.OUT_OF_SERVICE, known.pose(), known.host(), known.port()));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> putInService(String name, String user) {
+    return change(
+        name, known -> robot(name, RobotState.IDLE, known.pose(), known.host(), known.port()));
+  }
+
+  private CompletionStage<Answer<RobotView>> change(String name, UnaryOperator<RobotView> change) {
     lock.lock();
     try {
       Optional<RobotView> known =
@@ -161,10 +192,9 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         return CompletableFuture.completedFuture(
             new Answer.Unknown<>("There is no robot of that name."));
       }
-      RobotView located =
-          robot(name, RobotState.IDLE, pose, known.get().host(), known.get().port());
-      publish(latest.robots().stream().map(r -> r.name().equals(name) ? located : r).toList());
-      return CompletableFuture.completedFuture(new Answer.Accepted<>(located));
+      RobotView next = change.apply(known.get());
+      publish(latest.robots().stream().map(r -> r.name().equals(name) ? next : r).toList());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(next));
     } finally {
       lock.unlock();
     }
@@ -270,7 +300,12 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   private void publish(List<RobotView> robots) {
     latest =
         new FleetSnapshot(
-            latest.version() + 1, latest.at().plusMillis(200), robots, newestFirst(), List.of());
+            latest.version() + 1,
+            latest.at().plusMillis(200),
+            robots,
+            newestFirst(),
+            floors,
+            List.of());
     changed.signalAll();
   }
 
