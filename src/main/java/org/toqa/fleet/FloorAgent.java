@@ -177,8 +177,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
           .ifPresent(old -> apply(old.on(new MissionEvent.Retasked(name)), "task.retasked", name));
     }
     apply(Mission.assign(m.task(), m.robots(), m.why()), "task.assigned", null);
+    report(); // first, so that the task is in every picture
     manager.tell(new ManagerMessage.Begun(m.task().id()));
-    report();
   }
 
   /** A mission that was under way when the server stopped goes on in the phase it was stored in. */
