@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -18,6 +19,7 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -28,6 +30,7 @@ import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
@@ -295,6 +298,21 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         List.of(),
         "Stands at its parking point.",
         pose == null ? null : START);
+  }
+
+  /** A floor with an obstacle of 2 x 2 cells, the cell of a lost robot r6, and a standstill. */
+  static FloorView crowdedFloor() {
+    return new FloorView(
+        "hall",
+        new CellRuns(List.of(375, 2, 415, 2)), // rows 9 and 10, columns 15 and 16
+        Map.of("r6", new CellRuns(List.of(491, 1))), // row 12, column 11
+        List.of(
+            new StandstillView(
+                List.of("r2", "r3"),
+                List.of(new Vec2(2.25, 0.75), new Vec2(7.35, 2.85)),
+                START,
+                "r2, r3 at (2.25, 0.75), (7.35, 2.85) wait for each other in a ring. Their ways"
+                    + " are planned anew.")));
   }
 
   private void publish(List<RobotView> robots) {
