@@ -75,7 +75,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private final StoreWriter writer;
   private final FloorTraffic traffic;
   private final ObstacleMap obstacles;
-  private final StandstillWatch standstills;
+  private final StandstillReport standstills;
 
   private final Map<String, FloorRobot> robots = new TreeMap<>();
   private final Map<Long, OpenMission> missions = new LinkedHashMap<>();
@@ -138,7 +138,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
             new LacamFloorPlanner(),
             () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
     this.obstacles = new ObstacleMap(floor.grid());
-    this.standstills = new StandstillWatch(floor.grid());
+    this.standstills = new StandstillReport(floor.grid());
     records.forEach(record -> join(record, !outOfService.contains(record.name())));
     begun.forEach(this::recover);
   }
@@ -555,9 +555,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   }
 
   private void watchStandstills() {
-    StandstillWatch.Change change = standstills.update(traffic.standstills());
+    StandstillReport.Change change = standstills.update(traffic.standstills());
     change.begun().forEach(s -> noteForEach(s, "traffic.standstill", s.text()));
-    change.over().forEach(s -> noteForEach(s, "traffic.resolved", StandstillWatch.over(s)));
+    change.over().forEach(s -> noteForEach(s, "traffic.resolved", StandstillReport.over(s)));
     changed |= !change.isNone();
   }
 

@@ -132,10 +132,12 @@ class PagesInBrowserTest {
 
     assertThat(page.locator("#needs")).containsText("r2, r3 at (2.25, 0.75)");
     page.waitForCondition(() -> !pictureOf(page).equals(before));
+    picture(page, "map-in-the-way");
 
+    Object crowded = pictureOf(page);
     server.fleet().changeFloor(new FloorView("hall", CellRuns.NONE, Map.of(), List.of()));
 
-    page.waitForCondition(() -> pictureOf(page).equals(before));
+    page.waitForCondition(() -> !pictureOf(page).equals(crowded));
     assertThat(page.locator("#needs")).not().containsText("Standstill");
   }
 

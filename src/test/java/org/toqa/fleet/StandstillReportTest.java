@@ -15,40 +15,40 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.floor.Standstill;
 import org.toqa.traffic.floor.Standstill.Kind;
 
-class StandstillWatchTest {
+class StandstillReportTest {
   private static final int LONGEST_EVENT = 500; // as wide as the column of the history
   private static final OccupancyGrid GRID = OccupancyGrid.parse("....", "....");
 
-  private final StandstillWatch watch = new StandstillWatch(GRID);
+  private final StandstillReport report = new StandstillReport(GRID);
 
   @Test
   void aNewOneIsToldWithRobotsAndPlaces() {
-    StandstillView begun = watch.update(List.of(ring("r1", "r2"))).begun().getFirst();
+    StandstillView begun = report.update(List.of(ring("r1", "r2"))).begun().getFirst();
 
     assertEquals(List.of(new Vec2(0.5, 1.5), new Vec2(1.5, 1.5)), begun.where());
     assertEquals(
         "r1, r2 at (0.50, 1.50), (1.50, 1.50) wait for each other in a ring. Their ways are planned"
             + " anew.",
         begun.text());
-    assertEquals(List.of(begun), watch.lasting());
+    assertEquals(List.of(begun), report.lasting());
   }
 
   @Test
   void whileItLastsNothingIsToldWhicheverRobotIsNamedFirst() {
-    watch.update(List.of(ring("r1", "r2")));
+    report.update(List.of(ring("r1", "r2")));
 
-    assertTrue(watch.update(List.of(ring("r2", "r1"))).isNone());
-    assertEquals(List.of("r1", "r2"), watch.lasting().getFirst().robots());
+    assertTrue(report.update(List.of(ring("r2", "r1"))).isNone());
+    assertEquals(List.of("r1", "r2"), report.lasting().getFirst().robots());
   }
 
   @Test
   void itsEndIsToldOnce() {
-    watch.update(List.of(new Standstill(Kind.NOT_MOVING, List.of("r1"), cells(1), Instant.EPOCH)));
+    report.update(List.of(new Standstill(Kind.NOT_MOVING, List.of("r1"), cells(1), Instant.EPOCH)));
 
-    StandstillWatch.Change end = watch.update(List.of());
+    StandstillReport.Change end = report.update(List.of());
 
-    assertEquals("The standstill of r1 is over.", StandstillWatch.over(end.over().getFirst()));
-    assertTrue(watch.update(List.of()).isNone());
+    assertEquals("The standstill of r1 is over.", StandstillReport.over(end.over().getFirst()));
+    assertTrue(report.update(List.of()).isNone());
   }
 
   @Test
@@ -56,7 +56,7 @@ class StandstillWatchTest {
     List<String> names = IntStream.range(0, 40).mapToObj(i -> "r".repeat(60) + i).toList();
 
     StandstillView begun =
-        watch.update(List.of(ring(names.toArray(String[]::new)))).begun().getFirst();
+        report.update(List.of(ring(names.toArray(String[]::new)))).begun().getFirst();
 
     assertEquals(40, begun.robots().size());
     assertTrue(begun.text().contains(" and 36 more at "), begun.text());

@@ -12,7 +12,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.floor.Standstill;
 
 /** Tells which standstills of a floor are new, which last and which are over, in sentences. */
-final class StandstillWatch {
+final class StandstillReport {
   /** A ring of more robots is told by the first of them, so that it fits the history. */
   private static final int MOST_NAMED = 4;
 
@@ -32,7 +32,7 @@ final class StandstillWatch {
     }
   }
 
-  StandstillWatch(OccupancyGrid grid) {
+  StandstillReport(OccupancyGrid grid) {
     this.grid = grid;
   }
 
