@@ -46,7 +46,7 @@
     </article>
   </div>
   <c:if test="${caller.isManager()}">
-    <article class="card" id="service" data-live="service" data-name="${fn:escapeXml(robot.name)}">
+    <article class="card service" id="service" data-live="service" data-name="${fn:escapeXml(robot.name)}">
       <h2><fmt:message key="robot.service"/></h2>
       <c:set var="isOut" value="${robot.state == 'OUT_OF_SERVICE'}"/>
       <c:url value="/robots/${robot.name}/in-service" var="inService"/>

@@ -32,7 +32,7 @@ export function drawStandstills(context, viewport, colours, view, robots, poseOf
 
 function drawStandstill(context, viewport, colours, robot, pose) {
   const [x, y] = viewport.toScreen(pose.x, pose.y);
-  const r = 1.9 * radius(viewport, robot);
+  const r = 1.8 * radius(viewport, robot);
   context.strokeStyle = colours['state-error'];
   context.lineWidth = 3;
   context.setLineDash([8, 5]);
@@ -40,7 +40,7 @@ function drawStandstill(context, viewport, colours, robot, pose) {
   context.arc(x, y, r, 0, 2 * Math.PI);
   context.stroke();
   context.setLineDash([]);
-  const [badgeX, badgeY] = [x + 0.75 * r, y - 0.75 * r];
+  const [badgeX, badgeY] = [x + 0.75 * r, y + 0.75 * r];
   context.beginPath();
   context.arc(badgeX, badgeY, 9, 0, 2 * Math.PI);
   context.fillStyle = colours['state-error'];

@@ -132,6 +132,8 @@ class PagesInBrowserTest {
 
     assertThat(page.locator("#needs")).containsText("r2, r3 at (2.25, 0.75)");
     page.waitForCondition(() -> !pictureOf(page).equals(before));
+    page.getByText("Legend").click();
+    page.getByText("Does not get on").scrollIntoViewIfNeeded();
     picture(page, "map-in-the-way");
 
     Object crowded = pictureOf(page);

@@ -300,12 +300,12 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         pose == null ? null : START);
   }
 
-  /** A floor with an obstacle of 2 x 2 cells, the cell of a lost robot r6, and a standstill. */
+  /** A floor with an obstacle of 2 x 2 cells, those of a lost robot r6, and a standstill. */
   static FloorView crowdedFloor() {
     return new FloorView(
         "hall",
         new CellRuns(List.of(375, 2, 415, 2)), // rows 9 and 10, columns 15 and 16
-        Map.of("r6", new CellRuns(List.of(491, 1))), // row 12, column 11
+        Map.of("r6", new CellRuns(List.of(490, 2, 530, 2))), // rows 12 and 13, columns 10 and 11
         List.of(
             new StandstillView(
                 List.of("r2", "r3"),
