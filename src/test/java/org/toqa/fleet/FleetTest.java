@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
@@ -41,12 +42,12 @@ import org.toqa.store.JdbiFleetStore;
 class FleetTest {
   private static final Duration LIMIT = Duration.ofSeconds(20);
 
-  /** Two rooms of 4 m x 3 m and one door, in cells of 1 m; (0, 0) is the lower left corner. */
+  /** Two rooms and one door between them, in cells of 1 m; (0, 0) is the lower left corner. */
   private static final OccupancyGrid GRID =
       OccupancyGrid.parse(
-          "....#....", //
-          ".........",
-          "....#....");
+          "....#..........", //
+          "...............",
+          "....#..........");
 
   private static final Vec2 WEST = new Vec2(0.5, 0.5);
   private static final Vec2 DOOR = new Vec2(4.5, 1.5);
@@ -115,7 +116,7 @@ class FleetTest {
     assertEquals(
         Map.of("r2", cells(new Cell(4, 1))), fleet.feed().latest().floors().getFirst().kept());
     long task = submit("West", "East");
-    until(view -> waitsFor(view, task).startsWith("Waits"));
+    until(view -> waitsFor(view, task).startsWith("Waits for r2"));
 
     RobotView taken = accepted(fleet.takeOutOfService("r2", "Max"));
 
@@ -140,7 +141,7 @@ class FleetTest {
 
     long task = submit("West", "East");
 
-    until(view -> waitsFor(view, task).startsWith("Waits"));
+    until(view -> waitsFor(view, task).startsWith("Waits for r2"));
     assertEquals(RobotState.OUT_OF_SERVICE, robot(fleet.feed().latest(), "r2").state());
   }
 
@@ -213,6 +214,63 @@ class FleetTest {
         fleet.takeOutOfService("r9", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
   }
 
+  @Test
+  void aRobotOnItsWayGoesRoundWhatAnotherOneSees() throws Exception {
+    reopenWith("r2", new Vec2(14.5, 2.5), null);
+    long task = submit(new Where.Point(new Vec2(5.5, 1.5)), new Where.Point(new Vec2(13.5, 1.5)));
+    until(
+        view ->
+            task(view, task).state() == TaskState.CARRYING
+                && !robot(view, "r1").route().isEmpty()
+                && played("r1").isDriving());
+    List<Vec2> straight = robot(fleet.feed().latest(), "r1").route();
+    assertTrue(
+        straight.stream().allMatch(p -> Math.abs(p.y() - 1.5) < 1e-6), "through the obstacle");
+
+    Cell obstacle = new Cell(11, 1);
+    played("r2").sees(GRID.centre(obstacle));
+
+    until(
+        view -> {
+          assertNotEquals(obstacle, GRID.cellAt(played("r1").position()));
+          return task(view, task).state() == TaskState.DONE;
+        });
+  }
+
+  @Test
+  void aRobotThatAnObstacleStopsSaysSoAndGoesOnWhenItIsGone() throws Exception {
+    reopenWith("r2", new Vec2(3.5, 2.5), null);
+    played("r2").sees(DOOR);
+    until(view -> obstacles(view).equals(cells(GRID.cellAt(DOOR))));
+
+    long task = submit("West", "East");
+
+    until(view -> waitsFor(view, task).contains("an obstacle"));
+    assertTrue(waitsFor(fleet.feed().latest(), task).contains("(4.50, 1.50)"));
+    assertEquals(waitsFor(fleet.feed().latest(), task), robot(fleet.feed().latest(), "r1").doing());
+    played("r2").sees();
+    until(view -> task(view, task).state() == TaskState.DONE);
+  }
+
+  @Test
+  void aRobotThatDoesNotGetOnIsToldUntilItDoes() throws Exception {
+    long task = submit("West", "East");
+    until(view -> task(view, task).state() == TaskState.CARRYING && played("r1").isDriving());
+
+    played("r1").sticks(true);
+    until(view -> !view.floors().getFirst().standstills().isEmpty());
+    FloorView.StandstillView standstill =
+        fleet.feed().latest().floors().getFirst().standstills().getFirst();
+    played("r1").sticks(false);
+    until(view -> view.floors().getFirst().standstills().isEmpty());
+
+    assertEquals(List.of("r1"), standstill.robots());
+    assertEquals(List.of(standstill.text()), history("traffic.standstill"));
+    assertEquals(List.of("The standstill of r1 is over."), history("traffic.resolved"));
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertTrue(store.history(task).stream().anyMatch(e -> e.kind().equals("traffic.standstill")));
+  }
+
   // --- the stage --------------------------------------------------------------------------------
 
   private void add(String name, Vec2 at, @Nullable String parking) {
@@ -254,9 +312,11 @@ class FleetTest {
   }
 
   private long submit(String start, String goal) throws Exception {
-    TaskOrder order =
-        new TaskOrder(
-            "box", 1, new Where.Station(start), new Where.Station(goal), null, 0, null, null);
+    return submit(new Where.Station(start), new Where.Station(goal));
+  }
+
+  private long submit(Where start, Where goal) throws Exception {
+    TaskOrder order = new TaskOrder("box", 1, start, goal, null, 0, null, null);
     long id = accepted(fleet.submit(order, "Clara")).id();
     until(view -> view.tasks().stream().anyMatch(t -> t.id() == id));
     return id;

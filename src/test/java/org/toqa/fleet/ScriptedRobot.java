@@ -35,6 +35,7 @@ final class ScriptedRobot {
   private Pose pose;
   private List<Vec2> obstacles = List.of();
   private boolean mute;
+  private boolean stuck;
   private RobotLink.@Nullable Listener listener;
   private boolean connected;
 
@@ -64,6 +65,11 @@ final class ScriptedRobot {
 
   synchronized void speakAgain() {
     mute = false;
+  }
+
+  /** It speaks, and does not move though it may. */
+  synchronized void sticks(boolean stuck) {
+    this.stuck = stuck;
   }
 
   synchronized boolean isDriving() {
@@ -104,7 +110,7 @@ final class ScriptedRobot {
       listener.connected(hello());
       return;
     }
-    if (way != null && segment < released) {
+    if (way != null && segment < released && !stuck) {
       segment++;
       pose = way.poseAfter(segment);
     }

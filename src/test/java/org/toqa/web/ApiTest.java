@@ -307,7 +307,8 @@ class ApiTest {
       JsonNode floor = JSON.readTree(after("data: ", lines)).get("floors").get(0);
       assertEquals("hall", floor.get("floor").stringValue());
       assertEquals("[375,2,415,2]", floor.get("obstacles").toString());
-      assertEquals("{\"robot\":\"r6\",\"cells\":[490,2,530,2]}", floor.get("kept").get(0).toString());
+      assertEquals(
+          "{\"robot\":\"r6\",\"cells\":[490,2,530,2]}", floor.get("kept").get(0).toString());
       JsonNode standstill = floor.get("standstills").get(0);
       assertEquals("[\"r2\",\"r3\"]", standstill.get("robots").toString());
       assertEquals(2.25, standstill.get("where").get(0).get("x").doubleValue());
