@@ -4,7 +4,6 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,8 +25,7 @@ import org.slf4j.LoggerFactory;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.FloorRobot.Errand;
-import org.toqa.fleet.FloorView.StandstillView;
-import org.toqa.fleet.ObstacleMap.Obstacle;
+import org.toqa.fleet.FloorWatch.Remark;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
@@ -42,7 +40,6 @@ import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionCommand;
 import org.toqa.mission.MissionEvent;
-import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.motion.DriveSpeeds;
@@ -74,8 +71,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private final ActorRef<ManagerMessage> manager;
   private final StoreWriter writer;
   private final FloorTraffic traffic;
-  private final ObstacleMap obstacles;
-  private final StandstillReport standstills;
+  private final FloorWatch watch;
 
   private final Map<String, FloorRobot> robots = new TreeMap<>();
   private final Map<Long, OpenMission> missions = new LinkedHashMap<>();
@@ -137,8 +133,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
             DriveSpeeds.DEFAULT,
             new LacamFloorPlanner(),
             () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
-    this.obstacles = new ObstacleMap(floor.grid());
-    this.standstills = new StandstillReport(floor.grid());
+    this.watch = new FloorWatch(floor, traffic);
     records.forEach(record -> join(record, !outOfService.contains(record.name())));
     begun.forEach(this::recover);
   }
@@ -157,7 +152,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.RobotJoined m -> join(m.robot(), true);
       case FloorMessage.Locate m -> locate(m);
       case FloorMessage.Serve m -> serve(m);
-      case FloorMessage.ServiceStored m -> serviceStored(m.wish());
+      case FloorMessage.ServiceStored m -> serviceStored(m.wish(), m.clears());
       case FloorMessage.Stored m -> m.step().commands().forEach(c -> carryOut(m.step(), c));
       case FloorMessage.Tick m -> tick(m.now());
       case FloorMessage.FromRobot m -> fromRobot(m);
@@ -348,7 +343,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     ActorRef<FloorMessage> self = getContext().getSelf();
     writer.tryOnce(
         () -> store.saveService(m.robot(), m.inService(), List.of(event)),
-        () -> self.tell(new FloorMessage.ServiceStored(m)),
+        () -> self.tell(new FloorMessage.ServiceStored(m, clears)),
         failure ->
             m.replyTo()
                 .tell(
@@ -367,13 +362,13 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         + (clears ? "; it does not stand any more where it was lost" : "");
   }
 
-  private void serviceStored(FloorMessage.Serve m) {
+  private void serviceStored(FloorMessage.Serve m, boolean clears) {
     FloorRobot robot = robots.get(m.robot());
     if (robot == null) {
       return;
     }
     robot.inService = m.inService();
-    if (!m.inService() && isKept(robot)) {
+    if (clears && isKept(robot)) {
       traffic.leaves(robot.name());
       robot.pose = null;
       robot.driveUnderway = false;
@@ -440,37 +435,14 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       }
       traffic.stands(robot.name(), state.pose(), robot.footprint, now);
     }
-    if (state.localised() && !state.obstacles().isEmpty()) {
-      sees(robot, state.obstacles());
+    if (state.localised()) {
+      record(watch.see(robot.name(), state.obstacles(), robots.keySet(), now));
     }
   }
 
   private void isOnItsWay(
       FloorRobot robot, StoredDrive drive, Pose pose, int segment, int released) {
     traffic.drives(robot.name(), pose, robot.footprint, drive.way(), segment, released, now);
-  }
-
-  private void sees(FloorRobot robot, List<Vec2> percepts) {
-    BitSet others = new BitSet();
-    robots.keySet().stream()
-        .filter(other -> !other.equals(robot.name()) && traffic.knows(other))
-        .forEach(other -> others.or(traffic.held(other)));
-    Long task = missionOf(robot.name()).map(Mission::id).orElse(null);
-    for (Obstacle obstacle : obstacles.see(robot.name(), percepts, others, now)) {
-      note(
-          "floor.obstacle",
-          task,
-          robot.name(),
-          EventRecord.SYSTEM,
-          robot.name()
-              + " sees something at "
-              + place(obstacle)
-              + " that the map does not show; robots go round it");
-    }
-  }
-
-  private String place(Obstacle obstacle) {
-    return new TaskPlace(floor.grid().centre(obstacle.cell()), null).text();
   }
 
   private void phaseEnded(FloorRobot robot, PhaseEnd end) {
@@ -528,8 +500,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         direct(robot);
       }
     }
-    forgetObstacles();
-    traffic.isObstructed(obstacles.cells());
+    record(watch.tellObstacles(now));
     for (Decision decision : traffic.decide(now)) {
       FloorRobot robot = robots.get(decision.robot());
       if (robot != null) {
@@ -537,35 +508,14 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         changed = true;
       }
     }
-    watchStandstills();
+    record(watch.askStandstills());
   }
 
-  private void forgetObstacles() {
-    for (Obstacle gone : obstacles.forget(now)) {
+  private void record(List<Remark> remarks) {
+    for (Remark remark : remarks) {
       changed = true;
-      note(
-          "floor.obstacle-gone",
-          null,
-          gone.seenBy(),
-          EventRecord.SYSTEM,
-          "The obstacle at "
-              + place(gone)
-              + " was not seen any more; robots may drive there again");
-    }
-  }
-
-  private void watchStandstills() {
-    StandstillReport.Change change = standstills.update(traffic.standstills());
-    change.begun().forEach(s -> noteForEach(s, "traffic.standstill", s.text()));
-    change.over().forEach(s -> noteForEach(s, "traffic.resolved", StandstillReport.over(s)));
-    changed |= !change.isNone();
-  }
-
-  /** In the history of each of the robots and its task. */
-  private void noteForEach(StandstillView standstill, String kind, String text) {
-    for (String robot : standstill.robots()) {
-      Long task = missionOf(robot).map(Mission::id).orElse(null);
-      note(kind, task, robot, EventRecord.SYSTEM, text);
+      Long task = missionOf(remark.robot()).map(Mission::id).orElse(null);
+      note(remark.kind(), task, remark.robot(), EventRecord.SYSTEM, remark.text());
     }
   }
 
@@ -661,7 +611,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     robots.values().stream()
         .filter(this::isKept)
         .forEach(r -> kept.put(r.name(), CellRuns.of(traffic.held(r.name()))));
-    return new FloorView(floor.name(), CellRuns.of(obstacles.cells()), kept, standstills.lasting());
+    return watch.view(kept);
   }
 
   private RobotView view(FloorRobot robot) {

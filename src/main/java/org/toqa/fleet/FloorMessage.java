@@ -35,8 +35,12 @@ sealed interface FloorMessage {
       ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
-  /** That is safe: now let it have its effect. */
-  record ServiceStored(Serve wish) implements FloorMessage {}
+  /**
+   * That is safe: now let it have its effect.
+   *
+   * @param clears whether it was said of a robot that kept its cells though it was not heard of
+   */
+  record ServiceStored(Serve wish, boolean clears) implements FloorMessage {}
 
   /** The mission's new state is safe: now do what follows from it. */
   record Stored(Mission.Step step) implements FloorMessage {}

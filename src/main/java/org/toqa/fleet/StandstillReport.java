@@ -26,11 +26,7 @@ final class StandstillReport {
     }
   }
 
-  record Change(List<StandstillView> begun, List<StandstillView> over) {
-    boolean isNone() {
-      return begun.isEmpty() && over.isEmpty();
-    }
-  }
+  record Change(List<StandstillView> begun, List<StandstillView> over) {}
 
   StandstillReport(OccupancyGrid grid) {
     this.grid = grid;

@@ -19,6 +19,9 @@ class StandstillReportTest {
   private static final int LONGEST_EVENT = 500; // as wide as the column of the history
   private static final OccupancyGrid GRID = OccupancyGrid.parse("....", "....");
 
+  private static final StandstillReport.Change NOTHING =
+      new StandstillReport.Change(List.of(), List.of());
+
   private final StandstillReport report = new StandstillReport(GRID);
 
   @Test
@@ -37,7 +40,7 @@ class StandstillReportTest {
   void whileItLastsNothingIsToldWhicheverRobotIsNamedFirst() {
     report.update(List.of(ring("r1", "r2")));
 
-    assertTrue(report.update(List.of(ring("r2", "r1"))).isNone());
+    assertEquals(NOTHING, report.update(List.of(ring("r2", "r1"))));
     assertEquals(List.of("r1", "r2"), report.lasting().getFirst().robots());
   }
 
@@ -48,7 +51,7 @@ class StandstillReportTest {
     StandstillReport.Change end = report.update(List.of());
 
     assertEquals("The standstill of r1 is over.", StandstillReport.over(end.over().getFirst()));
-    assertTrue(report.update(List.of()).isNone());
+    assertEquals(NOTHING, report.update(List.of()));
   }
 
   @Test
