@@ -53,11 +53,11 @@
       <summary><fmt:message key="map.legend"/></summary>
       <ul class="legend">
         <c:forEach items="${robotStates}" var="state"><li><span class="letter" data-state="${state}"><fmt:message key="robot.letter.${state}"/></span> <fmt:message key="robot.state.${state}"/></li></c:forEach>
-        <c:forTokens items="station,parking,charging,load,goal,released,rest" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
+        <c:forTokens items="station,parking,charging,load,goal,released,rest,obstacle,kept,standstill" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
       </ul>
     </details>
   </aside>
   <c:set var="stateKeys" value=""/>
   <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
-  <t:texts keys="map.live map.age map.away map.loggedOut map.loggedOut.link map.failed common.kilograms task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+  <t:texts keys="map.live map.age map.away map.loggedOut map.loggedOut.link map.failed map.standstill common.kilograms task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
 </t:page>

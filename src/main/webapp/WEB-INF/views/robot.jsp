@@ -46,6 +46,30 @@
     </article>
   </div>
   <c:if test="${caller.isManager()}">
+    <article class="card service" id="service" data-live="service" data-name="${fn:escapeXml(robot.name)}">
+      <h2><fmt:message key="robot.service"/></h2>
+      <c:set var="isOut" value="${robot.state == 'OUT_OF_SERVICE'}"/>
+      <c:url value="/robots/${robot.name}/in-service" var="inService"/>
+      <c:url value="/robots/${robot.name}/out-of-service" var="outOfService"/>
+      <c:if test="${isOut}">
+        <p><fmt:message key="robot.service.isOut"/></p>
+        <form method="post" action="<c:out value="${inService}"/>">
+          <t:csrf/>
+          <button><fmt:message key="robot.service.in"/></button>
+        </form>
+      </c:if>
+      <c:if test="${not isOut or keepsPlace}">
+        <c:set var="wish" value="${isOut ? 'gone' : 'out'}"/>
+        <details>
+          <summary role="button" class="outline secondary"><fmt:message key="robot.service.${wish}"/></summary>
+          <form method="post" action="<c:out value="${outOfService}"/>">
+            <t:csrf/>
+            <p><fmt:message key="robot.service.sure.${wish}"/></p>
+            <button class="danger"><fmt:message key="robot.service.submit.${wish}"/></button>
+          </form>
+        </details>
+      </c:if>
+    </article>
     <article class="card">
       <h2><fmt:message key="robot.locate"/></h2>
       <p class="faint"><fmt:message key="robot.locate.intro"/></p>

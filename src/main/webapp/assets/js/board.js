@@ -65,7 +65,7 @@ export class Board {
     const style = getComputedStyle(document.documentElement);
     const names = [
       'map-free', 'map-wall', 'map-line', 'map-text', 'map-halo', 'map-place', 'map-parking',
-      'map-charging', 'map-load', 'map-load-line', 'map-goal', 'state-idle', 'state-driving',
+      'map-charging', 'map-load', 'map-load-line', 'map-goal', 'map-obstacle', 'state-idle', 'state-driving',
       'state-holding', 'state-lost-place', 'state-error', 'state-silent',
     ];
     for (const name of names) {

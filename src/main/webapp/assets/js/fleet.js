@@ -11,6 +11,7 @@ const COLOURS = {
   NOT_LOCALISED: 'state-lost-place',
   ERROR: 'state-error',
   LOST: 'state-silent',
+  OUT_OF_SERVICE: 'state-silent',
 };
 const ENDED = new Set(['DONE', 'FAILED', 'CANCELLED']);
 

@@ -70,6 +70,37 @@ export class Floor {
     context.stroke();
   }
 
+  /**
+   * Where cells are on the canvas.
+   *
+   * @param runs as the API gives cells: index of the first one, number of cells, and so on by turns
+   * @return [x, y, width, height] in pixels of each stretch of cells in a row
+   */
+  boxes(viewport, runs) {
+    const {height, resolution} = this.#map;
+    const {x, y} = this.bounds;
+    const [left, top] = viewport.toScreen(x, y + height * resolution);
+    const cell = resolution * viewport.scale;
+    return [...this.#rows(runs)].map(({column, row, count}) => [
+      left + column * cell, top + row * cell, count * cell, cell,
+    ]);
+  }
+
+  /** Runs of cells, cut where a row ends. */
+  *#rows(runs) {
+    const {width} = this.#map;
+    for (let i = 0; i < runs.length; i += 2) {
+      let [cell, left] = [runs[i], runs[i + 1]];
+      while (left > 0) {
+        const column = cell % width;
+        const count = Math.min(left, width - column);
+        yield {column, row: Math.floor(cell / width), count};
+        cell += count;
+        left -= count;
+      }
+    }
+  }
+
   /** The occupied cells, one pixel each. */
   #wallPicture(colour) {
     if (this.#wallColour !== colour) {
@@ -77,15 +108,8 @@ export class Floor {
       this.#walls = new OffscreenCanvas(width, height);
       const context = this.#walls.getContext('2d');
       context.fillStyle = colour;
-      for (let i = 0; i < occupied.length; i += 2) {
-        let [cell, left] = [occupied[i], occupied[i + 1]];
-        while (left > 0) {
-          const column = cell % width;
-          const run = Math.min(left, width - column);
-          context.fillRect(column, Math.floor(cell / width), run, 1);
-          cell += run;
-          left -= run;
-        }
+      for (const {column, row, count} of this.#rows(occupied)) {
+        context.fillRect(column, row, count, 1);
       }
       this.#wallColour = colour;
     }

@@ -4,34 +4,41 @@ import {showTimes} from './times.js';
 /** Milliseconds between two refreshes at least. */
 const PACE = 1_000;
 
-/** What the page is about: a change of it in the stream makes the page fetch that part anew. */
-const {live: kind, name} = document.querySelector('#live').dataset;
+/** What a part of a page can be about: a change of it in the stream makes that part come anew. */
 const subjects = {
   tasks: ({tasks}) => tasks.map((task) => [task.id, task.state, task.robots, task.held]),
-  task: ({tasks}) => tasks.find((task) => String(task.id) === name),
+  task: ({tasks}, name) => tasks.find((task) => String(task.id) === name),
   robots: ({robots}) => robots.map(({state, task, doing, battery}) => [state, task, doing, Math.round(100 * battery)]),
-  robot: ({robots}) => {
+  robot: ({robots}, name) => {
     const robot = robots.find((candidate) => candidate.name === name);
     return robot && {...robot, lastSeen: null, route: null};
   },
+  service: ({robots, floors}, name) => [
+    robots.find((robot) => robot.name === name)?.state === 'OUT_OF_SERVICE',
+    floors.some(({kept}) => kept.some(({robot}) => robot === name)),
+  ],
 };
 
-let shown;
-let wanted = false;
+const shown = new Map(); // by the part's id, what its subject was
+const wanted = new Set(); // ids of the parts that are old
 let busy = false;
 
 async function refresh() {
-  if (busy || !wanted) {
+  if (busy || wanted.size === 0) {
     return;
   }
   busy = true;
-  wanted = false;
+  const ids = [...wanted];
+  wanted.clear();
   try {
     const answer = await fetch(location.href, {headers: {accept: 'text/html'}});
-    const fresh = new DOMParser().parseFromString(await answer.text(), 'text/html').querySelector('#live');
-    if (answer.ok && fresh) {
-      showTimes(fresh);
-      document.querySelector('#live').replaceWith(fresh);
+    const page = new DOMParser().parseFromString(await answer.text(), 'text/html');
+    for (const id of answer.ok ? ids : []) {
+      const fresh = page.getElementById(id);
+      if (fresh) {
+        showTimes(fresh);
+        document.getElementById(id).replaceWith(fresh);
+      }
     }
   } finally {
     setTimeout(() => {
@@ -42,10 +49,12 @@ async function refresh() {
 }
 
 follow((snapshot) => {
-  const now = JSON.stringify(subjects[kind](snapshot));
-  if (now !== shown) {
-    wanted = true;
-    shown = now;
-    refresh();
+  for (const {id, dataset} of document.querySelectorAll('[data-live]')) {
+    const now = JSON.stringify(subjects[dataset.live](snapshot, dataset.name));
+    if (now !== shown.get(id)) {
+      shown.set(id, now);
+      wanted.add(id);
+    }
   }
+  refresh();
 });

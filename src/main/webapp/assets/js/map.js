@@ -3,18 +3,22 @@ import {element, showEntries, write} from './entries.js';
 import {drawRobots, drawTasks, isOpen, radius} from './fleet.js';
 import {Floor} from './floor.js';
 import {Glide} from './glide.js';
+import {drawCells, drawStandstills} from './hazards.js';
 import {address} from './server.js';
 import {follow} from './stream.js';
 import {text} from './texts.js';
 
 const $ = (selector) => document.querySelector(selector);
 const percent = new Intl.NumberFormat(document.documentElement.lang, {style: 'percent'});
-const STATES = ['ERROR', 'NOT_LOCALISED', 'LOST', 'CONNECTING', 'HOLDING', 'DRIVING', 'IDLE'];
+const STATES = [
+  'ERROR', 'NOT_LOCALISED', 'LOST', 'CONNECTING', 'OUT_OF_SERVICE', 'HOLDING', 'DRIVING', 'IDLE',
+];
 const IN_NEED = new Set(['ERROR', 'NOT_LOCALISED', 'LOST']);
 
 let floor;
 let robots = [];
 let tasks = [];
+let floors = [];
 let changed = performance.now();
 const glide = new Glide();
 
@@ -25,10 +29,18 @@ function draw(context, viewport, colours, now) {
     return false;
   }
   const here = robots.filter((robot) => robot.floor === floor.name);
+  const view = floors.find((candidate) => candidate.floor === floor.name);
+  const poseOf = (name) => glide.at(name, now);
   floor.draw(context, viewport, colours);
+  if (view) {
+    drawCells(context, viewport, colours, floor, view);
+  }
   const tasksHere = tasks.filter((task) => task.floor === floor.name);
   drawTasks(context, viewport, colours, tasksHere);
-  drawRobots(context, viewport, colours, here, tasksHere, (name) => glide.at(name, now));
+  drawRobots(context, viewport, colours, here, tasksHere, poseOf);
+  if (view) {
+    drawStandstills(context, viewport, colours, view, here, poseOf);
+  }
   return glide.isMoving(now);
 }
 
@@ -45,7 +57,7 @@ function openRobotAt(x, y, metresPerPixel) {
 }
 
 function showSnapshot(snapshot) {
-  ({robots, tasks} = snapshot);
+  ({robots, tasks, floors} = snapshot);
   changed = performance.now();
   glide.update(robots, changed);
   board.refresh();
@@ -130,11 +142,24 @@ function showTasks() {
   $('#no-tasks').hidden = open.length > 0;
 }
 
+function standstillEntry({robots: names, since, text: what}) {
+  return {
+    key: `standstill ${since} ${names}`,
+    href: `robots/${encodeURIComponent(names[0])}`,
+    state: 'ERROR',
+    letter: '!',
+    title: text('map.standstill'),
+    side: '',
+    what,
+  };
+}
+
 function showNeeds(alerts) {
   const entries = [
     ...alerts.map((alert) => ({
       key: alert, href: 'map', state: 'ERROR', letter: '!', title: alert, side: '', what: '',
     })),
+    ...floors.flatMap(({standstills}) => standstills.map(standstillEntry)),
     ...tasks.filter((task) => task.needs).map(taskEntry),
     ...robots.filter((robot) => IN_NEED.has(robot.state)).map(robotEntry),
   ];

@@ -69,7 +69,8 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       Instant now) {
     this.floors = List.copyOf(floors);
     this.board =
-        new SnapshotBoard(new FleetSnapshot(0, clock.instant(), List.of(), List.of(), List.of()));
+        new SnapshotBoard(
+            new FleetSnapshot(0, clock.instant(), List.of(), List.of(), List.of(), List.of()));
     ClassLoader loader = AgentFleet.class.getClassLoader();
     this.system =
         ActorSystem.create(
@@ -102,6 +103,16 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<RobotView>> locate(String robot, Pose pose, String user) {
     return ask(replyTo -> new ManagerMessage.Locate(robot, pose, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> takeOutOfService(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.Serve(robot, false, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> putInService(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.Serve(robot, true, user, replyTo));
   }
 
   private <T> CompletionStage<Answer<T>> ask(

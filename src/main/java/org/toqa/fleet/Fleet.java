@@ -26,6 +26,15 @@ public interface Fleet {
   /** A person says where a robot is. */
   CompletionStage<Answer<RobotView>> locate(String robot, Pose pose, String user);
 
+  /**
+   * A person takes a robot out of service: it stops and gets no task. While it is connected it
+   * stays an obstacle where it stands; if it is not, its cells become free.
+   */
+  CompletionStage<Answer<RobotView>> takeOutOfService(String robot, String user);
+
+  /** A person puts a robot back in service: it goes on with what it was at. */
+  CompletionStage<Answer<RobotView>> putInService(String robot, String user);
+
   /** All floors, the first one the default. */
   List<FloorMap> floors();
 

@@ -9,14 +9,21 @@ import java.util.List;
  * @param version rises with every change
  * @param robots by name
  * @param tasks those that have not ended, and those that ended last, newest first
+ * @param floors those that have reported, in their order
  * @param alerts sentences that concern the whole fleet, such as a store that does not answer
  */
 public record FleetSnapshot(
-    long version, Instant at, List<RobotView> robots, List<TaskView> tasks, List<String> alerts) {
+    long version,
+    Instant at,
+    List<RobotView> robots,
+    List<TaskView> tasks,
+    List<FloorView> floors,
+    List<String> alerts) {
 
   public FleetSnapshot {
     robots = List.copyOf(robots);
     tasks = List.copyOf(tasks);
+    floors = List.copyOf(floors);
     alerts = List.copyOf(alerts);
   }
 }

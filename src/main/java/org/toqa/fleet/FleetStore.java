@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
@@ -14,8 +15,8 @@ import org.toqa.motion.Trajectory;
  * What the fleet must not forget.
  *
  * <ol>
- *   <li>At start the fleet reads {@link #robots}, {@link #openTasks} and each robot's {@link
- *       #drive}.
+ *   <li>At start the fleet reads {@link #robots}, {@link #outOfService}, {@link #openTasks} and
+ *       each robot's {@link #drive}.
  *   <li>From then on every change is written here before the command that follows from it is sent.
  * </ol>
  *
@@ -25,6 +26,9 @@ import org.toqa.motion.Trajectory;
 public interface FleetStore {
 
   List<RobotRecord> robots();
+
+  /** The names of the robots that are out of service. */
+  Set<String> outOfService();
 
   /** Tasks that have not ended, in the order in which they came. */
   List<OpenTask> openTasks();
@@ -40,6 +44,9 @@ public interface FleetStore {
 
   /** Adds the robot, or gives the robot of that name another address. */
   void saveRobot(RobotRecord robot);
+
+  /** Whether the robot is in service; a robot that was never taken out is. */
+  void saveService(String robot, boolean inService, List<EventRecord> events);
 
   void saveMission(Mission mission, Instant at, List<EventRecord> events);
 

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
@@ -24,7 +25,10 @@ import org.slf4j.LoggerFactory;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.FloorRobot.Errand;
+import org.toqa.fleet.FloorWatch.Remark;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.link.RobotLinks;
@@ -66,6 +70,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private final ActorRef<ManagerMessage> manager;
   private final StoreWriter writer;
   private final FloorTraffic traffic;
+  private final FloorWatch watch;
 
   private final Map<String, FloorRobot> robots = new TreeMap<>();
   private final Map<Long, OpenMission> missions = new LinkedHashMap<>();
@@ -79,6 +84,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   static Behavior<FloorMessage> of(
       FloorMap floor,
       List<RobotRecord> robots,
+      Set<String> outOfService,
       List<OpenTask> begun,
       FleetStore store,
       RobotLinks links,
@@ -88,13 +94,24 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     return AgentFleet.goingOn(
         Behaviors.setup(
             context ->
-                new FloorAgent(context, floor, robots, begun, store, links, clock, now, manager)));
+                new FloorAgent(
+                    context,
+                    floor,
+                    robots,
+                    outOfService,
+                    begun,
+                    store,
+                    links,
+                    clock,
+                    now,
+                    manager)));
   }
 
   private FloorAgent(
       ActorContext<FloorMessage> context,
       FloorMap floor,
       List<RobotRecord> records,
+      Set<String> outOfService,
       List<OpenTask> begun,
       FleetStore store,
       RobotLinks links,
@@ -114,7 +131,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
             floor.grid(),
             new LacamFloorPlanner(),
             () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
-    records.forEach(this::join);
+    this.watch = new FloorWatch(floor, traffic);
+    records.forEach(record -> join(record, !outOfService.contains(record.name())));
     begun.forEach(this::recover);
   }
 
@@ -129,8 +147,10 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private Behavior<FloorMessage> on(FloorMessage message) {
     switch (message) {
       case FloorMessage.Begin m -> begin(m);
-      case FloorMessage.RobotJoined m -> join(m.robot());
+      case FloorMessage.RobotJoined m -> join(m.robot(), true);
       case FloorMessage.Locate m -> locate(m);
+      case FloorMessage.Serve m -> serve(m);
+      case FloorMessage.ServiceStored m -> serviceStored(m.wish(), m.clears());
       case FloorMessage.Stored m -> m.step().commands().forEach(c -> carryOut(m.step(), c));
       case FloorMessage.Tick m -> tick(m.now());
       case FloorMessage.FromRobot m -> fromRobot(m);
@@ -141,7 +161,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   // --- missions ---------------------------------------------------------------------------------
 
   private void begin(FloorMessage.Begin m) {
-    if (m.robots().stream().anyMatch(this::isEngaged)) {
+    if (m.robots().stream().anyMatch(r -> isEngaged(r) || !isInService(r))) {
       manager.tell(new ManagerMessage.NotBegun(m.task()));
       return;
     }
@@ -150,8 +170,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
           .ifPresent(old -> apply(old.on(new MissionEvent.Retasked(name)), "task.retasked", name));
     }
     apply(Mission.assign(m.task(), m.robots(), m.why()), "task.assigned", null);
+    report(); // first, so that the task is in every picture
     manager.tell(new ManagerMessage.Begun(m.task().id()));
-    report();
   }
 
   /** A mission that was under way when the server stopped goes on in the phase it was stored in. */
@@ -172,6 +192,11 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         .flatMap(mission -> mission.carrier(robot))
         .filter(carrier -> carrier.phase() < 3)
         .isPresent();
+  }
+
+  private boolean isInService(String robot) {
+    FloorRobot known = robots.get(robot);
+    return known != null && known.inService;
   }
 
   private Optional<Mission> missionOf(String robot) {
@@ -255,13 +280,15 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
 
   // --- robots -----------------------------------------------------------------------------------
 
-  private void join(RobotRecord record) {
+  private void join(RobotRecord record, boolean inService) {
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
                 RobotAgent.of(record, getContext().getSelf(), store, links, now),
                 "robot-" + robots.size());
-    robots.put(record.name(), new FloorRobot(record, agent));
+    FloorRobot robot = new FloorRobot(record, agent);
+    robot.inService = inService;
+    robots.put(record.name(), robot);
     changed = true;
   }
 
@@ -272,7 +299,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private Answer<RobotView> located(FloorMessage.Locate m) {
     FloorRobot robot = robots.get(m.robot());
     if (robot == null) {
-      return new Answer.Unknown<>("There is no robot " + m.robot() + " on this floor.");
+      return unknown(m.robot());
     }
     if (!robot.connected) {
       return new Answer.Refused<>(null, m.robot() + " is not connected; try again when it is.");
@@ -285,6 +312,75 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     note("robot.located", null, m.robot(), m.user(), m.user() + " said where " + m.robot() + " is");
     return new Answer.Accepted<>(view(robot));
   }
+
+  private static Answer<RobotView> unknown(String robot) {
+    return new Answer.Unknown<>("There is no robot " + robot + " on this floor.");
+  }
+
+  // --- service ----------------------------------------------------------------------------------
+
+  private void serve(FloorMessage.Serve m) {
+    FloorRobot robot = robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(unknown(m.robot())));
+      return;
+    }
+    boolean clears = !m.inService() && isKept(robot);
+    if (robot.inService == m.inService() && !clears) {
+      m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view(robot))));
+      return;
+    }
+    EventRecord event =
+        new EventRecord(
+            clock.instant(),
+            m.inService() ? "robot.in-service" : "robot.out-of-service",
+            missionOf(robot.name()).map(Mission::id).orElse(null),
+            robot.name(),
+            m.user(),
+            sentence(m, clears));
+    ActorRef<FloorMessage> self = getContext().getSelf();
+    writer.tryOnce(
+        () -> store.saveService(m.robot(), m.inService(), List.of(event)),
+        () -> self.tell(new FloorMessage.ServiceStored(m, clears)),
+        failure ->
+            m.replyTo()
+                .tell(
+                    StatusReply.error(
+                        "The database does not answer, so nothing was changed; try again.")));
+  }
+
+  private static String sentence(FloorMessage.Serve m, boolean clears) {
+    if (m.inService()) {
+      return m.user() + " put " + m.robot() + " back in service";
+    }
+    return m.user()
+        + " took "
+        + m.robot()
+        + " out of service"
+        + (clears ? "; it does not stand any more where it was lost" : "");
+  }
+
+  private void serviceStored(FloorMessage.Serve m, boolean clears) {
+    FloorRobot robot = robots.get(m.robot());
+    if (robot == null) {
+      return;
+    }
+    robot.inService = m.inService();
+    if (clears && isKept(robot)) {
+      traffic.leaves(robot.name());
+      robot.pose = null;
+      robot.driveUnderway = false;
+    }
+    report();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view(robot))));
+  }
+
+  /** Whether its cells stay reserved though nothing is heard from it. */
+  private boolean isKept(FloorRobot robot) {
+    return !robot.isHeard() && traffic.knows(robot.name());
+  }
+
+  // --- what robots say --------------------------------------------------------------------------
 
   private void fromRobot(FloorMessage.FromRobot message) {
     FloorRobot robot = robots.get(message.robot());
@@ -312,14 +408,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     robot.cancelling = false;
     robot.told = stored.filter(d -> d.seq() == hello.drive()).orElse(null);
     if (robot.told != null) {
-      traffic.drives(
-          robot.name(),
-          hello.pose(),
-          hello.footprint(),
-          robot.told.way(),
-          hello.segment(),
-          hello.released(),
-          now);
+      isOnItsWay(robot, robot.told, hello.pose(), hello.segment(), hello.released());
     } else {
       traffic.stands(robot.name(), hello.pose(), hello.footprint(), now);
     }
@@ -332,7 +421,11 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     robot.hear(state, clock.instant());
     if (robot.told != null && state.drive() == robot.told.seq()) {
       robot.driveUnderway = false;
-      traffic.moved(robot.name(), state.pose(), state.segment(), now);
+      if (traffic.knows(robot.name())) {
+        traffic.moved(robot.name(), state.pose(), state.segment(), now);
+      } else {
+        isOnItsWay(robot, robot.told, state.pose(), state.segment(), state.released());
+      }
     } else if (!robot.driveUnderway && state.mode() != Mode.DRIVING) {
       if (state.drive() == 0) {
         robot.told = null;
@@ -340,6 +433,14 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       }
       traffic.stands(robot.name(), state.pose(), robot.footprint, now);
     }
+    if (state.localised()) {
+      record(watch.see(robot.name(), state.obstacles(), robots.keySet(), now));
+    }
+  }
+
+  private void isOnItsWay(
+      FloorRobot robot, StoredDrive drive, Pose pose, int segment, int released) {
+    traffic.drives(robot.name(), pose, robot.footprint, drive.way(), segment, released, now);
   }
 
   private void phaseEnded(FloorRobot robot, PhaseEnd end) {
@@ -397,6 +498,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         direct(robot);
       }
     }
+    record(watch.tellObstacles(now));
     for (Decision decision : traffic.decide(now)) {
       FloorRobot robot = robots.get(decision.robot());
       if (robot != null) {
@@ -404,13 +506,23 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         changed = true;
       }
     }
+    record(watch.askStandstills());
+  }
+
+  private void record(List<Remark> remarks) {
+    for (Remark remark : remarks) {
+      changed = true;
+      Long task = missionOf(remark.robot()).map(Mission::id).orElse(null);
+      note(remark.kind(), task, remark.robot(), EventRecord.SYSTEM, remark.text());
+    }
   }
 
   private void direct(FloorRobot robot) {
-    Errand errand = robot.errand;
+    Errand errand = robot.duty();
     boolean isOnOtherWay = !robot.isStanding() && (errand == null || !robot.isOnTheWayOf(errand));
-    boolean isStray = isOnOtherWay && (robot.told == null || robot.told.task() != null);
-    if (isStray && !robot.driveUnderway) {
+    boolean isStray =
+        isOnOtherWay && (!robot.inService || robot.told == null || robot.told.task() != null);
+    if (isStray && !robot.driveUnderway && robot.drive != 0) {
       cancel(robot);
     }
     boolean isWaiting = robot.notBefore.isAfter(now);
@@ -484,12 +596,20 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
             : List.of("The database does not answer: " + writer.trouble());
     manager.tell(
         new ManagerMessage.FloorReport(
-            floor.name(),
+            view(),
             robots.values().stream().map(r -> view(r)).toList(),
             missions.values().stream().map(this::view).toList(),
             List.copyOf(ended),
             alerts));
     ended.clear();
+  }
+
+  private FloorView view() {
+    Map<String, CellRuns> kept = new TreeMap<>();
+    robots.values().stream()
+        .filter(this::isKept)
+        .forEach(r -> kept.put(r.name(), CellRuns.of(traffic.held(r.name()))));
+    return watch.view(kept);
   }
 
   private RobotView view(FloorRobot robot) {
@@ -522,6 +642,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         case NOT_LOCALISED ->
             reasons.add(robot.name() + " does not know where it is: say it on the robot's page");
         case ERROR -> reasons.add(robot.name() + " reports an error");
+        case OUT_OF_SERVICE ->
+            reasons.add(robot.name() + " is out of service: put it back in service");
         case IDLE, DRIVING, HOLDING -> {
           if (robot.trouble != null) {
             reasons.add(robot.trouble);

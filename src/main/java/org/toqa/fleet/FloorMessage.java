@@ -27,6 +27,21 @@ sealed interface FloorMessage {
       String robot, Pose pose, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
+  /** A person takes a robot out of service, or puts it back in. */
+  record Serve(
+      String robot,
+      boolean inService,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
+
+  /**
+   * That is safe: now let it have its effect.
+   *
+   * @param clears whether it was said of a robot that kept its cells though it was not heard of
+   */
+  record ServiceStored(Serve wish, boolean clears) implements FloorMessage {}
+
   /** The mission's new state is safe: now do what follows from it. */
   record Stored(Mission.Step step) implements FloorMessage {}
 

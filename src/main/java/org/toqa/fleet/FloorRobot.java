@@ -41,6 +41,9 @@ final class FloorRobot {
   List<Fault> errors = List.of();
   @Nullable Instant lastSeen;
 
+  // what a person has said
+  boolean inService = true;
+
   // what the floor wants of it
   @Nullable Errand errand;
 
@@ -94,9 +97,18 @@ final class FloorRobot {
     lastSeen = now;
   }
 
-  /** Hears, knows where it is, and is well. */
+  boolean isHeard() {
+    return connected && !silent;
+  }
+
+  /** In service, hears, knows where it is, and is well. */
   boolean isFit() {
-    return connected && !silent && localised && mode != Mode.ERROR;
+    return inService && isHeard() && localised && mode != Mode.ERROR;
+  }
+
+  /** What it shall drive now, if it is in service. */
+  @Nullable Errand duty() {
+    return inService ? errand : null;
   }
 
   boolean isStanding() {
@@ -112,10 +124,13 @@ final class FloorRobot {
   }
 
   RobotState state() {
+    if (!inService) {
+      return RobotState.OUT_OF_SERVICE;
+    }
     if (lastSeen == null) {
       return RobotState.CONNECTING;
     }
-    if (silent || !connected) {
+    if (!isHeard()) {
       return RobotState.LOST;
     }
     if (!localised) {
@@ -157,11 +172,24 @@ final class FloorRobot {
   private String doing(@Nullable Errand work) {
     return switch (state()) {
       case CONNECTING -> "Not heard of yet; trying to reach " + record.host() + ":" + record.port();
-      case LOST -> "Lost: nothing heard from it. Its place stays reserved.";
+      case LOST ->
+          pose == null
+              ? "Lost: nothing heard from it, and nobody knows where it is."
+              : "Lost: nothing heard from it. Its place stays reserved.";
       case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
       case ERROR -> errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
+      case OUT_OF_SERVICE -> "Out of service. " + outOfService();
       case IDLE, DRIVING, HOLDING -> work == null ? "Free" : working(work);
     };
+  }
+
+  private String outOfService() {
+    if (isHeard()) {
+      return "It stays where it is and gets no task.";
+    }
+    return pose == null
+        ? "Its place is free."
+        : "Nothing heard from it: its place stays reserved until a person says that it is free.";
   }
 
   private String working(Errand work) {

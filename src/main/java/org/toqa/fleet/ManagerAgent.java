@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
 import org.apache.pekko.actor.typed.PostStop;
@@ -80,18 +81,30 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       Instant now,
       SnapshotBoard board) {
     List<RobotRecord> robots = store.robots();
+    Set<String> outOfService = store.outOfService();
     List<OpenTask> open = store.openTasks();
     return AgentFleet.goingOn(
         Behaviors.setup(
             context ->
                 new ManagerAgent(
-                    context, floors, robots, open, store, links, allocator, clock, now, board)));
+                    context,
+                    floors,
+                    robots,
+                    outOfService,
+                    open,
+                    store,
+                    links,
+                    allocator,
+                    clock,
+                    now,
+                    board)));
   }
 
   private ManagerAgent(
       ActorContext<ManagerMessage> context,
       List<FloorMap> floorMaps,
       List<RobotRecord> stored,
+      Set<String> outOfService,
       List<OpenTask> open,
       FleetStore store,
       RobotLinks links,
@@ -120,7 +133,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               .toList();
       ActorRef<FloorMessage> agent =
           context.spawn(
-              FloorAgent.of(floor, here, begun, store, links, clock, now, context.getSelf()),
+              FloorAgent.of(
+                  floor, here, outOfService, begun, store, links, clock, now, context.getSelf()),
               "floor-" + floors.size());
       floors.put(floor.name(), agent);
     }
@@ -147,6 +161,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.RobotStored m -> robotStored(m);
       case ManagerMessage.RobotNotStored m -> robots.remove(m.robot());
       case ManagerMessage.Locate m -> locate(m);
+      case ManagerMessage.Serve m -> serve(m);
       case ManagerMessage.Begun m -> handedOver.remove(m.task());
       case ManagerMessage.NotBegun m -> requeue(m.task());
       case ManagerMessage.FloorReport m -> reported(m);
@@ -228,16 +243,29 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   }
 
   private void locate(ManagerMessage.Locate m) {
-    Optional<ActorRef<FloorMessage>> floor =
-        Optional.ofNullable(robots.get(m.robot()))
-            .map(RobotRecord::floor)
-            .flatMap(this::floorAgent);
-    if (floor.isEmpty()) {
-      m.replyTo()
-          .tell(StatusReply.success(new Answer.Unknown<>("There is no robot " + m.robot() + ".")));
-    } else {
-      floor.get().tell(new FloorMessage.Locate(m.robot(), m.pose(), m.user(), m.replyTo()));
-    }
+    tellFloorOf(
+        m.robot(),
+        m.replyTo(),
+        new FloorMessage.Locate(m.robot(), m.pose(), m.user(), m.replyTo()));
+  }
+
+  private void serve(ManagerMessage.Serve m) {
+    tellFloorOf(
+        m.robot(),
+        m.replyTo(),
+        new FloorMessage.Serve(m.robot(), m.inService(), m.user(), m.replyTo()));
+  }
+
+  private void tellFloorOf(
+      String robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo, FloorMessage message) {
+    Optional.ofNullable(robots.get(robot))
+        .map(RobotRecord::floor)
+        .flatMap(this::floorAgent)
+        .ifPresentOrElse(
+            floor -> floor.tell(message),
+            () ->
+                replyTo.tell(
+                    StatusReply.success(new Answer.Unknown<>("There is no robot " + robot + "."))));
   }
 
   private Optional<ActorRef<FloorMessage>> floorAgent(String name) {
@@ -247,7 +275,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   // --- allocation -------------------------------------------------------------------------------
 
   private void reported(ManagerMessage.FloorReport m) {
-    reports.put(m.floor(), m);
+    reports.put(m.floor().name(), m);
     m.ended().forEach(this::shelve);
     changed = true;
     Set<String> free =
@@ -255,7 +283,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             .filter(this::isAvailable)
             .map(RobotView::name)
             .collect(Collectors.toSet());
-    if (!free.equals(available.put(m.floor(), free))) {
+    if (!free.equals(available.put(m.floor().name(), free))) {
       reconsider = true;
     }
   }
@@ -368,7 +396,19 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         tasks.values().stream().sorted(Comparator.comparingLong(TaskView::id).reversed()).toList();
     board.publish(
         new FleetSnapshot(
-            board.latest().version() + 1, clock.instant(), views, newestFirst, alerts));
+            board.latest().version() + 1,
+            clock.instant(),
+            views,
+            newestFirst,
+            floorViews(),
+            alerts));
+  }
+
+  private List<FloorView> floorViews() {
+    return floors.keySet().stream()
+        .flatMap(floor -> Stream.ofNullable(reports.get(floor)))
+        .map(ManagerMessage.FloorReport::floor)
+        .toList();
   }
 
   private Behavior<ManagerMessage> closed() {

@@ -28,6 +28,13 @@ sealed interface ManagerMessage {
       String robot, Pose pose, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
+  record Serve(
+      String robot,
+      boolean inService,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
   /** The floor has the task; its reports from now on tell of it. */
   record Begun(long task) implements ManagerMessage {}
 
@@ -35,13 +42,14 @@ sealed interface ManagerMessage {
   record NotBegun(TransportTask task) implements ManagerMessage {}
 
   /**
+   * @param floor what is in the way on it
    * @param robots all robots of the floor
    * @param missions its tasks that have not ended
    * @param ended tasks that ended since the last report
    * @param alerts sentences that concern the whole floor
    */
   record FloorReport(
-      String floor,
+      FloorView floor,
       List<RobotView> robots,
       List<TaskView> missions,
       List<TaskView> ended,

@@ -13,5 +13,7 @@ public enum RobotState {
   NOT_LOCALISED,
   ERROR,
   /** Silent for more than two seconds. */
-  LOST
+  LOST,
+  /** A person has taken it out of service: it gets no task and is not told to drive. */
+  OUT_OF_SERVICE
 }

@@ -10,7 +10,8 @@ import org.toqa.link.message.AgentMessage.Fault;
 /**
  * A robot as readers see it.
  *
- * @param pose map frame; null while it was never heard of
+ * @param pose map frame; null while it was never heard of, and after a person said that it does not
+ *     stand there any more
  * @param battery 0 to 1; null while it was never heard of
  * @param task the task it works for, if any
  * @param phase 0 parked or going home without a task, else the phase it is in

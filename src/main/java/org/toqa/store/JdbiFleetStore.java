@@ -8,6 +8,7 @@ import java.time.ZoneOffset;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
@@ -75,6 +76,28 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                 .bind("parking", robot.parking())
                 .bind("simulated", robot.simulated())
                 .execute());
+  }
+
+  @Override
+  public Set<String> outOfService() {
+    return in(
+        h ->
+            h.createQuery("select name from robots where out_of_service = true")
+                .mapTo(String.class)
+                .set());
+  }
+
+  @Override
+  public void saveService(String robot, boolean inService, List<EventRecord> events) {
+    inTransaction(
+        h -> {
+          h.createUpdate("update robots set out_of_service = :out where id = :id")
+              .bind("out", !inService)
+              .bind("id", robotId(h, robot))
+              .execute();
+          addEvents(h, events);
+          return null;
+        });
   }
 
   @Override

@@ -6,6 +6,7 @@ import static org.toqa.web.Right.STRANGER;
 import static org.toqa.web.Right.USER;
 
 import jakarta.servlet.ServletRequest;
+import jakarta.servlet.http.HttpServletRequest;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -34,6 +35,8 @@ public final class Doors {
           new Door("POST", "/robots", MANAGER),
           new Door("GET", "/robots/{name}", USER),
           new Door("POST", "/robots/{name}/locate", MANAGER),
+          new Door("POST", "/robots/{name}/out-of-service", MANAGER),
+          new Door("POST", "/robots/{name}/in-service", MANAGER),
           new Door("GET", "/users", USER),
           new Door("POST", "/users", MANAGER),
           new Door("POST", "/users/{id}/password", USER),
@@ -50,7 +53,9 @@ public final class Doors {
           new Door("GET", "/api/v1/robots", USER),
           new Door("POST", "/api/v1/robots", MANAGER),
           new Door("GET", "/api/v1/robots/{name}", USER),
-          new Door("POST", "/api/v1/robots/{name}/locate", MANAGER));
+          new Door("POST", "/api/v1/robots/{name}/locate", MANAGER),
+          new Door("POST", "/api/v1/robots/{name}/out-of-service", MANAGER),
+          new Door("POST", "/api/v1/robots/{name}/in-service", MANAGER));
 
   private Doors() {}
 
@@ -104,5 +109,11 @@ public final class Doors {
   public static String parameter(ServletRequest request, String name) {
     Map<?, ?> parameters = (Map<?, ?>) request.getAttribute(PARAMETERS);
     return (String) Objects.requireNonNull(parameters.get(name), name);
+  }
+
+  /** What the request asks of the thing in its path: the path's last segment. */
+  public static String lastSegment(HttpServletRequest request) {
+    String path = Objects.requireNonNull(request.getPathInfo());
+    return path.substring(path.lastIndexOf('/') + 1);
   }
 }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -59,6 +60,21 @@ class FleetStoreTest {
     RobotRecord moved = new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true);
     store.saveRobot(moved);
     assertEquals(List.of(moved, R2), store.robots());
+  }
+
+  @Test
+  void aRobotStaysOutOfServiceWhenItsAddressChanges() {
+    store.saveRobot(R1);
+    store.saveRobot(R2);
+    assertEquals(Set.of(), store.outOfService());
+
+    store.saveService("r1", false, List.of());
+    store.saveService("r2", false, List.of());
+    store.saveService("r2", true, List.of());
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true));
+
+    assertEquals(Set.of("r1"), store.outOfService());
+    assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
   }
 
   @Test

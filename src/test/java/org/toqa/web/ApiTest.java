@@ -268,6 +268,55 @@ class ApiTest {
   }
 
   @Test
+  void aManagerTakesARobotOutOfServiceAndPutsItBack() {
+    HttpResponse<String> out = post(token, "api/v1/robots/r1/out-of-service", "");
+    assertEquals(200, out.statusCode());
+    assertEquals("OUT_OF_SERVICE", JSON.readTree(out.body()).get("state").stringValue());
+    assertEquals("OUT_OF_SERVICE", state("r1"));
+
+    HttpResponse<String> in = post(token, "api/v1/robots/r1/in-service", "{}");
+    assertEquals(200, in.statusCode());
+    assertEquals("IDLE", JSON.readTree(in.body()).get("state").stringValue());
+    assertEquals("IDLE", state("r1"));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"out-of-service", "in-service"})
+  void onlyManagersSayWhichRobotsAreInService(String wish) {
+    String path = "api/v1/robots/r1/" + wish;
+
+    HttpResponse<String> ofClerk = post(tokenOf(WebTestServer.CLERK), path, "{}");
+
+    assertEquals(403, ofClerk.statusCode());
+    assertTrue(detail(ofClerk).startsWith("Only a manager may do this."));
+    assertEquals(401, post(null, path, "{}").statusCode());
+    assertEquals("IDLE", state("r1"));
+    assertEquals(404, post(token, "api/v1/robots/none/" + wish, "{}").statusCode());
+    assertEquals(405, get(path).statusCode());
+  }
+
+  @Test
+  void theStreamTellsWhatIsInTheWay() {
+    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    HttpResponse<InputStream> stream =
+        visitor.send(
+            visitor.request("api/v1/events").header("Authorization", "Bearer " + token).build(),
+            BodyHandlers.ofInputStream());
+
+    try (Scanner lines = new Scanner(stream.body(), StandardCharsets.UTF_8)) {
+      JsonNode floor = JSON.readTree(after("data: ", lines)).get("floors").get(0);
+      assertEquals("hall", floor.get("floor").stringValue());
+      assertEquals("[375,2,415,2]", floor.get("obstacles").toString());
+      assertEquals(
+          "{\"robot\":\"r6\",\"cells\":[490,2,530,2]}", floor.get("kept").get(0).toString());
+      JsonNode standstill = floor.get("standstills").get(0);
+      assertEquals("[\"r2\",\"r3\"]", standstill.get("robots").toString());
+      assertEquals(2.25, standstill.get("where").get(0).get("x").doubleValue());
+      assertTrue(standstill.get("text").stringValue().contains("wait for each other"));
+    }
+  }
+
+  @Test
   void aSessionWritesWithItsToken() {
     try (Visitor clerk = Visitor.loggedIn(server.root(), WebTestServer.CLERK)) {
       assertEquals(201, clerk.postJson("api/v1/tasks", GOOD_TASK).statusCode());
@@ -343,6 +392,10 @@ class ApiTest {
             "{\"name\":\"%s\",\"password\":\"%s\"}".formatted(name, WebTestServer.PASSWORD));
     assertEquals(200, answer.statusCode());
     return JSON.readTree(answer.body()).get("token").stringValue();
+  }
+
+  private String state(String robot) {
+    return JSON.readTree(get("api/v1/robots/" + robot).body()).get("state").stringValue();
   }
 
   private HttpResponse<String> get(String path) {

@@ -25,10 +25,12 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.fleet.FloorView;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.CellRuns;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.TaskState;
 
@@ -120,6 +122,49 @@ class PagesInBrowserTest {
   }
 
   @Test
+  void theMapShowsWhatIsInTheWay() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    assertThat(page.locator("#needs")).not().containsText("Standstill");
+    Object before = pictureOf(page);
+
+    server.fleet().changeFloor(TestFleet.crowdedFloor());
+
+    assertThat(page.locator("#needs")).containsText("r2, r3 at (2.25, 0.75)");
+    page.waitForCondition(() -> !pictureOf(page).equals(before));
+    page.getByText("Legend").click();
+    page.getByText("Does not get on").scrollIntoViewIfNeeded();
+    picture(page, "map-in-the-way");
+
+    Object crowded = pictureOf(page);
+    server.fleet().changeFloor(new FloorView("hall", CellRuns.NONE, Map.of(), List.of()));
+
+    page.waitForCondition(() -> !pictureOf(page).equals(crowded));
+    assertThat(page.locator("#needs")).not().containsText("Standstill");
+  }
+
+  @Test
+  void aRobotIsTakenOutOfServiceOnItsPage() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    page.navigate(server.root() + "robots/r2");
+    page.getByText("Take it out of service").click();
+    assertThat(page.locator("#service")).containsText("make sure that it does not stand there");
+    page.getByText("Take this robot out of service").click();
+
+    assertThat(page.locator(".heading .state")).hasText("Out of service");
+    assertThat(page.getByText("Free its place")).hasCount(0);
+    server
+        .fleet()
+        .changeFloor(
+            new FloorView(
+                "hall", CellRuns.NONE, Map.of("r2", new CellRuns(List.of(687, 1))), List.of()));
+    page.getByText("It stands there no more").click();
+    picture(page, "robot-out-of-service");
+    page.getByText("Put it back in service").click();
+    assertThat(page.locator(".heading .state")).hasText("Idle");
+  }
+
+  @Test
   void theMapSaysWhenTheServerIsAway() throws Exception {
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
     assertThat(page.locator("#age")).containsText("Live");
@@ -153,6 +198,7 @@ class PagesInBrowserTest {
     }
     server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
     server.fleet().changeTask(3, TaskState.DONE, List.of("r2"), "r2 has parked.");
+    server.fleet().changeFloor(TestFleet.crowdedFloor());
     Page page = loggedIn(width, height, scheme);
     assertThat(page.locator("#robots li")).hasCount(6);
     for (String path :

@@ -214,6 +214,40 @@ class PagesTest {
   }
 
   @Test
+  void aManagerTakesARobotOutOfServiceAndPutsItBack() {
+    String before = manager.get("robots/r1").body();
+    assertTrue(before.contains("action=\"/robots/r1/out-of-service\""));
+    assertTrue(before.contains("make sure that it does not stand there any more"));
+    assertFalse(before.contains("action=\"/robots/r1/in-service\""));
+    assertFalse(clerk.get("robots/r1").body().contains("out-of-service"));
+
+    HttpResponse<String> out = manager.post("robots/r1/out-of-service", Map.of());
+
+    assertEquals(303, out.statusCode());
+    assertEquals("/robots/r1", out.headers().firstValue("Location").orElseThrow());
+    String after = manager.get("robots/r1").body();
+    assertTrue(after.contains("Out of service"));
+    assertTrue(after.contains("action=\"/robots/r1/in-service\""));
+    assertFalse(after.contains("action=\"/robots/r1/out-of-service\""));
+
+    assertEquals(303, manager.post("robots/r1/in-service", Map.of()).statusCode());
+    assertFalse(manager.get("robots/r1").body().contains("Out of service"));
+  }
+
+  @Test
+  void thePlaceOfARobotThatIsNotHeardOfIsFreedOnItsPage() {
+    Map<String, String> fields =
+        Map.of("name", "r6", "host", "localhost", "port", "7275", "maxLoad", "5");
+    manager.post("robots", fields);
+    manager.post("robots/r6/out-of-service", Map.of());
+    assertFalse(manager.get("robots/r6").body().contains("Free its place"));
+
+    server.fleet().changeFloor(TestFleet.crowdedFloor());
+
+    assertTrue(manager.get("robots/r6").body().contains("Free its place"));
+  }
+
+  @Test
   void usersAreAddedAndDeletedByAManager() {
     assertEquals(
         303,

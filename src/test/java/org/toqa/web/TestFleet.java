@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -17,6 +18,8 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -27,6 +30,7 @@ import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
@@ -46,7 +50,9 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   private final List<EventRecord> events = new ArrayList<>();
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
-  private FleetSnapshot latest = new FleetSnapshot(1, START, List.of(), List.of(), List.of());
+  private FleetSnapshot latest =
+      new FleetSnapshot(1, START, List.of(), List.of(), List.of(), List.of());
+  private List<FloorView> floors = List.of();
   private boolean silent;
 
   /** From now on the store does not answer. */
@@ -59,6 +65,17 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     lock.lock();
     try {
       publish(change.apply(latest.robots()));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Publishes what is in the way on the floor. */
+  void changeFloor(FloorView view) {
+    lock.lock();
+    try {
+      floors = List.of(view);
+      publish(latest.robots());
     } finally {
       lock.unlock();
     }
@@ -153,6 +170,23 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     if (!floor.grid().isFree(pose.position())) {
       return refused(null, "There is a wall. Say where the robot really stands.");
     }
+    return change(name, known -> robot(name, RobotState.IDLE, pose, known.host(), known.port()));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> takeOutOfService(String name, String user) {
+    return change(
+        name,
+        known -> robot(name, RobotState.OUT_OF_SERVICE, known.pose(), known.host(), known.port()));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> putInService(String name, String user) {
+    return change(
+        name, known -> robot(name, RobotState.IDLE, known.pose(), known.host(), known.port()));
+  }
+
+  private CompletionStage<Answer<RobotView>> change(String name, UnaryOperator<RobotView> change) {
     lock.lock();
     try {
       Optional<RobotView> known =
@@ -161,10 +195,9 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         return CompletableFuture.completedFuture(
             new Answer.Unknown<>("There is no robot of that name."));
       }
-      RobotView located =
-          robot(name, RobotState.IDLE, pose, known.get().host(), known.get().port());
-      publish(latest.robots().stream().map(r -> r.name().equals(name) ? located : r).toList());
-      return CompletableFuture.completedFuture(new Answer.Accepted<>(located));
+      RobotView next = change.apply(known.get());
+      publish(latest.robots().stream().map(r -> r.name().equals(name) ? next : r).toList());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(next));
     } finally {
       lock.unlock();
     }
@@ -267,10 +300,30 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         pose == null ? null : START);
   }
 
+  /** A floor with an obstacle of 2 x 2 cells, those of a lost robot r6, and a standstill. */
+  static FloorView crowdedFloor() {
+    return new FloorView(
+        "hall",
+        new CellRuns(List.of(375, 2, 415, 2)), // rows 9 and 10, columns 15 and 16
+        Map.of("r6", new CellRuns(List.of(490, 2, 530, 2))), // rows 12 and 13, columns 10 and 11
+        List.of(
+            new StandstillView(
+                List.of("r2", "r3"),
+                List.of(new Vec2(2.25, 0.75), new Vec2(7.35, 2.85)),
+                START,
+                "r2, r3 at (2.25, 0.75), (7.35, 2.85) wait for each other in a ring. Their ways"
+                    + " are planned anew.")));
+  }
+
   private void publish(List<RobotView> robots) {
     latest =
         new FleetSnapshot(
-            latest.version() + 1, latest.at().plusMillis(200), robots, newestFirst(), List.of());
+            latest.version() + 1,
+            latest.at().plusMillis(200),
+            robots,
+            newestFirst(),
+            floors,
+            List.of());
     changed.signalAll();
   }
 

@@ -1,9 +1,8 @@
 package org.toqa.web.api;
 
-import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.List;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
@@ -47,18 +46,6 @@ record MapJson(
         floor.stations().stream().map(PlaceJson::of).toList(),
         floor.parking().stream().map(PlaceJson::of).toList(),
         floor.charging().stream().map(PlaceJson::of).toList(),
-        runs(grid.occupied()));
-  }
-
-  private static List<Integer> runs(BitSet occupied) {
-    List<Integer> runs = new ArrayList<>();
-    int from = occupied.nextSetBit(0);
-    while (from >= 0) {
-      int to = occupied.nextClearBit(from);
-      runs.add(from);
-      runs.add(to - from);
-      from = occupied.nextSetBit(to);
-    }
-    return runs;
+        CellRuns.of(grid.occupied()).runs());
   }
 }

@@ -3,6 +3,8 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.concurrent.CompletionStage;
+import org.toqa.fleet.Answer;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.Doors;
@@ -12,7 +14,7 @@ import org.toqa.web.InputRules;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
-/** One robot; and a person's word where it is. */
+/** One robot; and a person's word where it is and whether it is in service. */
 public final class RobotServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
@@ -27,10 +29,21 @@ public final class RobotServlet extends ApiServlet {
     Json.send(response, 200, RobotJson.of(robot));
   }
 
-  /** The only write here is locate. */
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
+    String robot = Doors.parameter(request, "name");
+    String user = Caller.of(request).name();
+    CompletionStage<Answer<RobotView>> wish =
+        switch (Doors.lastSegment(request)) {
+          case "out-of-service" -> services().fleet().takeOutOfService(robot, user);
+          case "in-service" -> services().fleet().putInService(robot, user);
+          default -> services().fleet().locate(robot, pose(request), user);
+        };
+    Json.send(response, 200, RobotJson.of(accepted(FleetAnswers.await(wish))));
+  }
+
+  private static Pose pose(HttpServletRequest request) throws IOException {
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     InputRules rules = new InputRules(Texts.of(request), errors);
@@ -41,12 +54,6 @@ public final class RobotServlet extends ApiServlet {
             rules.angle("theta", fields.number("theta")));
     fields.refuseUnknown();
     refuseIfAny(errors);
-    RobotView robot =
-        accepted(
-            FleetAnswers.await(
-                services()
-                    .fleet()
-                    .locate(Doors.parameter(request, "name"), pose, Caller.of(request).name())));
-    Json.send(response, 200, RobotJson.of(robot));
+    return pose;
   }
 }

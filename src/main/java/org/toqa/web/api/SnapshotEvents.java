@@ -11,7 +11,12 @@ import org.toqa.fleet.FleetSnapshot;
 final class SnapshotEvents {
 
   private record SnapshotJson(
-      long version, Instant at, List<RobotJson> robots, List<TaskJson> tasks, List<String> alerts) {
+      long version,
+      Instant at,
+      List<RobotJson> robots,
+      List<TaskJson> tasks,
+      List<FloorJson> floors,
+      List<String> alerts) {
 
     static SnapshotJson of(FleetSnapshot snapshot) {
       return new SnapshotJson(
@@ -19,6 +24,7 @@ final class SnapshotEvents {
           snapshot.at(),
           snapshot.robots().stream().map(RobotJson::of).toList(),
           snapshot.tasks().stream().map(TaskJson::of).toList(),
+          snapshot.floors().stream().map(FloorJson::of).toList(),
           snapshot.alerts());
     }
   }

@@ -5,6 +5,10 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.Doors;
@@ -14,7 +18,7 @@ import org.toqa.web.InputRules;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
-/** One robot: its state, and a manager's word where it is. */
+/** One robot: its state, and a manager's word where it is and whether it is in service. */
 public final class RobotServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
@@ -26,7 +30,6 @@ public final class RobotServlet extends PageServlet {
     }
   }
 
-  /** The only write here is locate; the form has degrees. */
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
@@ -35,8 +38,7 @@ public final class RobotServlet extends PageServlet {
       return;
     }
     FieldErrors errors = new FieldErrors();
-    Optional<RobotView> robot =
-        read(request, errors).flatMap(pose -> locate(pose, request, errors));
+    Optional<RobotView> robot = ask(request, errors).flatMap(wish -> answered(wish, errors));
     if (robot.isPresent()) {
       goTo(request, response, "/robots/" + robot.get().name());
     } else {
@@ -44,12 +46,25 @@ public final class RobotServlet extends PageServlet {
     }
   }
 
-  private Optional<RobotView> locate(Pose pose, HttpServletRequest request, FieldErrors errors) {
+  /** The wish of the form that was sent, if its fields are right. */
+  private Optional<CompletionStage<Answer<RobotView>>> ask(
+      HttpServletRequest request, FieldErrors errors) {
+    Fleet fleet = services().fleet();
     String name = Doors.parameter(request, "name");
     String user = Caller.of(request).name();
-    return accepted(FleetAnswers.await(services().fleet().locate(name, pose, user)), errors);
+    return switch (Doors.lastSegment(request)) {
+      case "out-of-service" -> Optional.of(fleet.takeOutOfService(name, user));
+      case "in-service" -> Optional.of(fleet.putInService(name, user));
+      default -> read(request, errors).map(pose -> fleet.locate(name, pose, user));
+    };
   }
 
+  private static Optional<RobotView> answered(
+      CompletionStage<Answer<RobotView>> wish, FieldErrors errors) {
+    return accepted(FleetAnswers.await(wish), errors);
+  }
+
+  /** The form has degrees. */
   private static Optional<Pose> read(HttpServletRequest request, FieldErrors errors) {
     FormFields fields = new FormFields(request, errors);
     InputRules rules = new InputRules(Texts.of(request), errors);
@@ -63,11 +78,12 @@ public final class RobotServlet extends PageServlet {
 
   private boolean offerRobot(HttpServletRequest request) {
     String name = Doors.parameter(request, "name");
+    FleetSnapshot fleet = services().fleet().feed().latest();
     Optional<RobotView> robot =
-        services().fleet().feed().latest().robots().stream()
-            .filter(r -> r.name().equals(name))
-            .findFirst();
+        fleet.robots().stream().filter(r -> r.name().equals(name)).findFirst();
     robot.ifPresent(r -> request.setAttribute("robot", r));
+    request.setAttribute(
+        "keepsPlace", fleet.floors().stream().anyMatch(floor -> floor.kept().containsKey(name)));
     return robot.isPresent();
   }
 }

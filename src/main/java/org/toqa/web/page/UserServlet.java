@@ -6,6 +6,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import org.toqa.store.Account;
+import org.toqa.web.Doors;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.InputRules;
 import org.toqa.web.Texts;
@@ -20,7 +21,7 @@ public final class UserServlet extends PageServlet {
     Optional<Account> user = services().accounts().byId(pathNumber(request, "id"));
     if (user.isEmpty()) {
       notFound(request, response, "problem.noSuchUser");
-    } else if (request.getPathInfo().endsWith("/delete")) {
+    } else if (Doors.lastSegment(request).equals("delete")) {
       delete(user.get(), request, response);
     } else {
       changePassword(user.get(), request, response);

@@ -1,0 +1,35 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.CellRuns;
+
+/**
+ * What is in the way on a floor beside its walls and the robots that drive, as readers see it.
+ *
+ * @param obstacles where robots have seen something that the map does not show
+ * @param kept by name, the robots that are not heard of, with the cells that stay reserved for each
+ */
+public record FloorView(
+    String name, CellRuns obstacles, Map<String, CellRuns> kept, List<StandstillView> standstills) {
+
+  public FloorView {
+    kept = Map.copyOf(kept);
+    standstills = List.copyOf(standstills);
+  }
+
+  /**
+   * Robots that do not get on.
+   *
+   * @param where they stand, metres, map frame, in the order of the robots
+   * @param text a sentence for people: who, where, and what is done about it
+   */
+  public record StandstillView(List<String> robots, List<Vec2> where, Instant since, String text) {
+    public StandstillView {
+      robots = List.copyOf(robots);
+      where = List.copyOf(where);
+    }
+  }
+}

@@ -1,0 +1,102 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import org.toqa.fleet.FloorView.StandstillView;
+import org.toqa.fleet.ObstacleMap.Obstacle;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.CellRuns;
+import org.toqa.grid.FloorMap;
+import org.toqa.mission.TaskPlace;
+import org.toqa.traffic.floor.FloorTraffic;
+
+/**
+ * What a floor learns beside its map: obstacles, which it tells the traffic, and standstills, which
+ * the traffic tells it; and what the history says of them.
+ */
+final class FloorWatch {
+  private final FloorMap floor;
+  private final FloorTraffic traffic;
+  private final ObstacleMap obstacles;
+  private final StandstillReport standstills;
+
+  /** A line for the history of a robot and of the task that it has. */
+  record Remark(String kind, String robot, String text) {}
+
+  FloorWatch(FloorMap floor, FloorTraffic traffic) {
+    this.floor = floor;
+    this.traffic = traffic;
+    this.obstacles = new ObstacleMap(floor.grid());
+    this.standstills = new StandstillReport(floor.grid());
+  }
+
+  /**
+   * @param percepts metres, map frame
+   * @param robots all of the floor
+   */
+  List<Remark> see(String robot, List<Vec2> percepts, Collection<String> robots, Instant now) {
+    if (percepts.isEmpty()) {
+      return List.of();
+    }
+    BitSet others = new BitSet();
+    robots.stream()
+        .filter(other -> !other.equals(robot) && traffic.knows(other))
+        .forEach(other -> others.or(traffic.held(other)));
+    return obstacles.see(robot, percepts, others, now).stream()
+        .map(
+            obstacle ->
+                new Remark(
+                    "floor.obstacle",
+                    robot,
+                    robot
+                        + " sees something at "
+                        + place(obstacle)
+                        + " that the map does not show; robots go round it"))
+        .toList();
+  }
+
+  /** Tells the traffic which obstacles there are; to be called before it decides. */
+  List<Remark> tellObstacles(Instant now) {
+    List<Obstacle> gone = obstacles.forget(now);
+    traffic.isObstructed(obstacles.cells());
+    return gone.stream()
+        .map(
+            obstacle ->
+                new Remark(
+                    "floor.obstacle-gone",
+                    obstacle.seenBy(),
+                    "The obstacle at "
+                        + place(obstacle)
+                        + " was not seen any more; robots may drive there again"))
+        .toList();
+  }
+
+  /** Asks the traffic who stands still; to be called after it decided. */
+  List<Remark> askStandstills() {
+    StandstillReport.Change change = standstills.update(traffic.standstills());
+    List<Remark> remarks = new ArrayList<>();
+    for (StandstillView begun : change.begun()) {
+      begun.robots().forEach(r -> remarks.add(new Remark("traffic.standstill", r, begun.text())));
+    }
+    for (StandstillView over : change.over()) {
+      String text = StandstillReport.over(over);
+      over.robots().forEach(r -> remarks.add(new Remark("traffic.resolved", r, text)));
+    }
+    return remarks;
+  }
+
+  /**
+   * @param kept as in {@link FloorView}
+   */
+  FloorView view(Map<String, CellRuns> kept) {
+    return new FloorView(floor.name(), CellRuns.of(obstacles.cells()), kept, standstills.lasting());
+  }
+
+  private String place(Obstacle obstacle) {
+    return new TaskPlace(floor.grid().centre(obstacle.cell()), null).text();
+  }
+}

@@ -1,0 +1,34 @@
+package org.toqa.web.api;
+
+import java.time.Instant;
+import java.util.List;
+import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.StandstillView;
+import org.toqa.geometry.Vec2;
+
+/**
+ * What is in the way on a floor, on the wire; the fields are those of {@link FloorView}. Cells are
+ * runs as in {@link MapJson}.
+ */
+record FloorJson(
+    String floor, List<Integer> obstacles, List<KeptJson> kept, List<StandstillJson> standstills) {
+
+  /** Cells that stay reserved for a robot that is not heard of. */
+  record KeptJson(String robot, List<Integer> cells) {}
+
+  record StandstillJson(List<String> robots, List<Vec2> where, Instant since, String text) {
+    static StandstillJson of(StandstillView view) {
+      return new StandstillJson(view.robots(), view.where(), view.since(), view.text());
+    }
+  }
+
+  static FloorJson of(FloorView view) {
+    return new FloorJson(
+        view.name(),
+        view.obstacles().runs(),
+        view.kept().entrySet().stream()
+            .map(e -> new KeptJson(e.getKey(), e.getValue().runs()))
+            .toList(),
+        view.standstills().stream().map(StandstillJson::of).toList());
+  }
+}

@@ -1,0 +1,371 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.BitSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.toqa.allocation.NearestFreeRobot;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.CellRuns;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.link.RobotLink;
+import org.toqa.link.RobotLinks;
+import org.toqa.mission.TaskState;
+import org.toqa.store.Database;
+import org.toqa.store.JdbiFleetStore;
+
+/** The agents over a real store, with robots that the test plays. */
+@Timeout(60)
+class FleetTest {
+  private static final Duration LIMIT = Duration.ofSeconds(20);
+
+  /** Two rooms and one door between them, in cells of 1 m; (0, 0) is the lower left corner. */
+  private static final OccupancyGrid GRID =
+      OccupancyGrid.parse(
+          "....#..........", //
+          "...............",
+          "....#..........");
+
+  private static final Vec2 WEST = new Vec2(0.5, 0.5);
+  private static final Vec2 DOOR = new Vec2(4.5, 1.5);
+  private static final Vec2 EAST = new Vec2(8.5, 0.5);
+  private static final FloorMap FLOOR =
+      new FloorMap(
+          "hall",
+          GRID,
+          List.of(new Place("West", new Vec2(0.5, 2.5)), new Place("East", new Vec2(8.5, 2.5))),
+          List.of(new Place("P1", WEST), new Place("P2", EAST)),
+          List.of());
+
+  private final Map<String, ScriptedRobot> robots = new LinkedHashMap<>();
+  private final Database database = Database.inMemory("fleet-" + System.nanoTime());
+  private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+  private Instant now = Instant.parse("2026-11-21T08:00:00Z");
+  private AgentFleet fleet;
+
+  @BeforeEach
+  void start() {
+    add("r1", WEST, "P1");
+    fleet = open();
+  }
+
+  @AfterEach
+  void stop() {
+    fleet.close();
+    database.close();
+  }
+
+  @Test
+  void anObstacleIsShownWhileItIsSeenAndAWhileLonger() throws Exception {
+    played("r1").sees(new Vec2(6.2, 1.1), new Vec2(6.8, 1.9), new Vec2(4.5, 0.5));
+
+    until(view -> obstacles(view).equals(cells(new Cell(6, 1))));
+    played("r1").sees();
+    Instant unseen = now;
+    until(view -> obstacles(view).equals(CellRuns.NONE));
+
+    assertTrue(!now.isBefore(unseen.plus(ObstacleMap.REMEMBERED).minusMillis(200)), now.toString());
+    untilHistory(
+        "floor.obstacle-gone",
+        "The obstacle at (6.50, 1.50) was not seen any more; robots may drive there again");
+    untilHistory(
+        "floor.obstacle",
+        "r1 sees something at (6.50, 1.50) that the map does not show; robots go round it");
+  }
+
+  @Test
+  void whatARobotSeesWhereAnotherOneStandsIsNoObstacle() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> robot(view, "r2").state() == RobotState.IDLE);
+
+    played("r1").sees(EAST, new Vec2(6.5, 1.5));
+
+    until(view -> !obstacles(view).equals(CellRuns.NONE));
+    assertEquals(cells(new Cell(6, 1)), obstacles(fleet.feed().latest()));
+  }
+
+  @Test
+  void aLostRobotKeepsItsCellsUntilAPersonSaysThatItIsGone() throws Exception {
+    reopenWith("r2", DOOR, null);
+    until(view -> robot(view, "r2").state() == RobotState.IDLE);
+    played("r2").fallSilent();
+    until(view -> robot(view, "r2").state() == RobotState.LOST);
+    assertEquals(
+        Map.of("r2", cells(new Cell(4, 1))), fleet.feed().latest().floors().getFirst().kept());
+    long task = submit("West", "East");
+    until(view -> waitsFor(view, task).startsWith("Waits for r2"));
+
+    RobotView taken = accepted(fleet.takeOutOfService("r2", "Max"));
+
+    assertEquals(RobotState.OUT_OF_SERVICE, taken.state());
+    assertNull(taken.pose());
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(Map.of(), fleet.feed().latest().floors().getFirst().kept());
+    assertEquals(
+        List.of("Max took r2 out of service; it does not stand any more where it was lost"),
+        history("robot.out-of-service"));
+  }
+
+  @Test
+  void aRobotThatIsHeardAgainAfterItWasSaidToBeGoneHasItsPlaceAgain() throws Exception {
+    reopenWith("r2", DOOR, null);
+    until(view -> robot(view, "r2").state() == RobotState.IDLE);
+    played("r2").fallSilent();
+    until(view -> robot(view, "r2").state() == RobotState.LOST);
+    accepted(fleet.takeOutOfService("r2", "Max"));
+    played("r2").speakAgain();
+    until(view -> robot(view, "r2").pose() != null);
+
+    long task = submit("West", "East");
+
+    until(view -> waitsFor(view, task).startsWith("Waits for r2"));
+    assertEquals(RobotState.OUT_OF_SERVICE, robot(fleet.feed().latest(), "r2").state());
+  }
+
+  @Test
+  void aRobotOutOfServiceThatFallsSilentKeepsItsPlaceUntilAPersonSaysItAgain() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(fleet.takeOutOfService("r1", "Max"));
+    played("r1").fallSilent();
+    until(view -> view.floors().getFirst().kept().containsKey("r1"));
+
+    accepted(fleet.takeOutOfService("r1", "Max"));
+
+    until(view -> view.floors().getFirst().kept().isEmpty());
+    assertEquals(
+        List.of(
+            "Max took r1 out of service",
+            "Max took r1 out of service; it does not stand any more where it was lost"),
+        history("robot.out-of-service"));
+  }
+
+  @Test
+  void aRobotOutOfServiceStopsAndGoesOnWhenItIsBackInService() throws Exception {
+    long task = submit("West", "East");
+    until(view -> task(view, task).state() == TaskState.CARRYING && played("r1").isDriving());
+
+    accepted(fleet.takeOutOfService("r1", "Max"));
+    until(view -> !played("r1").isDriving());
+    Vec2 stopped = played("r1").position();
+    until(view -> waitsFor(view, task).equals("r1 is out of service: put it back in service"));
+    fleet.close(); // and it survives a restart
+    fleet = open();
+    until(view -> !view.robots().isEmpty() && robot(view, "r1").pose() != null);
+    assertEquals(RobotState.OUT_OF_SERVICE, robot(fleet.feed().latest(), "r1").state());
+    assertEquals(
+        "r1 is out of service: put it back in service", waitsFor(fleet.feed().latest(), task));
+    assertEquals(stopped, played("r1").position());
+
+    accepted(fleet.putInService("r1", "Clara"));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(0, played("r1").position().distanceTo(WEST), 1e-6);
+    assertEquals(List.of("Clara put r1 back in service"), history("robot.in-service"));
+    assertTrue(
+        store.history(task).stream().anyMatch(e -> e.text().equals("Max took r1 out of service")));
+  }
+
+  @Test
+  void aRobotOutOfServiceGetsNoTask() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    accepted(fleet.takeOutOfService("r1", "Max"));
+
+    long task = submit("West", "East"); // r1 stands nearest
+
+    until(view -> task(view, task).robots().equals(List.of("r2")));
+  }
+
+  @Test
+  void whatIsSoAlreadyIsAcceptedAndNotToldAgain() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+
+    assertEquals(RobotState.IDLE, accepted(fleet.putInService("r1", "Max")).state());
+    accepted(fleet.takeOutOfService("r1", "Max"));
+    accepted(fleet.takeOutOfService("r1", "Max"));
+
+    assertEquals(List.of(), history("robot.in-service"));
+    assertEquals(1, history("robot.out-of-service").size());
+    assertInstanceOf(
+        Answer.Unknown.class,
+        fleet.takeOutOfService("r9", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
+  }
+
+  @Test
+  void aRobotOnItsWayGoesRoundWhatAnotherOneSees() throws Exception {
+    reopenWith("r2", new Vec2(14.5, 2.5), null);
+    long task = submit(new Where.Point(new Vec2(5.5, 1.5)), new Where.Point(new Vec2(13.5, 1.5)));
+    until(
+        view ->
+            task(view, task).state() == TaskState.CARRYING
+                && !robot(view, "r1").route().isEmpty()
+                && played("r1").isDriving());
+    List<Vec2> straight = robot(fleet.feed().latest(), "r1").route();
+    assertTrue(
+        straight.stream().allMatch(p -> Math.abs(p.y() - 1.5) < 1e-6), "through the obstacle");
+
+    Cell obstacle = new Cell(11, 1);
+    played("r2").sees(GRID.centre(obstacle));
+
+    until(
+        view -> {
+          assertNotEquals(obstacle, GRID.cellAt(played("r1").position()));
+          return task(view, task).state() == TaskState.DONE;
+        });
+  }
+
+  @Test
+  void aRobotThatAnObstacleStopsSaysSoAndGoesOnWhenItIsGone() throws Exception {
+    reopenWith("r2", new Vec2(3.5, 2.5), null);
+    played("r2").sees(DOOR);
+    until(view -> obstacles(view).equals(cells(GRID.cellAt(DOOR))));
+
+    long task = submit("West", "East");
+
+    until(view -> waitsFor(view, task).contains("an obstacle"));
+    assertTrue(waitsFor(fleet.feed().latest(), task).contains("(4.50, 1.50)"));
+    assertEquals(waitsFor(fleet.feed().latest(), task), robot(fleet.feed().latest(), "r1").doing());
+    played("r2").sees();
+    until(view -> task(view, task).state() == TaskState.DONE);
+  }
+
+  @Test
+  void aRobotThatDoesNotGetOnIsToldUntilItDoes() throws Exception {
+    long task = submit("West", "East");
+    until(view -> task(view, task).state() == TaskState.CARRYING && played("r1").isDriving());
+
+    played("r1").sticks(true);
+    until(view -> !view.floors().getFirst().standstills().isEmpty());
+    FloorView.StandstillView standstill =
+        fleet.feed().latest().floors().getFirst().standstills().getFirst();
+    played("r1").sticks(false);
+    until(view -> view.floors().getFirst().standstills().isEmpty());
+
+    assertEquals(List.of("r1"), standstill.robots());
+    untilHistory("traffic.resolved", "The standstill of r1 is over.");
+    untilHistory("traffic.standstill", standstill.text());
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertTrue(store.history(task).stream().anyMatch(e -> e.kind().equals("traffic.standstill")));
+  }
+
+  // --- the stage --------------------------------------------------------------------------------
+
+  private void add(String name, Vec2 at, @Nullable String parking) {
+    robots.put(name, new ScriptedRobot(name, at));
+    store.saveRobot(new RobotRecord(name, "hall", "127.0.0.1", 1, 5, parking, false));
+  }
+
+  private void reopenWith(String name, Vec2 at, @Nullable String parking) {
+    fleet.close();
+    add(name, at, parking);
+    fleet = open();
+  }
+
+  private AgentFleet open() {
+    RobotLinks links =
+        new RobotLinks() {
+          @Override
+          public RobotLink open(String robot, String host, int port, RobotLink.Listener listener) {
+            return played(robot).link(listener);
+          }
+        };
+    return new AgentFleet(
+        List.of(FLOOR), store, links, new NearestFreeRobot(), InstantSource.system(), now);
+  }
+
+  /** Lets time go on, and the robots drive, until it is so. */
+  private void until(Predicate<FleetSnapshot> condition) throws InterruptedException {
+    long end = System.nanoTime() + LIMIT.toNanos();
+    FleetSnapshot view = fleet.feed().latest();
+    while (view.robots().isEmpty() || !condition.test(view)) {
+      if (System.nanoTime() > end) {
+        fail("It is still so: " + view);
+      }
+      now = now.plusMillis(100);
+      robots.values().forEach(ScriptedRobot::step);
+      fleet.tick(now);
+      view = fleet.feed().awaitNewer(view.version(), Duration.ofMillis(20));
+    }
+  }
+
+  /** What no answer waits for is written a moment later. */
+  private void untilHistory(String kind, String sentence) throws InterruptedException {
+    until(view -> history(kind).equals(List.of(sentence)));
+  }
+
+  private long submit(String start, String goal) throws Exception {
+    return submit(new Where.Station(start), new Where.Station(goal));
+  }
+
+  private long submit(Where start, Where goal) throws Exception {
+    TaskOrder order = new TaskOrder("box", 1, start, goal, null, 0, null, null);
+    long id = accepted(fleet.submit(order, "Clara")).id();
+    until(view -> view.tasks().stream().anyMatch(t -> t.id() == id));
+    return id;
+  }
+
+  private static <T> T accepted(CompletionStage<Answer<T>> wish) throws Exception {
+    Answer<T> answer = wish.toCompletableFuture().get(10, TimeUnit.SECONDS);
+    return answer instanceof Answer.Accepted<T>(T value) ? value : fail("No: " + answer);
+  }
+
+  private ScriptedRobot played(String name) {
+    return Objects.requireNonNull(robots.get(name));
+  }
+
+  private static RobotView robot(FleetSnapshot view, String name) {
+    return view.robots().stream().filter(r -> r.name().equals(name)).findFirst().orElseThrow();
+  }
+
+  private static TaskView task(FleetSnapshot view, long id) {
+    return view.tasks().stream().filter(t -> t.id() == id).findFirst().orElseThrow();
+  }
+
+  private static String waitsFor(FleetSnapshot view, long task) {
+    return Objects.requireNonNullElse(task(view, task).waitingFor(), "");
+  }
+
+  private static CellRuns obstacles(FleetSnapshot view) {
+    return view.floors().getFirst().obstacles();
+  }
+
+  private static CellRuns cells(Cell cell) {
+    BitSet bits = new BitSet();
+    bits.set(GRID.index(cell));
+    return CellRuns.of(bits);
+  }
+
+  private List<String> history(String kind) {
+    return database
+        .jdbi()
+        .withHandle(
+            h ->
+                h.createQuery("select text from events where kind = :kind order by id")
+                    .bind("kind", kind)
+                    .mapTo(String.class)
+                    .list());
+  }
+}

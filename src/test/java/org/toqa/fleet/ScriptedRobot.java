@@ -1,0 +1,222 @@
+package org.toqa.fleet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.RobotLink;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Ack;
+import org.toqa.link.message.AgentMessage.Done;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.link.message.AgentMessage.Speed;
+import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.ServerMessage;
+import org.toqa.link.message.ServerMessage.AckDone;
+import org.toqa.link.message.ServerMessage.Cancel;
+import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.message.ServerMessage.Extend;
+import org.toqa.link.message.ServerMessage.Release;
+import org.toqa.motion.Trajectory;
+
+/**
+ * A robot at the other end of the link, without a link: it answers by the contract, drives one
+ * released segment at each step of the test, and sees what the test lets it see.
+ */
+final class ScriptedRobot {
+  static final double FOOTPRINT = 0.255;
+
+  private final String name;
+  private Pose pose;
+  private List<Vec2> obstacles = List.of();
+  private boolean mute;
+  private boolean stuck;
+  private RobotLink.@Nullable Listener listener;
+  private boolean connected;
+
+  private @Nullable Trajectory way;
+  private @Nullable Long task;
+  private @Nullable Done done;
+  private int phase;
+  private long drive;
+  private int segment;
+  private int released;
+  private boolean last;
+  private long lastSeq;
+
+  ScriptedRobot(String name, Vec2 at) {
+    this.name = name;
+    this.pose = new Pose(at.x(), at.y(), 0);
+  }
+
+  synchronized void sees(Vec2... points) {
+    obstacles = List.of(points);
+  }
+
+  /** From now on it says nothing, and drives nothing. */
+  synchronized void fallSilent() {
+    mute = true;
+  }
+
+  synchronized void speakAgain() {
+    mute = false;
+  }
+
+  /** It speaks, and does not move though it may. */
+  synchronized void sticks(boolean stuck) {
+    this.stuck = stuck;
+  }
+
+  synchronized boolean isDriving() {
+    return drive != 0;
+  }
+
+  synchronized Vec2 position() {
+    return pose.position();
+  }
+
+  synchronized RobotLink link(RobotLink.Listener heard) {
+    listener = heard;
+    connected = false;
+    return new RobotLink() {
+      @Override
+      public void send(ServerMessage message) {
+        hear(message);
+      }
+
+      @Override
+      public void close() {
+        closed(heard);
+      }
+    };
+  }
+
+  private synchronized void closed(RobotLink.Listener heard) {
+    listener = heard.equals(listener) ? null : listener;
+  }
+
+  /** A moment of its life: a segment, and what it says then. */
+  synchronized void step() {
+    if (mute || listener == null) {
+      return;
+    }
+    if (!connected) {
+      connected = true;
+      listener.connected(hello());
+      return;
+    }
+    if (way != null && segment < released && !stuck) {
+      segment++;
+      pose = way.poseAfter(segment);
+    }
+    if (way != null && last && segment == way.segments().size()) {
+      done = new Done(task, phase, drive);
+      way = null;
+      drive = 0;
+    }
+    if (done != null) {
+      listener.received(done);
+    }
+    listener.received(state());
+  }
+
+  private synchronized void hear(ServerMessage message) {
+    if (message instanceof AckDone ack) {
+      if (done != null && done.drive() == ack.done()) {
+        task = done.phase() == 3 ? null : task;
+        done = null;
+      }
+    } else if (message instanceof Command command && command.seq() > lastSeq) {
+      lastSeq = command.seq();
+      obey(command);
+      say(new Ack(command.seq()));
+    }
+  }
+
+  private void obey(Command command) {
+    switch (command) {
+      case Drive d -> {
+        way = new Trajectory(d.start(), d.segments());
+        task = d.task();
+        phase = d.phase();
+        drive = d.seq();
+        segment = 0;
+        released = d.released();
+        last = d.last();
+        done = null;
+      }
+      case Extend e -> {
+        Trajectory old = Objects.requireNonNull(way);
+        var segments = new ArrayList<>(old.segments().subList(0, e.from()));
+        segments.addAll(e.segments());
+        way = new Trajectory(old.start(), segments);
+        released = e.released();
+        last = e.last();
+      }
+      case Release r -> released = r.released();
+      case Cancel c -> {
+        if (Objects.equals(c.task(), task)) {
+          way = null;
+          task = null;
+          drive = 0;
+          done = null;
+        }
+      }
+      default -> {}
+    }
+  }
+
+  private void say(AgentMessage message) {
+    if (!mute && listener != null) {
+      listener.received(message);
+    }
+  }
+
+  private Mode mode() {
+    return drive == 0 ? Mode.IDLE : Mode.DRIVING;
+  }
+
+  private Hello hello() {
+    return new Hello(
+        AgentMessage.VERSION,
+        name,
+        5,
+        0.5,
+        FOOTPRINT,
+        true,
+        pose,
+        mode(),
+        task,
+        phase,
+        Role.ALONE,
+        drive,
+        segment,
+        released,
+        lastSeq,
+        null);
+  }
+
+  private State state() {
+    return new State(
+        0,
+        true,
+        pose,
+        new Speed(0, 0),
+        mode(),
+        task,
+        phase,
+        Role.ALONE,
+        drive,
+        segment,
+        released,
+        0.8,
+        List.of(),
+        obstacles,
+        List.of());
+  }
+}
