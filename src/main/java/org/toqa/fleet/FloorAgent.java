@@ -42,6 +42,7 @@ import org.toqa.mission.MissionCommand;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.motion.DriveSpeeds;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.Decision;
 import org.toqa.traffic.floor.FloorTraffic;
@@ -412,6 +413,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     } else {
       traffic.stands(robot.name(), hello.pose(), hello.footprint(), now);
     }
+    traffic.drivesAt(robot.name(), DriveSpeeds.DEFAULT.atMost(hello.maxSpeed()));
     if (hello.done() != null) {
       phaseEnded(robot, hello.done());
     }

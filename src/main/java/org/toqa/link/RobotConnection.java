@@ -25,6 +25,8 @@ import org.toqa.link.message.ServerMessage;
  * so that {@link #send} never waits.
  */
 final class RobotConnection implements AutoCloseable {
+  /** A robot is at most so wide, metres. */
+  private static final double WIDEST = 10;
 
   private static final Logger log = LoggerFactory.getLogger(RobotConnection.class);
 
@@ -90,7 +92,16 @@ final class RobotConnection implements AutoCloseable {
           "At %s answers robot %s, not %s; correct the address or the name."
               .formatted(place, hello.robot(), robot));
     }
+    if (!(hello.maxLoad() >= 0 && hello.maxSpeed() > 0 && isSize(hello.footprint()))) {
+      throw new LinkException(
+          "%s says that it carries %s kg, drives %s m/s and is %s m wide; correct its configuration."
+              .formatted(robot, hello.maxLoad(), hello.maxSpeed(), hello.footprint()));
+    }
     return hello;
+  }
+
+  private static boolean isSize(double metres) {
+    return metres > 0 && metres <= WIDEST;
   }
 
   /** The next message that can be understood; waits for it. */

@@ -19,6 +19,15 @@ public record DriveSpeeds(double forward, double arcRate, double spotRate) {
     requirePositive("spotRate", spotRate);
   }
 
+  /**
+   * The same, but nowhere faster than a robot can be.
+   *
+   * @param maxSpeed metres a second
+   */
+  public DriveSpeeds atMost(double maxSpeed) {
+    return new DriveSpeeds(Math.min(forward, maxSpeed), arcRate, spotRate);
+  }
+
   private static void requirePositive(String name, double value) {
     if (!(value > 0) || Double.isInfinite(value)) {
       throw new IllegalArgumentException(

@@ -47,7 +47,7 @@ public final class FloorTraffic {
   private static final Duration NO_PROGRESS_AFTER = Duration.ofSeconds(10);
   private static final Duration PLAN_AGAIN_AFTER = Duration.ofSeconds(5);
   private static final Duration BACK_OFF_AFTER = Duration.ofSeconds(2);
-  private static final Duration EXPLAIN_AGAIN_AFTER = Duration.ofSeconds(1);
+  private static final Duration LOOK_AGAIN_AFTER = Duration.ofSeconds(1);
 
   private final Ground ground;
   private final OwnWays ways;
@@ -294,9 +294,11 @@ public final class FloorTraffic {
       if (m.waitingSince == null) {
         m.waitingSince = now;
       }
-      if (changed || !m.triedAlone) {
-        m.triedAlone = true;
-        ways.among(m, movers.values(), claimedByOthers(m)).ifPresent(way -> takeOwn(m, way));
+      if (changed || m.triedAlone.plus(LOOK_AGAIN_AFTER).isBefore(now)) {
+        m.triedAlone = now;
+        BitSet taken = claimedByOthers(m);
+        movers.values().stream().filter(o -> o.waitsLongerThan(m)).forEach(o -> taken.or(o.wish));
+        ways.among(m, movers.values(), taken).ifPresent(way -> takeOwn(m, way));
       }
     }
   }
@@ -314,9 +316,6 @@ public final class FloorTraffic {
     for (Mover other : movers.values()) {
       if (other != m) {
         other.addClaimedTo(claimed);
-        if (other.waitsLongerThan(m)) {
-          claimed.or(other.wish);
-        }
       }
     }
     return claimed;
@@ -355,7 +354,7 @@ public final class FloorTraffic {
     for (Mover m : movers.values()) {
       if (!m.isUnserved()) {
         m.hindrance = null;
-      } else if (m.hindrance == null || m.hindranceSince.plus(EXPLAIN_AGAIN_AFTER).isBefore(now)) {
+      } else if (m.hindrance == null || m.hindranceSince.plus(LOOK_AGAIN_AFTER).isBefore(now)) {
         m.hindrance = hindrances.of(m, movers.values());
         m.hindranceSince = now;
       }
@@ -377,7 +376,10 @@ public final class FloorTraffic {
       return;
     }
     m.wish = new BitSet();
-    ways.alone(m).ifPresent(way -> way.forEach(s -> s.cells().addTo(m.wish)));
+    ways.roundFixed(m, movers.values()).ifPresent(way -> way.forEach(s -> s.cells().addTo(m.wish)));
+    if (m.wish.isEmpty()) {
+      return;
+    }
     ways.outOf(other, movers.values(), claimedByOthers(other), m.wish)
         .ifPresent(
             way -> {

@@ -1,5 +1,6 @@
 package org.toqa.traffic.floor;
 
+import static java.util.Comparator.comparing;
 import static java.util.Comparator.nullsLast;
 
 import java.time.Instant;
@@ -9,10 +10,15 @@ import java.util.BitSet;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.IntStream;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.RoadGraph;
 
 /**
@@ -37,6 +43,9 @@ final class Goals {
   private final int[] assigned;
   private final Map<Integer, String> taken = new HashMap<>();
 
+  /** Where nobody else shall stay, on the way of the only one that gets its goal; else empty. */
+  private final Set<Integer> kept;
+
   /** How many that want to go somewhere have no way there, whoever made room. */
   private int unreachable;
 
@@ -47,26 +56,79 @@ final class Goals {
       List<Mover> planned,
       int[] starts,
       BitSet wished) {
+    this(ground, lanes, roads, planned, starts, wished, Set.of());
+    order(planned).forEach(i -> assign(i, goal(i)));
+  }
+
+  private Goals(
+      Ground ground,
+      Lanes lanes,
+      RoadGraph roads,
+      List<Mover> planned,
+      int[] starts,
+      BitSet wished,
+      Set<Integer> kept) {
     this.ground = ground;
     this.lanes = lanes;
     this.roads = roads;
     this.planned = planned;
     this.starts = starts;
     this.wished = wished;
+    this.kept = kept;
     this.assigned = new int[planned.size()];
-    List<Integer> order = new ArrayList<>();
-    for (int i = 0; i < planned.size(); i++) {
-      order.add(i);
+  }
+
+  /**
+   * The goal of the one that waits longest; for each other robot the nearest place that is not on
+   * the shortest way there.
+   */
+  Goals ofLongestWaiting() {
+    List<Integer> order = new ArrayList<>(order(planned));
+    order.sort(comparing(i -> !planned.get(i).isUnserved()));
+    int first = order.getFirst();
+    int goal = assigned[first];
+    Goals one = new Goals(ground, lanes, roads, planned, starts, wished, way(starts[first], goal));
+    one.assign(first, goal);
+    order.stream().skip(1).forEach(i -> one.assign(i, one.nearest(starts[i], starts[i])));
+    return one;
+  }
+
+  /** Those that have a place or a way to it, then who waits longest, then who wants nothing. */
+  private static List<Integer> order(List<Mover> planned) {
+    return IntStream.range(0, planned.size())
+        .boxed()
+        .sorted(
+            Comparator.<Integer, Boolean>comparing(i -> planned.get(i).goal == null)
+                .thenComparing(i -> planned.get(i).isUnserved())
+                .thenComparing(
+                    i -> planned.get(i).waitingSince,
+                    nullsLast(Comparator.<Instant>naturalOrder())))
+        .toList();
+  }
+
+  private void assign(int i, int vertex) {
+    assigned[i] = vertex;
+    taken.put(vertex, planned.get(i).name);
+  }
+
+  /** The vertices of a shortest way. */
+  private Set<Integer> way(int from, int to) {
+    char[] distances = DistanceTables.of(roads, new int[] {to}, Deadline.none())[0];
+    Set<Integer> way = new HashSet<>(Set.of(from));
+    int at = from;
+    while (at != to) {
+      int best = at;
+      for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
+        int next = roads.neighbour(at, d);
+        best = next != RoadGraph.NONE && distances[next] < distances[best] ? next : best;
+      }
+      if (best == at) {
+        return way;
+      }
+      at = best;
+      way.add(at);
     }
-    order.sort(
-        Comparator.<Integer, Boolean>comparing(i -> planned.get(i).goal == null)
-            .thenComparing(i -> planned.get(i).isUnserved())
-            .thenComparing(
-                i -> planned.get(i).waitingSince, nullsLast(Comparator.<Instant>naturalOrder())));
-    for (int i : order) {
-      assigned[i] = goal(i);
-      taken.put(assigned[i], planned.get(i).name);
-    }
+    return way;
   }
 
   int[] assigned() {
@@ -137,6 +199,8 @@ final class Goals {
   }
 
   private boolean isOpen(int vertex) {
-    return !taken.containsKey(vertex) && !lanes.touches(roads.cell(vertex), wished);
+    return !taken.containsKey(vertex)
+        && !kept.contains(vertex)
+        && !lanes.touches(roads.cell(vertex), wished);
   }
 }

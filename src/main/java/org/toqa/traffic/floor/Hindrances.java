@@ -26,17 +26,21 @@ final class Hindrances {
     if (m.takenBy != null) {
       return new Hindrance.PlaceTaken(m.takenBy, goal);
     }
-    Optional<List<Stretch>> way = ways.alone(m);
-    if (way.isEmpty()) {
-      return withoutWay(m, goal);
+    Optional<List<Stretch>> way = ways.roundFixed(m, movers);
+    if (way.isPresent()) {
+      return firstMet(m, way.get(), movers).orElse(new Hindrance.NoPlan(goal));
     }
-    for (Stretch stretch : way.get()) {
-      Hindrance met = met(m, stretch, movers);
-      if (met != null) {
-        return met;
-      }
-    }
-    return new Hindrance.NoPlan(goal);
+    List<Mover> fixed = movers.stream().filter(o -> !o.movable).toList();
+    return ways.alone(m)
+        .flatMap(alone -> firstMet(m, alone, fixed))
+        .orElseGet(() -> withoutWay(m, goal));
+  }
+
+  private Optional<Hindrance> firstMet(Mover m, List<Stretch> way, Collection<Mover> movers) {
+    return way.stream()
+        .map(stretch -> met(m, stretch, movers))
+        .filter(Objects::nonNull)
+        .findFirst();
   }
 
   private Hindrance withoutWay(Mover m, Vec2 goal) {

@@ -162,24 +162,20 @@ final class JointPlan {
 
   /**
    * By stretch: which visit its end is; the stretches begin at visit {@code from}. A stretch goes
-   * on through the corners that it rounds, and ends at the first cell that it does not.
+   * on through the corners that it rounds, and one to the middle of the cell where the robot is
+   * ends in the same visit.
    */
   static List<Integer> visitsAfter(
       OccupancyGrid lattice, List<Stretch> stretches, List<Cell> visits, int from) {
     List<Integer> after = new ArrayList<>();
     int visit = from;
     for (Stretch s : stretches) {
-      if (s.segments().stream().anyMatch(segment -> segment.v() != 0)) {
-        Cell end = lattice.cellAt(s.end().position());
-        int arcs =
-            (int)
-                s.segments().stream()
-                    .filter(segment -> segment.v() != 0 && segment.w() != 0)
-                    .count();
-        visit = Math.min(visit + 1 + arcs, visits.size() - 1);
-        while (visit < visits.size() - 1 && !visits.get(visit).equals(end)) {
-          visit++;
-        }
+      Cell end = lattice.cellAt(s.end().position());
+      if (s.rounds() || !visits.get(visit).equals(end)) {
+        visit = Math.min(visit + 1, visits.size() - 1);
+      }
+      while (visit < visits.size() - 1 && !visits.get(visit).equals(end)) {
+        visit++;
       }
       after.add(visit);
     }

@@ -26,6 +26,9 @@ import org.toqa.traffic.RoadGraph;
  * ways of their own or stand aside from the lanes, then with them. Who is left out is driven round.
  */
 final class JointPlanning {
+  /** Of the time there is, what a plan for all goals may take. */
+  private static final double SHARE_OF_ALL_GOALS = 0.6;
+
   private final Ground ground;
   private final OwnWays ways;
   private final CourseFitter fitter;
@@ -81,12 +84,26 @@ final class JointPlanning {
     return Outcome.NOT_FOUND;
   }
 
+  /** Plans for all goals at once; where there is no such plan, for whoever waits longest. */
   private Outcome tried(Attempt attempt, boolean mustPlan) {
     if (!mustPlan && attempt.wished.isEmpty() && attempt.allWaitersStay()) {
       return Outcome.NOT_NEEDED;
     }
+    Deadline deadline = patience.get();
     Optional<List<int[]>> steps =
-        planner.plan(attempt.roads, attempt.starts, attempt.goals.assigned(), patience.get());
+        planner
+            .plan(
+                attempt.roads,
+                attempt.starts,
+                attempt.goals.assigned(),
+                deadline.after(SHARE_OF_ALL_GOALS))
+            .or(
+                () ->
+                    planner.plan(
+                        attempt.roads,
+                        attempt.starts,
+                        attempt.goals.ofLongestWaiting().assigned(),
+                        deadline));
     steps.ifPresent(attempt::adopt);
     return steps.isPresent() ? Outcome.PLANNED : Outcome.NOT_FOUND;
   }

@@ -17,6 +17,9 @@ final class Mover {
   /** So near to its goal, metres, a robot has arrived. */
   private static final double ARRIVED = 0.03;
 
+  /** So near to the middle of a cell, in cells, a robot stands in it. */
+  private static final double NEAR = 0.2;
+
   final String name;
 
   /** Above 0, all different. */
@@ -62,8 +65,8 @@ final class Mover {
   /** Whether it has not gone on for much longer than its way says. */
   boolean stalled;
 
-  /** Whether its own smooth way was looked for since something last changed. */
-  boolean triedAlone;
+  /** When its own smooth way was last looked for. */
+  Instant triedAlone = Instant.MIN;
 
   /** Why it has no way to its goal; null while it has. */
   @Nullable Hindrance hindrance;
@@ -154,11 +157,14 @@ final class Mover {
     return goal != null && course == null && isGoal(pose);
   }
 
-  /** Whether who stands there stands at its goal. */
+  /** Whether who stands there stands at its goal, or in the middle of that one's cell. */
   boolean isGoal(Pose place) {
-    return goal != null
-        && (place.position().distanceTo(goal) < ARRIVED
-            || grid.cellAt(place.position()).equals(grid.cellAt(goal)));
+    if (goal == null) {
+      return false;
+    }
+    double aside = place.position().distanceTo(grid.centre(grid.cellAt(goal)));
+    return place.position().distanceTo(goal) < ARRIVED
+        || aside < Math.max(ARRIVED, NEAR * grid.resolution());
   }
 
   @Nullable Cell goalCell() {
@@ -230,7 +236,7 @@ final class Mover {
     redriven = true;
     blockedSince = null;
     obstruction = null;
-    triedAlone = false;
+    triedAlone = Instant.MIN;
   }
 
   /** It stands and has no way. */

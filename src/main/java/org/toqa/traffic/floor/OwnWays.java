@@ -1,5 +1,7 @@
 package org.toqa.traffic.floor;
 
+import static java.util.Comparator.comparingDouble;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -9,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
@@ -25,6 +28,9 @@ import org.toqa.traffic.RoadGraph;
  * A robot's own shortest way in eight headings, smooth, as if it were alone or round the others.
  */
 final class OwnWays {
+  /** So many cells beside the robot and its goal its way over cells may begin and end. */
+  private static final int BESIDE = 2;
+
   private final Ground ground;
   private final CourseFitter fitter;
   private final PathPlanner alone = new HeadingAStar();
@@ -42,9 +48,14 @@ final class OwnWays {
       return Optional.empty();
     }
     OccupancyGrid free = ground.clear(m.radius, new BitSet(), List.of(), m.releasedCell());
-    return path(alone, free, m.releasedCell(), goal)
-        .filter(path -> path.cells().size() > 1)
-        .flatMap(path -> firstFit(m, path.waypoints(ground.grid()), this::isClear));
+    return way(alone, free, m, goal).flatMap(way -> firstFit(m, way, this::isClear));
+  }
+
+  /** As if all other robots made room that can. */
+  Optional<List<Stretch>> roundFixed(Mover m, Collection<Mover> movers) {
+    BitSet fixed = new BitSet();
+    movers.stream().filter(o -> o != m && !o.movable).forEach(o -> o.addClaimedTo(fixed));
+    return fixed.isEmpty() ? alone(m) : among(m, movers, fixed);
   }
 
   /** The points of its way, were there neither robots nor obstacles; empty where there is none. */
@@ -54,7 +65,7 @@ final class OwnWays {
     OccupancyGrid free = ground.clearOfWalls(m.radius);
     return goal == null
         ? List.of()
-        : path(alone, free, m.releasedCell(), goal).stream()
+        : path(alone, free, entry(free, m), goal).stream()
             .flatMap(path -> path.cells().stream())
             .map(grid::centre)
             .toList();
@@ -117,13 +128,11 @@ final class OwnWays {
     }
     BitSet notOwn = taken;
     OccupancyGrid free = ground.clear(m.radius, notOwn, beside, m.releasedCell());
-    Cell goal = aim.from(free, m.releasedCell());
+    Cell goal = aim.from(free, entry(free, m));
     if (goal == null) {
       return Optional.empty();
     }
-    return path(amongOthers, free, m.releasedCell(), goal)
-        .filter(path -> path.cells().size() > 1)
-        .map(path -> path.waypoints(ground.grid()))
+    return way(amongOthers, free, m, goal)
         .flatMap(way -> firstFit(m, way, w -> isClear(w) && meetsNobody(m, w, beside, notOwn)));
   }
 
@@ -148,6 +157,66 @@ final class OwnWays {
 
   private static boolean isOffAll(List<Stretch> way, BitSet cells) {
     return way.stream().noneMatch(s -> s.cells().intersects(cells));
+  }
+
+  /** Where the way of a robot bends and ends; empty where there is none. */
+  private Optional<List<Waypoint>> way(
+      PathPlanner planner, OccupancyGrid free, Mover m, Cell goal) {
+    OccupancyGrid grid = ground.grid();
+    Cell entry = entry(free, m);
+    Cell exit = exit(free, m, goal);
+    List<Waypoint> way = new ArrayList<>();
+    if (!entry.equals(m.releasedCell())) {
+      way.add(new Waypoint(grid.centre(entry), false));
+    }
+    Optional<Path> path = path(planner, free, entry, exit);
+    path.ifPresent(p -> way.addAll(p.waypoints(grid)));
+    if (!exit.equals(goal) && m.goal != null) {
+      way.add(new Waypoint(m.goal, false));
+    } else if (way.isEmpty()) {
+      way.add(new Waypoint(grid.centre(goal), false)); // in its cell, not in the middle
+    }
+    return path.map(p -> way);
+  }
+
+  /**
+   * The cell in which its way over cells begins: where it stands, or beside that where the middle
+   * of its cell is too near to something.
+   */
+  private Cell entry(OccupancyGrid free, Mover m) {
+    Cell here = m.releasedCell();
+    return ground.clear(m.radius).isFree(here) && isOpen(free, here)
+        ? here
+        : nearest(m.releasedEnd().position(), here, c -> !c.equals(here) && free.isFree(c));
+  }
+
+  private static boolean isOpen(OccupancyGrid free, Cell cell) {
+    return free.isFree(cell.column() + 1, cell.row())
+        || free.isFree(cell.column() - 1, cell.row())
+        || free.isFree(cell.column(), cell.row() + 1)
+        || free.isFree(cell.column(), cell.row() - 1);
+  }
+
+  /** The cell in which its way over cells ends: that of the goal, or beside it likewise. */
+  private Cell exit(OccupancyGrid free, Mover m, Cell goal) {
+    Vec2 point = m.goal;
+    boolean isFine = Lanes.side(ground.grid(), 2 * m.radius) > 1;
+    return isFine && !free.isFree(goal) && point != null && goal.equals(m.goalCell())
+        ? nearest(point, goal, free::isFree)
+        : goal;
+  }
+
+  /** The cell nearest to a point, of those beside its cell that are right; else that one itself. */
+  private Cell nearest(Vec2 point, Cell here, Predicate<Cell> isRight) {
+    return IntStream.rangeClosed(-BESIDE, BESIDE)
+        .boxed()
+        .flatMap(
+            row ->
+                IntStream.rangeClosed(-BESIDE, BESIDE)
+                    .mapToObj(column -> new Cell(here.column() + column, here.row() + row)))
+        .filter(isRight)
+        .min(comparingDouble(cell -> ground.grid().centre(cell).distanceTo(point)))
+        .orElse(here);
   }
 
   private static Optional<Path> path(

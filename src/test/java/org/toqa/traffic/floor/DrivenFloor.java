@@ -7,8 +7,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -34,6 +36,7 @@ final class DrivenFloor {
   final OccupancyGrid grid;
   final FloorTraffic traffic;
   final Map<String, Body> bodies = new TreeMap<>();
+  final Set<String> lost = new TreeSet<>();
   private final SplittableRandom chance;
   Instant now = Instant.EPOCH;
 
@@ -114,6 +117,17 @@ final class DrivenFloor {
     send(robot, null);
   }
 
+  /** It cannot be told anything; it drives to the end of what it was told. */
+  void lose(String robot) {
+    lost.add(robot);
+    traffic.isFixed(robot, true);
+  }
+
+  void find(String robot) {
+    lost.remove(robot);
+    traffic.isFixed(robot, false);
+  }
+
   boolean isAt(String robot, Cell cell) {
     Body body = body(robot);
     return body.way == null && body.pose.position().distanceTo(grid.centre(cell)) < 1e-3;
@@ -134,6 +148,18 @@ final class DrivenFloor {
     Instant end = now.plus(limit);
     while (now.isBefore(end) && !areAllArrived()) {
       step();
+    }
+  }
+
+  /** Lets time go on until all have arrived, or nobody has moved for so long. */
+  void driveWhileAnyMoves(Duration patience) {
+    Instant moved = now;
+    List<Pose> before = List.of();
+    while (!areAllArrived() && moved.plus(patience).isAfter(now)) {
+      step();
+      List<Pose> poses = bodies.values().stream().map(b -> b.pose).toList();
+      moved = poses.equals(before) ? moved : now;
+      before = poses;
     }
   }
 
@@ -254,8 +280,9 @@ final class DrivenFloor {
   Map<String, String> reasons() {
     Map<String, String> reasons = new HashMap<>();
     for (String robot : bodies.keySet()) {
-      if (!isArrived(robot)) {
-        reasons.put(robot, reason(robot));
+      Body body = body(robot);
+      if (!isArrived(robot) || body.way != null) {
+        reasons.put(robot, reason(robot) + " at " + body.pose + " for " + body.goal);
       }
     }
     return reasons;

@@ -128,7 +128,13 @@ final class FloorScenario {
       case "to" -> floor.sendTo(robot, point(words[2]));
       case "stops" -> floor.body(robot).isStuck = true;
       case "drives" -> floor.body(robot).isStuck = false;
-      case "is" -> floor.traffic.isFixed(robot, words[2].equals("lost"));
+      case "is" -> {
+        if (words[2].equals("lost")) {
+          floor.lose(robot);
+        } else {
+          floor.find(robot);
+        }
+      }
       case "leaves" -> floor.remove(robot);
       case "joins" -> join(floor, robot, words[3]);
       case "at" -> floor.traffic.isObstructed(cells(words[2], floor.grid));
