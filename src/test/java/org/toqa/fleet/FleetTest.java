@@ -23,7 +23,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.toqa.allocation.NearestFreeRobot;
+import org.toqa.allocation.OptimalAllocator;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -293,7 +293,7 @@ class FleetTest {
           }
         };
     return new AgentFleet(
-        List.of(FLOOR), store, links, new NearestFreeRobot(), InstantSource.system(), now);
+        List.of(FLOOR), store, links, new OptimalAllocator(), InstantSource.system(), now);
   }
 
   /** Lets time go on, and the robots drive, until it is so. */
