@@ -127,8 +127,7 @@ public final class ContractNet implements Allocator {
       List<Candidate> traders =
           situation.robots().stream().filter(r -> present.contains(r.robot())).toList();
       List<String> names = traders.stream().map(Candidate::robot).toList();
-      int[] before =
-          jobs.stream().mapToInt(job -> names.indexOf(holders.get(job.id()))).toArray();
+      int[] before = jobs.stream().mapToInt(job -> names.indexOf(holders.get(job.id()))).toArray();
       int[] after = Exchange.trade(new Costs(situation.travel()), jobs, traders, before);
       IntStream.range(0, after.length)
           .forEach(i -> holders.put(jobs.get(i).id(), names.get(after[i])));

@@ -12,12 +12,6 @@ final class Costs {
   /** No robot does this. */
   static final double IMPOSSIBLE = Double.POSITIVE_INFINITY;
 
-  /** 4 cells of 3.7 V and 2 Ah (Tanta, "Robot") last 80 minutes at 0.25 m/s: 1200 m. */
-  static final double JOULES_PER_METRE = 4 * 3.7 * 2 * 3600 / 1200;
-
-  /** Assumed: the rolling resistance of each kilogram of load. */
-  static final double JOULES_PER_METRE_AND_KILOGRAM = 9;
-
   /** An empty battery makes the way to the load count half as much again. */
   private static final double EMPTY_BATTERY = 0.5;
 
@@ -63,9 +57,6 @@ final class Costs {
     double spare = robot.maxLoad() - job.load();
     double metres =
         approach * (1 + EMPTY_BATTERY * (1 - charge)) + DETOUR_PER_SPARE_KILOGRAM * spare;
-    return new Cost(
-        approach,
-        metres * JOULES_PER_METRE
-            + carried * (JOULES_PER_METRE + JOULES_PER_METRE_AND_KILOGRAM * job.load()));
+    return new Cost(approach, Energy.joules(metres, 0) + Energy.joules(carried, job.load()));
   }
 }

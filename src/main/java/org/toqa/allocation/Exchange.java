@@ -11,7 +11,7 @@ import java.util.List;
  */
 final class Exchange {
   /** Joules: what half a metre costs. */
-  static final double WORTHWHILE = 0.5 * Costs.JOULES_PER_METRE;
+  static final double WORTHWHILE = Energy.joules(0.5, 0);
 
   private final double[][] joules;
   private final int[] robotOf;

@@ -109,11 +109,11 @@ public final class OptimalAllocator implements Allocator {
       Optional<String> holder = holder(job);
       if (holder.isPresent()) {
         boolean stays = holder.get().equals(robots.get(robot).robot());
-        double detour = stays ? 0 : TURNING_ROUND * Costs.JOULES_PER_METRE;
+        double detour = stays ? 0 : Energy.joules(TURNING_ROUND, 0);
         return cost.joules() + detour - MUST;
       }
       double waited = jobs.get(job).waited(situation.now()) * METRES_A_SECOND;
-      return cost.joules() - waited * Costs.JOULES_PER_METRE;
+      return cost.joules() - Energy.joules(waited, 0);
     }
 
     String why(int job, Candidate robot) {

@@ -93,8 +93,7 @@ class ConfigurationTest {
   void theAllocatorIsChosenByItsWord() throws Exception {
     Layer environment = Layer.ofEnvironment(Map.of("TOQA_ALLOCATOR", "contract-net"));
 
-    assertEquals(
-        Policy.CONTRACT_NET, Configuration.of(WEBAPP, List.of(environment)).allocator());
+    assertEquals(Policy.CONTRACT_NET, Configuration.of(WEBAPP, List.of(environment)).allocator());
   }
 
   @ParameterizedTest
