@@ -6,13 +6,16 @@ import java.util.Arrays;
  * The assignment of rows to columns with the least total cost: shortest augmenting paths with dual
  * prices (Jonker and Volgenant, "A shortest augmenting path algorithm for dense and sparse linear
  * assignment problems", Computing 38, 1987; in the rectangular form of Crouse, "On implementing 2D
- * rectangular assignment algorithms", 2016). Rows take their cheapest columns where nobody else
- * does; each of the others is let in by one search. O(rows^2 columns) at worst, flat arrays.
+ * rectangular assignment algorithms", 2016). Rows first bid against each other for their cheapest
+ * columns; each of those left over is let in by one search. O(rows^2 columns) at worst, flat
+ * arrays.
  *
  * <p>The letters are the papers': u and v are the prices of rows and columns.
  */
 public final class Assignment {
   private static final int NONE = -1;
+  private static final int PASSES = 2;
+  private static final int BIDS_A_ROW = 10;
 
   private final double[] cost;
   private final int rows;
@@ -21,6 +24,12 @@ public final class Assignment {
   private final double[] v;
   private final int[] columnOf;
   private final int[] rowOf;
+
+  // the last look at a row: its two cheapest columns and what they cost
+  private int cheapest;
+  private int runnerUp;
+  private double first;
+  private double second;
 
   // one search
   private final double[] shortest;
@@ -61,7 +70,10 @@ public final class Assignment {
           cost.length + " costs are not " + rows + " rows of at least as many columns.");
     }
     Assignment assignment = new Assignment(cost, rows);
-    assignment.takeCheapest();
+    if (assignment.columns > 1) {
+      assignment.bid();
+    }
+    assignment.price();
     for (int row = 0; row < rows; row++) {
       if (assignment.columnOf[row] == NONE) {
         assignment.letIn(row);
@@ -70,20 +82,69 @@ public final class Assignment {
     return assignment.columnOf;
   }
 
-  /** Row prices from the rows' least costs; who is first takes a column at that price. */
-  private void takeCheapest() {
-    for (int row = 0; row < rows; row++) {
-      int begin = row * columns;
-      int cheapest = 0;
-      for (int column = 1; column < columns; column++) {
-        if (cost[begin + column] < cost[begin + cheapest]) {
-          cheapest = column;
+  /**
+   * Augmenting row reduction: each row takes its cheapest column and lowers that one's price by its
+   * lead over the second cheapest; who loses it looks again at once. A column that nobody has keeps
+   * the price 0, as columns may be left over.
+   */
+  private void bid() {
+    int[] free = new int[rows];
+    Arrays.setAll(free, row -> row);
+    int count = rows;
+    for (int pass = 0; pass < PASSES; pass++) {
+      int patience = BIDS_A_ROW * rows; // tiny leads may take turns for long
+      int left = 0;
+      int next = 0;
+      while (next < count) {
+        int row = free[next++];
+        findCheapest(row);
+        double lead = second - first;
+        int column = lead > 0 || rowOf[cheapest] == NONE ? cheapest : runnerUp;
+        int loser = rowOf[column];
+        v[column] -= lead;
+        columnOf[row] = column;
+        rowOf[column] = row;
+        if (loser != NONE) {
+          columnOf[loser] = NONE;
+          if (lead > 0 && patience-- > 0) {
+            free[--next] = loser;
+          } else {
+            free[left++] = loser;
+          }
         }
       }
-      u[row] = cost[begin + cheapest];
-      if (rowOf[cheapest] == NONE) {
-        rowOf[cheapest] = row;
-        columnOf[row] = cheapest;
+      count = left;
+    }
+  }
+
+  private void findCheapest(int row) {
+    int begin = row * columns;
+    first = Double.POSITIVE_INFINITY;
+    second = Double.POSITIVE_INFINITY;
+    for (int column = 0; column < columns; column++) {
+      double reduced = cost[begin + column] - v[column];
+      if (reduced < second) {
+        if (reduced < first) {
+          second = first;
+          runnerUp = cheapest;
+          first = reduced;
+          cheapest = column;
+        } else {
+          second = reduced;
+          runnerUp = column;
+        }
+      }
+    }
+  }
+
+  /** Row prices that fit the columns' ones. */
+  private void price() {
+    for (int row = 0; row < rows; row++) {
+      if (columnOf[row] == NONE) {
+        findCheapest(row);
+        u[row] = first;
+      } else {
+        u[row] = cost[row * columns + columnOf[row]] - v[columnOf[row]];
       }
     }
   }

@@ -29,7 +29,7 @@ import tools.jackson.databind.json.JsonMapper;
     footer = {
       "",
       "JSON, by policy: delivered, meanSeconds and worstSeconds (from a task's",
-      "coming to its delivery), joules and metres (of all robots), roundP99Ms.",
+      "coming to its delivery), joules and metres (of all robots), roundP99Ms (processor time).",
       "",
       "Ways are the planner's, on the map; robots drive at 0.25 m/s and do not",
       "hinder each other. Every third robot carries 10 kg, the others 5 kg; a",
@@ -100,7 +100,7 @@ public final class AllocationBench implements Callable<Integer> {
   private @Nullable Integer solverSize;
 
   /**
-   * @param solverMs median time of one assignment, milliseconds
+   * @param solverMs median processor time of one assignment, milliseconds
    */
   @JsonInclude(JsonInclude.Include.NON_NULL)
   record Report(
@@ -157,9 +157,9 @@ public final class AllocationBench implements Callable<Integer> {
             .mapToDouble(
                 run -> {
                   double[] costs = distances(size, random);
-                  long begin = System.nanoTime();
+                  double begin = Timings.processorMillis();
                   Assignment.leastCost(costs, size);
-                  return (System.nanoTime() - begin) / 1e6;
+                  return Timings.processorMillis() - begin;
                 })
             .skip(SOLVER_RUNS)
             .toArray();

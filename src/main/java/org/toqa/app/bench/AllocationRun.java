@@ -52,7 +52,7 @@ final class AllocationRun {
    * @param worstSeconds the same, of the task that took longest
    * @param joules of all robots' driving
    * @param metres driven by all robots
-   * @param roundP99Ms processor's time of a round, milliseconds
+   * @param roundP99Ms processor time of a round, milliseconds
    */
   record Report(
       int delivered,
@@ -180,9 +180,9 @@ final class AllocationRun {
 
   private void round() {
     Situation situation = situation();
-    long begin = System.nanoTime();
+    double begin = Timings.processorMillis();
     List<Decision> decisions = allocator.allocate(situation);
-    roundMillis.add((System.nanoTime() - begin) / 1e6);
+    roundMillis.add(Timings.processorMillis() - begin);
     Map<Robot, Job> begun = new LinkedHashMap<>();
     for (Decision decision : decisions) {
       if (decision instanceof Decision.Assigned(long id, List<String> names, String why)) {
