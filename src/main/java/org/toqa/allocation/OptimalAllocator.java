@@ -20,7 +20,7 @@ import org.toqa.allocation.Situation.Given;
  */
 public final class OptimalAllocator implements Allocator {
   /** A second that a task has waited longer is worth this detour, metres. */
-  private static final double METRES_A_SECOND = 0.05;
+  private static final double METRES_A_SECOND = 0.1;
 
   /** A robot is not turned round for less, metres. */
   private static final double TURNING_ROUND = 2;
