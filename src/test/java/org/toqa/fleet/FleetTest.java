@@ -271,6 +271,7 @@ class FleetTest {
   @Test
   void aRobotOnItsWayGoesRoundWhatAnotherOneSees() throws Exception {
     reopenWith("r2", new Vec2(14.5, 2.5), null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     long task = submit(new Where.Point(new Vec2(5.5, 1.5)), new Where.Point(new Vec2(13.5, 1.5)));
     until(
         view ->
