@@ -41,6 +41,7 @@
     <section>
       <h2><fmt:message key="map.tasks"/></h2>
       <ul id="tasks" class="entries"></ul>
+      <p id="more-tasks" class="faint" hidden></p>
       <p id="no-tasks" class="faint" hidden><fmt:message key="map.tasks.none"/></p>
       <a role="button" class="wide" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
     </section>
@@ -59,5 +60,5 @@
   </aside>
   <c:set var="stateKeys" value=""/>
   <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
-  <t:texts keys="map.live map.age map.away map.loggedOut map.loggedOut.link map.failed map.standstill common.kilograms task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+  <t:texts keys="map.live map.age map.away map.loggedOut map.loggedOut.link map.failed map.standstill map.tasks.more common.kilograms task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
 </t:page>

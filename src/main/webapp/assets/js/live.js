@@ -6,7 +6,7 @@ const PACE = 1_000;
 
 /** What a part of a page can be about: a change of it in the stream makes that part come anew. */
 const subjects = {
-  tasks: ({tasks}) => tasks.map((task) => [task.id, task.state, task.robots, task.held]),
+  tasks: ({tasks, queued}) => [queued, ...tasks.map((task) => [task.id, task.state, task.robots, task.held])],
   task: ({tasks}, name) => tasks.find((task) => String(task.id) === name),
   robots: ({robots}) => robots.map(({state, task, doing, battery}) => [state, task, doing, Math.round(100 * battery)]),
   robot: ({robots}, name) => {

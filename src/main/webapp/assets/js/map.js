@@ -18,6 +18,7 @@ const IN_NEED = new Set(['ERROR', 'NOT_LOCALISED', 'LOST']);
 let floor;
 let robots = [];
 let tasks = [];
+let queued = 0; // tasks in the queue, also those that are not sent
 let floors = [];
 let changed = performance.now();
 const glide = new Glide();
@@ -57,7 +58,7 @@ function openRobotAt(x, y, metresPerPixel) {
 }
 
 function showSnapshot(snapshot) {
-  ({robots, tasks, floors} = snapshot);
+  ({robots, tasks, queued, floors} = snapshot);
   changed = performance.now();
   glide.update(robots, changed);
   board.refresh();
@@ -140,6 +141,9 @@ function showTasks() {
   const open = tasks.filter(isOpen);
   showLinks($('#tasks'), open.map(taskEntry));
   $('#no-tasks').hidden = open.length > 0;
+  const more = queued - open.filter((task) => task.state === 'QUEUED').length;
+  write($('#more-tasks'), text('map.tasks.more', more));
+  $('#more-tasks').hidden = more <= 0;
 }
 
 function standstillEntry({robots: names, since, text: what}) {

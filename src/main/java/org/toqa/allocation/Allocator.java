@@ -1,25 +1,23 @@
 package org.toqa.allocation;
 
 import java.util.List;
-import org.toqa.geometry.Vec2;
 
 /**
- * Decides which robots carry a load.
+ * Decides which robots carry what.
  *
  * <ol>
- *   <li>The caller names the load and every robot of the floor, free or not.
- *   <li>{@link #allocate} answers the robots, or what the task waits for. It is a function of its
- *       arguments.
- *   <li>A task that waits is asked about again whenever a robot's availability changes.
+ *   <li>The caller hands in the whole {@link Situation} of a floor: what waits, what is given out
+ *       but not begun, and every robot, free or not. The time is part of it.
+ *   <li>{@link #allocate} holds one round over all of it. It is a function of its argument.
+ *   <li>It answers a decision with its reason for each waiting task, and one for each task given
+ *       out that shall go to another robot. No robot is in two of them.
+ *   <li>The next round is due when tasks come, or robots become free or are lost.
  * </ol>
  *
- * Any thread may call it.
+ * A load that no robot can carry alone waits, with the number of robots that it needs. Any thread
+ * may call it; a round with many tasks takes its time.
  */
 public interface Allocator {
 
-  /**
-   * @param load kilograms
-   * @param object where the load is, metres, map frame
-   */
-  Decision allocate(double load, Vec2 object, List<Candidate> robots);
+  List<Decision> allocate(Situation situation);
 }

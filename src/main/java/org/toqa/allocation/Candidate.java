@@ -1,5 +1,6 @@
 package org.toqa.allocation;
 
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -7,6 +8,24 @@ import org.toqa.geometry.Vec2;
  *
  * @param maxLoad kilograms
  * @param position metres, map frame
- * @param available whether it can be given a task now: idle, or on its way home
+ * @param parking its parking point, metres, map frame; where it stands if it has none
+ * @param battery 0 to 1; null where it is not known
+ * @param task what it works for; null while {@code standing} is not {@link Standing#BUSY}
  */
-public record Candidate(String robot, double maxLoad, Vec2 position, boolean available) {}
+public record Candidate(
+    String robot,
+    double maxLoad,
+    Vec2 position,
+    Vec2 parking,
+    @Nullable Double battery,
+    Standing standing,
+    @Nullable Long task) {
+
+  boolean isFree() {
+    return standing == Standing.FREE;
+  }
+
+  boolean isStrongEnough(Job job) {
+    return maxLoad >= job.load();
+  }
+}

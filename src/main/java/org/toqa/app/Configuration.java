@@ -6,11 +6,13 @@ import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.Policy;
 
 /**
  * How this server is to run, every value checked. {@code docs/configuration.md} explains each.
@@ -19,6 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param port 0: any free one
  * @param data the folder for what the server keeps
  * @param map the floor's map
+ * @param allocator who decides which robots carry what
  * @param simulate how many simulated robots
  * @param speed how many times faster than real time the simulated robots live
  * @param manager the manager to make while there is none
@@ -30,6 +33,7 @@ public record Configuration(
     Path data,
     Path map,
     Database database,
+    Policy allocator,
     int simulate,
     double speed,
     @Nullable FirstManager manager,
@@ -78,6 +82,7 @@ public record Configuration(
           data,
           map(shippedMap),
           database(data),
+          policy(),
           simulate,
           speed,
           manager(),
@@ -178,6 +183,14 @@ public record Configuration(
       }
       return new Database(
           url, orNull(text(Setting.DATABASE_USER)), orNull(text(Setting.DATABASE_PASSWORD)));
+    }
+
+    private Policy policy() throws ConfigurationException {
+      String text = text(Setting.ALLOCATOR).strip();
+      return Arrays.stream(Policy.values())
+          .filter(policy -> policy.word().equals(text))
+          .findFirst()
+          .orElseThrow(() -> outside(Setting.ALLOCATOR));
     }
 
     private @Nullable FirstManager manager() throws ConfigurationException {

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.io.PrintWriter;
 import java.util.Set;
+import org.toqa.app.bench.AllocationBench;
 import org.toqa.app.bench.BenchCommand;
 import org.toqa.app.plan.PlanCommand;
 import picocli.CommandLine;
@@ -46,8 +47,10 @@ public final class Main implements Runnable {
 
   static CommandLine commandLine() {
     CommandLine line = new CommandLine(new Main());
-    // The planners' benches know nothing of a server; this one needs all of it.
-    requireNonNull(line.getSubcommands().get("bench")).addSubcommand(new FleetBench());
+    // The other benches know nothing of a server; one needs all of it, one its map.
+    requireNonNull(line.getSubcommands().get("bench"))
+        .addSubcommand(new FleetBench())
+        .addSubcommand(new AllocationBench(Webapp::shippedMap));
     return line.setParameterExceptionHandler((e, args) -> complain(e))
         .setExecutionExceptionHandler((e, command, result) -> fail(e, command));
   }

@@ -13,6 +13,7 @@ enum Setting {
   DATABASE_URL("database.url", "", "a JDBC URL that begins with jdbc:mysql: or jdbc:h2:"),
   DATABASE_USER("database.user", "", "a user of the database"),
   DATABASE_PASSWORD("database.password", "", "that user's password"),
+  ALLOCATOR("allocator", "optimal", "zones, contract-net or optimal"),
   SIMULATE("simulate", "0", "a whole number from 0 to 500"),
   SPEED("speed", "1", "a number from 0.1 to 100"),
   MANAGER("manager", "", "name:password of the first manager"),

@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.allocation.NearestFreeRobot;
 import org.toqa.fleet.AgentFleet;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetStore;
@@ -98,7 +97,7 @@ final class Toqa implements AutoCloseable {
             List.of(floor),
             store,
             new TcpRobotLinks(configuration.plainLinks()),
-            new NearestFreeRobot(),
+            configuration.allocator().allocator(),
             wallClock,
             clock.instant());
     parts.push(fleet);

@@ -13,4 +13,9 @@ final class Webapp {
     }
     return Path.of(folder);
   }
+
+  /** The map that is used where none is named. */
+  static Path shippedMap() {
+    return folder().resolve("WEB-INF/maps/lab.yaml");
+  }
 }

@@ -70,7 +70,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     this.floors = List.copyOf(floors);
     this.board =
         new SnapshotBoard(
-            new FleetSnapshot(0, clock.instant(), List.of(), List.of(), List.of(), List.of()));
+            new FleetSnapshot(0, clock.instant(), List.of(), List.of(), 0, List.of(), List.of()));
     ClassLoader loader = AgentFleet.class.getClassLoader();
     this.system =
         ActorSystem.create(

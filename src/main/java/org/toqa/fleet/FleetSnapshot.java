@@ -8,7 +8,9 @@ import java.util.List;
  *
  * @param version rises with every change
  * @param robots by name
- * @param tasks those that have not ended, and those that ended last, newest first
+ * @param tasks those that robots have, the first ones of the queue, and those that ended last;
+ *     newest first
+ * @param queued how many tasks wait in the queue, also those that are not among {@code tasks}
  * @param floors those that have reported, in their order
  * @param alerts sentences that concern the whole fleet, such as a store that does not answer
  */
@@ -17,6 +19,7 @@ public record FleetSnapshot(
     Instant at,
     List<RobotView> robots,
     List<TaskView> tasks,
+    int queued,
     List<FloorView> floors,
     List<String> alerts) {
 

@@ -1,5 +1,7 @@
 package org.toqa.fleet;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
@@ -7,12 +9,14 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -23,14 +27,22 @@ import org.apache.pekko.actor.typed.javadsl.ActorContext;
 import org.apache.pekko.actor.typed.javadsl.Behaviors;
 import org.apache.pekko.actor.typed.javadsl.Receive;
 import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
+import org.toqa.allocation.Job;
+import org.toqa.allocation.Situation;
+import org.toqa.allocation.Standing;
+import org.toqa.allocation.Travel;
+import org.toqa.allocation.WaitingReason;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
+import org.toqa.grid.Inflation;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.link.RobotLinks;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -42,6 +54,12 @@ import org.toqa.mission.TransportTask;
 final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private static final Logger log = LoggerFactory.getLogger(ManagerAgent.class);
   private static final int ENDED_SHOWN = 50;
+  private static final int QUEUED_SHOWN = 100;
+
+  /** So many of the queue's first tasks take part in a round. */
+  private static final int LOOKED_AT = 200;
+
+  private static final String NOT_LOOKED_AT = "Looking for a robot.";
 
   private final FleetStore store;
   private final StoreWriter writer;
@@ -50,27 +68,28 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final OrderCheck check;
   private final SnapshotBoard board;
   private final Map<String, ActorRef<FloorMessage>> floors = new LinkedHashMap<>();
+  private final Map<String, FloorMap> maps = new HashMap<>();
+  private final Map<String, FloorDistances> distances = new HashMap<>();
 
-  private final Map<Long, Waiting> queue = new LinkedHashMap<>();
+  private final TaskQueue queue = new TaskQueue();
   private final Map<String, RobotRecord> robots = new TreeMap<>();
   private final Map<String, ManagerMessage.FloorReport> reports = new HashMap<>();
   private final Map<Long, TaskView> handedOver = new HashMap<>();
   private final Deque<TaskView> ended = new ArrayDeque<>();
 
-  /** By floor: the robots that can be given a task. */
-  private final Map<String, Set<String>> available = new HashMap<>();
+  /** By floor: what its robots were last seen to be kept by. */
+  private final Map<String, Map<String, Standing>> standings = new HashMap<>();
 
-  /** Whether robots or tasks have changed since the queue was last gone through. */
-  private boolean reconsider = true;
+  /** By floor and task: what the last round said of those that wait. */
+  private final Map<String, Map<Long, String>> reasons = new HashMap<>();
+
+  /** Floors whose robots or tasks have changed since the last round began. */
+  private final Set<String> due = new HashSet<>();
+
+  /** Floors with a round under way. */
+  private final Set<String> deciding = new HashSet<>();
 
   private boolean changed = true;
-
-  /** A queued task and what it waits for. */
-  private record Waiting(TransportTask task, String why, Instant since) {
-    TaskView view() {
-      return new TaskView(task, TaskState.QUEUED, false, List.of(), why, null, since);
-    }
-  }
 
   static Behavior<ManagerMessage> of(
       List<FloorMap> floors,
@@ -122,7 +141,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     stored.forEach(r -> robots.put(r.name(), r));
     for (OpenTask t : open) {
       if (t.state() == TaskState.QUEUED) {
-        queue.put(t.task().id(), new Waiting(t.task(), "Looking for a robot.", t.changedAt()));
+        queue.add(t.task(), t.changedAt());
       }
     }
     for (FloorMap floor : floorMaps) {
@@ -137,6 +156,10 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                   floor, here, outOfService, begun, store, links, clock, now, context.getSelf()),
               "floor-" + floors.size());
       floors.put(floor.name(), agent);
+      maps.put(floor.name(), floor);
+      distances.put(
+          floor.name(), new FloorDistances(Inflation.of(floor.grid(), OrderCheck.SMALLEST_RADIUS)));
+      due.add(floor.name());
     }
     log.info(
         "{} robots, {} tasks not ended, {} of them queued.",
@@ -165,6 +188,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.Begun m -> handedOver.remove(m.task());
       case ManagerMessage.NotBegun m -> requeue(m.task());
       case ManagerMessage.FloorReport m -> reported(m);
+      case ManagerMessage.Decided m -> decided(m);
       case ManagerMessage.Tick m -> tick(m.now());
     }
     return this;
@@ -173,9 +197,11 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   // --- wishes -----------------------------------------------------------------------------------
 
   private void submit(ManagerMessage.Submit m) {
-    double strongest =
-        robots.values().stream().mapToDouble(RobotRecord::maxLoad).max().orElse(Double.MAX_VALUE);
-    Answer<TransportTask> checked = check.task(m.order(), m.user(), clock.instant(), strongest);
+    double together =
+        robots.isEmpty()
+            ? Double.MAX_VALUE
+            : robots.values().stream().mapToDouble(RobotRecord::maxLoad).sum();
+    Answer<TransportTask> checked = check.task(m.order(), m.user(), clock.instant(), together);
     if (checked instanceof Answer.Accepted<TransportTask>(TransportTask task)) {
       store(task, m.replyTo());
     } else {
@@ -195,11 +221,14 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   }
 
   private void taskStored(ManagerMessage.TaskStored m) {
-    Waiting waiting = new Waiting(m.task(), "Looking for a robot.", m.task().createdAt());
-    queue.put(m.task().id(), waiting);
-    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(waiting.view())));
+    TransportTask task = m.task();
+    queue.add(task, task.createdAt());
+    m.replyTo()
+        .tell(
+            StatusReply.success(
+                new Answer.Accepted<>(waiting(task, NOT_LOOKED_AT, task.createdAt()))));
     changed = true;
-    reconsider = true;
+    due.add(task.floor());
   }
 
   private void addRobot(ManagerMessage.AddRobot m) {
@@ -278,13 +307,11 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     reports.put(m.floor().name(), m);
     m.ended().forEach(this::shelve);
     changed = true;
-    Set<String> free =
-        m.robots().stream()
-            .filter(this::isAvailable)
-            .map(RobotView::name)
-            .collect(Collectors.toSet());
-    if (!free.equals(available.put(m.floor().name(), free))) {
-      reconsider = true;
+    Map<String, Standing> now =
+        candidates(m.floor().name()).stream()
+            .collect(Collectors.toMap(Candidate::robot, Candidate::standing));
+    if (!now.equals(standings.put(m.floor().name(), now))) {
+      due.add(m.floor().name());
     }
   }
 
@@ -295,56 +322,99 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     }
   }
 
-  /** Goes through the queue, highest priority first, and gives each task robots if there are. */
-  private void allocate() {
-    reconsider = false;
-    Map<String, List<Candidate>> candidates = new HashMap<>();
-    floors.keySet().forEach(floor -> candidates.put(floor, candidates(floor)));
-    List<Waiting> inOrder =
-        queue.values().stream()
-            .sorted(
-                Comparator.comparingInt((Waiting w) -> -w.task().priority())
-                    .thenComparing(w -> w.task().id()))
-            .toList();
-    for (Waiting w : inOrder) {
-      TransportTask task = w.task();
-      if (!reports.containsKey(task.floor())) {
-        continue;
-      }
-      List<Candidate> here = candidates.getOrDefault(task.floor(), List.of());
-      switch (allocator.allocate(task.load(), task.start().position(), here)) {
-        case Decision.Assigned(List<String> chosen, String why) -> {
-          handOver(task, chosen, why);
-          candidates.put(task.floor(), candidates(task.floor()));
-        }
-        case Decision.Waits(String why) -> {
-          if (!why.equals(w.why())) {
-            queue.put(task.id(), new Waiting(task, why, w.since()));
-            changed = true;
-          }
-        }
+  /** Lets the allocator decide, on a thread of its own, on each floor where it is time. */
+  private void beginRounds() {
+    for (String floor : List.copyOf(due)) {
+      if (reports.containsKey(floor) && !deciding.contains(floor)) {
+        due.remove(floor);
+        beginRound(requireNonNull(maps.get(floor)));
       }
     }
   }
 
-  private void handOver(TransportTask task, List<String> chosen, String why) {
-    Optional<ActorRef<FloorMessage>> floor = floorAgent(task.floor());
-    if (floor.isEmpty()) {
+  private void beginRound(FloorMap floor) {
+    List<Candidate> robotsHere = candidates(floor.name());
+    double strongest =
+        robotsHere.stream()
+            .filter(r -> r.standing() == Standing.FREE)
+            .mapToDouble(Candidate::maxLoad)
+            .max()
+            .orElse(Double.NEGATIVE_INFINITY);
+    List<Job> jobs = queue.first(floor.name(), job -> job.load() <= strongest, LOOKED_AT);
+    if (jobs.isEmpty()) {
+      reasons.remove(floor.name());
+      changed = true;
       return;
     }
-    queue.remove(task.id());
+    deciding.add(floor.name());
+    Situation situation = situation(floor, jobs, robotsHere);
+    getContext()
+        .pipeToSelf(
+            CompletableFuture.supplyAsync(
+                () -> allocator.allocate(situation),
+                round -> Thread.ofVirtual().name("allocation-" + floor.name()).start(round)),
+            (decisions, failure) -> decided(floor.name(), decisions, failure));
+  }
+
+  private Situation situation(FloorMap floor, List<Job> jobs, List<Candidate> robotsHere) {
+    OccupancyGrid grid = floor.grid();
+    Vec2 size = new Vec2(grid.width(), grid.height()).times(grid.resolution());
+    return new Situation(
+        clock.instant(),
+        grid.origin(),
+        grid.origin().plus(size),
+        requireNonNull(distances.get(floor.name())),
+        jobs,
+        List.of(),
+        robotsHere);
+  }
+
+  private static ManagerMessage decided(
+      String floor, @Nullable List<Decision> decisions, @Nullable Throwable failure) {
+    if (failure != null) {
+      log.error("{}: a round of allocation failed.", floor, failure);
+    }
+    return new ManagerMessage.Decided(floor, decisions == null ? List.of() : decisions);
+  }
+
+  /** Gives the tasks to robots that are still free; the rest is for the next round. */
+  private void decided(ManagerMessage.Decided m) {
+    deciding.remove(m.floor());
+    changed = true;
+    Set<String> free =
+        candidates(m.floor()).stream()
+            .filter(r -> r.standing() == Standing.FREE)
+            .map(Candidate::robot)
+            .collect(Collectors.toSet());
+    Map<Long, String> waiting = new HashMap<>();
+    for (Decision decision : m.decisions()) {
+      switch (decision) {
+        case Decision.Assigned(long id, List<String> chosen, String why) -> {
+          if (free.containsAll(chosen)) {
+            queue.remove(id).ifPresent(task -> handOver(task, chosen, why));
+          } else {
+            due.add(m.floor());
+          }
+        }
+        case Decision.Waits(long id, String why) -> waiting.put(id, why);
+      }
+    }
+    reasons.put(m.floor(), waiting);
+  }
+
+  private void handOver(TransportTask task, List<String> chosen, String why) {
     handedOver.put(
         task.id(),
         new TaskView(task, TaskState.ASSIGNED, false, chosen, null, null, clock.instant()));
-    floor.get().tell(new FloorMessage.Begin(task, chosen, why));
+    requireNonNull(floors.get(task.floor())).tell(new FloorMessage.Begin(task, chosen, why));
     changed = true;
   }
 
   private void requeue(TransportTask task) {
     handedOver.remove(task.id());
-    queue.put(task.id(), new Waiting(task, "Looking for a robot.", clock.instant()));
+    queue.add(task, clock.instant());
     changed = true;
-    reconsider = true;
+    due.add(task.floor());
   }
 
   private List<Candidate> candidates(String floor) {
@@ -352,27 +422,16 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     if (report == null) {
       return List.of();
     }
-    List<Candidate> candidates = new ArrayList<>();
-    for (RobotView r : report.robots()) {
-      Vec2 position = r.pose() == null ? Vec2.ZERO : r.pose().position();
-      candidates.add(new Candidate(r.name(), r.maxLoad(), position, isAvailable(r)));
-    }
-    return candidates;
-  }
-
-  private boolean isAvailable(RobotView r) {
-    boolean awaited = handedOver.values().stream().anyMatch(t -> t.robots().contains(r.name()));
-    boolean fit = r.state() == RobotState.IDLE || r.state() == RobotState.DRIVING;
-    return !awaited && fit && (r.task() == null || r.phase() == 3);
+    Set<String> promised =
+        handedOver.values().stream().flatMap(t -> t.robots().stream()).collect(Collectors.toSet());
+    return Candidates.of(requireNonNull(maps.get(floor)), report.robots(), promised);
   }
 
   // --- the picture ------------------------------------------------------------------------------
 
   private void tick(Instant now) {
     floors.values().forEach(f -> f.tell(new FloorMessage.Tick(now)));
-    if (reconsider) {
-      allocate();
-    }
+    beginRounds();
     if (changed) {
       publish();
     }
@@ -384,7 +443,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     Map<Long, TaskView> tasks = new HashMap<>();
     List<String> alerts = new ArrayList<>();
     ended.forEach(t -> tasks.put(t.id(), t));
-    queue.values().forEach(w -> tasks.put(w.task().id(), w.view()));
+    firstOfQueue().forEach(t -> tasks.put(t.id(), t));
     for (ManagerMessage.FloorReport report : reports.values()) {
       views.addAll(report.robots());
       report.missions().forEach(t -> tasks.put(t.id(), t));
@@ -400,8 +459,33 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             clock.instant(),
             views,
             newestFirst,
+            queue.size(),
             floorViews(),
             alerts));
+  }
+
+  private List<TaskView> firstOfQueue() {
+    Map<String, WaitingReason> byFloor = new HashMap<>();
+    reports
+        .keySet()
+        .forEach(f -> byFloor.put(f, new WaitingReason(candidates(f), Travel.STRAIGHT)));
+    return queue
+        .first(QUEUED_SHOWN)
+        .map(q -> waiting(q.task(), reason(q, byFloor.get(q.task().floor())), q.since()))
+        .toList();
+  }
+
+  /** What the last round said; of a task that it did not look at, what is plain without one. */
+  private String reason(TaskQueue.Queued queued, @Nullable WaitingReason plain) {
+    String said = reasons.getOrDefault(queued.task().floor(), Map.of()).get(queued.task().id());
+    if (said != null) {
+      return said;
+    }
+    return plain == null ? NOT_LOOKED_AT : plain.of(queued.job());
+  }
+
+  private static TaskView waiting(TransportTask task, String why, Instant since) {
+    return new TaskView(task, TaskState.QUEUED, false, List.of(), why, null, since);
   }
 
   private List<FloorView> floorViews() {

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
+import org.toqa.allocation.Decision;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TransportTask;
 
@@ -55,6 +56,13 @@ sealed interface ManagerMessage {
       List<TaskView> ended,
       List<String> alerts)
       implements ManagerMessage {}
+
+  /**
+   * A round of allocation is over.
+   *
+   * @param decisions none where it failed
+   */
+  record Decided(String floor, List<Decision> decisions) implements ManagerMessage {}
 
   record Tick(Instant now) implements ManagerMessage {}
 }

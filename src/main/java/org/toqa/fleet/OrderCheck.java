@@ -24,7 +24,7 @@ import org.toqa.planning.PlanResult;
 /** Checks wishes against the floors before anything of them is stored. */
 final class OrderCheck {
   /** Half the diameter of the smallest robot there is, metres: where it cannot stand, none can. */
-  private static final double SMALLEST_RADIUS = 0.1275;
+  static final double SMALLEST_RADIUS = 0.1275;
 
   private final List<FloorMap> floors;
   private final Map<String, OccupancyGrid> standable = new HashMap<>();
@@ -35,22 +35,22 @@ final class OrderCheck {
   }
 
   /**
-   * @param strongest the most that a robot carries, kilograms
+   * @param together what all robots carry together, kilograms
    */
-  Answer<TransportTask> task(TaskOrder order, String user, Instant now, double strongest) {
+  Answer<TransportTask> task(TaskOrder order, String user, Instant now, double together) {
     Optional<FloorMap> floor = floor(order.floor());
     if (floor.isEmpty()) {
       return new Answer.Refused<>(
           "floor", "There is no floor " + order.floor() + ". " + floorNames());
     }
-    if (order.load() > strongest) {
+    if (order.load() > together) {
       return new Answer.Refused<>(
           "load",
           String.format(
               Locale.ROOT,
-              "No robot can carry %s kg: the strongest carries %s kg. Split the load.",
+              "The robots cannot carry %s kg: all together carry %s kg. Split the load.",
               order.load(),
-              strongest));
+              together));
     }
     Answer<TaskPlace> start = place(floor.get(), "start", order.start());
     if (!(start instanceof Answer.Accepted<TaskPlace>(TaskPlace from))) {

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.TaskState;
 
 /** All tasks as readers see them: live where the fleet still has them, else from the archive. */
 public final class Tasks {
@@ -19,7 +20,7 @@ public final class Tasks {
     return services.fleet().feed().latest().tasks().stream()
         .filter(task -> task.id() == id)
         .findFirst()
-        .or(() -> services.archive().task(id));
+        .or(() -> services.archive().task(id).map(Tasks::withReason));
   }
 
   /** Newest first. */
@@ -28,8 +29,22 @@ public final class Tasks {
         services.fleet().feed().latest().tasks().stream()
             .collect(Collectors.toMap(TaskView::id, Function.identity()));
     return services.archive().tasks(offset, limit).stream()
-        .map(task -> live.getOrDefault(task.id(), task))
+        .map(task -> live.getOrDefault(task.id(), withReason(task)))
         .toList();
+  }
+
+  /** Snapshots hold the first ones of the queue; what else is queued comes after them. */
+  private static TaskView withReason(TaskView stored) {
+    return stored.state() == TaskState.QUEUED && stored.waitingFor() == null
+        ? new TaskView(
+            stored.task(),
+            stored.state(),
+            stored.held(),
+            stored.robots(),
+            "Other tasks in the queue come before it.",
+            stored.needs(),
+            stored.changedAt())
+        : stored;
   }
 
   public long count() {

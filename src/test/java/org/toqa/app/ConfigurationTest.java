@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.allocation.Policy;
 
 class ConfigurationTest {
   private static final Path WEBAPP = Path.of("/webapp");
@@ -29,6 +30,7 @@ class ConfigurationTest {
     assertEquals(8080, configuration.port());
     assertEquals("127.0.0.1", configuration.address().getHostAddress());
     assertEquals(Path.of("/webapp/WEB-INF/maps/lab.yaml"), configuration.map());
+    assertEquals(Policy.OPTIMAL, configuration.allocator());
     assertEquals(0, configuration.simulate());
     assertNull(configuration.manager());
   }
@@ -87,10 +89,18 @@ class ConfigurationTest {
     assertEquals(new Configuration.FirstManager("mia", "pass:word"), configuration.manager());
   }
 
+  @Test
+  void theAllocatorIsChosenByItsWord() throws Exception {
+    Layer environment = Layer.ofEnvironment(Map.of("TOQA_ALLOCATOR", "contract-net"));
+
+    assertEquals(Policy.CONTRACT_NET, Configuration.of(WEBAPP, List.of(environment)).allocator());
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       value = {
+        "ALLOCATOR     | fastest        | zones, contract-net or optimal",
         "PORT          | 70000          | a whole number from 0 to 65535",
         "PORT          | 80.5           | a whole number from 0 to 65535",
         "PORT          | -1             | a whole number from 0 to 65535",

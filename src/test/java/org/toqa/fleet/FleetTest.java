@@ -23,7 +23,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.toqa.allocation.NearestFreeRobot;
+import org.toqa.allocation.OptimalAllocator;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -189,6 +189,60 @@ class FleetTest {
   }
 
   @Test
+  void aLoadTooHeavyForOneWaitsAndSaysWhatItNeeds() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    double most = robot(fleet.feed().latest(), "r1").maxLoad();
+
+    long task = submit(order(1.5 * most));
+
+    until(
+        view ->
+            waitsFor(view, task)
+                .equals(
+                    "It needs 2 robots that carry it together, and 2 of 2 are free;"
+                        + " robots cannot carry together yet."));
+    Answer<TaskView> tooHeavy =
+        fleet.submit(order(3 * most), "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS);
+    assertInstanceOf(Answer.Refused.class, tooHeavy);
+  }
+
+  @Test
+  void aTaskSaysThatItsOnlyRobotIsOutOfServiceAndIsDoneWhenItIsBack() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(fleet.takeOutOfService("r1", "Max"));
+
+    long task = submit("West", "East");
+    until(view -> waitsFor(view, task).equals("The only robot, r1, is out of service."));
+    accepted(fleet.putInService("r1", "Max"));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+  }
+
+  @Test
+  void ofALongQueueTheFirstOnesAreShownAndAllAreCounted() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(fleet.takeOutOfService("r1", "Max"));
+    long first = accepted(fleet.submit(order(1), "Clara")).id();
+    for (int i = 1; i < 150; i++) {
+      accepted(fleet.submit(order(1), "Clara"));
+    }
+    TaskOrder urgent =
+        new TaskOrder(
+            "urgent", 1, new Where.Station("West"), new Where.Station("East"), null, 9, null, null);
+    long last = accepted(fleet.submit(urgent, "Clara")).id();
+
+    until(view -> view.queued() == 151 && view.tasks().size() == 100);
+
+    FleetSnapshot view = fleet.feed().latest();
+    assertEquals(last, view.tasks().getFirst().id());
+    assertEquals(first, view.tasks().getLast().id());
+    accepted(fleet.putInService("r1", "Max"));
+    until(later -> later.tasks().stream().anyMatch(t -> t.id() == last && t.robots().size() == 1));
+    assertEquals(150, fleet.feed().latest().queued());
+  }
+
+  @Test
   void aRobotOutOfServiceGetsNoTask() throws Exception {
     reopenWith("r2", EAST, "P2");
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
@@ -217,6 +271,7 @@ class FleetTest {
   @Test
   void aRobotOnItsWayGoesRoundWhatAnotherOneSees() throws Exception {
     reopenWith("r2", new Vec2(14.5, 2.5), null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     long task = submit(new Where.Point(new Vec2(5.5, 1.5)), new Where.Point(new Vec2(13.5, 1.5)));
     until(
         view ->
@@ -293,7 +348,7 @@ class FleetTest {
           }
         };
     return new AgentFleet(
-        List.of(FLOOR), store, links, new NearestFreeRobot(), InstantSource.system(), now);
+        List.of(FLOOR), store, links, new OptimalAllocator(), InstantSource.system(), now);
   }
 
   /** Lets time go on, and the robots drive, until it is so. */
@@ -320,8 +375,17 @@ class FleetTest {
     return submit(new Where.Station(start), new Where.Station(goal));
   }
 
+  /** From west to east. */
+  private static TaskOrder order(double load) {
+    return new TaskOrder(
+        "box", load, new Where.Station("West"), new Where.Station("East"), null, 0, null, null);
+  }
+
   private long submit(Where start, Where goal) throws Exception {
-    TaskOrder order = new TaskOrder("box", 1, start, goal, null, 0, null, null);
+    return submit(new TaskOrder("box", 1, start, goal, null, 0, null, null));
+  }
+
+  private long submit(TaskOrder order) throws Exception {
     long id = accepted(fleet.submit(order, "Clara")).id();
     until(view -> view.tasks().stream().anyMatch(t -> t.id() == id));
     return id;

@@ -51,7 +51,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
   private FleetSnapshot latest =
-      new FleetSnapshot(1, START, List.of(), List.of(), List.of(), List.of());
+      new FleetSnapshot(1, START, List.of(), List.of(), 0, List.of(), List.of());
   private List<FloorView> floors = List.of();
   private boolean silent;
 
@@ -322,6 +322,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
             latest.at().plusMillis(200),
             robots,
             newestFirst(),
+            (int) tasks.stream().filter(t -> t.state() == TaskState.QUEUED).count(),
             floors,
             List.of());
     changed.signalAll();

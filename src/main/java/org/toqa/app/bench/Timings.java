@@ -1,5 +1,6 @@
 package org.toqa.app.bench;
 
+import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 
 /** How long each of many runs took, in one unit of time. */
@@ -9,6 +10,11 @@ final class Timings {
   Timings(double[] times) {
     sorted = times.clone();
     Arrays.sort(sorted);
+  }
+
+  /** The time that the calling thread has worked: what others do on the machine is not in it. */
+  static double processorMillis() {
+    return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() / 1e6;
   }
 
   /** 0 where nothing was timed. */

@@ -6,7 +6,7 @@ import java.util.Locale;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** Reads one of a few words, the names of an enum in lower case. */
+/** Reads one of a few words, the names of an enum in lower case, with hyphens. */
 public abstract class WordConverter<E extends Enum<E>> implements ITypeConverter<E> {
   private final List<E> choices;
 
@@ -29,6 +29,6 @@ public abstract class WordConverter<E extends Enum<E>> implements ITypeConverter
   }
 
   private static String word(Enum<?> choice) {
-    return choice.name().toLowerCase(Locale.ROOT);
+    return choice.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 }

@@ -15,6 +15,7 @@ final class SnapshotEvents {
       Instant at,
       List<RobotJson> robots,
       List<TaskJson> tasks,
+      int queued,
       List<FloorJson> floors,
       List<String> alerts) {
 
@@ -24,6 +25,7 @@ final class SnapshotEvents {
           snapshot.at(),
           snapshot.robots().stream().map(RobotJson::of).toList(),
           snapshot.tasks().stream().map(TaskJson::of).toList(),
+          snapshot.queued(),
           snapshot.floors().stream().map(FloorJson::of).toList(),
           snapshot.alerts());
     }

@@ -1,0 +1,20 @@
+package org.toqa.allocation;
+
+import java.util.function.ToDoubleFunction;
+import org.toqa.geometry.Vec2;
+
+/** How long the ways on a floor are. The way back is as long as the way there. */
+@FunctionalInterface
+public interface Travel {
+
+  /** As the crow flies, through whatever is in between. */
+  Travel STRAIGHT = place -> place::distanceTo;
+
+  /**
+   * The lengths of the ways between one place and others, metres; infinite where there is none. To
+   * be asked for once for many others.
+   *
+   * @param place metres, map frame
+   */
+  ToDoubleFunction<Vec2> from(Vec2 place);
+}

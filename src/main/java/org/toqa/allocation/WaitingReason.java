@@ -1,0 +1,120 @@
+package org.toqa.allocation;
+
+import static java.util.stream.Collectors.counting;
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.joining;
+
+import java.util.Comparator;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/** Why a task waits, as a sentence for people. */
+public final class WaitingReason {
+  /** Of so many robots each is named; of more, they are counted. */
+  private static final int NAMED = 3;
+
+  private final List<Candidate> robots;
+  private final Costs costs;
+
+  /**
+   * @param travel {@link Travel#STRAIGHT} where nobody has looked for ways yet
+   */
+  public WaitingReason(List<Candidate> robots, Travel travel) {
+    this.robots = List.copyOf(robots);
+    this.costs = new Costs(travel);
+  }
+
+  WaitingReason(Situation situation) {
+    this(situation.robots(), situation.travel());
+  }
+
+  /** The reason of a task that no robot was given. */
+  public String of(Job job) {
+    if (robots.isEmpty()) {
+      return "No robot has been added yet.";
+    }
+    List<Candidate> strong = robots.stream().filter(r -> r.isStrongEnough(job)).toList();
+    if (strong.isEmpty()) {
+      return tooHeavyForOne(job);
+    }
+    if (strong.size() == 1) {
+      Candidate only = strong.getFirst();
+      return robots.size() == 1
+          ? "The only robot, %s, %s.".formatted(only.robot(), keeps(job, only))
+          : "The only robot that is strong enough, %s, %s."
+              .formatted(only.robot(), keeps(job, only));
+    }
+    return "None of the %d robots that are strong enough can take it now: %s."
+        .formatted(
+            strong.size(),
+            strong.size() <= NAMED
+                ? strong.stream().map(r -> r.robot() + " " + keeps(job, r)).collect(joining(", "))
+                : counted(strong));
+  }
+
+  /** Says the true number of robots that the load needs, and how many are there. */
+  private String tooHeavyForOne(Job job) {
+    int needed = smallestSet(job.load());
+    if (needed > robots.size()) {
+      return "The load weighs %s kg, and all %d robots together carry %s kg."
+          .formatted(
+              kilograms(job.load()),
+              robots.size(),
+              kilograms(robots.stream().mapToDouble(Candidate::maxLoad).sum()));
+    }
+    long free = robots.stream().filter(Candidate::isFree).count();
+    return ("It needs %d robots that carry it together, and %d of %d %s free;"
+            + " robots cannot carry together yet.")
+        .formatted(needed, free, robots.size(), free == 1 ? "is" : "are");
+  }
+
+  /** The least number of robots whose loads add up; one more than there are if all do not. */
+  private int smallestSet(double load) {
+    List<Double> strongestFirst =
+        robots.stream().map(Candidate::maxLoad).sorted(Comparator.reverseOrder()).toList();
+    double sum = 0;
+    for (int i = 0; i < strongestFirst.size(); i++) {
+      sum += strongestFirst.get(i);
+      if (sum >= load) {
+        return i + 1;
+      }
+    }
+    return robots.size() + 1;
+  }
+
+  private String keeps(Job job, Candidate robot) {
+    return switch (robot.standing()) {
+      case FREE ->
+          costs.of(job, robot).isPossible()
+              ? "is needed for another task first"
+              : "finds no way to the load and its goal";
+      case BUSY ->
+          robot.task() == null ? robot.standing().ofOne() : "works on task " + robot.task();
+      default -> robot.standing().ofOne();
+    };
+  }
+
+  private static String counted(List<Candidate> strong) {
+    Map<Standing, Long> numbers =
+        strong.stream()
+            .collect(
+                groupingBy(Candidate::standing, () -> new EnumMap<>(Standing.class), counting()));
+    return numbers.entrySet().stream()
+        .map(
+            e ->
+                e.getKey() == Standing.FREE
+                    ? e.getValue() + " cannot reach it or are needed for other tasks first"
+                    : e.getValue()
+                        + " "
+                        + (e.getValue() == 1 ? e.getKey().ofOne() : e.getKey().ofSeveral()))
+        .collect(joining(", "));
+  }
+
+  private static String kilograms(double load) {
+    return load == Math.rint(load)
+        ? String.format(Locale.ROOT, "%.0f", load)
+        : Double.toString(load);
+  }
+}

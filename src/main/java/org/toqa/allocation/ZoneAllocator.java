@@ -1,0 +1,44 @@
+package org.toqa.allocation;
+
+import java.util.List;
+import java.util.Optional;
+import org.toqa.allocation.InTurn.Chosen;
+
+/**
+ * The load-based allocator (Tanta, "Load-based allocation"): of the robots that are strong enough,
+ * the one that parks in the load's zone, then those beside it, then outward. A robot on its way
+ * home counts as free wherever it parks. It looks at no distance, so a round is quick, and ways are
+ * as short as the zones are narrow.
+ */
+public final class ZoneAllocator implements Allocator {
+  /** The load's zone and those beside it hold the zone's best robots. */
+  private static final int BEST = 1;
+
+  @Override
+  public List<Decision> allocate(Situation situation) {
+    if (situation.robots().isEmpty()) {
+      return InTurn.decide(situation, (job, left) -> Optional.empty());
+    }
+    Zones zones = new Zones(situation.low(), situation.high(), situation.robots());
+    Costs costs = new Costs(situation.travel());
+    return InTurn.decide(
+        situation,
+        (job, left) ->
+            zones.outwardFrom(job.start()).stream()
+                .filter(zone -> left.contains(zones.robotOf(zone)))
+                .filter(zone -> costs.of(job, zones.robotOf(zone)).isPossible())
+                .findFirst()
+                .map(zone -> new Chosen(zones.robotOf(zone), why(zones, zone, job))));
+  }
+
+  private static String why(Zones zones, int zone, Job job) {
+    int home = zones.zoneOf(job.start());
+    String where = "the load lies in zone %d of %d".formatted(home + 1, zones.count());
+    if (zone == home) {
+      return where + ", and it parks there";
+    }
+    return Math.abs(zone - home) <= BEST
+        ? where + ", and it parks beside it, in zone %d".formatted(zone + 1)
+        : where + "; it parks in zone %d, the nearest with a free robot".formatted(zone + 1);
+  }
+}

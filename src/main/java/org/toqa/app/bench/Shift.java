@@ -1,0 +1,121 @@
+package org.toqa.app.bench;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.toqa.allocation.Job;
+import org.toqa.fleet.FloorDistances;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.motion.DriveSpeeds;
+import org.toqa.traffic.RoadGraph;
+
+/**
+ * A day's work, by seed: robots that are not alike, and loads that come at random.
+ *
+ * @param grid inflated by the robots' radius
+ * @param robots by their parking places; every third carries {@link #STRONG}, the others {@link
+ *     #USUAL}
+ * @param jobs in the order in which they come, each counting from then
+ */
+record Shift(OccupancyGrid grid, FloorDistances distances, List<Worker> robots, List<Job> jobs) {
+  /** Kilograms. */
+  private static final double USUAL = 5;
+
+  private static final double STRONG = 10;
+
+  /** Of the loads, those that only a strong robot can carry. */
+  private static final double HEAVY = 0.2;
+
+  /** Places between which things are carried, where the map names none. */
+  private static final int PLACES = 40;
+
+  static final Instant BEGIN = Instant.parse("2026-01-01T08:00:00Z");
+
+  /**
+   * @param maxLoad kilograms
+   * @param home where it parks, and begins
+   */
+  record Worker(String name, double maxLoad, Vec2 home) {}
+
+  /**
+   * @param grid inflated by the robots' radius
+   * @param pressure the work as a part of what the robots could do, were each as far from its next
+   *     load as half the usual way
+   * @throws IllegalArgumentException the floor has too few places; says so
+   */
+  static Shift of(
+      FloorMap floor, OccupancyGrid grid, int robots, int tasks, double pressure, long seed) {
+    Random random = new Random(seed);
+    RoadGraph roads = new RoadGraph(grid);
+    List<Vec2> anywhere =
+        new ArrayList<>(
+            IntStream.range(0, roads.vertices())
+                .filter(roads::isInLargestPart)
+                .mapToObj(v -> grid.centre(roads.cell(v)))
+                .toList());
+    Collections.shuffle(anywhere, random);
+    List<Vec2> places = reachable(floor.stations(), anywhere);
+    List<Vec2> homes =
+        Stream.concat(reachable(floor.parking(), anywhere).stream(), anywhere.stream())
+            .distinct()
+            .limit(robots)
+            .toList();
+    if (places.size() < 2) {
+      places = anywhere.subList(0, Math.min(PLACES, anywhere.size()));
+    }
+    if (places.size() < 2 || homes.size() < robots) {
+      throw new IllegalArgumentException("the map has too few free cells for that");
+    }
+    FloorDistances distances = new FloorDistances(grid);
+    double interval = interval(distances, places) / (robots * pressure);
+    return new Shift(grid, distances, workers(homes), jobs(places, tasks, interval, random));
+  }
+
+  private static List<Vec2> reachable(List<Place> named, List<Vec2> anywhere) {
+    return named.stream().map(Place::position).filter(anywhere::contains).toList();
+  }
+
+  private static List<Worker> workers(List<Vec2> homes) {
+    return IntStream.range(0, homes.size())
+        .mapToObj(i -> new Worker("r" + (i + 1), i % 3 == 0 ? STRONG : USUAL, homes.get(i)))
+        .toList();
+  }
+
+  /** Seconds that one robot needs for a task: the way to the load, half as long as with it. */
+  private static double interval(FloorDistances distances, List<Vec2> places) {
+    double sum = 0;
+    for (Vec2 from : places) {
+      sum += places.stream().mapToDouble(distances.from(from)).sum();
+    }
+    double mean = sum / (places.size() * (places.size() - 1.0));
+    return 1.5 * mean / DriveSpeeds.DEFAULT.forward();
+  }
+
+  private static List<Job> jobs(List<Vec2> places, int tasks, double interval, Random random) {
+    List<Job> jobs = new ArrayList<>();
+    double seconds = 0;
+    for (int id = 1; id <= tasks; id++) {
+      seconds -= interval * Math.log(1 - random.nextDouble()); // a Poisson process
+      Vec2 start = places.get(random.nextInt(places.size()));
+      Vec2 goal = start;
+      while (goal.equals(start)) {
+        goal = places.get(random.nextInt(places.size()));
+      }
+      double load =
+          random.nextDouble() < HEAVY
+              ? USUAL + (STRONG - USUAL) * random.nextDouble()
+              : USUAL * random.nextDouble();
+      Instant at = BEGIN.plus(Duration.ofMillis(Math.round(seconds * 1000)));
+      jobs.add(new Job(id, load, start, goal, at));
+    }
+    return jobs;
+  }
+}

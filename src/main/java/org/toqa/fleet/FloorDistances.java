@@ -1,0 +1,59 @@
+package org.toqa.fleet;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import org.toqa.allocation.Travel;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.planning.DistanceField;
+
+/**
+ * The lengths of ways on a floor by its map: the planner's distances, one field a place, the last
+ * ones kept. Any thread may ask.
+ */
+public final class FloorDistances implements Travel {
+  /** Of all the fields that are kept: 64 MB. */
+  private static final int CELLS_KEPT = 16_000_000;
+
+  private final OccupancyGrid grid;
+  private final Map<Cell, DistanceField> fields;
+
+  /**
+   * @param grid inflated by the robots' radius
+   */
+  public FloorDistances(OccupancyGrid grid) {
+    this.grid = grid;
+    int most = Math.max(16, CELLS_KEPT / (grid.width() * grid.height()));
+    fields =
+        Collections.synchronizedMap(
+            new LinkedHashMap<>(16, 0.75f, true) {
+              private static final long serialVersionUID = 1;
+
+              @Override
+              protected boolean removeEldestEntry(Map.Entry<Cell, DistanceField> eldest) {
+                return size() > most;
+              }
+            });
+  }
+
+  @Override
+  public ToDoubleFunction<Vec2> from(Vec2 place) {
+    DistanceField field =
+        fields.computeIfAbsent(grid.cellAt(place), cell -> new DistanceField(grid, cell));
+    return other -> length(field, grid.cellAt(other)) * grid.resolution();
+  }
+
+  /** A robot may stand a little nearer to a wall than it would drive: a cell beside it will do. */
+  private static double length(DistanceField field, Cell to) {
+    double length = field.to(to);
+    for (int dRow = -1; dRow <= 1 && Double.isInfinite(length); dRow++) {
+      for (int dColumn = -1; dColumn <= 1; dColumn++) {
+        length = Math.min(length, field.to(new Cell(to.column() + dColumn, to.row() + dRow)) + 1);
+      }
+    }
+    return length;
+  }
+}

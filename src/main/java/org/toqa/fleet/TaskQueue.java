@@ -1,0 +1,66 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.toqa.allocation.Job;
+import org.toqa.mission.TransportTask;
+
+/**
+ * The tasks that no robot has, in the order in which they are to be served. Coming and going costs
+ * little however many there are. Confined to one agent.
+ */
+final class TaskQueue {
+  private final Map<Long, Queued> byId = new HashMap<>();
+  private final TreeMap<Job, Queued> inOrder = new TreeMap<>(Job.BY_PRECEDENCE);
+
+  /**
+   * @param since when it came, or came back, into the queue
+   */
+  record Queued(TransportTask task, Job job, Instant since) {}
+
+  void add(TransportTask task, Instant since) {
+    remove(task.id());
+    Queued queued = new Queued(task, job(task), since);
+    byId.put(task.id(), queued);
+    inOrder.put(queued.job(), queued);
+  }
+
+  private static Job job(TransportTask task) {
+    return new Job(
+        task.id(),
+        task.load(),
+        task.start().position(),
+        task.goal().position(),
+        Job.waitingSince(task.createdAt(), task.priority(), task.deadline()));
+  }
+
+  /** The task, if it was in the queue. */
+  Optional<TransportTask> remove(long id) {
+    Optional<Queued> queued = Optional.ofNullable(byId.remove(id));
+    queued.ifPresent(q -> inOrder.remove(q.job()));
+    return queued.map(Queued::task);
+  }
+
+  int size() {
+    return byId.size();
+  }
+
+  Stream<Queued> first(int limit) {
+    return inOrder.values().stream().limit(limit);
+  }
+
+  /** The first ones of a floor that fit. */
+  List<Job> first(String floor, Predicate<Job> fits, int limit) {
+    return inOrder.values().stream()
+        .filter(q -> q.task().floor().equals(floor) && fits.test(q.job()))
+        .limit(limit)
+        .map(Queued::job)
+        .toList();
+  }
+}

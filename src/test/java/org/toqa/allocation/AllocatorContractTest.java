@@ -1,0 +1,206 @@
+package org.toqa.allocation;
+
+import static java.util.Objects.requireNonNull;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.toqa.allocation.Floors.NOON;
+import static org.toqa.allocation.Floors.busy;
+import static org.toqa.allocation.Floors.free;
+import static org.toqa.allocation.Floors.job;
+import static org.toqa.allocation.Floors.robot;
+import static org.toqa.allocation.Floors.situation;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.toqa.geometry.Vec2;
+
+/** What every allocator holds to. */
+class AllocatorContractTest {
+  private static final int SEEDS = 200;
+
+  static Stream<Allocator> allocators() {
+    return Stream.of(
+        new NearestFreeRobot(), new ZoneAllocator(), new ContractNet(), new OptimalAllocator());
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void everyTaskIsDecidedOnceAndARobotGetsAtMostOneThatItCanCarry(Allocator allocator) {
+    for (int seed = 0; seed < SEEDS; seed++) {
+      Situation situation = Floors.random(seed, 1 + seed % 12, 1 + seed % 9, 0);
+      Map<String, Candidate> robots = new HashMap<>();
+      situation.robots().forEach(r -> robots.put(r.robot(), r));
+      Set<String> chosen = new HashSet<>();
+      List<Decision> decisions = allocator.allocate(situation);
+
+      assertEquals(
+          situation.waiting().stream().map(Job::id).sorted().toList(),
+          decisions.stream().map(Decision::job).sorted().toList(),
+          "seed " + seed);
+      for (Decision decision : decisions) {
+        assertFalse(decision.why().isBlank());
+        for (String name : Outcome.robots(decision)) {
+          Candidate robot = requireNonNull(robots.get(name));
+          assertTrue(chosen.add(name), "seed " + seed + ": " + name + " has two tasks");
+          assertTrue(robot.isFree(), "seed " + seed + ": " + name);
+          assertTrue(
+              robot.isStrongEnough(byId(situation, decision.job())), "seed " + seed + ": " + name);
+        }
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void noTaskWaitsWhileARobotThatCanCarryItIsLeft(Allocator allocator) {
+    for (int seed = 0; seed < SEEDS; seed++) {
+      Situation situation = Floors.random(seed, 1 + seed % 7, 1 + seed % 9, 0);
+      List<Decision> decisions = allocator.allocate(situation);
+      Set<String> chosen = new HashSet<>();
+      decisions.forEach(d -> chosen.addAll(Outcome.robots(d)));
+      for (Decision decision : decisions) {
+        Job job = byId(situation, decision.job());
+        assertTrue(
+            decision instanceof Decision.Assigned
+                || situation.free().stream()
+                    .noneMatch(r -> r.isStrongEnough(job) && !chosen.contains(r.robot())),
+            "seed " + seed + ", task " + job.id());
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void tasksGivenOutStayWithSomebodyAndNobodyGetsTwo(Allocator allocator) {
+    for (int seed = 0; seed < SEEDS; seed++) {
+      Situation situation = Floors.random(seed, 1 + seed % 7, 4 + seed % 9, 3);
+      List<Decision> decisions = allocator.allocate(situation);
+      for (Decision decision : decisions) {
+        assertTrue(
+            decision instanceof Decision.Assigned || decision.job() < 1000,
+            "seed " + seed + ": a task given out waits again");
+      }
+      Map<Long, String> holders = new Outcome(situation, decisions).holders;
+      assertEquals(
+          holders.size(), new HashSet<>(holders.values()).size(), "seed " + seed + holders);
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void aTaskIsServedInTheEndThoughNearerAndMoreUrgentOnesKeepComing(Allocator allocator) {
+    Job far = new Job(0, 4, new Vec2(79, 5), new Vec2(79, 6), NOON);
+    List<Job> waiting = new ArrayList<>(List.of(far));
+    Instant now = NOON;
+    for (int id = 1; id <= 200 && waiting.contains(far); id++) {
+      now = now.plusSeconds(30);
+      Instant since = Job.waitingSince(now, 10, null);
+      waiting.add(new Job(id, 1, new Vec2(1, 5), new Vec2(1, 6), since));
+      for (Decision decision :
+          allocator.allocate(situation(now, waiting, List.of(), List.of(free("r1", 5, 0))))) {
+        if (decision instanceof Decision.Assigned) {
+          waiting.removeIf(j -> j.id() == decision.job());
+        }
+      }
+    }
+    assertFalse(waiting.contains(far), "it waits still after " + Duration.between(NOON, now));
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void aRobotWithoutAWayToTheLoadIsLeftOut(Allocator allocator) {
+    Travel walled =
+        place -> other -> (place.x() < 40) == (other.x() < 40) ? 1 : Double.POSITIVE_INFINITY;
+    Situation situation =
+        new Situation(
+            NOON,
+            Vec2.ZERO,
+            new Vec2(80, 10),
+            walled,
+            List.of(job(1, 1, 60)),
+            List.of(),
+            List.of(free("r1", 5, 20), free("r2", 5, 39)));
+
+    assertEquals(
+        List.of(
+            new Decision.Waits(
+                1,
+                "None of the 2 robots that are strong enough can take it now:"
+                    + " r1 finds no way to the load and its goal,"
+                    + " r2 finds no way to the load and its goal.")),
+        allocator.allocate(situation));
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void whatKeepsTheOnlyStrongRobotIsSaid(Allocator allocator) {
+    Map<Standing, String> sentences =
+        Map.of(
+            Standing.OUT_OF_SERVICE, "is out of service",
+            Standing.CHARGING, "is charging",
+            Standing.LOST, "is lost: nothing is heard from it",
+            Standing.HELD, "is held",
+            Standing.BUSY, "works on task 7");
+    sentences.forEach(
+        (standing, words) ->
+            assertEquals(
+                "The only robot that is strong enough, r1, " + words + ".",
+                why(
+                    allocator,
+                    4,
+                    robot("r1", 5, 10, standing, standing == Standing.BUSY ? 7L : null),
+                    free("weak", 3, 10))));
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void aLoadTooHeavyForOneSaysHowManyItNeeds(Allocator allocator) {
+    Candidate[] robots = {free("r1", 5, 1), busy("r2", 3, 2, 7), free("r3", 4, 3)};
+    // 5 + 4 are less than 10, 5 + 4 + 3 are not
+    assertEquals(
+        "It needs 3 robots that carry it together, and 2 of 3 are free;"
+            + " robots cannot carry together yet.",
+        why(allocator, 10, robots));
+    assertEquals(
+        "The load weighs 12.5 kg, and all 3 robots together carry 12 kg.",
+        why(allocator, 12.5, robots));
+    assertEquals("No robot has been added yet.", why(allocator, 1));
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void ofManyRobotsThoseThatAreKeptAreCounted(Allocator allocator) {
+    assertEquals(
+        "None of the 4 robots that are strong enough can take it now:"
+            + " 2 work on other tasks, 1 is out of service, 1 is lost: nothing is heard from it.",
+        why(
+            allocator,
+            1,
+            busy("r1", 5, 1, 7),
+            busy("r2", 5, 2, 8),
+            robot("r3", 5, 3, Standing.LOST, null),
+            robot("r4", 5, 3, Standing.OUT_OF_SERVICE, null)));
+  }
+
+  /** What the only task waits for. */
+  private static String why(Allocator allocator, double load, Candidate... robots) {
+    List<Decision> decisions =
+        allocator.allocate(situation(List.of(job(1, load, 5)), List.of(robots)));
+    assertEquals(List.of(new Decision.Waits(1, decisions.getFirst().why())), decisions);
+    return decisions.getFirst().why();
+  }
+
+  private static Job byId(Situation situation, long id) {
+    return situation.waiting().stream().filter(j -> j.id() == id).findFirst().orElseThrow();
+  }
+}

@@ -1,0 +1,93 @@
+package org.toqa.allocation;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.Situation.Given;
+import org.toqa.geometry.Vec2;
+
+/** Situations on an empty floor of 80 m by 10 m, where ways are straight. */
+final class Floors {
+  static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
+  private static final double LENGTH = 80;
+  private static final double WIDTH = 10;
+
+  private Floors() {}
+
+  static Situation situation(List<Job> waiting, List<Candidate> robots) {
+    return situation(NOON, waiting, List.of(), robots);
+  }
+
+  static Situation situation(
+      Instant now, List<Job> waiting, List<Given> given, List<Candidate> robots) {
+    return new Situation(
+        now, Vec2.ZERO, new Vec2(LENGTH, WIDTH), Travel.STRAIGHT, waiting, given, robots);
+  }
+
+  /** One that came at noon, from (x, 5) to (x, 6). */
+  static Job job(long id, double load, double x) {
+    return new Job(id, load, new Vec2(x, 5), new Vec2(x, 6), NOON);
+  }
+
+  static Candidate free(String name, double maxLoad, double x) {
+    return robot(name, maxLoad, x, Standing.FREE, null);
+  }
+
+  static Candidate busy(String name, double maxLoad, double x, long task) {
+    return robot(name, maxLoad, x, Standing.BUSY, task);
+  }
+
+  /** At (x, 5), where it parks, with a full battery. */
+  static Candidate robot(
+      String name, double maxLoad, double x, Standing standing, @Nullable Long task) {
+    Vec2 place = new Vec2(x, 5);
+    return new Candidate(name, maxLoad, place, place, 1.0, standing, task);
+  }
+
+  /**
+   * Jobs and robots anywhere; some loads too heavy for some robots, some robots not free.
+   *
+   * @param given the first robots have a task each that may still go to others, from id 1000
+   */
+  static Situation random(long seed, int jobs, int robots, int given) {
+    Random random = new Random(seed);
+    List<Candidate> candidates = new ArrayList<>();
+    List<Given> held = new ArrayList<>();
+    for (int i = 0; i < robots; i++) {
+      boolean isHolder = i < given;
+      boolean isFree = !isHolder && random.nextInt(4) > 0;
+      candidates.add(
+          new Candidate(
+              "r" + i,
+              isHolder ? 9 : 3 + 2 * random.nextInt(4),
+              anywhere(random),
+              anywhere(random),
+              random.nextBoolean() ? null : random.nextDouble(),
+              isFree ? Standing.FREE : Standing.BUSY,
+              null));
+      if (isHolder) {
+        held.add(new Given(anyJob(1000 + i, random, 9), "r" + i));
+      }
+    }
+    List<Job> waiting = new ArrayList<>();
+    for (int i = 0; i < jobs; i++) {
+      waiting.add(anyJob(i, random, 11));
+    }
+    return situation(NOON, waiting, held, candidates);
+  }
+
+  private static Job anyJob(long id, Random random, double most) {
+    return new Job(
+        id,
+        most * random.nextDouble(),
+        anywhere(random),
+        anywhere(random),
+        NOON.minusSeconds(random.nextInt(600)));
+  }
+
+  private static Vec2 anywhere(Random random) {
+    return new Vec2(LENGTH * random.nextDouble(), WIDTH * random.nextDouble());
+  }
+}

@@ -1,0 +1,45 @@
+package org.toqa.allocation;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.toqa.allocation.Situation.Given;
+
+/** Who has what after a round, and what that costs. */
+final class Outcome {
+  private final Situation situation;
+
+  /** By task. */
+  final Map<Long, String> holders = new TreeMap<>();
+
+  Outcome(Situation situation, List<Decision> decisions) {
+    this.situation = situation;
+    for (Given given : situation.given()) {
+      holders.put(given.job().id(), given.robot());
+    }
+    decisions.forEach(d -> robots(d).forEach(name -> holders.put(d.job(), name)));
+  }
+
+  static List<String> robots(Decision decision) {
+    return decision instanceof Decision.Assigned assigned ? assigned.robots() : List.of();
+  }
+
+  double joules() {
+    Map<String, Candidate> robots = new HashMap<>();
+    situation.robots().forEach(r -> robots.put(r.robot(), r));
+    Map<Long, Job> jobs = new HashMap<>();
+    situation.waiting().forEach(j -> jobs.put(j.id(), j));
+    situation.given().forEach(g -> jobs.put(g.job().id(), g.job()));
+    Costs costs = new Costs(situation.travel());
+    double sum = 0;
+    for (Map.Entry<Long, String> entry : holders.entrySet()) {
+      Job job = requireNonNull(jobs.get(entry.getKey()));
+      Candidate robot = requireNonNull(robots.get(entry.getValue()));
+      sum += costs.of(job, robot).joules();
+    }
+    return sum;
+  }
+}
