@@ -6,6 +6,7 @@ import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
@@ -20,6 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param data the folder for what the server keeps
  * @param map the floor's map
  * @param simulate how many simulated robots
+ * @param lostAfter how long a robot is silent until its task goes to another
  * @param speed how many times faster than real time the simulated robots live
  * @param manager the manager to make while there is none
  * @param plainLinks whether robots on other machines may be spoken to without encryption
@@ -31,6 +33,7 @@ public record Configuration(
     Path map,
     Database database,
     int simulate,
+    Duration lostAfter,
     double speed,
     @Nullable FirstManager manager,
     boolean plainLinks,
@@ -67,6 +70,7 @@ public record Configuration(
     Configuration read(Path shippedMap) throws ConfigurationException {
       Path data = folder(Setting.DATA);
       int simulate = wholeNumber(Setting.SIMULATE, 0, 500);
+      Duration lostAfter = Duration.ofSeconds(wholeNumber(Setting.LOST_AFTER, 5, 3600));
       double speed = number(Setting.SPEED, 0.1, 100);
       if (speed != 1 && simulate == 0) {
         throw refused(
@@ -79,6 +83,7 @@ public record Configuration(
           map(shippedMap),
           database(data),
           simulate,
+          lostAfter,
           speed,
           manager(),
           yesOrNo(Setting.PLAIN_LINKS),

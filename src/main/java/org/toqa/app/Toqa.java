@@ -99,6 +99,7 @@ final class Toqa implements AutoCloseable {
             store,
             new TcpRobotLinks(configuration.plainLinks()),
             new NearestFreeRobot(),
+            configuration.lostAfter(),
             wallClock,
             clock.instant());
     parts.push(fleet);

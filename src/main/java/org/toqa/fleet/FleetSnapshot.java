@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import java.time.Instant;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The whole fleet at one moment, immutable.
@@ -10,6 +11,7 @@ import java.util.List;
  * @param robots by name
  * @param tasks those that have not ended, and those that ended last, newest first
  * @param floors those that have reported, in their order
+ * @param pause null while the fleet is not paused
  * @param alerts sentences that concern the whole fleet, such as a store that does not answer
  */
 public record FleetSnapshot(
@@ -18,6 +20,7 @@ public record FleetSnapshot(
     List<RobotView> robots,
     List<TaskView> tasks,
     List<FloorView> floors,
+    @Nullable FleetPause pause,
     List<String> alerts) {
 
   public FleetSnapshot {

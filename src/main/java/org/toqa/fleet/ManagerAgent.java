@@ -1,5 +1,6 @@
 package org.toqa.fleet;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
@@ -23,6 +24,7 @@ import org.apache.pekko.actor.typed.javadsl.ActorContext;
 import org.apache.pekko.actor.typed.javadsl.Behaviors;
 import org.apache.pekko.actor.typed.javadsl.Receive;
 import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
@@ -32,6 +34,8 @@ import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinks;
+import org.toqa.mission.Mission;
+import org.toqa.mission.Objection;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 
@@ -65,10 +69,32 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private boolean changed = true;
 
-  /** A queued task and what it waits for. */
-  private record Waiting(TransportTask task, String why, Instant since) {
+  private @Nullable FleetPause pause;
+
+  /**
+   * A queued task and what it waits for.
+   *
+   * @param stored whether it is in the store as it is here
+   */
+  private record Waiting(Mission mission, String why, Instant since, boolean stored) {
+    static Waiting of(Mission mission, Instant since) {
+      return new Waiting(mission, "Looking for a robot.", since, true);
+    }
+
+    TransportTask task() {
+      return mission.task();
+    }
+
+    boolean mayBegin() {
+      return stored && !mission.held();
+    }
+
+    Waiting because(String reason) {
+      return new Waiting(mission, reason, since, stored);
+    }
+
     TaskView view() {
-      return new TaskView(task, TaskState.QUEUED, false, List.of(), why, null, since);
+      return TaskView.of(mission, mission.held() ? "On hold." : why, since);
     }
   }
 
@@ -77,38 +103,24 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetStore store,
       RobotLinks links,
       Allocator allocator,
+      Duration lostAfter,
       InstantSource clock,
       Instant now,
       SnapshotBoard board) {
-    List<RobotRecord> robots = store.robots();
-    Set<String> outOfService = store.outOfService();
-    List<OpenTask> open = store.openTasks();
     return AgentFleet.goingOn(
         Behaviors.setup(
             context ->
                 new ManagerAgent(
-                    context,
-                    floors,
-                    robots,
-                    outOfService,
-                    open,
-                    store,
-                    links,
-                    allocator,
-                    clock,
-                    now,
-                    board)));
+                    context, floors, store, links, allocator, lostAfter, clock, now, board)));
   }
 
   private ManagerAgent(
       ActorContext<ManagerMessage> context,
       List<FloorMap> floorMaps,
-      List<RobotRecord> stored,
-      Set<String> outOfService,
-      List<OpenTask> open,
       FleetStore store,
       RobotLinks links,
       Allocator allocator,
+      Duration lostAfter,
       InstantSource clock,
       Instant now,
       SnapshotBoard board) {
@@ -119,22 +131,31 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.board = board;
     this.check = new OrderCheck(floorMaps);
     this.writer = new StoreWriter("manager");
+    List<RobotRecord> stored = store.robots();
+    List<OpenTask> open = store.openTasks();
+    Set<String> outOfService = store.outOfService();
+    Set<String> held = store.held();
+    this.pause = store.pause().orElse(null);
     stored.forEach(r -> robots.put(r.name(), r));
     for (OpenTask t : open) {
-      if (t.state() == TaskState.QUEUED) {
-        queue.put(t.task().id(), new Waiting(t.task(), "Looking for a robot.", t.changedAt()));
+      if (t.mission().state() == TaskState.QUEUED) {
+        queue.put(t.mission().id(), Waiting.of(t.mission(), t.changedAt()));
       }
     }
     for (FloorMap floor : floorMaps) {
-      List<RobotRecord> here = stored.stream().filter(r -> r.floor().equals(floor.name())).toList();
-      List<OpenTask> begun =
-          open.stream()
-              .filter(t -> t.state() != TaskState.QUEUED && t.task().floor().equals(floor.name()))
-              .toList();
+      FloorMemory memory =
+          new FloorMemory(
+              stored.stream().filter(r -> r.floor().equals(floor.name())).toList(),
+              outOfService,
+              held,
+              pause,
+              open.stream()
+                  .filter(t -> t.mission().state() != TaskState.QUEUED)
+                  .filter(t -> t.mission().task().floor().equals(floor.name()))
+                  .toList());
       ActorRef<FloorMessage> agent =
           context.spawn(
-              FloorAgent.of(
-                  floor, here, outOfService, begun, store, links, clock, now, context.getSelf()),
+              FloorAgent.of(floor, memory, store, links, lostAfter, clock, now, context.getSelf()),
               "floor-" + floors.size());
       floors.put(floor.name(), agent);
     }
@@ -162,8 +183,21 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.RobotNotStored m -> robots.remove(m.robot());
       case ManagerMessage.Locate m -> locate(m);
       case ManagerMessage.Serve m -> serve(m);
+      case ManagerMessage.HoldRobot m ->
+          tellFloorOf(
+              m.robot(),
+              m.replyTo(),
+              new FloorMessage.HoldRobot(m.robot(), m.hold(), m.user(), m.replyTo()));
+      case ManagerMessage.SendHome m ->
+          tellFloorOf(
+              m.robot(), m.replyTo(), new FloorMessage.SendHome(m.robot(), m.user(), m.replyTo()));
+      case ManagerMessage.Wished m -> wished(m);
+      case ManagerMessage.WishStored m -> wishStored(m.mission());
+      case ManagerMessage.Pause m -> pause(m);
+      case ManagerMessage.PauseEnded m -> pauseEnded();
+      case ManagerMessage.Returned m -> requeue(m.mission());
       case ManagerMessage.Begun m -> handedOver.remove(m.task());
-      case ManagerMessage.NotBegun m -> requeue(m.task());
+      case ManagerMessage.NotBegun m -> requeue(m.mission());
       case ManagerMessage.FloorReport m -> reported(m);
       case ManagerMessage.Tick m -> tick(m.now());
     }
@@ -195,7 +229,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   }
 
   private void taskStored(ManagerMessage.TaskStored m) {
-    Waiting waiting = new Waiting(m.task(), "Looking for a robot.", m.task().createdAt());
+    Waiting waiting = Waiting.of(Mission.queued(m.task()), m.task().createdAt());
     queue.put(m.task().id(), waiting);
     m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(waiting.view())));
     changed = true;
@@ -256,6 +290,111 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         new FloorMessage.Serve(m.robot(), m.inService(), m.user(), m.replyTo()));
   }
 
+  /** A task that has robots is its floor's; the floor hands back what it does not have. */
+  private void wished(ManagerMessage.Wished m) {
+    Waiting waiting = queue.get(m.task());
+    if (waiting != null) {
+      wished(waiting, m);
+      return;
+    }
+    floorOf(m.task())
+        .ifPresentOrElse(
+            floor -> floor.tell(new FloorMessage.Wished(m.task(), m.wish(), m.replyTo())),
+            () ->
+                m.replyTo()
+                    .tell(
+                        StatusReply.success(
+                            new Answer.Conflict<>(
+                                "Task " + m.task() + " has ended; it cannot be changed any more.",
+                                null))));
+  }
+
+  private void wished(Waiting waiting, ManagerMessage.Wished m) {
+    Optional<Objection> objection = waiting.mission().objectionTo(m.wish());
+    if (objection.isPresent()) {
+      m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));
+      return;
+    }
+    Mission.Step step = waiting.mission().on(m.wish());
+    Instant at = clock.instant();
+    Mission mission = step.mission();
+    Waiting next = new Waiting(mission, waiting.why(), waiting.since(), !step.changed());
+    if (mission.state().isEnded()) {
+      queue.remove(m.task());
+      shelve(TaskView.of(mission, null, at));
+    } else {
+      queue.put(m.task(), next);
+    }
+    changed = true;
+    ActorRef<ManagerMessage> self = getContext().getSelf();
+    if (step.changed()) {
+      writer.write(
+          () -> store.saveMission(mission, at, EventRecord.of(step, m.wish(), at)),
+          () -> self.tell(new ManagerMessage.WishStored(mission)));
+    }
+    writer.write(
+        () -> {}, () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(next.view()))));
+  }
+
+  private void wishStored(Mission mission) {
+    queue.computeIfPresent(
+        mission.id(),
+        (id, waiting) ->
+            waiting.mission().equals(mission)
+                ? new Waiting(mission, waiting.why(), waiting.since(), true)
+                : waiting);
+    reconsider = true;
+  }
+
+  private Optional<ActorRef<FloorMessage>> floorOf(long task) {
+    return Stream.concat(
+            handedOver.values().stream(),
+            reports.values().stream().flatMap(r -> r.missions().stream()))
+        .filter(t -> t.id() == task)
+        .findFirst()
+        .flatMap(t -> floorAgent(t.task().floor()));
+  }
+
+  /** Robots hold at once, and go on only when that is stored. */
+  private void pause(ManagerMessage.Pause m) {
+    Instant at = clock.instant();
+    if (m.pause() == (pause != null)) {
+      m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(Optional.ofNullable(pause))));
+      return;
+    }
+    FleetPause next = m.pause() ? new FleetPause(m.user(), at) : null;
+    EventRecord event =
+        new EventRecord(
+            at,
+            m.pause() ? "fleet.paused" : "fleet.resumed",
+            null,
+            null,
+            m.user(),
+            m.user() + (m.pause() ? " paused all robots" : " let all robots go on"));
+    if (next != null) {
+      pauseIs(next);
+    }
+    ActorRef<ManagerMessage> self = getContext().getSelf();
+    writer.write(
+        () -> store.savePause(next, List.of(event)),
+        () -> {
+          if (next == null) {
+            self.tell(new ManagerMessage.PauseEnded());
+          }
+          m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(Optional.ofNullable(next))));
+        });
+  }
+
+  private void pauseEnded() {
+    pauseIs(null);
+  }
+
+  private void pauseIs(@Nullable FleetPause next) {
+    pause = next;
+    changed = true;
+    floors.values().forEach(f -> f.tell(new FloorMessage.Pause(next)));
+  }
+
   private void tellFloorOf(
       String robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo, FloorMessage message) {
     Optional.ofNullable(robots.get(robot))
@@ -302,6 +441,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     floors.keySet().forEach(floor -> candidates.put(floor, candidates(floor)));
     List<Waiting> inOrder =
         queue.values().stream()
+            .filter(Waiting::mayBegin)
             .sorted(
                 Comparator.comparingInt((Waiting w) -> -w.task().priority())
                     .thenComparing(w -> w.task().id()))
@@ -312,14 +452,14 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         continue;
       }
       List<Candidate> here = candidates.getOrDefault(task.floor(), List.of());
-      switch (allocator.allocate(task.load(), task.start().position(), here)) {
+      switch (allocator.allocate(task.load(), w.mission().object().position(), here)) {
         case Decision.Assigned(List<String> chosen, String why) -> {
-          handOver(task, chosen, why);
+          handOver(w.mission(), chosen, why);
           candidates.put(task.floor(), candidates(task.floor()));
         }
         case Decision.Waits(String why) -> {
           if (!why.equals(w.why())) {
-            queue.put(task.id(), new Waiting(task, why, w.since()));
+            queue.put(task.id(), w.because(why));
             changed = true;
           }
         }
@@ -327,22 +467,22 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     }
   }
 
-  private void handOver(TransportTask task, List<String> chosen, String why) {
+  private void handOver(Mission mission, List<String> chosen, String why) {
+    TransportTask task = mission.task();
     Optional<ActorRef<FloorMessage>> floor = floorAgent(task.floor());
     if (floor.isEmpty()) {
       return;
     }
     queue.remove(task.id());
     handedOver.put(
-        task.id(),
-        new TaskView(task, TaskState.ASSIGNED, false, chosen, null, null, clock.instant()));
-    floor.get().tell(new FloorMessage.Begin(task, chosen, why));
+        task.id(), TaskView.of(mission.assign(chosen, why).mission(), null, clock.instant()));
+    floor.get().tell(new FloorMessage.Begin(mission, chosen, why));
     changed = true;
   }
 
-  private void requeue(TransportTask task) {
-    handedOver.remove(task.id());
-    queue.put(task.id(), new Waiting(task, "Looking for a robot.", clock.instant()));
+  private void requeue(Mission mission) {
+    handedOver.remove(mission.id());
+    queue.put(mission.id(), Waiting.of(mission, clock.instant()));
     changed = true;
     reconsider = true;
   }
@@ -401,6 +541,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             views,
             newestFirst,
             floorViews(),
+            pause,
             alerts));
   }
 

@@ -16,6 +16,7 @@ final class SnapshotEvents {
       List<RobotJson> robots,
       List<TaskJson> tasks,
       List<FloorJson> floors,
+      @Nullable PauseJson pause,
       List<String> alerts) {
 
     static SnapshotJson of(FleetSnapshot snapshot) {
@@ -25,6 +26,7 @@ final class SnapshotEvents {
           snapshot.robots().stream().map(RobotJson::of).toList(),
           snapshot.tasks().stream().map(TaskJson::of).toList(),
           snapshot.floors().stream().map(FloorJson::of).toList(),
+          PauseJson.of(snapshot.pause()),
           snapshot.alerts());
     }
   }
