@@ -124,6 +124,12 @@ public final class Doors {
     request.setAttribute(PARAMETERS, place.parameters());
   }
 
+  /** The path that the request asks for, from the application's root. */
+  public static String pathOf(HttpServletRequest request) {
+    String rest = request.getPathInfo();
+    return rest == null ? request.getServletPath() : request.getServletPath() + rest;
+  }
+
   /** The part of the request's path that stands for {@code {name}}. */
   public static String parameter(ServletRequest request, String name) {
     Map<?, ?> parameters = (Map<?, ?>) request.getAttribute(PARAMETERS);

@@ -339,8 +339,7 @@ class FleetTest {
 
     until(view -> task(view, task).state() == TaskState.CANCELLED);
     assertEquals(0, played("r1").position().distanceTo(new Vec2(0.5, 2.5)), 1e-6);
-    assertTrue(
-        store.history(task).stream().anyMatch(e -> e.text().equals("Brought back to West")));
+    assertTrue(store.history(task).stream().anyMatch(e -> e.text().equals("Brought back to West")));
   }
 
   @Test
@@ -405,8 +404,7 @@ class FleetTest {
     until(view -> view.robots().size() == 2 && played("r2").isHeld());
     assertEquals("Max", Objects.requireNonNull(fleet.feed().latest().pause()).user());
     assertEquals(stopped, played("r1").position());
-    assertEquals(
-        "All robots are paused by Max", robot(fleet.feed().latest(), "r1").doing());
+    assertEquals("All robots are paused by Max", robot(fleet.feed().latest(), "r1").doing());
 
     accepted(fleet.resumeAll("Boss"));
 

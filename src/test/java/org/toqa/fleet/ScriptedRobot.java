@@ -23,6 +23,7 @@ import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
 import org.toqa.link.message.ServerMessage.Hold;
+import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
 import org.toqa.motion.Trajectory;
@@ -97,7 +98,7 @@ final class ScriptedRobot {
     connected = false;
   }
 
-  /** All that it was told and did, in order. */
+  /** All that it was told and did, in order, without pings. */
   synchronized List<Command> obeyed() {
     return List.copyOf(obeyed);
   }
@@ -169,7 +170,9 @@ final class ScriptedRobot {
   }
 
   private void obey(Command command) {
-    obeyed.add(command);
+    if (!(command instanceof Ping)) {
+      obeyed.add(command);
+    }
     switch (command) {
       case Hold h -> held = true;
       case Resume r -> held = false;

@@ -38,6 +38,7 @@ abstract class PageServlet extends HttpServlet {
   /** Shows a view that has no form, without making a session for it. */
   static void showBare(HttpServletRequest request, HttpServletResponse response, String view)
       throws ServletException, IOException {
+    request.setAttribute("path", Doors.pathOf(request));
     request.setAttribute(
         "pause", Services.from(request.getServletContext()).fleet().feed().latest().pause());
     request.getRequestDispatcher("/WEB-INF/views/" + view + ".jsp").forward(request, response);
