@@ -96,6 +96,7 @@ final class ScriptedRobot {
   synchronized void loseConnection() {
     mute = true;
     connected = false;
+    Objects.requireNonNull(listener).disconnected("cut");
   }
 
   /** All that it was told and did, in order, without pings. */
@@ -157,6 +158,9 @@ final class ScriptedRobot {
   }
 
   private synchronized void hear(ServerMessage message) {
+    if (!connected) {
+      return;
+    }
     if (message instanceof AckDone ack) {
       if (done != null && done.drive() == ack.done()) {
         task = done.phase() == 3 ? null : task;
