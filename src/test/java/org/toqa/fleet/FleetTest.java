@@ -339,7 +339,9 @@ class FleetTest {
 
     until(view -> task(view, task).state() == TaskState.CANCELLED);
     assertEquals(0, played("r1").position().distanceTo(new Vec2(0.5, 2.5)), 1e-6);
-    assertTrue(store.history(task).stream().anyMatch(e -> e.text().equals("Brought back to West")));
+    until(
+        view ->
+            store.history(task).stream().anyMatch(e -> e.text().equals("Brought back to West")));
   }
 
   @Test
@@ -401,7 +403,10 @@ class FleetTest {
     until(view -> played("r1").isHeld());
     Vec2 stopped = played("r1").position();
     reopenWith("r2", EAST, "P2");
-    until(view -> view.robots().size() == 2 && played("r2").isHeld());
+    until(
+        view ->
+            played("r2").isHeld()
+                && view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
     assertEquals("Max", Objects.requireNonNull(fleet.feed().latest().pause()).user());
     assertEquals(stopped, played("r1").position());
     assertEquals("All robots are paused by Max", robot(fleet.feed().latest(), "r1").doing());
