@@ -58,6 +58,10 @@ class FleetTest {
   private static final Vec2 WEST = new Vec2(0.5, 0.5);
   private static final Vec2 DOOR = new Vec2(4.5, 1.5);
   private static final Vec2 EAST = new Vec2(8.5, 0.5);
+
+  /** A few metres from r1, and more from the other end of the hall. */
+  private static final Where IN_THE_MIDDLE = new Where.Point(new Vec2(6.5, 2.5));
+
   private static final FloorMap FLOOR =
       new FloorMap(
           "hall",
@@ -420,9 +424,9 @@ class FleetTest {
 
   @Test
   void theTaskOfARobotThatFailsBeforeThePickUpGoesToAnotherAtOnce() throws Exception {
-    reopenWith("r2", EAST, "P2");
+    reopenWith("r2", new Vec2(14.5, 0.5), null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
-    long task = submit("West", "East");
+    long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
     until(view -> task(view, task).robots().equals(List.of("r1")));
 
     played("r1").breaks("BUMPER");
@@ -437,7 +441,7 @@ class FleetTest {
   void aLostRobotsTaskWaitsThenGoesToAnotherAndTheLostOneIsCancelledFirst() throws Exception {
     reopenWith("r2", new Vec2(14.5, 0.5), null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
-    long task = submit("West", "East");
+    long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
     until(view -> task(view, task).state() == TaskState.TO_OBJECT);
     played("r1").loseConnection();
     Instant lost = now;
@@ -461,7 +465,7 @@ class FleetTest {
   void aLostRobotsTaskGoesToAnotherAtOnceByAPersonsWord() throws Exception {
     reopenWith("r2", new Vec2(14.5, 0.5), null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
-    long task = submit("West", "East");
+    long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
     until(view -> task(view, task).robots().equals(List.of("r1")));
     played("r1").fallSilent();
     Instant lost = now;
