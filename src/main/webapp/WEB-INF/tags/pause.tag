@@ -15,7 +15,7 @@
       <small class="faint"><fmt:message key="pause.notSafety"/></small>
     </c:when>
     <c:otherwise>
-      <p role="status"><strong><fmt:message key="pause.paused"/></strong>${" "}<fmt:message key="pause.by"><fmt:param><c:out value="${pause.user}"/></fmt:param></fmt:message>${" "}<t:time at="${pause.since}"/>. <small><fmt:message key="pause.notSafety"/></small></p>
+      <p role="status"><strong><fmt:message key="pause.paused"/></strong>${" "}<fmt:message key="pause.by"><fmt:param><c:out value="${pause.user}"/></fmt:param></fmt:message>${" "}<t:time at="${pause.since}"/>${" "}· <small><fmt:message key="pause.notSafety"/></small></p>
       <c:if test="${caller.isManager()}">
         <details>
           <summary role="button"><fmt:message key="pause.resume"/></summary>

@@ -46,15 +46,17 @@
     </article>
   </div>
   <c:if test="${caller.isManager()}">
-    <article class="card" id="orders" data-live="orders" data-name="${fn:escapeXml(robot.name)}">
+    <article class="card" id="orders" data-live="orders" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.task ? '' : 'hidden'}>
       <h2><fmt:message key="robot.orders"/></h2>
       <t:errors/>
       <div class="choices">
         <c:url value="/robots/${robot.name}/${robot.held ? 'resume' : 'hold'}" var="holdOrResume"/>
-        <form method="post" action="<c:out value="${holdOrResume}"/>">
-          <t:csrf/>
-          <button><fmt:message key="robot.${robot.held ? 'resume' : 'hold'}"/></button>
-        </form>
+        <c:if test="${empty pause}">
+          <form method="post" action="<c:out value="${holdOrResume}"/>">
+            <t:csrf/>
+            <button><fmt:message key="robot.${robot.held ? 'resume' : 'hold'}"/></button>
+          </form>
+        </c:if>
         <c:if test="${empty robot.task and not empty robot.parking}">
           <c:url value="/robots/${robot.name}/home" var="home"/>
           <form method="post" action="<c:out value="${home}"/>">

@@ -57,7 +57,6 @@
     <t:errors/>
     <c:if test="${mayChange and not task.state.isEnded()}">
       <c:if test="${not empty task.needs}">
-        <p class="notice bad"><c:out value="${task.needs.question}"/></p>
         <form class="choices" method="post" action="${root}/tasks/${task.task.id}/answer">
           <t:csrf/>
           <c:forEach items="${task.needs.answers}" var="answer"><button name="answer" value="<c:out value="${answer}"/>"><fmt:message key="task.answer.${answer == 'another robot' ? 'another' : answer}"/></button></c:forEach>

@@ -16,9 +16,9 @@ const subjects = {
     const task = tasks.find((candidate) => String(candidate.id) === name);
     return task && [task.state, task.held, task.needs];
   },
-  orders: ({robots}, name) => {
+  orders: ({robots, pause}, name) => {
     const robot = robots.find((candidate) => candidate.name === name);
-    return robot && [robot.held, robot.task];
+    return robot && [robot.held, robot.task, pause];
   },
   pause: ({pause}) => pause,
   service: ({robots, floors}, name) => [

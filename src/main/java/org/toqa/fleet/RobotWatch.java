@@ -28,12 +28,18 @@ final class RobotWatch {
   /** The same condition may be told again and again. */
   Optional<OfRobot> look(FloorRobot robot, Instant now) {
     if (!robot.inService) {
+      if (robot.isHeard() && !robot.hasStopped()) {
+        return Optional.empty(); // where it will stand is not known yet
+      }
       return Optional.of(new MissionEvent.RobotWithdrawn(robot.name(), place(robot)));
     }
     if (!robot.isHeard()) {
       return lost(robot, now);
     }
     if (robot.mode == Mode.ERROR) {
+      if (robot.moving) {
+        return Optional.empty();
+      }
       return Optional.of(new MissionEvent.RobotFailed(robot.name(), error(robot), place(robot)));
     }
     return robot.isFit() ? Optional.of(new MissionEvent.RobotBack(robot.name())) : Optional.empty();

@@ -442,7 +442,7 @@ class FleetTest {
     reopenWith("r2", new Vec2(14.5, 0.5), null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
-    until(view -> task(view, task).state() == TaskState.TO_OBJECT);
+    until(view -> task(view, task).state() == TaskState.TO_OBJECT && played("r1").isDriving());
     played("r1").loseConnection();
     Instant lost = now;
     until(view -> task(view, task).needs() != null);
