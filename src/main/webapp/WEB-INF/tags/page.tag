@@ -17,7 +17,7 @@
   <link rel="icon" type="image/svg+xml" href="${root}/assets/toqa.svg">
   <link rel="stylesheet" href="${root}/assets/pico/pico.blue.min.css">
   <link rel="stylesheet" href="${root}/assets/toqa.css">
-  <c:if test="${not empty script}"><script type="module" src="${root}/assets/js/${script}"></script></c:if>
+  <c:if test="${not empty script or not empty caller}"><script type="module" src="${root}/assets/js/${empty script ? 'live.js' : script}"></script></c:if>
   <script type="module" src="${root}/assets/js/times.js"></script>
 </head>
 <body>
@@ -38,6 +38,7 @@
       </nav>
     </c:if>
   </header>
+  <c:if test="${not empty caller}"><t:pause/></c:if>
   <main id="content" class="${layout}">
     <jsp:doBody/>
   </main>

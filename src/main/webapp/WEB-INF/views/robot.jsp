@@ -46,6 +46,26 @@
     </article>
   </div>
   <c:if test="${caller.isManager()}">
+    <article class="card" id="orders" data-live="orders" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.task ? '' : 'hidden'}>
+      <h2><fmt:message key="robot.orders"/></h2>
+      <t:errors/>
+      <div class="choices">
+        <c:url value="/robots/${robot.name}/${robot.held ? 'resume' : 'hold'}" var="holdOrResume"/>
+        <c:if test="${empty pause}">
+          <form method="post" action="<c:out value="${holdOrResume}"/>">
+            <t:csrf/>
+            <button><fmt:message key="robot.${robot.held ? 'resume' : 'hold'}"/></button>
+          </form>
+        </c:if>
+        <c:if test="${empty robot.task and not empty robot.parking}">
+          <c:url value="/robots/${robot.name}/home" var="home"/>
+          <form method="post" action="<c:out value="${home}"/>">
+            <t:csrf/>
+            <button class="outline"><fmt:message key="robot.home"/></button>
+          </form>
+        </c:if>
+      </div>
+    </article>
     <article class="card service" id="service" data-live="service" data-name="${fn:escapeXml(robot.name)}">
       <h2><fmt:message key="robot.service"/></h2>
       <c:set var="isOut" value="${robot.state == 'OUT_OF_SERVICE'}"/>
@@ -73,7 +93,6 @@
     <article class="card">
       <h2><fmt:message key="robot.locate"/></h2>
       <p class="faint"><fmt:message key="robot.locate.intro"/></p>
-      <t:errors/>
       <c:url value="/robots/${robot.name}/locate" var="target"/>
       <form method="post" action="<c:out value="${target}"/>" novalidate>
         <t:csrf/>

@@ -16,6 +16,7 @@
       <t:state of="task" state="${task.state}"/>
     </div>
     <c:if test="${not empty task.waitingFor}"><p class="notice"><strong><fmt:message key="task.waitingFor"/></strong>${" "}<c:out value="${task.waitingFor}"/></p></c:if>
+    <c:if test="${not empty task.loadAt}"><p class="notice"><strong><fmt:message key="task.loadAt"/></strong>${" "}<t:place place="${task.loadAt}"/></p></c:if>
     <c:if test="${task.held}"><p class="notice"><fmt:message key="task.held"/></p></c:if>
     <c:if test="${not empty task.needs}"><p class="notice bad"><strong><fmt:message key="task.needs"/></strong>${" "}<c:out value="${task.needs.question}"/></p></c:if>
     <c:if test="${reached >= 0}">
@@ -51,4 +52,37 @@
       </article>
     </div>
   </div>
+  <article class="card" id="wishes" data-live="wishes" data-name="${task.task.id}" ${mayChange and not task.state.isEnded() ? '' : 'hidden'}>
+    <h2><fmt:message key="task.wishes"/></h2>
+    <t:errors/>
+    <c:if test="${mayChange and not task.state.isEnded()}">
+      <c:if test="${not empty task.needs}">
+        <form class="choices" method="post" action="${root}/tasks/${task.task.id}/answer">
+          <t:csrf/>
+          <c:forEach items="${task.needs.answers}" var="answer"><button name="answer" value="<c:out value="${answer}"/>"><fmt:message key="task.answer.${answer == 'another robot' ? 'another' : answer}"/></button></c:forEach>
+        </form>
+      </c:if>
+      <form class="choices" method="post" action="${root}/tasks/${task.task.id}/${task.held ? 'resume' : 'hold'}">
+        <t:csrf/>
+        <button class="outline"><fmt:message key="task.${task.held ? 'resume' : 'hold'}"/></button>
+      </form>
+      <c:if test="${task.state != 'RETURNING'}">
+        <c:set var="carrying" value="${task.state == 'CARRYING'}"/>
+        <details>
+          <summary role="button" class="outline secondary"><fmt:message key="task.cancel"/></summary>
+          <form method="post" action="${root}/tasks/${task.task.id}/cancel">
+            <t:csrf/>
+            <p><fmt:message key="task.cancel.sure.${carrying ? 'carrying' : 'before'}"/></p>
+            <c:if test="${carrying}">
+              <div class="choices">
+                <button class="danger" name="load" value="here"><fmt:message key="task.cancel.here"/></button>
+                <button class="danger" name="load" value="back"><fmt:message key="task.cancel.back"/></button>
+              </div>
+            </c:if>
+            <c:if test="${not carrying}"><button class="danger"><fmt:message key="task.cancel.submit"/></button></c:if>
+          </form>
+        </details>
+      </c:if>
+    </c:if>
+  </article>
 </t:page>

@@ -25,8 +25,8 @@ export function drawTasks(context, viewport, colours, tasks) {
     if (task.state !== 'RETURNING') {
       drawGoal(context, viewport, colours, task);
     }
-    if (task.state !== 'CARRYING') {
-      const {x, y} = task.state === 'RETURNING' ? task.goal : task.start;
+    if (task.state !== 'CARRYING' || task.loadAt) {
+      const {x, y} = task.state === 'RETURNING' ? task.goal : (task.loadAt ?? task.start);
       drawLoad(context, viewport.toScreen(x, y), 0, loadHalf(viewport, task), colours);
     }
   }

@@ -4,6 +4,7 @@ import {drawRobots, drawTasks, isOpen, radius} from './fleet.js';
 import {Floor} from './floor.js';
 import {Glide} from './glide.js';
 import {drawCells, drawStandstills} from './hazards.js';
+import {showParts} from './parts.js';
 import {address} from './server.js';
 import {follow} from './stream.js';
 import {text} from './texts.js';
@@ -59,6 +60,7 @@ function openRobotAt(x, y, metresPerPixel) {
 
 function showSnapshot(snapshot) {
   ({robots, tasks, queued, floors} = snapshot);
+  showParts(snapshot);
   changed = performance.now();
   glide.update(robots, changed);
   board.refresh();

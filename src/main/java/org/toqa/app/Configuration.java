@@ -6,6 +6,7 @@ import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -23,6 +24,7 @@ import org.toqa.allocation.Policy;
  * @param map the floor's map
  * @param allocator who decides which robots carry what
  * @param simulate how many simulated robots
+ * @param lostAfter how long a robot is silent until its task goes to another
  * @param speed how many times faster than real time the simulated robots live
  * @param manager the manager to make while there is none
  * @param plainLinks whether robots on other machines may be spoken to without encryption
@@ -35,6 +37,7 @@ public record Configuration(
     Database database,
     Policy allocator,
     int simulate,
+    Duration lostAfter,
     double speed,
     @Nullable FirstManager manager,
     boolean plainLinks,
@@ -71,6 +74,7 @@ public record Configuration(
     Configuration read(Path shippedMap) throws ConfigurationException {
       Path data = folder(Setting.DATA);
       int simulate = wholeNumber(Setting.SIMULATE, 0, 500);
+      Duration lostAfter = Duration.ofSeconds(wholeNumber(Setting.LOST_AFTER, 5, 3600));
       double speed = number(Setting.SPEED, 0.1, 100);
       if (speed != 1 && simulate == 0) {
         throw refused(
@@ -84,6 +88,7 @@ public record Configuration(
           database(data),
           policy(),
           simulate,
+          lostAfter,
           speed,
           manager(),
           yesOrNo(Setting.PLAIN_LINKS),

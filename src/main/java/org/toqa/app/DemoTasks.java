@@ -16,6 +16,7 @@ import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.Question;
 import org.toqa.mission.TaskState;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -88,6 +89,8 @@ final class DemoTasks {
         case Answer.Accepted<TaskView>(TaskView task) ->
             runs.put(task.id(), new Run(task, time.instant()));
         case Answer.Refused<TaskView>(String field, String sentence) ->
+            throw new IllegalStateException(order.name() + ": " + sentence);
+        case Answer.Conflict<TaskView>(String sentence, Question needs) ->
             throw new IllegalStateException(order.name() + ": " + sentence);
         case Answer.Unknown<TaskView>(String sentence) ->
             throw new IllegalStateException(order.name() + ": " + sentence);

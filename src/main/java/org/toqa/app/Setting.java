@@ -15,6 +15,7 @@ enum Setting {
   DATABASE_PASSWORD("database.password", "", "that user's password"),
   ALLOCATOR("allocator", "optimal", "zones, contract-net or optimal"),
   SIMULATE("simulate", "0", "a whole number from 0 to 500"),
+  LOST_AFTER("lostAfter", "30", "a whole number of seconds from 5 to 3600"),
   SPEED("speed", "1", "a number from 0.1 to 100"),
   MANAGER("manager", "", "name:password of the first manager"),
   PLAIN_LINKS("plainLinks", "false", "true or false"),

@@ -98,6 +98,7 @@ final class Toqa implements AutoCloseable {
             store,
             new TcpRobotLinks(configuration.plainLinks()),
             configuration.allocator().allocator(),
+            configuration.lostAfter(),
             wallClock,
             clock.instant());
     parts.push(fleet);

@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -24,6 +25,7 @@ import org.toqa.allocation.Allocator;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinks;
+import org.toqa.mission.MissionEvent;
 
 /**
  * The fleet as a system of agents: one manager, one agent a floor, one a robot.
@@ -57,6 +59,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
    * Reads the store and goes on with what is in it.
    *
    * @param floors at least one; the first is the default
+   * @param lostAfter how long a robot is silent until its task goes to another
    * @param clock for the times in the history
    * @param now of the time that {@link #tick} brings
    */
@@ -65,16 +68,25 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       FleetStore store,
       RobotLinks links,
       Allocator allocator,
+      Duration lostAfter,
       InstantSource clock,
       Instant now) {
     this.floors = List.copyOf(floors);
     this.board =
         new SnapshotBoard(
-            new FleetSnapshot(0, clock.instant(), List.of(), List.of(), 0, List.of(), List.of()));
+            new FleetSnapshot(
+                0,
+                clock.instant(),
+                List.of(),
+                List.of(),
+                0,
+                List.of(),
+                store.pause().orElse(null),
+                List.of()));
     ClassLoader loader = AgentFleet.class.getClassLoader();
     this.system =
         ActorSystem.create(
-            ManagerAgent.of(floors, store, links, allocator, clock, now, board),
+            ManagerAgent.of(floors, store, links, allocator, lostAfter, clock, now, board),
             "toqa",
             BootstrapSetup.create(CONFIG.withFallback(ConfigFactory.load(loader)))
                 .withClassloader(loader));
@@ -113,6 +125,36 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<RobotView>> putInService(String robot, String user) {
     return ask(replyTo -> new ManagerMessage.Serve(robot, true, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> hold(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.HoldRobot(robot, true, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> resume(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.HoldRobot(robot, false, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> sendHome(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.SendHome(robot, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<TaskView>> wish(long task, MissionEvent.Wish wish) {
+    return ask(replyTo -> new ManagerMessage.Wished(task, wish, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<FleetPause>>> pauseAll(String user) {
+    return ask(replyTo -> new ManagerMessage.Pause(true, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<FleetPause>>> resumeAll(String user) {
+    return ask(replyTo -> new ManagerMessage.Pause(false, user, replyTo));
   }
 
   private <T> CompletionStage<Answer<T>> ask(

@@ -1,6 +1,8 @@
 package org.toqa.fleet;
 
 import org.jspecify.annotations.Nullable;
+import org.toqa.mission.Objection;
+import org.toqa.mission.Question;
 
 /** What the fleet answers to a wish: done and stored, or refused in a sentence. */
 public sealed interface Answer<T> {
@@ -13,14 +15,26 @@ public sealed interface Answer<T> {
    */
   record Refused<T>(@Nullable String field, String sentence) implements Answer<T> {}
 
+  /**
+   * It cannot be now, as things stand.
+   *
+   * @param needs what a person must say too, if that is what is missing
+   */
+  record Conflict<T>(String sentence, @Nullable Question needs) implements Answer<T> {}
+
   /** Nothing of that name or number exists. */
   record Unknown<T>(String sentence) implements Answer<T> {}
+
+  static <T> Answer<T> conflict(Objection objection) {
+    return new Conflict<>(objection.sentence(), objection.needs());
+  }
 
   /** This "no", for an asker who wanted another kind of value. */
   default <R> Answer<R> refusal() {
     return switch (this) {
       case Accepted<T> accepted -> throw new IllegalStateException("Accepted: " + accepted);
       case Refused<T>(String field, String sentence) -> new Refused<>(field, sentence);
+      case Conflict<T>(String sentence, Question needs) -> new Conflict<>(sentence, needs);
       case Unknown<T>(String sentence) -> new Unknown<>(sentence);
     };
   }

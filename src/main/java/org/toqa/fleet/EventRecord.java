@@ -1,7 +1,10 @@
 package org.toqa.fleet;
 
 import java.time.Instant;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
 
 /**
  * One line of the history.
@@ -17,4 +20,14 @@ public record EventRecord(
 
   /** Who acts when no person does. */
   public static final String SYSTEM = "toqa";
+
+  /** What the history says of a mission's step. */
+  static List<EventRecord> of(Mission.Step step, MissionEvent event, Instant at) {
+    String robot = event instanceof MissionEvent.OfRobot e ? e.robot() : null;
+    String who = event instanceof MissionEvent.Wish wish ? wish.user() : SYSTEM;
+    long task = step.mission().id();
+    return step.history().stream()
+        .map(text -> new EventRecord(at, event.kind(), task, robot, who, text))
+        .toList();
+  }
 }

@@ -1,9 +1,11 @@
 package org.toqa.fleet;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
+import org.toqa.mission.MissionEvent;
 
 /**
  * The fleet's door for its users: wishes go in, stored answers come back, snapshots show the rest.
@@ -34,6 +36,23 @@ public interface Fleet {
 
   /** A person puts a robot back in service: it goes on with what it was at. */
   CompletionStage<Answer<RobotView>> putInService(String robot, String user);
+
+  /** A person puts a robot on hold: it stops where it is, and goes on when it is let go. */
+  CompletionStage<Answer<RobotView>> hold(String robot, String user);
+
+  /** A person lets a robot go on that was put on hold. */
+  CompletionStage<Answer<RobotView>> resume(String robot, String user);
+
+  /** A person sends a robot that has nothing to do to its parking point. */
+  CompletionStage<Answer<RobotView>> sendHome(String robot, String user);
+
+  /** A person wants something of a task: to cancel it, to hold it, to answer what it asks. */
+  CompletionStage<Answer<TaskView>> wish(long task, MissionEvent.Wish wish);
+
+  /** All robots hold, those that connect later too. No safety function. */
+  CompletionStage<Answer<Optional<FleetPause>>> pauseAll(String user);
+
+  CompletionStage<Answer<Optional<FleetPause>>> resumeAll(String user);
 
   /** All floors, the first one the default. */
   List<FloorMap> floors();

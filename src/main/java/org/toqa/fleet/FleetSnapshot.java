@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import java.time.Instant;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The whole fleet at one moment, immutable.
@@ -12,6 +13,7 @@ import java.util.List;
  *     newest first
  * @param queued how many tasks wait in the queue, also those that are not among {@code tasks}
  * @param floors those that have reported, in their order
+ * @param pause null while the fleet is not paused
  * @param alerts sentences that concern the whole fleet, such as a store that does not answer
  */
 public record FleetSnapshot(
@@ -21,6 +23,7 @@ public record FleetSnapshot(
     List<TaskView> tasks,
     int queued,
     List<FloorView> floors,
+    @Nullable FleetPause pause,
     List<String> alerts) {
 
   public FleetSnapshot {

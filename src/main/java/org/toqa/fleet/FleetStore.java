@@ -5,9 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
-import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.motion.Trajectory;
 
@@ -15,8 +13,8 @@ import org.toqa.motion.Trajectory;
  * What the fleet must not forget.
  *
  * <ol>
- *   <li>At start the fleet reads {@link #robots}, {@link #outOfService}, {@link #openTasks} and
- *       each robot's {@link #drive}.
+ *   <li>At start the fleet reads {@link #robots}, {@link #outOfService}, {@link #held}, {@link
+ *       #pause}, {@link #openTasks} and each robot's {@link #drive}.
  *   <li>From then on every change is written here before the command that follows from it is sent.
  * </ol>
  *
@@ -29,6 +27,12 @@ public interface FleetStore {
 
   /** The names of the robots that are out of service. */
   Set<String> outOfService();
+
+  /** The names of the robots that a person has put on hold. */
+  Set<String> held();
+
+  /** Whether all robots are paused. */
+  Optional<FleetPause> pause();
 
   /** Tasks that have not ended, in the order in which they came. */
   List<OpenTask> openTasks();
@@ -48,6 +52,13 @@ public interface FleetStore {
   /** Whether the robot is in service; a robot that was never taken out is. */
   void saveService(String robot, boolean inService, List<EventRecord> events);
 
+  void saveHold(String robot, boolean held, List<EventRecord> events);
+
+  /**
+   * @param pause null: the fleet goes on
+   */
+  void savePause(@Nullable FleetPause pause, List<EventRecord> events);
+
   void saveMission(Mission mission, Instant at, List<EventRecord> events);
 
   /** Replaces the robot's last drive, and remembers its sequence number. */
@@ -55,14 +66,7 @@ public interface FleetStore {
 
   void addEvents(List<EventRecord> events);
 
-  /**
-   * @param carriers empty while it is queued
-   */
-  record OpenTask(TransportTask task, TaskState state, List<Carrier> carriers, Instant changedAt) {
-    public OpenTask {
-      carriers = List.copyOf(carriers);
-    }
-  }
+  record OpenTask(Mission mission, Instant changedAt) {}
 
   /**
    * @param seq of the robot link

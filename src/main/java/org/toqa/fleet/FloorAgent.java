@@ -6,10 +6,10 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
@@ -40,8 +40,9 @@ import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionCommand;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Objection;
+import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
-import org.toqa.mission.TransportTask;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.Decision;
@@ -61,6 +62,14 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private static final Logger log = LoggerFactory.getLogger(FloorAgent.class);
   private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
 
+  /** A robot that is needed again at once need not turn round. */
+  private static final Duration HOME_AFTER = Duration.ofSeconds(3);
+
+  private static final Duration STARTS_WITHIN = Duration.ofSeconds(30);
+
+  /** Metres; whoever is so near to a place is there. */
+  private static final double ARRIVED = 0.15;
+
   /** For a plan for all robots; a function of the machine's speed, not of the floor's time. */
   private static final Duration PLANNING_LIMIT = Duration.ofMillis(200);
 
@@ -72,23 +81,24 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private final StoreWriter writer;
   private final FloorTraffic traffic;
   private final FloorWatch watch;
+  private final RobotWatch robotWatch;
 
   private final Map<String, FloorRobot> robots = new TreeMap<>();
   private final Map<Long, OpenMission> missions = new LinkedHashMap<>();
   private final List<TaskView> ended = new ArrayList<>();
   private Instant now;
   private boolean changed = true;
+  private @Nullable FleetPause pause;
 
   /** A mission, and when it last changed. */
   private record OpenMission(Mission mission, Instant changedAt) {}
 
   static Behavior<FloorMessage> of(
       FloorMap floor,
-      List<RobotRecord> robots,
-      Set<String> outOfService,
-      List<OpenTask> begun,
+      FloorMemory memory,
       FleetStore store,
       RobotLinks links,
+      Duration lostAfter,
       InstantSource clock,
       Instant now,
       ActorRef<ManagerMessage> manager) {
@@ -96,26 +106,16 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         Behaviors.setup(
             context ->
                 new FloorAgent(
-                    context,
-                    floor,
-                    robots,
-                    outOfService,
-                    begun,
-                    store,
-                    links,
-                    clock,
-                    now,
-                    manager)));
+                    context, floor, memory, store, links, lostAfter, clock, now, manager)));
   }
 
   private FloorAgent(
       ActorContext<FloorMessage> context,
       FloorMap floor,
-      List<RobotRecord> records,
-      Set<String> outOfService,
-      List<OpenTask> begun,
+      FloorMemory memory,
       FleetStore store,
       RobotLinks links,
+      Duration lostAfter,
       InstantSource clock,
       Instant now,
       ActorRef<ManagerMessage> manager) {
@@ -133,8 +133,14 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
             new LacamFloorPlanner(),
             () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
     this.watch = new FloorWatch(floor, traffic);
-    records.forEach(record -> join(record, !outOfService.contains(record.name())));
-    begun.forEach(this::recover);
+    this.robotWatch = new RobotWatch(lostAfter);
+    this.pause = memory.pause();
+    for (RobotRecord record : memory.robots()) {
+      FloorRobot robot = join(record);
+      robot.inService = !memory.outOfService().contains(record.name());
+      robot.held = memory.held().contains(record.name());
+    }
+    memory.begun().forEach(this::recover);
   }
 
   @Override
@@ -148,11 +154,15 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private Behavior<FloorMessage> on(FloorMessage message) {
     switch (message) {
       case FloorMessage.Begin m -> begin(m);
-      case FloorMessage.RobotJoined m -> join(m.robot(), true);
+      case FloorMessage.Wished m -> wished(m);
+      case FloorMessage.Pause m -> pause(m.pause());
+      case FloorMessage.HoldRobot m -> hold(m);
+      case FloorMessage.SendHome m -> sendHome(m);
+      case FloorMessage.RobotJoined m -> join(m.robot());
       case FloorMessage.Locate m -> locate(m);
       case FloorMessage.Serve m -> serve(m);
       case FloorMessage.ServiceStored m -> serviceStored(m.wish(), m.clears());
-      case FloorMessage.Stored m -> m.step().commands().forEach(c -> carryOut(m.step(), c));
+      case FloorMessage.Stored m -> stored(m.step());
       case FloorMessage.Tick m -> tick(m.now());
       case FloorMessage.FromRobot m -> fromRobot(m);
     }
@@ -163,25 +173,34 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
 
   private void begin(FloorMessage.Begin m) {
     if (m.robots().stream().anyMatch(r -> isEngaged(r) || !isInService(r))) {
-      manager.tell(new ManagerMessage.NotBegun(m.task()));
+      manager.tell(new ManagerMessage.NotBegun(m.mission()));
       return;
     }
     for (String name : m.robots()) {
-      missionOf(name)
-          .ifPresent(old -> apply(old.on(new MissionEvent.Retasked(name)), "task.retasked", name));
+      missionOf(name).ifPresent(old -> happened(old, new MissionEvent.Retasked(name)));
     }
-    apply(Mission.assign(m.task(), m.robots(), m.why()), "task.assigned", null);
+    Mission.Step step = m.mission().assign(m.robots(), m.why());
+    Instant at = clock.instant();
+    apply(
+        step,
+        at,
+        step.history().stream()
+            .map(
+                text ->
+                    new EventRecord(
+                        at, "task.assigned", m.mission().id(), null, EventRecord.SYSTEM, text))
+            .toList());
     report(); // first, so that the task is in every picture
-    manager.tell(new ManagerMessage.Begun(m.task().id()));
+    manager.tell(new ManagerMessage.Begun(m.mission().id()));
   }
 
   /** A mission that was under way when the server stopped goes on in the phase it was stored in. */
   private void recover(OpenTask open) {
-    Mission mission = new Mission(open.task(), open.state(), open.carriers());
+    Mission mission = open.mission();
     missions.put(mission.id(), new OpenMission(mission, open.changedAt()));
     for (Carrier c : mission.carriers()) {
       FloorRobot robot = robots.get(c.robot());
-      if (c.isDriving() && robot != null) {
+      if (c.isDriving() && robot != null && !mission.isStopping()) {
         robot.errand = errand(mission, c.robot());
       }
     }
@@ -207,20 +226,26 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         .findFirst();
   }
 
-  private void handle(long task, MissionEvent event, String kind) {
+  private Mission happened(Mission mission, MissionEvent event) {
+    Mission.Step step = mission.on(event);
+    Instant at = clock.instant();
+    apply(step, at, EventRecord.of(step, event, at));
+    return step.mission();
+  }
+
+  private void happened(long task, MissionEvent event) {
     OpenMission open = missions.get(task);
     if (open != null) {
-      apply(open.mission().on(event), kind, event.robot());
+      happened(open.mission(), event);
     }
   }
 
   /** Stores the step; its commands are carried out when it is safe. */
-  private void apply(Mission.Step step, String kind, @Nullable String robot) {
+  private void apply(Mission.Step step, Instant at, List<EventRecord> events) {
     if (!step.changed()) {
       return;
     }
     Mission mission = step.mission();
-    Instant at = clock.instant();
     if (mission.state().isEnded()) {
       missions.remove(mission.id());
       ended.add(view(new OpenMission(mission, at)));
@@ -228,14 +253,42 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       missions.put(mission.id(), new OpenMission(mission, at));
     }
     changed = true;
-    List<EventRecord> events =
-        step.history().stream()
-            .map(text -> new EventRecord(at, kind, mission.id(), robot, EventRecord.SYSTEM, text))
-            .toList();
     ActorRef<FloorMessage> self = getContext().getSelf();
     writer.write(
         () -> store.saveMission(mission, at, events),
         () -> self.tell(new FloorMessage.Stored(step)));
+  }
+
+  private void stored(Mission.Step step) {
+    step.commands().forEach(command -> carryOut(step, command));
+    OpenMission open = missions.get(step.mission().id());
+    if (step.mission().state() == TaskState.QUEUED
+        && open != null
+        && open.mission().equals(step.mission())) {
+      missions.remove(step.mission().id());
+      manager.tell(new ManagerMessage.Returned(step.mission()));
+      report();
+    }
+  }
+
+  /** What this floor does not have goes back: perhaps it is in the queue by now. */
+  private void wished(FloorMessage.Wished m) {
+    OpenMission open = missions.get(m.task());
+    if (open == null) {
+      report();
+      manager.tell(new ManagerMessage.Wished(m.task(), m.wish(), m.replyTo()));
+      return;
+    }
+    Optional<Objection> objection = open.mission().objectionTo(m.wish());
+    if (objection.isPresent()) {
+      m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));
+      return;
+    }
+    Mission next = happened(open.mission(), m.wish());
+    report();
+    TaskView view = view(new OpenMission(next, clock.instant()));
+    writer.write(
+        () -> {}, () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
   }
 
   private void carryOut(Mission.Step step, MissionCommand command) {
@@ -250,26 +303,28 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         robot.trouble = null;
         robot.notBefore = Instant.MIN;
       }
-      case MissionCommand.LetGo letGo -> {
-        if (robot.errand != null && robot.errand.task() == task) {
-          robot.errand = null;
-          robot.trouble = null;
-        }
-      }
+      case MissionCommand.Stop stop -> drop(robot, task);
+      case MissionCommand.LetGo letGo -> drop(robot, task);
     }
     changed = true;
   }
 
+  private static void drop(FloorRobot robot, long task) {
+    if (robot.errand != null && Objects.equals(robot.errand.task(), task)) {
+      robot.errand = null;
+      robot.trouble = null;
+    }
+  }
+
   private Errand errand(Mission mission, String robot) {
-    TransportTask task = mission.task();
     int phase = mission.carrier(robot).map(Carrier::phase).orElse(3);
     Vec2 goal =
         switch (phase) {
-          case 1 -> task.start().position();
-          case 2 -> task.goal().position();
-          default -> home(robot).orElse(task.goal().position());
+          case 1 -> mission.object().position();
+          case 2 -> mission.destination().position();
+          default -> home(robot).orElse(mission.task().goal().position());
         };
-    return new Errand(task.id(), phase, goal);
+    return new Errand(mission.id(), phase, goal);
   }
 
   private Optional<Vec2> home(String robot) {
@@ -281,16 +336,16 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
 
   // --- robots -----------------------------------------------------------------------------------
 
-  private void join(RobotRecord record, boolean inService) {
+  private FloorRobot join(RobotRecord record) {
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
                 RobotAgent.of(record, getContext().getSelf(), store, links, now),
                 "robot-" + robots.size());
-    FloorRobot robot = new FloorRobot(record, agent);
-    robot.inService = inService;
+    FloorRobot robot = new FloorRobot(record, agent, now);
     robots.put(record.name(), robot);
     changed = true;
+    return robot;
   }
 
   private void locate(FloorMessage.Locate m) {
@@ -318,6 +373,144 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     return new Answer.Unknown<>("There is no robot " + robot + " on this floor.");
   }
 
+  // --- holding and going home -------------------------------------------------------------------
+
+  private void pause(@Nullable FleetPause next) {
+    pause = next;
+    changed = true;
+    robots.values().forEach(this::holdOrGoOn);
+  }
+
+  private void hold(FloorMessage.HoldRobot m) {
+    FloorRobot robot = robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(unknown(m.robot())));
+      return;
+    }
+    List<EventRecord> events =
+        robot.held == m.hold()
+            ? List.of()
+            : List.of(
+                event(
+                    robot,
+                    m.hold() ? "robot.held" : "robot.resumed",
+                    m.user(),
+                    m.user()
+                        + (m.hold()
+                            ? " put " + m.robot() + " on hold"
+                            : " let " + m.robot() + " go on")));
+    robot.held = m.hold();
+    holdOrGoOn(robot);
+    report();
+    RobotView view = view(robot);
+    writer.write(
+        () -> store.saveHold(m.robot(), m.hold(), events),
+        () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+  }
+
+  /** Tells the robot to hold or to go on, until it says that it does. */
+  private void holdOrGoOn(FloorRobot robot) {
+    String reason = holdReason(robot);
+    changed |= !Objects.equals(reason, robot.holdReason);
+    robot.holdReason = reason;
+    boolean shall = reason != null;
+    if (shall) {
+      robot.lastHeld = now;
+    }
+    boolean does = robot.mode == Mode.ERROR ? robot.toldToHold : robot.mode == Mode.HOLDING;
+    boolean isToldAlready =
+        robot.toldToHold == shall && robot.toldToHoldAt.plus(RETRY_AFTER).isAfter(now);
+    if (robot.isHeard() && shall != does && !isToldAlready) {
+      robot.toldToHold = shall;
+      robot.toldToHoldAt = now;
+      robot.agent.tell(new RobotMessage.Hold(shall));
+    }
+  }
+
+  private @Nullable String holdReason(FloorRobot robot) {
+    if (pause != null) {
+      return "All robots are paused by " + pause.user();
+    }
+    if (robot.held) {
+      return "On hold by a person’s word";
+    }
+    return missionOf(robot.name())
+        .filter(Mission::held)
+        .map(mission -> "Task " + mission.id() + " is on hold")
+        .orElse(null);
+  }
+
+  private void sendHome(FloorMessage.SendHome m) {
+    FloorRobot robot = robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(unknown(m.robot())));
+      return;
+    }
+    String objection = objectionToGoingHome(robot);
+    if (objection != null) {
+      m.replyTo().tell(StatusReply.success(new Answer.Conflict<>(objection, null)));
+      return;
+    }
+    home(robot.name()).ifPresent(parking -> robot.errand = Errand.home(parking));
+    EventRecord event =
+        event(robot, "robot.sent-home", m.user(), m.user() + " sent " + m.robot() + " home");
+    report();
+    RobotView view = view(robot);
+    writer.write(
+        () -> store.addEvents(List.of(event)),
+        () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+  }
+
+  private @Nullable String objectionToGoingHome(FloorRobot robot) {
+    Optional<Mission> mission = missionOf(robot.name());
+    if (mission.isPresent()) {
+      return robot.name() + " works for task " + mission.get().id() + "; it drives home after it.";
+    }
+    if (home(robot.name()).isEmpty()) {
+      return robot.name() + " has no parking point, so it has no home.";
+    }
+    if (robot.holdReason != null) {
+      return robot.name() + " is on hold; let it go on first.";
+    }
+    return robot.isFit()
+        ? null
+        : robot.name()
+            + " cannot drive now: it is "
+            + robot.state().name().toLowerCase(Locale.ROOT).replace('_', ' ')
+            + ".";
+  }
+
+  /** Parking when idle. */
+  private void sendHomeWhenIdle(FloorRobot robot) {
+    boolean isIdle =
+        robot.errand == null
+            && robot.isStanding()
+            && robot.isFit()
+            && robot.holdReason == null
+            && missionOf(robot.name()).isEmpty();
+    if (!isIdle) {
+      robot.idleSince = null;
+    } else if (robot.idleSince == null) {
+      robot.idleSince = now;
+    } else if (!robot.idleSince.plus(HOME_AFTER).isAfter(now)) {
+      home(robot.name())
+          .filter(parking -> !isAt(robot, parking))
+          .ifPresent(parking -> robot.errand = Errand.home(parking));
+    }
+  }
+
+  private boolean isAt(FloorRobot robot, Vec2 place) {
+    Pose pose = robot.pose;
+    return pose != null
+        && (pose.position().distanceTo(place) < ARRIVED
+            || floor.grid().cellAt(pose.position()).equals(floor.grid().cellAt(place)));
+  }
+
+  private EventRecord event(FloorRobot robot, String kind, String user, String text) {
+    Long task = missionOf(robot.name()).map(Mission::id).orElse(null);
+    return new EventRecord(clock.instant(), kind, task, robot.name(), user, text);
+  }
+
   // --- service ----------------------------------------------------------------------------------
 
   private void serve(FloorMessage.Serve m) {
@@ -332,11 +525,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       return;
     }
     EventRecord event =
-        new EventRecord(
-            clock.instant(),
+        event(
+            robot,
             m.inService() ? "robot.in-service" : "robot.out-of-service",
-            missionOf(robot.name()).map(Mission::id).orElse(null),
-            robot.name(),
             m.user(),
             sentence(m, clears));
     ActorRef<FloorMessage> self = getContext().getSelf();
@@ -367,6 +558,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       return;
     }
     robot.inService = m.inService();
+    watch(robot); // while its place is known
     if (clears && isKept(robot)) {
       traffic.leaves(robot.name());
       robot.pose = null;
@@ -391,9 +583,18 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     changed = true;
     switch (message) {
       case FloorMessage.Connected m -> connected(robot, m.hello(), m.drive());
-      case FloorMessage.Disconnected m -> robot.connected = false;
-      case FloorMessage.Silent m -> robot.silent = true;
-      case FloorMessage.HeardAgain m -> robot.silent = false;
+      case FloorMessage.Disconnected m -> {
+        fallsSilent(robot);
+        robot.connected = false;
+      }
+      case FloorMessage.Silent m -> {
+        fallsSilent(robot);
+        robot.silent = true;
+      }
+      case FloorMessage.HeardAgain m -> {
+        robot.silent = false;
+        disown(robot);
+      }
       case FloorMessage.Heard m -> heard(robot, m.state());
       case FloorMessage.PhaseEnded m -> phaseEnded(robot, m.end());
       case FloorMessage.DriveBegun m -> driveBegun(robot, m.drive());
@@ -402,11 +603,27 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     }
   }
 
+  private void fallsSilent(FloorRobot robot) {
+    if (robot.isHeard()) {
+      robot.quietSince = now;
+    }
+  }
+
+  /** A robot that comes back with a task that it has no more is sent {@code cancel} first. */
+  private void disown(FloorRobot robot) {
+    Long task = robot.reportedTask;
+    if (task != null && missionOf(robot.name()).filter(m -> m.id() == task).isEmpty()) {
+      cancel(robot);
+    }
+  }
+
   /** Compares what the robot says with what was stored, and goes on from there. */
   private void connected(FloorRobot robot, Hello hello, Optional<StoredDrive> stored) {
     robot.hear(hello, clock.instant());
     robot.driveUnderway = false;
     robot.cancelling = false;
+    robot.toldToHold = false;
+    robot.toldToHoldAt = Instant.MIN;
     robot.told = stored.filter(d -> d.seq() == hello.drive()).orElse(null);
     if (robot.told != null) {
       isOnItsWay(robot, robot.told, hello.pose(), hello.segment(), hello.released());
@@ -417,6 +634,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     if (hello.done() != null) {
       phaseEnded(robot, hello.done());
     }
+    disown(robot);
+    holdOrGoOn(robot);
   }
 
   private void heard(FloorRobot robot, AgentMessage.State state) {
@@ -428,7 +647,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       } else {
         isOnItsWay(robot, robot.told, state.pose(), state.segment(), state.released());
       }
-    } else if (!robot.driveUnderway && state.mode() != Mode.DRIVING) {
+    } else if (!robot.driveUnderway && !isBraking(robot)) {
       if (state.drive() == 0) {
         robot.told = null;
         robot.cancelling = false;
@@ -440,32 +659,29 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     }
   }
 
+  private static boolean isBraking(FloorRobot robot) {
+    return robot.mode == Mode.DRIVING || (robot.mode == Mode.HOLDING && robot.moving);
+  }
+
   private void isOnItsWay(
       FloorRobot robot, StoredDrive drive, Pose pose, int segment, int released) {
     traffic.drives(robot.name(), pose, robot.footprint, drive.way(), segment, released, now);
   }
 
   private void phaseEnded(FloorRobot robot, PhaseEnd end) {
-    if (end.task() != null) {
-      handle(end.task(), new MissionEvent.PhaseEnded(robot.name(), end.phase()), kind(end.phase()));
-    }
+    OpenMission open = end.task() == null ? null : missions.get(end.task());
+    if (open != null
+        && (end.phase() == 3 || isAt(robot, errand(open.mission(), robot.name()).goal()))) {
+      happened(open.mission(), new MissionEvent.PhaseEnded(robot.name(), end.phase()));
+    } // else its way was changed meanwhile, or the task has ended
     // written in order: acknowledged only when what follows from the flag is safe
     writer.write(() -> {}, () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));
-  }
-
-  private static String kind(int phase) {
-    return switch (phase) {
-      case 1 -> "task.at-object";
-      case 2 -> "task.delivered";
-      default -> "task.parked";
-    };
   }
 
   private void driveBegun(FloorRobot robot, StoredDrive drive) {
     robot.told = drive;
     if (drive.task() != null) {
-      handle(
-          drive.task(), new MissionEvent.DriveStarted(robot.name(), drive.phase()), "task.started");
+      happened(drive.task(), new MissionEvent.DriveStarted(robot.name(), drive.phase()));
     }
   }
 
@@ -496,6 +712,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   /** Tells the traffic what is so and wanted, and the robots what it decides. */
   private void drive() {
     for (FloorRobot robot : robots.values()) {
+      watch(robot);
+      holdOrGoOn(robot);
+      sendHomeWhenIdle(robot);
       if (traffic.knows(robot.name())) {
         direct(robot);
       }
@@ -508,7 +727,28 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         changed = true;
       }
     }
-    record(watch.askStandstills());
+    record(watch.askStandstills(this::isHeldLately));
+  }
+
+  /** Tells the robot's mission what it must know of the robot. */
+  private void watch(FloorRobot robot) {
+    Optional<Mission> mission = missionOf(robot.name());
+    if (mission.isEmpty()) {
+      return;
+    }
+    robotWatch.look(robot, now).ifPresent(event -> happened(mission.get(), event));
+    if (mission.get().isStopping() && robot.errand == null && robot.hasStopped()) {
+      TaskPlace place = RobotWatch.place(robot);
+      if (place != null) {
+        happened(mission.get().id(), new MissionEvent.Stopped(robot.name(), place));
+      }
+    }
+  }
+
+  /** A robot on hold does not get on, and needs a while when it goes on. */
+  private boolean isHeldLately(String name) {
+    FloorRobot robot = robots.get(name);
+    return robot != null && robot.lastHeld.plus(STARTS_WITHIN).isAfter(now);
   }
 
   private void record(List<Remark> remarks) {
@@ -522,22 +762,29 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private void direct(FloorRobot robot) {
     Errand errand = robot.duty();
     boolean isOnOtherWay = !robot.isStanding() && (errand == null || !robot.isOnTheWayOf(errand));
-    boolean isStray =
-        isOnOtherWay && (!robot.inService || robot.told == null || robot.told.task() != null);
+    boolean mayEnd = robot.told != null && robot.told.task() == null && robot.toldGoal == null;
+    boolean isStray = isOnOtherWay && !(robot.inService && mayEnd);
     if (isStray && !robot.driveUnderway && robot.drive != 0) {
       cancel(robot);
     }
     boolean isWaiting = robot.notBefore.isAfter(now);
-    traffic.isFixed(robot.name(), !robot.isFit() || isStray || isWaiting);
+    traffic.isFixed(
+        robot.name(), !robot.isFit() || robot.holdReason != null || isStray || isWaiting);
     traffic.wants(robot.name(), errand == null || isOnOtherWay ? null : errand.goal(), now);
     if (errand != null && robot.isStanding() && robot.isFit() && traffic.isAtGoal(robot.name())) {
-      handle(
-          errand.task(),
-          new MissionEvent.PhaseEnded(robot.name(), errand.phase()),
-          kind(errand.phase()));
+      arrived(robot, errand);
     }
     if (!isWaiting) {
       note(robot, errand == null ? null : traffic.reason(robot.name()));
+    }
+  }
+
+  private void arrived(FloorRobot robot, Errand errand) {
+    if (errand.task() == null) {
+      robot.errand = null;
+      changed = true;
+    } else {
+      happened(errand.task(), new MissionEvent.PhaseEnded(robot.name(), errand.phase()));
     }
   }
 
@@ -553,6 +800,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case Decision.Begin begin -> {
         Errand errand = robot.errand;
         robot.driveUnderway = true;
+        robot.toldGoal = errand == null ? null : errand.goal();
         robot.agent.tell(
             new RobotMessage.Drive(
                 errand == null ? null : errand.task(),
@@ -622,14 +870,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
 
   private TaskView view(OpenMission open) {
     Mission mission = open.mission();
-    return new TaskView(
-        mission.task(),
-        mission.state(),
-        false,
-        mission.robots(),
-        mission.state() == TaskState.DONE ? null : waitingFor(mission),
-        null,
-        open.changedAt());
+    return TaskView.of(
+        mission, mission.state().isEnded() ? null : waitingFor(mission), open.changedAt());
   }
 
   private @Nullable String waitingFor(Mission mission) {
@@ -647,7 +889,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
         case OUT_OF_SERVICE ->
             reasons.add(robot.name() + " is out of service: put it back in service");
         case IDLE, DRIVING, HOLDING -> {
-          if (robot.trouble != null) {
+          if (robot.holdReason != null) {
+            reasons.add(robot.holdReason);
+          } else if (robot.trouble != null) {
             reasons.add(robot.trouble);
           }
         }

@@ -5,13 +5,14 @@ import java.util.List;
 import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.mission.Mission;
-import org.toqa.mission.TransportTask;
+import org.toqa.mission.MissionEvent;
 
 /**
  * What a floor agent is told: by the manager, by its robots' agents, by its store, by the clock.
@@ -19,7 +20,27 @@ import org.toqa.mission.TransportTask;
 sealed interface FloorMessage {
 
   /** These robots shall carry out this task. */
-  record Begin(TransportTask task, List<String> robots, String why) implements FloorMessage {}
+  record Begin(Mission mission, List<String> robots, String why) implements FloorMessage {}
+
+  /** A person wants something of a task. */
+  record Wished(long task, MissionEvent.Wish wish, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
+      implements FloorMessage {}
+
+  /**
+   * All robots hold, or go on.
+   *
+   * @param pause null: they go on
+   */
+  record Pause(@Nullable FleetPause pause) implements FloorMessage {}
+
+  /** A person puts a robot on hold, or lets it go on. */
+  record HoldRobot(
+      String robot, boolean hold, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
+
+  /** A person sends an idle robot to its parking point. */
+  record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
 
   record RobotJoined(RobotRecord robot) implements FloorMessage {}
 

@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
@@ -23,18 +24,28 @@ final class FloorRobot {
   /** The diameter assumed of a robot that was never heard of: the smallest of ours, metres. */
   private static final double UNKNOWN_FOOTPRINT = 0.255;
 
+  /** Metres and radians a second that a standing robot may still report. */
+  private static final double STANDING_SPEED = 0.02;
+
+  private static final double STANDING_TURN = 0.05;
+
   final RobotRecord record;
   final ActorRef<RobotMessage> agent;
 
   // what the robot says
   boolean connected;
   boolean silent;
+
+  /** Since when it is not heard; means nothing while it is. */
+  Instant quietSince;
+
   boolean localised;
   @Nullable Pose pose;
   @Nullable Double battery;
   double footprint = UNKNOWN_FOOTPRINT;
   double maxLoad;
   Mode mode = Mode.IDLE;
+  boolean moving;
   long drive;
   int segment;
   @Nullable Long reportedTask;
@@ -43,6 +54,7 @@ final class FloorRobot {
 
   // what a person has said
   boolean inService = true;
+  boolean held;
 
   // what the floor wants of it
   @Nullable Errand errand;
@@ -50,17 +62,44 @@ final class FloorRobot {
   /** The drive that it was told, until it is over. */
   @Nullable StoredDrive told;
 
+  /** Where that drive shall lead; null where it only steps aside, or after a restart. */
+  @Nullable Vec2 toldGoal;
+
   /** A drive was told and the robot has not said yet that it takes it. */
   boolean driveUnderway;
 
   boolean cancelling;
+
+  /** Why it shall hold, a sentence; null: it need not. */
+  @Nullable String holdReason;
+
+  /** Whether it was told to hold, on this connection. */
+  boolean toldToHold;
+
+  Instant toldToHoldAt = Instant.MIN;
+
+  /** When it last was to hold. */
+  Instant lastHeld = Instant.MIN;
+
+  /** Since when it stands and has nothing to do. */
+  @Nullable Instant idleSince;
+
   Instant notBefore = Instant.MIN;
   @Nullable String trouble;
 
-  /** A phase that the robot shall drive. */
-  record Errand(long task, int phase, Vec2 goal) {}
+  /**
+   * A phase that the robot shall drive.
+   *
+   * @param task null when it drives home without a task, in phase 0
+   */
+  record Errand(@Nullable Long task, int phase, Vec2 goal) {
+    static Errand home(Vec2 parking) {
+      return new Errand(null, 0, parking);
+    }
+  }
 
-  FloorRobot(RobotRecord record, ActorRef<RobotMessage> agent) {
+  FloorRobot(RobotRecord record, ActorRef<RobotMessage> agent, Instant now) {
+    this.quietSince = now;
     this.record = record;
     this.agent = agent;
     this.maxLoad = record.maxLoad();
@@ -93,6 +132,8 @@ final class FloorRobot {
     drive = state.drive();
     reportedTask = state.task();
     segment = state.segment();
+    moving =
+        Math.abs(state.twist().v()) > STANDING_SPEED || Math.abs(state.twist().w()) > STANDING_TURN;
     errors = state.errors();
     lastSeen = now;
   }
@@ -112,7 +153,13 @@ final class FloorRobot {
   }
 
   boolean isStanding() {
-    return mode == Mode.IDLE && drive == 0 && !driveUnderway;
+    boolean stands = mode == Mode.IDLE || (mode == Mode.HOLDING && !moving);
+    return stands && drive == 0 && !driveUnderway;
+  }
+
+  /** Whether it has ended or given up its drive and stands, well or not. */
+  boolean hasStopped() {
+    return isHeard() && !moving && mode != Mode.DRIVING && drive == 0 && !driveUnderway;
   }
 
   /** Whether it drives, or was just told to drive, what this errand asks. */
@@ -120,7 +167,8 @@ final class FloorRobot {
     return told != null
         && (driveUnderway || drive == told.seq())
         && told.phase() == wanted.phase()
-        && Long.valueOf(wanted.task()).equals(told.task());
+        && Objects.equals(wanted.task(), told.task())
+        && (toldGoal == null || toldGoal.equals(wanted.goal()));
   }
 
   RobotState state() {
@@ -166,7 +214,8 @@ final class FloorRobot {
         route.released(),
         errors,
         doing(work),
-        lastSeen);
+        lastSeen,
+        holdReason != null);
   }
 
   private String doing(@Nullable Errand work) {
@@ -179,7 +228,12 @@ final class FloorRobot {
       case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
       case ERROR -> errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
       case OUT_OF_SERVICE -> "Out of service. " + outOfService();
-      case IDLE, DRIVING, HOLDING -> work == null ? "Free" : working(work);
+      case IDLE, DRIVING, HOLDING -> {
+        if (holdReason != null) {
+          yield holdReason;
+        }
+        yield work == null ? "Free" : working(work);
+      }
     };
   }
 
@@ -197,6 +251,7 @@ final class FloorRobot {
       return trouble;
     }
     return switch (work.phase()) {
+      case 0 -> "Drives home";
       case 1 -> "Drives to the load of task " + work.task();
       case 2 -> "Carries the load of task " + work.task();
       default -> "Drives home from task " + work.task();

@@ -6,6 +6,7 @@ import java.util.BitSet;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.ObstacleMap.Obstacle;
 import org.toqa.geometry.Vec2;
@@ -75,9 +76,17 @@ final class FloorWatch {
         .toList();
   }
 
-  /** Asks the traffic who stands still; to be called after it decided. */
-  List<Remark> askStandstills() {
-    StandstillReport.Change change = standstills.update(traffic.standstills());
+  /**
+   * Asks the traffic who stands still; to be called after it decided.
+   *
+   * @param mayStand whether a robot is not expected to move
+   */
+  List<Remark> askStandstills(Predicate<String> mayStand) {
+    StandstillReport.Change change =
+        standstills.update(
+            traffic.standstills().stream()
+                .filter(s -> !s.robots().stream().allMatch(mayStand))
+                .toList());
     List<Remark> remarks = new ArrayList<>();
     for (StandstillView begun : change.begun()) {
       begun.robots().forEach(r -> remarks.add(new Remark("traffic.standstill", r, begun.text())));

@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import static java.util.Objects.requireNonNull;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
@@ -44,6 +45,8 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.link.RobotLinks;
+import org.toqa.mission.Mission;
+import org.toqa.mission.Objection;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 
@@ -91,43 +94,31 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private boolean changed = true;
 
+  private @Nullable FleetPause pause;
+
   static Behavior<ManagerMessage> of(
       List<FloorMap> floors,
       FleetStore store,
       RobotLinks links,
       Allocator allocator,
+      Duration lostAfter,
       InstantSource clock,
       Instant now,
       SnapshotBoard board) {
-    List<RobotRecord> robots = store.robots();
-    Set<String> outOfService = store.outOfService();
-    List<OpenTask> open = store.openTasks();
     return AgentFleet.goingOn(
         Behaviors.setup(
             context ->
                 new ManagerAgent(
-                    context,
-                    floors,
-                    robots,
-                    outOfService,
-                    open,
-                    store,
-                    links,
-                    allocator,
-                    clock,
-                    now,
-                    board)));
+                    context, floors, store, links, allocator, lostAfter, clock, now, board)));
   }
 
   private ManagerAgent(
       ActorContext<ManagerMessage> context,
       List<FloorMap> floorMaps,
-      List<RobotRecord> stored,
-      Set<String> outOfService,
-      List<OpenTask> open,
       FleetStore store,
       RobotLinks links,
       Allocator allocator,
+      Duration lostAfter,
       InstantSource clock,
       Instant now,
       SnapshotBoard board) {
@@ -138,22 +129,31 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.board = board;
     this.check = new OrderCheck(floorMaps);
     this.writer = new StoreWriter("manager");
+    List<RobotRecord> stored = store.robots();
+    List<OpenTask> open = store.openTasks();
+    Set<String> outOfService = store.outOfService();
+    Set<String> held = store.held();
+    this.pause = store.pause().orElse(null);
     stored.forEach(r -> robots.put(r.name(), r));
     for (OpenTask t : open) {
-      if (t.state() == TaskState.QUEUED) {
-        queue.add(t.task(), t.changedAt());
+      if (t.mission().state() == TaskState.QUEUED) {
+        queue.add(t.mission(), t.changedAt(), true);
       }
     }
     for (FloorMap floor : floorMaps) {
-      List<RobotRecord> here = stored.stream().filter(r -> r.floor().equals(floor.name())).toList();
-      List<OpenTask> begun =
-          open.stream()
-              .filter(t -> t.state() != TaskState.QUEUED && t.task().floor().equals(floor.name()))
-              .toList();
+      FloorMemory memory =
+          new FloorMemory(
+              stored.stream().filter(r -> r.floor().equals(floor.name())).toList(),
+              outOfService,
+              held,
+              pause,
+              open.stream()
+                  .filter(t -> t.mission().state() != TaskState.QUEUED)
+                  .filter(t -> t.mission().task().floor().equals(floor.name()))
+                  .toList());
       ActorRef<FloorMessage> agent =
           context.spawn(
-              FloorAgent.of(
-                  floor, here, outOfService, begun, store, links, clock, now, context.getSelf()),
+              FloorAgent.of(floor, memory, store, links, lostAfter, clock, now, context.getSelf()),
               "floor-" + floors.size());
       floors.put(floor.name(), agent);
       maps.put(floor.name(), floor);
@@ -185,8 +185,21 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.RobotNotStored m -> robots.remove(m.robot());
       case ManagerMessage.Locate m -> locate(m);
       case ManagerMessage.Serve m -> serve(m);
+      case ManagerMessage.HoldRobot m ->
+          tellFloorOf(
+              m.robot(),
+              m.replyTo(),
+              new FloorMessage.HoldRobot(m.robot(), m.hold(), m.user(), m.replyTo()));
+      case ManagerMessage.SendHome m ->
+          tellFloorOf(
+              m.robot(), m.replyTo(), new FloorMessage.SendHome(m.robot(), m.user(), m.replyTo()));
+      case ManagerMessage.Wished m -> wished(m);
+      case ManagerMessage.WishStored m -> wishStored(m.mission());
+      case ManagerMessage.Pause m -> pause(m);
+      case ManagerMessage.PauseEnded m -> pauseEnded();
+      case ManagerMessage.Returned m -> requeue(m.mission());
       case ManagerMessage.Begun m -> handedOver.remove(m.task());
-      case ManagerMessage.NotBegun m -> requeue(m.task());
+      case ManagerMessage.NotBegun m -> requeue(m.mission());
       case ManagerMessage.FloorReport m -> reported(m);
       case ManagerMessage.Decided m -> decided(m);
       case ManagerMessage.Tick m -> tick(m.now());
@@ -222,11 +235,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private void taskStored(ManagerMessage.TaskStored m) {
     TransportTask task = m.task();
-    queue.add(task, task.createdAt());
-    m.replyTo()
-        .tell(
-            StatusReply.success(
-                new Answer.Accepted<>(waiting(task, NOT_LOOKED_AT, task.createdAt()))));
+    queue.add(Mission.queued(task), task.createdAt(), true);
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view(task.id(), NOT_LOOKED_AT))));
     changed = true;
     due.add(task.floor());
   }
@@ -283,6 +293,111 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         m.robot(),
         m.replyTo(),
         new FloorMessage.Serve(m.robot(), m.inService(), m.user(), m.replyTo()));
+  }
+
+  /** A task that has robots is its floor's; the floor hands back what it does not have. */
+  private void wished(ManagerMessage.Wished m) {
+    Optional<TaskQueue.Queued> queued = queue.get(m.task());
+    if (queued.isPresent()) {
+      wished(queued.get(), m);
+      return;
+    }
+    floorOf(m.task())
+        .ifPresentOrElse(
+            floor -> floor.tell(new FloorMessage.Wished(m.task(), m.wish(), m.replyTo())),
+            () ->
+                m.replyTo()
+                    .tell(
+                        StatusReply.success(
+                            new Answer.Conflict<>(
+                                "Task " + m.task() + " has ended; it cannot be changed any more.",
+                                null))));
+  }
+
+  private void wished(TaskQueue.Queued queued, ManagerMessage.Wished m) {
+    Optional<Objection> objection = queued.mission().objectionTo(m.wish());
+    if (objection.isPresent()) {
+      m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));
+      return;
+    }
+    Mission.Step step = queued.mission().on(m.wish());
+    Instant at = clock.instant();
+    Mission mission = step.mission();
+    TaskView next;
+    if (mission.state().isEnded()) {
+      queue.remove(m.task());
+      next = TaskView.of(mission, null, at);
+      shelve(next);
+    } else {
+      queue.add(mission, queued.since(), !step.changed() && queued.stored());
+      next = view(m.task(), NOT_LOOKED_AT);
+    }
+    changed = true;
+    ActorRef<ManagerMessage> self = getContext().getSelf();
+    if (step.changed()) {
+      writer.write(
+          () -> store.saveMission(mission, at, EventRecord.of(step, m.wish(), at)),
+          () -> self.tell(new ManagerMessage.WishStored(mission)));
+    }
+    writer.write(
+        () -> {}, () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(next))));
+  }
+
+  private void wishStored(Mission mission) {
+    queue
+        .get(mission.id())
+        .filter(queued -> queued.mission().equals(mission))
+        .ifPresent(queued -> queue.add(mission, queued.since(), true));
+    due.add(mission.task().floor());
+  }
+
+  private Optional<ActorRef<FloorMessage>> floorOf(long task) {
+    return Stream.concat(
+            handedOver.values().stream(),
+            reports.values().stream().flatMap(r -> r.missions().stream()))
+        .filter(t -> t.id() == task)
+        .findFirst()
+        .flatMap(t -> floorAgent(t.task().floor()));
+  }
+
+  /** Robots hold at once, and go on only when that is stored. */
+  private void pause(ManagerMessage.Pause m) {
+    Instant at = clock.instant();
+    if (m.pause() == (pause != null)) {
+      m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(Optional.ofNullable(pause))));
+      return;
+    }
+    FleetPause next = m.pause() ? new FleetPause(m.user(), at) : null;
+    EventRecord event =
+        new EventRecord(
+            at,
+            m.pause() ? "fleet.paused" : "fleet.resumed",
+            null,
+            null,
+            m.user(),
+            m.user() + (m.pause() ? " paused all robots" : " let all robots go on"));
+    if (next != null) {
+      pauseIs(next);
+    }
+    ActorRef<ManagerMessage> self = getContext().getSelf();
+    writer.write(
+        () -> store.savePause(next, List.of(event)),
+        () -> {
+          if (next == null) {
+            self.tell(new ManagerMessage.PauseEnded());
+          }
+          m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(Optional.ofNullable(next))));
+        });
+  }
+
+  private void pauseEnded() {
+    pauseIs(null);
+  }
+
+  private void pauseIs(@Nullable FleetPause next) {
+    pause = next;
+    changed = true;
+    floors.values().forEach(f -> f.tell(new FloorMessage.Pause(next)));
   }
 
   private void tellFloorOf(
@@ -391,7 +506,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       switch (decision) {
         case Decision.Assigned(long id, List<String> chosen, String why) -> {
           if (free.containsAll(chosen)) {
-            queue.remove(id).ifPresent(task -> handOver(task, chosen, why));
+            mayBegin(id).ifPresent(mission -> handOver(mission, chosen, why));
           } else {
             due.add(m.floor());
           }
@@ -402,19 +517,24 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     reasons.put(m.floor(), waiting);
   }
 
-  private void handOver(TransportTask task, List<String> chosen, String why) {
+  /** Takes it out of the queue, unless it was cancelled or held meanwhile. */
+  private Optional<Mission> mayBegin(long task) {
+    return queue.get(task).filter(TaskQueue.Queued::mayBegin).flatMap(q -> queue.remove(task));
+  }
+
+  private void handOver(Mission mission, List<String> chosen, String why) {
     handedOver.put(
-        task.id(),
-        new TaskView(task, TaskState.ASSIGNED, false, chosen, null, null, clock.instant()));
-    requireNonNull(floors.get(task.floor())).tell(new FloorMessage.Begin(task, chosen, why));
+        mission.id(), TaskView.of(mission.assign(chosen, why).mission(), null, clock.instant()));
+    requireNonNull(floors.get(mission.task().floor()))
+        .tell(new FloorMessage.Begin(mission, chosen, why));
     changed = true;
   }
 
-  private void requeue(TransportTask task) {
-    handedOver.remove(task.id());
-    queue.add(task, clock.instant());
+  private void requeue(Mission mission) {
+    handedOver.remove(mission.id());
+    queue.add(mission, clock.instant(), true);
     changed = true;
-    due.add(task.floor());
+    due.add(mission.task().floor());
   }
 
   private List<Candidate> candidates(String floor) {
@@ -461,6 +581,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             newestFirst,
             queue.size(),
             floorViews(),
+            pause,
             alerts));
   }
 
@@ -471,7 +592,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         .forEach(f -> byFloor.put(f, new WaitingReason(candidates(f), Travel.STRAIGHT)));
     return queue
         .first(QUEUED_SHOWN)
-        .map(q -> waiting(q.task(), reason(q, byFloor.get(q.task().floor())), q.since()))
+        .map(q -> view(q, reason(q, byFloor.get(q.task().floor()))))
         .toList();
   }
 
@@ -484,8 +605,13 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     return plain == null ? NOT_LOOKED_AT : plain.of(queued.job());
   }
 
-  private static TaskView waiting(TransportTask task, String why, Instant since) {
-    return new TaskView(task, TaskState.QUEUED, false, List.of(), why, null, since);
+  private TaskView view(long queued, String why) {
+    return view(queue.get(queued).orElseThrow(), why);
+  }
+
+  private static TaskView view(TaskQueue.Queued queued, String why) {
+    Mission mission = queued.mission();
+    return TaskView.of(mission, mission.held() ? "On hold." : why, queued.since());
   }
 
   private List<FloorView> floorViews() {

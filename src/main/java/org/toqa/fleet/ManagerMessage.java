@@ -2,10 +2,13 @@ package org.toqa.fleet;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.toqa.allocation.Decision;
 import org.toqa.geometry.Pose;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TransportTask;
 
 /** What the manager agent is told: by users, by floors, by its store, by the clock. */
@@ -36,11 +39,36 @@ sealed interface ManagerMessage {
       ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
+  /** A person wants something of a task. */
+  record Wished(long task, MissionEvent.Wish wish, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** What a queued task has become is safe. */
+  record WishStored(Mission mission) implements ManagerMessage {}
+
+  record HoldRobot(
+      String robot, boolean hold, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** A person pauses all robots, or lets them go on. */
+  record Pause(
+      boolean pause, String user, ActorRef<StatusReply<Answer<Optional<FleetPause>>>> replyTo)
+      implements ManagerMessage {}
+
+  /** That they go on is safe. */
+  record PauseEnded() implements ManagerMessage {}
+
+  /** A robot failed before it had the load: the task goes back to the queue, and that is safe. */
+  record Returned(Mission mission) implements ManagerMessage {}
+
   /** The floor has the task; its reports from now on tell of it. */
   record Begun(long task) implements ManagerMessage {}
 
   /** A robot of the task's was taken meanwhile: it goes back to its place in the queue. */
-  record NotBegun(TransportTask task) implements ManagerMessage {}
+  record NotBegun(Mission mission) implements ManagerMessage {}
 
   /**
    * @param floor what is in the way on it

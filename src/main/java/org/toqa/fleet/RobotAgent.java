@@ -104,6 +104,8 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case RobotMessage.Release m -> release(m.released());
       case RobotMessage.DriveStored m -> stored(m);
       case RobotMessage.Cancel m -> sendInOrder(new ServerMessage.Cancel(++seq, m.task()));
+      case RobotMessage.Hold m ->
+          sendInOrder(m.hold() ? new ServerMessage.Hold(++seq) : new ServerMessage.Resume(++seq));
       case RobotMessage.Locate m -> sendInOrder(new ServerMessage.Locate(++seq, m.pose()));
       case RobotMessage.Acknowledge m -> send(new ServerMessage.AckDone(m.drive()));
       case RobotMessage.LinkUp m -> connected(m.hello());

@@ -32,6 +32,9 @@ sealed interface RobotMessage {
 
   record Cancel(@Nullable Long task) implements RobotMessage {}
 
+  /** Hold, or go on. */
+  record Hold(boolean hold) implements RobotMessage {}
+
   record Locate(Pose pose) implements RobotMessage {}
 
   /** What followed from the end of this drive is stored. */

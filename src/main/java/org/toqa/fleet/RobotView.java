@@ -19,6 +19,7 @@ import org.toqa.link.message.AgentMessage.Fault;
  * @param route the rest of its way as a line, map frame; empty when it stands
  * @param released how many points of {@code route} it may already drive to
  * @param doing a sentence for people
+ * @param held whether it shall hold: by a person's word, for its task, or since all are paused
  */
 public record RobotView(
     String name,
@@ -38,7 +39,8 @@ public record RobotView(
     int released,
     List<Fault> errors,
     String doing,
-    @Nullable Instant lastSeen) {
+    @Nullable Instant lastSeen,
+    boolean held) {
 
   public RobotView {
     route = List.copyOf(route);
@@ -65,6 +67,7 @@ public record RobotView(
         0,
         List.of(),
         "Added; connecting",
-        null);
+        null,
+        false);
   }
 }

@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.toqa.allocation.Job;
+import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
 
 /**
@@ -21,30 +22,44 @@ final class TaskQueue {
 
   /**
    * @param since when it came, or came back, into the queue
+   * @param stored whether it is in the store as it is here
    */
-  record Queued(TransportTask task, Job job, Instant since) {}
+  record Queued(Mission mission, Job job, Instant since, boolean stored) {
+    TransportTask task() {
+      return mission.task();
+    }
 
-  void add(TransportTask task, Instant since) {
-    remove(task.id());
-    Queued queued = new Queued(task, job(task), since);
-    byId.put(task.id(), queued);
+    boolean mayBegin() {
+      return stored && !mission.held();
+    }
+  }
+
+  void add(Mission mission, Instant since, boolean stored) {
+    remove(mission.id());
+    Queued queued = new Queued(mission, job(mission), since, stored);
+    byId.put(mission.id(), queued);
     inOrder.put(queued.job(), queued);
   }
 
-  private static Job job(TransportTask task) {
+  private static Job job(Mission mission) {
+    TransportTask task = mission.task();
     return new Job(
         task.id(),
         task.load(),
-        task.start().position(),
+        mission.object().position(),
         task.goal().position(),
         Job.waitingSince(task.createdAt(), task.priority(), task.deadline()));
   }
 
+  Optional<Queued> get(long id) {
+    return Optional.ofNullable(byId.get(id));
+  }
+
   /** The task, if it was in the queue. */
-  Optional<TransportTask> remove(long id) {
+  Optional<Mission> remove(long id) {
     Optional<Queued> queued = Optional.ofNullable(byId.remove(id));
     queued.ifPresent(q -> inOrder.remove(q.job()));
-    return queued.map(Queued::task);
+    return queued.map(Queued::mission);
   }
 
   int size() {
@@ -55,10 +70,10 @@ final class TaskQueue {
     return inOrder.values().stream().limit(limit);
   }
 
-  /** The first ones of a floor that fit. */
+  /** The first ones of a floor that may begin and fit. */
   List<Job> first(String floor, Predicate<Job> fits, int limit) {
     return inOrder.values().stream()
-        .filter(q -> q.task().floor().equals(floor) && fits.test(q.job()))
+        .filter(q -> q.mayBegin() && q.task().floor().equals(floor) && fits.test(q.job()))
         .limit(limit)
         .map(Queued::job)
         .toList();

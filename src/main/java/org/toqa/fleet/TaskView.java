@@ -3,6 +3,9 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.mission.Mission;
+import org.toqa.mission.Question;
+import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 
@@ -10,6 +13,7 @@ import org.toqa.mission.TransportTask;
  * A task as readers see it.
  *
  * @param robots names, in the order they were chosen
+ * @param loadAt where the load stands if that is neither its start nor its goal, else null
  * @param waitingFor a sentence while it waits, else null
  * @param needs what a person must decide, else null
  */
@@ -18,6 +22,7 @@ public record TaskView(
     TaskState state,
     boolean held,
     List<String> robots,
+    @Nullable TaskPlace loadAt,
     @Nullable String waitingFor,
     @Nullable Question needs,
     Instant changedAt) {
@@ -26,10 +31,22 @@ public record TaskView(
     robots = List.copyOf(robots);
   }
 
+  /**
+   * @param waitingFor a sentence while it waits, else null
+   */
+  public static TaskView of(Mission mission, @Nullable String waitingFor, Instant changedAt) {
+    return new TaskView(
+        mission.task(),
+        mission.state(),
+        mission.held(),
+        mission.robots(),
+        mission.loadAt(),
+        waitingFor,
+        mission.question().orElse(null),
+        changedAt);
+  }
+
   public long id() {
     return task.id();
   }
-
-  /** A decision that only a person can take. */
-  public record Question(String question, List<String> answers) {}
 }

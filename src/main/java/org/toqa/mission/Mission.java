@@ -4,16 +4,30 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 
 /**
- * A task that robots have: a pure state machine over the three phases (Tanta, "Task phases").
+ * A task's life: a pure state machine over the three phases (Tanta, "Task phases").
  *
  * <p>Phase 2 starts when all its robots are at the object; in phase 3 each drives home alone. The
- * task is DONE when the last of its robots has parked or taken another task. Nothing here knows a
- * clock, a store or a socket: {@link #on} answers the next state, what to do once it is stored, and
- * what the history says.
+ * task is DONE when the last of its robots has parked, failed or taken another task. A robot that
+ * fails before it has the load gives the task back to the queue; with the load on board a person is
+ * asked. Nothing here knows a clock, a store or a socket: {@link #on} answers the next state, what
+ * to do once it is stored, and what the history says.
+ *
+ * @param held whether a person has put it on hold
+ * @param ending what becomes of the load on board, once the task was cancelled
+ * @param setDown where the load stands if that is neither its start nor its goal
+ * @param trouble what keeps a robot from going on, if anything
  */
-public record Mission(TransportTask task, TaskState state, List<Carrier> carriers) {
+public record Mission(
+    TransportTask task,
+    TaskState state,
+    List<Carrier> carriers,
+    boolean held,
+    @Nullable LoadChoice ending,
+    @Nullable TaskPlace setDown,
+    @Nullable Trouble trouble) {
 
   /**
    * @param history sentences for the task's history; empty when the event changed nothing
@@ -33,14 +47,16 @@ public record Mission(TransportTask task, TaskState state, List<Carrier> carrier
     carriers = List.copyOf(carriers);
   }
 
+  /** A task that has no robots yet. */
+  public static Mission queued(TransportTask task) {
+    return new Mission(task, TaskState.QUEUED, List.of(), false, null, null, null);
+  }
+
   /** Robots were chosen for a queued task. */
-  public static Step assign(TransportTask task, List<String> robots, String why) {
-    List<Carrier> carriers = robots.stream().map(Carrier::chosen).toList();
-    Mission mission = new Mission(task, TaskState.ASSIGNED, carriers);
-    return new Step(
-        mission,
-        mission.driveAll(1),
-        List.of("Given to " + String.join(", ", robots) + ": " + why));
+  public Step assign(List<String> robots, String why) {
+    Mission mission =
+        by(robots.stream().map(Carrier::chosen).toList()).in(TaskState.ASSIGNED).troubled(null);
+    return mission.step(mission.driveAll(1), "Given to " + String.join(", ", robots) + ": " + why);
   }
 
   public long id() {
@@ -53,82 +69,81 @@ public record Mission(TransportTask task, TaskState state, List<Carrier> carrier
 
   /** The names, in the order they were chosen. */
   public List<String> robots() {
-    return carriers.stream().map(Carrier::robot).toList();
+    return state == TaskState.QUEUED ? List.of() : carriers.stream().map(Carrier::robot).toList();
   }
 
+  /** Where the load is fetched. */
+  public TaskPlace object() {
+    return setDown != null ? setDown : task.start();
+  }
+
+  /**
+   * Where the load stands if that is neither its start nor its goal; null too while it is on its
+   * way.
+   */
+  public @Nullable TaskPlace loadAt() {
+    return state == TaskState.CARRYING && trouble != null ? trouble.place() : setDown;
+  }
+
+  /** Where the load on board is carried. */
+  public TaskPlace destination() {
+    return ending == LoadChoice.BACK ? task.start() : task.goal();
+  }
+
+  /** Whether its robots, with the load on board, shall come to a stand and set it down. */
+  public boolean isStopping() {
+    return state == TaskState.CARRYING && ending == LoadChoice.HERE;
+  }
+
+  /** What a person must decide now. */
+  public Optional<Question> question() {
+    return TroubleRules.question(this);
+  }
+
+  public Optional<Objection> objectionTo(MissionEvent.Wish wish) {
+    return WishRules.objection(this, wish);
+  }
+
+  /** A wish that {@link #objectionTo} speaks against changes nothing. */
   public Step on(MissionEvent event) {
-    Optional<Carrier> carrier = carrier(event.robot()).filter(c -> !c.released());
-    if (state.isEnded() || carrier.isEmpty()) {
-      return unchanged();
-    }
     return switch (event) {
-      case MissionEvent.DriveStarted e -> started(e);
-      case MissionEvent.PhaseEnded e ->
-          carrier.get().phase() == e.phase() && !carrier.get().arrived()
-              ? phaseEnded(e)
-              : unchanged();
-      case MissionEvent.Retasked e ->
-          carrier.get().phase() == 3
-              ? letGo(e.robot(), e.robot() + " took another task on its way home")
-              : unchanged();
+      case MissionEvent.Wish wish -> objectionTo(wish).isPresent() ? unchanged() : wished(wish);
+      case MissionEvent.OfRobot e -> isWorkingFor(e.robot()) ? happened(e) : unchanged();
     };
   }
 
-  private Step started(MissionEvent.DriveStarted event) {
-    if (state != TaskState.ASSIGNED || event.phase() != 1) {
-      return unchanged();
-    }
-    return new Step(
-        with(TaskState.TO_OBJECT, carriers),
-        List.of(),
-        List.of(event.robot() + " set out for the load"));
-  }
-
-  private Step phaseEnded(MissionEvent.PhaseEnded event) {
-    List<Carrier> arrived = replace(event.robot(), Carrier::arrivedAtEnd);
-    return switch (event.phase()) {
-      case 1 ->
-          together(
-              arrived,
-              TaskState.CARRYING,
-              2,
-              event.robot() + " is at the load",
-              "Picked up at " + task.start().text());
-      case 2 ->
-          together(
-              arrived,
-              TaskState.RETURNING,
-              3,
-              event.robot() + " is at the goal",
-              "Delivered at " + task.goal().text());
-      default -> letGo(event.robot(), event.robot() + " has parked");
+  private Step wished(MissionEvent.Wish wish) {
+    return switch (wish) {
+      case MissionEvent.Cancel e -> WishRules.cancel(this, e);
+      case MissionEvent.Hold e -> WishRules.hold(this, e);
+      case MissionEvent.Resume e -> WishRules.resume(this, e);
+      case MissionEvent.Answer e -> TroubleRules.answered(this, e);
     };
   }
 
-  /** Goes on to the next phase when the last robot has arrived. */
-  private Step together(List<Carrier> arrived, TaskState next, int phase, String one, String all) {
-    boolean complete = arrived.stream().allMatch(c -> c.arrived() || c.released());
-    if (!complete) {
-      TaskState now = state == TaskState.ASSIGNED ? TaskState.TO_OBJECT : state;
-      return new Step(with(now, arrived), List.of(), List.of(one));
-    }
-    Mission mission =
-        with(next, arrived.stream().map(c -> c.released() ? c : c.inPhase(phase)).toList());
-    List<String> history = carriers.size() == 1 ? List.of(all) : List.of(one, all);
-    return new Step(mission, mission.driveAll(phase), history);
+  private Step happened(MissionEvent.OfRobot event) {
+    return switch (event) {
+      case MissionEvent.DriveStarted e -> PhaseRules.started(this, e);
+      case MissionEvent.PhaseEnded e -> PhaseRules.ended(this, e);
+      case MissionEvent.Retasked e -> PhaseRules.retasked(this, e);
+      case MissionEvent.Stopped e -> PhaseRules.stopped(this, e);
+      case MissionEvent.RobotLost e -> TroubleRules.lost(this, e);
+      case MissionEvent.RobotFailed e -> TroubleRules.failed(this, e);
+      case MissionEvent.RobotWithdrawn e -> TroubleRules.withdrawn(this, e);
+      case MissionEvent.RobotBack e -> TroubleRules.back(this, e);
+    };
   }
 
-  private Step letGo(String robot, String sentence) {
-    List<Carrier> left = replace(robot, Carrier::letGo);
-    boolean last = left.stream().allMatch(Carrier::released);
-    List<String> history = last ? List.of(sentence, "Done") : List.of(sentence);
-    return new Step(
-        with(last ? TaskState.DONE : state, left),
-        List.of(new MissionCommand.LetGo(robot)),
-        history);
+  private boolean isWorkingFor(String robot) {
+    return !state.isEnded() && carrier(robot).filter(c -> !c.released()).isPresent();
   }
 
-  private List<MissionCommand> driveAll(int phase) {
+  /** The phase that the robot is in for it. */
+  int phaseOf(String robot) {
+    return carrier(robot).map(Carrier::phase).orElse(0);
+  }
+
+  List<MissionCommand> driveAll(int phase) {
     List<MissionCommand> commands = new ArrayList<>();
     for (Carrier c : carriers) {
       if (c.isDriving()) {
@@ -138,15 +153,63 @@ public record Mission(TransportTask task, TaskState state, List<Carrier> carrier
     return commands;
   }
 
-  private List<Carrier> replace(String robot, UnaryOperator<Carrier> change) {
-    return carriers.stream().map(c -> c.robot().equals(robot) ? change.apply(c) : c).toList();
+  /** All its robots are let go, and it is in that state then. */
+  Step letAllGo(TaskState next, String... history) {
+    List<MissionCommand> commands = new ArrayList<>();
+    carriers.stream()
+        .filter(c -> !c.released())
+        .forEach(c -> commands.add(new MissionCommand.LetGo(c.robot())));
+    return by(carriers.stream().map(Carrier::letGo).toList())
+        .in(next)
+        .troubled(null)
+        .step(commands, history);
   }
 
-  private Mission with(TaskState next, List<Carrier> nextCarriers) {
-    return new Mission(task, next, nextCarriers);
+  /** One robot is let go; without the last one the task is done. */
+  Step letGo(String robot, String sentence) {
+    Mission left = replace(robot, Carrier::letGo);
+    List<MissionCommand> commands = List.of(new MissionCommand.LetGo(robot));
+    return left.carriers.stream().allMatch(Carrier::released)
+        ? left.in(TaskState.DONE).step(commands, sentence, "Done")
+        : left.step(commands, sentence);
   }
 
-  private Step unchanged() {
+  Mission replace(String robot, UnaryOperator<Carrier> change) {
+    return by(carriers.stream().map(c -> c.robot().equals(robot) ? change.apply(c) : c).toList());
+  }
+
+  /** What has ended is not on hold any more and ends in no other way. */
+  Mission in(TaskState next) {
+    return next.isEnded()
+        ? new Mission(task, next, carriers, false, null, setDown, null)
+        : new Mission(task, next, carriers, held, ending, setDown, trouble);
+  }
+
+  Mission by(List<Carrier> next) {
+    return new Mission(task, state, next, held, ending, setDown, trouble);
+  }
+
+  Mission onHold(boolean hold) {
+    return new Mission(task, state, carriers, hold, ending, setDown, trouble);
+  }
+
+  Mission ending(LoadChoice choice) {
+    return new Mission(task, state, carriers, held, choice, setDown, trouble);
+  }
+
+  Mission withLoadAt(@Nullable TaskPlace place) {
+    return new Mission(task, state, carriers, held, ending, place, trouble);
+  }
+
+  Mission troubled(@Nullable Trouble next) {
+    return new Mission(task, state, carriers, held, ending, setDown, next);
+  }
+
+  Step step(List<MissionCommand> commands, String... history) {
+    return new Step(this, commands, List.of(history));
+  }
+
+  Step unchanged() {
     return new Step(this, List.of(), List.of());
   }
 }

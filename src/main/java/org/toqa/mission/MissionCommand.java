@@ -8,6 +8,9 @@ public sealed interface MissionCommand {
   /** Send the robot its way for the phase: 1 to the object, 2 to the goal, 3 home. */
   record Drive(String robot, int phase) implements MissionCommand {}
 
-  /** The robot is free: parked, or on another task. */
+  /** Let the robot come to a stand where it is, and set the load down. */
+  record Stop(String robot) implements MissionCommand {}
+
+  /** The robot is free: parked, failed, or on another task. */
   record LetGo(String robot) implements MissionCommand {}
 }

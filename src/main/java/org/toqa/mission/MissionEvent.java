@@ -1,16 +1,129 @@
 package org.toqa.mission;
 
+import org.jspecify.annotations.Nullable;
+
 /** What can happen to a mission. An event that is repeated or comes too late changes nothing. */
 public sealed interface MissionEvent {
 
-  String robot();
+  /** A word for programs that read the history. */
+  String kind();
+
+  /** What one of the mission's robots does, or what becomes of it. */
+  sealed interface OfRobot extends MissionEvent {
+    String robot();
+  }
 
   /** The robot was sent its way for the phase. */
-  record DriveStarted(String robot, int phase) implements MissionEvent {}
+  record DriveStarted(String robot, int phase) implements OfRobot {
+    @Override
+    public String kind() {
+      return "task.started";
+    }
+  }
 
   /** The robot has driven the phase to its end. */
-  record PhaseEnded(String robot, int phase) implements MissionEvent {}
+  record PhaseEnded(String robot, int phase) implements OfRobot {
+    @Override
+    public String kind() {
+      return switch (phase) {
+        case 1 -> "task.at-object";
+        case 2 -> "task.delivered";
+        default -> "task.parked";
+      };
+    }
+  }
 
   /** The robot, on its way home, was given another task. */
-  record Retasked(String robot) implements MissionEvent {}
+  record Retasked(String robot) implements OfRobot {
+    @Override
+    public String kind() {
+      return "task.retasked";
+    }
+  }
+
+  /** The robot, which shall set the load down, has come to a stand. */
+  record Stopped(String robot, TaskPlace place) implements OfRobot {
+    @Override
+    public String kind() {
+      return "task.set-down";
+    }
+  }
+
+  /**
+   * Nothing was heard of the robot for a few seconds.
+   *
+   * @param place where it was last, if that is known
+   */
+  record RobotLost(String robot, @Nullable TaskPlace place) implements OfRobot {
+    @Override
+    public String kind() {
+      return "task.robot-lost";
+    }
+  }
+
+  /**
+   * The robot cannot go on: it says so, or it is lost for too long.
+   *
+   * @param why a clause about the robot, such as {@code reports an error}
+   * @param place where it was last, if that is known
+   */
+  record RobotFailed(String robot, String why, @Nullable TaskPlace place) implements OfRobot {
+    @Override
+    public String kind() {
+      return "task.robot-failed";
+    }
+  }
+
+  /** A person took the robot out of service. */
+  record RobotWithdrawn(String robot, @Nullable TaskPlace place) implements OfRobot {
+    @Override
+    public String kind() {
+      return "task.robot-withdrawn";
+    }
+  }
+
+  /** The robot, which was in trouble, can go on. */
+  record RobotBack(String robot) implements OfRobot {
+    @Override
+    public String kind() {
+      return "task.robot-back";
+    }
+  }
+
+  /** What a person wants of the task; {@link Mission#objectionTo} tells whether it can be. */
+  sealed interface Wish extends MissionEvent {
+    String user();
+  }
+
+  /**
+   * @param choice what becomes of a load that is on board; null where nobody said it
+   */
+  record Cancel(String user, @Nullable LoadChoice choice) implements Wish {
+    @Override
+    public String kind() {
+      return "task.cancelled";
+    }
+  }
+
+  /** The robots shall stop where they are. */
+  record Hold(String user) implements Wish {
+    @Override
+    public String kind() {
+      return "task.held";
+    }
+  }
+
+  record Resume(String user) implements Wish {
+    @Override
+    public String kind() {
+      return "task.resumed";
+    }
+  }
+
+  record Answer(String user, Reply reply) implements Wish {
+    @Override
+    public String kind() {
+      return "task.answered";
+    }
+  }
 }

@@ -16,17 +16,20 @@ import org.jdbi.v3.core.JdbiException;
 import org.jdbi.v3.core.statement.PreparedBatch;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.Carrier;
+import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.mission.Trouble;
 
 /** The fleet's store on H2 and on MySQL: robots, tasks, who executes what, drives and events. */
 public final class JdbiFleetStore implements FleetStore, TaskArchive {
@@ -89,12 +92,52 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public void saveService(String robot, boolean inService, List<EventRecord> events) {
+    saveFlag("out_of_service", robot, !inService, events);
+  }
+
+  @Override
+  public Set<String> held() {
+    return in(
+        h -> h.createQuery("select name from robots where held = true").mapTo(String.class).set());
+  }
+
+  @Override
+  public void saveHold(String robot, boolean held, List<EventRecord> events) {
+    saveFlag("held", robot, held, events);
+  }
+
+  private void saveFlag(String column, String robot, boolean value, List<EventRecord> events) {
     inTransaction(
         h -> {
-          h.createUpdate("update robots set out_of_service = :out where id = :id")
-              .bind("out", !inService)
+          h.createUpdate("update robots set " + column + " = :value where id = :id")
+              .bind("value", value)
               .bind("id", robotId(h, robot))
               .execute();
+          addEvents(h, events);
+          return null;
+        });
+  }
+
+  @Override
+  public Optional<FleetPause> pause() {
+    return in(
+        h ->
+            h.createQuery("select user_name, at from fleet_pause")
+                .map((rs, ctx) -> new FleetPause(rs.getString("user_name"), instant(rs, "at")))
+                .findOne());
+  }
+
+  @Override
+  public void savePause(@Nullable FleetPause pause, List<EventRecord> events) {
+    inTransaction(
+        h -> {
+          h.execute("delete from fleet_pause");
+          if (pause != null) {
+            h.createUpdate("insert into fleet_pause (id, user_name, at) values (1, :user, :at)")
+                .bind("user", pause.user())
+                .bind("at", utc(pause.since()))
+                .execute();
+          }
           addEvents(h, events);
           return null;
         });
@@ -159,7 +202,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   private static final String TASK_COLUMNS =
       """
       id, name, user_name, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
-      goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at
+      goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at, held, ending,
+      set_down_x, set_down_y, trouble_robot, trouble_why, trouble_x, trouble_y, trouble_waits
       """;
 
   @Override
@@ -174,10 +218,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                 .map((rs, ctx) -> row(rs))
                 .list()
                 .stream()
-                .map(
-                    r ->
-                        new OpenTask(
-                            r.task(), r.state(), carriers(h, r.task().id()), r.changedAt()))
+                .map(r -> new OpenTask(r.mission(h), r.changedAt()))
                 .toList());
   }
 
@@ -233,9 +274,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   public void saveMission(Mission mission, Instant at, List<EventRecord> events) {
     inTransaction(
         h -> {
-          h.createUpdate("update tasks set state = :state, changed_at = :at where id = :id")
-              .bind("state", mission.state().name())
-              .bind("at", utc(at))
+          saveState(h, mission, at);
+          h.createUpdate("delete from task_robots where task_id = :id")
               .bind("id", mission.id())
               .execute();
           for (int place = 0; place < mission.carriers().size(); place++) {
@@ -246,13 +286,39 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         });
   }
 
+  private static void saveState(Handle h, Mission mission, Instant at) {
+    TaskPlace setDown = mission.setDown();
+    Trouble trouble = mission.trouble();
+    TaskPlace place = trouble == null ? null : trouble.place();
+    h.createUpdate(
+            """
+            update tasks set state = :state, changed_at = :at, held = :held, ending = :ending,
+              set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
+              trouble_why = :troubleWhy, trouble_x = :troubleX, trouble_y = :troubleY,
+              trouble_waits = :troubleWaits
+            where id = :id
+            """)
+        .bind("state", mission.state().name())
+        .bind("at", utc(at))
+        .bind("held", mission.held())
+        .bind("ending", mission.ending() == null ? null : mission.ending().name())
+        .bind("setDownX", setDown == null ? null : setDown.position().x())
+        .bind("setDownY", setDown == null ? null : setDown.position().y())
+        .bind("troubleRobot", trouble == null ? null : trouble.robot())
+        .bind("troubleWhy", trouble == null ? null : trouble.why())
+        .bind("troubleX", place == null ? null : place.position().x())
+        .bind("troubleY", place == null ? null : place.position().y())
+        .bind("troubleWaits", trouble != null && trouble.waits())
+        .bind("id", mission.id())
+        .execute();
+  }
+
   private static void saveCarrier(Handle h, long task, int place, Carrier carrier) {
     long robot = robotId(h, carrier.robot());
     h.createUpdate(
             """
             insert into task_robots (task_id, robot_id, place, phase, arrived, released)
             values (:task, :robot, :place, :phase, :arrived, :released)
-            on duplicate key update phase = values(phase), arrived = values(arrived), released = values(released)
             """)
         .bind("task", task)
         .bind("robot", robot)
@@ -304,7 +370,21 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
     return in(h -> h.createQuery("select count(*) from tasks").mapTo(Long.class).one());
   }
 
-  private record TaskRow(TransportTask task, TaskState state, Instant changedAt) {}
+  /**
+   * @param unmanned the mission without its robots
+   */
+  private record TaskRow(Mission unmanned, Instant changedAt) {
+    Mission mission(Handle h) {
+      return new Mission(
+          unmanned.task(),
+          unmanned.state(),
+          carriers(h, unmanned.id()),
+          unmanned.held(),
+          unmanned.ending(),
+          unmanned.setDown(),
+          unmanned.trouble());
+    }
+  }
 
   private static TaskRow row(ResultSet rs) throws SQLException {
     Double length = nullableDouble(rs, "load_length");
@@ -327,12 +407,38 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             length == null || width == null ? null : new LoadSize(length, width),
             rs.getString("user_name"),
             instant(rs, "created_at"));
-    return new TaskRow(task, TaskState.valueOf(rs.getString("state")), instant(rs, "changed_at"));
+    String ending = rs.getString("ending");
+    Mission unmanned =
+        new Mission(
+            task,
+            TaskState.valueOf(rs.getString("state")),
+            List.of(),
+            rs.getBoolean("held"),
+            ending == null ? null : LoadChoice.valueOf(ending),
+            spot(rs, "set_down"),
+            trouble(rs));
+    return new TaskRow(unmanned, instant(rs, "changed_at"));
+  }
+
+  private static @Nullable Trouble trouble(ResultSet rs) throws SQLException {
+    String robot = rs.getString("trouble_robot");
+    return robot == null
+        ? null
+        : new Trouble(
+            robot,
+            rs.getString("trouble_why"),
+            spot(rs, "trouble"),
+            rs.getBoolean("trouble_waits"));
+  }
+
+  private static @Nullable TaskPlace spot(ResultSet rs, String columns) throws SQLException {
+    Double x = nullableDouble(rs, columns + "_x");
+    Double y = nullableDouble(rs, columns + "_y");
+    return x == null || y == null ? null : new TaskPlace(new Vec2(x, y), null);
   }
 
   private static TaskView view(Handle h, TaskRow row) {
-    List<String> robots = carriers(h, row.task().id()).stream().map(Carrier::robot).toList();
-    return new TaskView(row.task(), row.state(), false, robots, null, null, row.changedAt());
+    return TaskView.of(row.mission(h), null, row.changedAt());
   }
 
   private static List<Carrier> carriers(Handle h, long task) {

@@ -31,12 +31,21 @@ public final class Doors {
           new Door("GET", "/tasks/new", USER),
           new Door("POST", "/tasks/new", USER),
           new Door("GET", "/tasks/{id}", USER),
+          new Door("POST", "/tasks/{id}/cancel", USER),
+          new Door("POST", "/tasks/{id}/hold", USER),
+          new Door("POST", "/tasks/{id}/resume", USER),
+          new Door("POST", "/tasks/{id}/answer", USER),
           new Door("GET", "/robots", USER),
           new Door("POST", "/robots", MANAGER),
           new Door("GET", "/robots/{name}", USER),
           new Door("POST", "/robots/{name}/locate", MANAGER),
           new Door("POST", "/robots/{name}/out-of-service", MANAGER),
           new Door("POST", "/robots/{name}/in-service", MANAGER),
+          new Door("POST", "/robots/{name}/hold", MANAGER),
+          new Door("POST", "/robots/{name}/resume", MANAGER),
+          new Door("POST", "/robots/{name}/home", MANAGER),
+          new Door("POST", "/fleet/pause", USER),
+          new Door("POST", "/fleet/resume", MANAGER),
           new Door("GET", "/users", USER),
           new Door("POST", "/users", MANAGER),
           new Door("POST", "/users/{id}/password", USER),
@@ -50,12 +59,22 @@ public final class Doors {
           new Door("GET", "/api/v1/tasks", USER),
           new Door("POST", "/api/v1/tasks", USER),
           new Door("GET", "/api/v1/tasks/{id}", USER),
+          new Door("POST", "/api/v1/tasks/{id}/cancel", USER),
+          new Door("POST", "/api/v1/tasks/{id}/hold", USER),
+          new Door("POST", "/api/v1/tasks/{id}/resume", USER),
+          new Door("POST", "/api/v1/tasks/{id}/answer", USER),
           new Door("GET", "/api/v1/robots", USER),
           new Door("POST", "/api/v1/robots", MANAGER),
           new Door("GET", "/api/v1/robots/{name}", USER),
           new Door("POST", "/api/v1/robots/{name}/locate", MANAGER),
           new Door("POST", "/api/v1/robots/{name}/out-of-service", MANAGER),
-          new Door("POST", "/api/v1/robots/{name}/in-service", MANAGER));
+          new Door("POST", "/api/v1/robots/{name}/in-service", MANAGER),
+          new Door("POST", "/api/v1/robots/{name}/hold", MANAGER),
+          new Door("POST", "/api/v1/robots/{name}/resume", MANAGER),
+          new Door("POST", "/api/v1/robots/{name}/home", MANAGER),
+          new Door("GET", "/api/v1/fleet", USER),
+          new Door("POST", "/api/v1/fleet/pause", USER),
+          new Door("POST", "/api/v1/fleet/resume", MANAGER));
 
   private Doors() {}
 
@@ -103,6 +122,12 @@ public final class Doors {
 
   public static void keepParameters(ServletRequest request, Place place) {
     request.setAttribute(PARAMETERS, place.parameters());
+  }
+
+  /** The path that the request asks for, from the application's root. */
+  public static String pathOf(HttpServletRequest request) {
+    String rest = request.getPathInfo();
+    return rest == null ? request.getServletPath() : request.getServletPath() + rest;
   }
 
   /** The part of the request's path that stands for {@code {name}}. */

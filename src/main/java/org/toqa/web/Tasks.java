@@ -41,6 +41,7 @@ public final class Tasks {
             stored.state(),
             stored.held(),
             stored.robots(),
+            stored.loadAt(),
             "Other tasks in the queue come before it.",
             stored.needs(),
             stored.changedAt())

@@ -53,13 +53,13 @@ class FleetMeterTest {
   }
 
   private static FleetSnapshot snapshot(List<RobotView> robots, List<TaskView> tasks) {
-    return new FleetSnapshot(1, NOON, robots, tasks, 0, List.of(), List.of());
+    return new FleetSnapshot(1, NOON, robots, tasks, 0, List.of(), null, List.of());
   }
 
   private static TaskView task(long id, TaskState state) {
     TransportTask task =
         new TransportTask(id, "t", 2, PLACE, PLACE, "hall", 0, null, null, "boss", NOON);
-    return new TaskView(task, state, false, List.of(), null, null, NOON);
+    return new TaskView(task, state, false, List.of(), null, null, null, NOON);
   }
 
   /** r1 is 0.2 m wide, any other one 0.3 m. */
@@ -82,6 +82,7 @@ class FleetMeterTest {
         0,
         List.of(),
         "Drives",
-        NOON);
+        NOON,
+        false);
   }
 }

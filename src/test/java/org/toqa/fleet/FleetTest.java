@@ -33,6 +33,11 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.link.RobotLink;
 import org.toqa.link.RobotLinks;
+import org.toqa.link.message.ServerMessage;
+import org.toqa.mission.LoadChoice;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Reply;
+import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
@@ -40,6 +45,7 @@ import org.toqa.store.JdbiFleetStore;
 /** The agents over a real store, with robots that the test plays. */
 @Timeout(60)
 class FleetTest {
+  private static final Duration LOST_AFTER = Duration.ofSeconds(30);
   private static final Duration LIMIT = Duration.ofSeconds(20);
 
   /** Two rooms and one door between them, in cells of 1 m; (0, 0) is the lower left corner. */
@@ -52,6 +58,10 @@ class FleetTest {
   private static final Vec2 WEST = new Vec2(0.5, 0.5);
   private static final Vec2 DOOR = new Vec2(4.5, 1.5);
   private static final Vec2 EAST = new Vec2(8.5, 0.5);
+
+  /** A few metres from r1, and more from the other end of the hall. */
+  private static final Where IN_THE_MIDDLE = new Where.Point(new Vec2(6.5, 2.5));
+
   private static final FloorMap FLOOR =
       new FloorMap(
           "hall",
@@ -326,6 +336,289 @@ class FleetTest {
     assertTrue(store.history(task).stream().anyMatch(e -> e.kind().equals("traffic.standstill")));
   }
 
+  // --- cancel, hold, pause, failures ------------------------------------------------------------
+
+  @Test
+  void aTaskCancelledBeforeThePickUpEndsAndItsRobotGoesHome() throws Exception {
+    long task = submit("East", "West");
+    until(view -> task(view, task).state() == TaskState.TO_OBJECT && played("r1").isDriving());
+
+    TaskView cancelled = accepted(fleet.wish(task, new MissionEvent.Cancel("Max", null)));
+
+    assertEquals(TaskState.CANCELLED, cancelled.state());
+    until(view -> !played("r1").isDriving() && played("r1").position().distanceTo(WEST) < 1e-6);
+    assertEquals(List.of("Cancelled by Max"), history("task.cancelled"));
+    assertEquals(TaskState.CANCELLED, store.task(task).orElseThrow().state());
+  }
+
+  @Test
+  void aQueuedTaskIsHeldAndCancelledWithoutARobot() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(fleet.takeOutOfService("r1", "Max"));
+    long task = submit("East", "West");
+
+    assertTrue(accepted(fleet.wish(task, new MissionEvent.Hold("Max"))).held());
+    fleet.close(); // and it survives a restart
+    fleet = open();
+    accepted(fleet.putInService("r1", "Max"));
+    until(view -> robot(view, "r1").state() == RobotState.IDLE && task(view, task).held());
+    assertEquals("On hold.", waitsFor(fleet.feed().latest(), task));
+    TaskView cancelled = accepted(fleet.wish(task, new MissionEvent.Cancel("Max", null)));
+
+    assertEquals(TaskState.CANCELLED, cancelled.state());
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+    assertInstanceOf(Answer.Conflict.class, answer(fleet.wish(task, new MissionEvent.Hold("Max"))));
+  }
+
+  @Test
+  void withTheLoadOnBoardCancelAsksAndSetsItDownWhereTheRobotStops() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+
+    Answer<TaskView> asked = answer(fleet.wish(task, new MissionEvent.Cancel("Max", null)));
+    assertEquals(
+        List.of("here", "back"),
+        Objects.requireNonNull(assertInstanceOf(Answer.Conflict.class, asked).needs()).answers());
+    accepted(fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+    Vec2 place = Objects.requireNonNull(task(fleet.feed().latest(), task).loadAt()).position();
+    assertTrue(place.x() > 0.5 && place.x() < 8.5, "on the way: " + place);
+    until(view -> played("r1").position().distanceTo(WEST) < 1e-6);
+    TaskView stored = store.task(task).orElseThrow();
+    assertEquals(0, Objects.requireNonNull(stored.loadAt()).position().distanceTo(place), 1e-9);
+  }
+
+  @Test
+  void withTheLoadOnBoardCancelBringsItBack() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+
+    accepted(fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.BACK)));
+
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+    assertEquals(0, played("r1").position().distanceTo(new Vec2(0.5, 2.5)), 1e-6);
+    until(
+        view ->
+            store.history(task).stream().anyMatch(e -> e.text().equals("Brought back to West")));
+  }
+
+  @Test
+  void whatIsDeliveredIsNotCancelled() throws Exception {
+    long task = submit("West", "East");
+    until(view -> task(view, task).state() == TaskState.RETURNING);
+
+    Answer<TaskView> no = answer(fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+
+    assertInstanceOf(Answer.Conflict.class, no);
+    until(view -> task(view, task).state() == TaskState.DONE);
+  }
+
+  @Test
+  void aTaskOnHoldStandsAndSaysSoAndGoesOnAfterARestart() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+
+    assertTrue(accepted(fleet.wish(task, new MissionEvent.Hold("Max"))).held());
+    until(view -> played("r1").isHeld() && robot(view, "r1").state() == RobotState.HOLDING);
+    Vec2 stopped = played("r1").position();
+    fleet.close();
+    fleet = open();
+    until(view -> !view.robots().isEmpty() && robot(view, "r1").state() == RobotState.HOLDING);
+    assertTrue(task(fleet.feed().latest(), task).held());
+    assertEquals("Task " + task + " is on hold", waitsFor(fleet.feed().latest(), task));
+    assertEquals(stopped, played("r1").position());
+
+    accepted(fleet.wish(task, new MissionEvent.Resume("Max")));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of("Max put it on hold"), history("task.held"));
+    assertEquals(List.of("Max let it go on"), history("task.resumed"));
+  }
+
+  @Test
+  void aRobotOnHoldStandsUntilItIsLetGoOn() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+
+    assertTrue(accepted(fleet.hold("r1", "Max")).held());
+    until(view -> robot(view, "r1").state() == RobotState.HOLDING);
+    fleet.close();
+    fleet = open();
+    until(view -> !view.robots().isEmpty() && robot(view, "r1").held());
+    assertEquals(TaskState.CARRYING, task(fleet.feed().latest(), task).state());
+    accepted(fleet.resume("r1", "Max"));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of("Max put r1 on hold"), history("robot.held"));
+  }
+
+  @Test
+  void whileAllArePausedNoRobotDrivesAndOneThatConnectsIsHeldToo() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+
+    assertEquals("Max", accepted(fleet.pauseAll("Max")).orElseThrow().user());
+    until(view -> played("r1").isHeld());
+    Vec2 stopped = played("r1").position();
+    reopenWith("r2", EAST, "P2");
+    until(
+        view ->
+            played("r2").isHeld()
+                && view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
+    assertEquals("Max", Objects.requireNonNull(fleet.feed().latest().pause()).user());
+    assertEquals(stopped, played("r1").position());
+    assertEquals("All robots are paused by Max", robot(fleet.feed().latest(), "r1").doing());
+
+    accepted(fleet.resumeAll("Boss"));
+
+    until(view -> task(view, task).state() == TaskState.DONE && view.pause() == null);
+    assertEquals(List.of("Max paused all robots"), history("fleet.paused"));
+    assertEquals(List.of("Boss let all robots go on"), history("fleet.resumed"));
+  }
+
+  @Test
+  void theTaskOfARobotThatFailsBeforeThePickUpGoesToAnotherAtOnce() throws Exception {
+    reopenWith("r2", new Vec2(14.5, 0.5), null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
+    until(view -> task(view, task).robots().equals(List.of("r1")));
+
+    played("r1").breaks("BUMPER");
+
+    until(view -> task(view, task).robots().equals(List.of("r2")));
+    assertTrue(
+        history("task.robot-failed")
+            .contains("r1 reports the error BUMPER; another robot is looked for"));
+  }
+
+  @Test
+  void aLostRobotsTaskWaitsThenGoesToAnotherAndTheLostOneIsCancelledFirst() throws Exception {
+    reopenWith("r2", new Vec2(14.5, 0.5), null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
+    until(view -> task(view, task).state() == TaskState.TO_OBJECT && played("r1").isDriving());
+    played("r1").loseConnection();
+    Instant lost = now;
+    until(view -> task(view, task).needs() != null);
+    assertEquals(
+        List.of("another robot", "wait"),
+        Objects.requireNonNull(task(fleet.feed().latest(), task).needs()).answers());
+
+    until(view -> task(view, task).robots().equals(List.of("r2")));
+
+    assertTrue(!now.isBefore(lost.plus(LOST_AFTER)), "not before 30 s");
+    assertTrue(fleet.feed().latest().floors().getFirst().kept().containsKey("r1"));
+    int told = played("r1").obeyed().size();
+    played("r1").speakAgain();
+    until(view -> played("r1").obeyed().size() > told);
+    assertInstanceOf(ServerMessage.Cancel.class, played("r1").obeyed().get(told));
+    until(view -> task(view, task).state() == TaskState.DONE);
+  }
+
+  @Test
+  void aLostRobotsTaskGoesToAnotherAtOnceByAPersonsWord() throws Exception {
+    reopenWith("r2", new Vec2(14.5, 0.5), null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
+    until(view -> task(view, task).robots().equals(List.of("r1")));
+    played("r1").fallSilent();
+    Instant lost = now;
+    until(view -> task(view, task).needs() != null);
+
+    accepted(fleet.wish(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
+
+    until(view -> task(view, task).robots().equals(List.of("r2")));
+    assertTrue(now.isBefore(lost.plus(LOST_AFTER)), "before the 30 s are over");
+  }
+
+  @Test
+  void aRobotThatFailsWithTheLoadLetsAPersonDecideAndAnotherFetchesIt() throws Exception {
+    reopenWith("r2", new Vec2(14.5, 0.5), null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+    played("r1").breaks("BUMPER");
+    until(view -> task(view, task).needs() != null);
+    Vec2 place = Objects.requireNonNull(task(fleet.feed().latest(), task).loadAt()).position();
+    assertEquals(played("r1").position(), place);
+    fleet.close(); // the question survives a restart
+    fleet = open();
+    until(view -> !view.tasks().isEmpty() && task(view, task).needs() != null);
+
+    accepted(fleet.wish(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
+    until(view -> task(view, task).robots().equals(List.of("r2")));
+    played("r1").fallSilent(); // it is carried away
+    until(view -> robot(view, "r1").state() == RobotState.LOST);
+    accepted(fleet.takeOutOfService("r1", "Max"));
+
+    until(view -> task(view, task).state() == TaskState.CARRYING);
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertTrue(
+        store.history(task).stream()
+            .anyMatch(e -> e.text().equals("Picked up at " + new TaskPlace(place, null).text())));
+  }
+
+  @Test
+  void aRobotThatFailsWithTheLoadAndIsMendedGoesOn() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+    played("r1").breaks("BUMPER");
+    until(view -> task(view, task).needs() != null);
+    accepted(fleet.wish(task, new MissionEvent.Answer("Max", Reply.WAIT)));
+    until(view -> task(view, task).needs() == null);
+
+    played("r1").isMended();
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of("r1 can go on"), history("task.robot-back"));
+  }
+
+  @Test
+  void aRobotThatFailsOnItsWayHomeHasDoneItsTask() throws Exception {
+    long task = submit("West", "East");
+    until(view -> task(view, task).state() == TaskState.RETURNING && played("r1").isDriving());
+
+    played("r1").breaks("BUMPER");
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertTrue(played("r1").position().distanceTo(WEST) > 0.5, "it did not get home");
+  }
+
+  @Test
+  void anIdleRobotAwayFromItsParkingPointGoesHome() throws Exception {
+    reopenWith("r2", new Vec2(12.5, 2.5), "P2");
+
+    until(view -> robot(view, "r2").state() == RobotState.IDLE);
+    until(view -> played("r2").position().distanceTo(EAST) < 1e-6);
+  }
+
+  @Test
+  void aPersonSendsAnIdleRobotHomeAndNoOther() throws Exception {
+    reopenWith("r2", new Vec2(12.5, 2.5), "P2");
+    reopenWith("r3", DOOR, null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+
+    assertEquals(0, accepted(fleet.sendHome("r2", "Max")).phase());
+    assertInstanceOf(Answer.Conflict.class, answer(fleet.sendHome("r3", "Max")));
+    assertInstanceOf(Answer.Unknown.class, answer(fleet.sendHome("r9", "Max")));
+
+    until(view -> played("r2").position().distanceTo(EAST) < 1e-6);
+    assertEquals(List.of("Max sent r2 home"), history("robot.sent-home"));
+  }
+
+  private void untilCarryingOnTheWay(long task) throws InterruptedException {
+    until(
+        view ->
+            task(view, task).state() == TaskState.CARRYING
+                && played("r1").isDriving()
+                && played("r1").position().distanceTo(new Vec2(0.5, 2.5)) > 0.9);
+  }
+
+  private static <T> Answer<T> answer(CompletionStage<Answer<T>> wish) throws Exception {
+    return wish.toCompletableFuture().get(10, TimeUnit.SECONDS);
+  }
+
   // --- the stage --------------------------------------------------------------------------------
 
   private void add(String name, Vec2 at, @Nullable String parking) {
@@ -348,7 +641,13 @@ class FleetTest {
           }
         };
     return new AgentFleet(
-        List.of(FLOOR), store, links, new OptimalAllocator(), InstantSource.system(), now);
+        List.of(FLOOR),
+        store,
+        links,
+        new OptimalAllocator(),
+        LOST_AFTER,
+        InstantSource.system(),
+        now);
   }
 
   /** Lets time go on, and the robots drive, until it is so. */

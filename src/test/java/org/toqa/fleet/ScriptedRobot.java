@@ -10,6 +10,7 @@ import org.toqa.link.RobotLink;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Done;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
@@ -21,7 +22,10 @@ import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
+import org.toqa.link.message.ServerMessage.Hold;
+import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
+import org.toqa.link.message.ServerMessage.Resume;
 import org.toqa.motion.Trajectory;
 
 /**
@@ -36,6 +40,9 @@ final class ScriptedRobot {
   private List<Vec2> obstacles = List.of();
   private boolean mute;
   private boolean stuck;
+  private boolean held;
+  private @Nullable Fault fault;
+  private final List<Command> obeyed = new ArrayList<>();
   private RobotLink.@Nullable Listener listener;
   private boolean connected;
 
@@ -70,6 +77,31 @@ final class ScriptedRobot {
   /** It speaks, and does not move though it may. */
   synchronized void sticks(boolean stuck) {
     this.stuck = stuck;
+  }
+
+  /** From now on its body cannot drive. */
+  synchronized void breaks(String code) {
+    fault = new Fault(code, "It cannot drive.");
+  }
+
+  synchronized void isMended() {
+    fault = null;
+  }
+
+  synchronized boolean isHeld() {
+    return held;
+  }
+
+  /** Falls silent for good with its connection; what comes next begins with a hello. */
+  synchronized void loseConnection() {
+    mute = true;
+    connected = false;
+    Objects.requireNonNull(listener).disconnected("cut");
+  }
+
+  /** All that it was told and did, in order, without pings. */
+  synchronized List<Command> obeyed() {
+    return List.copyOf(obeyed);
   }
 
   synchronized boolean isDriving() {
@@ -110,22 +142,25 @@ final class ScriptedRobot {
       listener.connected(hello());
       return;
     }
-    if (way != null && segment < released && !stuck) {
+    if (way != null && segment < released && !stuck && !held && fault == null) {
       segment++;
       pose = way.poseAfter(segment);
     }
-    if (way != null && last && segment == way.segments().size()) {
+    if (way != null && !held && last && segment == way.segments().size()) {
       done = new Done(task, phase, drive);
       way = null;
       drive = 0;
     }
+    listener.received(state());
     if (done != null) {
       listener.received(done);
     }
-    listener.received(state());
   }
 
   private synchronized void hear(ServerMessage message) {
+    if (!connected) {
+      return;
+    }
     if (message instanceof AckDone ack) {
       if (done != null && done.drive() == ack.done()) {
         task = done.phase() == 3 ? null : task;
@@ -139,7 +174,12 @@ final class ScriptedRobot {
   }
 
   private void obey(Command command) {
+    if (!(command instanceof Ping)) {
+      obeyed.add(command);
+    }
     switch (command) {
+      case Hold h -> held = true;
+      case Resume r -> held = false;
       case Drive d -> {
         way = new Trajectory(d.start(), d.segments());
         task = d.task();
@@ -178,6 +218,12 @@ final class ScriptedRobot {
   }
 
   private Mode mode() {
+    if (fault != null) {
+      return Mode.ERROR;
+    }
+    if (held) {
+      return Mode.HOLDING;
+    }
     return drive == 0 ? Mode.IDLE : Mode.DRIVING;
   }
 
@@ -217,6 +263,6 @@ final class ScriptedRobot {
         0.8,
         List.of(),
         obstacles,
-        List.of());
+        fault == null ? List.of() : List.of(fault));
   }
 }

@@ -5,15 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
-import net.jqwik.api.Arbitraries;
-import net.jqwik.api.Arbitrary;
-import net.jqwik.api.Combinators;
+import java.util.Objects;
 import net.jqwik.api.Example;
-import net.jqwik.api.ForAll;
-import net.jqwik.api.Property;
-import net.jqwik.api.Provide;
 import org.toqa.geometry.Vec2;
 
 class MissionTest {
@@ -32,9 +26,11 @@ class MissionTest {
           "ann",
           Instant.EPOCH);
 
+  private static final TaskPlace THERE = new TaskPlace(new Vec2(3, 1.5), null);
+
   @Example
   void oneRobotFetchesCarriesAndParks() {
-    Mission.Step step = Mission.assign(TASK, List.of("r1"), "nearest");
+    Mission.Step step = Mission.queued(TASK).assign(List.of("r1"), "nearest");
     assertEquals(TaskState.ASSIGNED, step.mission().state());
     assertEquals(List.of(new MissionCommand.Drive("r1", 1)), step.commands());
 
@@ -57,7 +53,7 @@ class MissionTest {
 
   @Example
   void phaseTwoStartsWhenAllRobotsAreAtTheObject() {
-    Mission mission = Mission.assign(TASK, List.of("r1", "r2"), "heavy").mission();
+    Mission mission = Mission.queued(TASK).assign(List.of("r1", "r2"), "heavy").mission();
     Mission.Step first = mission.on(new MissionEvent.PhaseEnded("r1", 1));
     assertEquals(TaskState.TO_OBJECT, first.mission().state());
     assertTrue(first.commands().isEmpty());
@@ -71,56 +67,100 @@ class MissionTest {
 
   @Example
   void robotInPhaseThreeMayTakeTheNextTask() {
-    Mission mission = Mission.assign(TASK, List.of("r1"), "nearest").mission();
+    Mission mission = Mission.queued(TASK).assign(List.of("r1"), "nearest").mission();
     mission = mission.on(new MissionEvent.PhaseEnded("r1", 1)).mission();
     assertFalse(mission.on(new MissionEvent.Retasked("r1")).changed());
     mission = mission.on(new MissionEvent.PhaseEnded("r1", 2)).mission();
     assertEquals(TaskState.DONE, mission.on(new MissionEvent.Retasked("r1")).mission().state());
   }
 
-  /** Whatever comes, in whatever order and however often: states only go forward. */
-  @Property
-  void anySequenceOfEventsLeavesALegalState(@ForAll("events") List<MissionEvent> events) {
-    Mission mission = Mission.assign(TASK, List.of("r1", "r2"), "heavy").mission();
-    for (MissionEvent event : events) {
-      Mission.Step step = mission.on(event);
-      assertTrue(step.mission().state().ordinal() >= mission.state().ordinal());
-      assertEquals(step.changed(), !step.mission().equals(mission));
-      mission = step.mission();
-      assertEquals(
-          mission.state() == TaskState.DONE,
-          mission.carriers().stream().allMatch(Carrier::released));
-      assertEquals(
-          mission.state() == TaskState.CARRYING,
-          mission.carriers().stream().allMatch(c -> c.phase() == 2 && !c.released()));
-    }
+  @Example
+  void aRobotThatFailsBeforeItHasTheLoadGivesTheTaskBack() {
+    Mission mission = toObject("r1");
+
+    Mission.Step step = mission.on(new MissionEvent.RobotFailed("r1", "reports an error", THERE));
+
+    assertEquals(TaskState.QUEUED, step.mission().state());
+    assertEquals(List.of(), step.mission().robots());
+    assertEquals(TASK.start(), step.mission().object());
+    assertEquals(List.of(new MissionCommand.LetGo("r1")), step.commands());
   }
 
-  @Property
-  void anEventRepeatedAtOnceChangesNothingMore(@ForAll("events") List<MissionEvent> events) {
-    Mission mission = Mission.assign(TASK, List.of("r1", "r2"), "heavy").mission();
-    List<MissionEvent> seen = new ArrayList<>();
-    for (MissionEvent event : events) {
-      mission = mission.on(event).mission();
-      seen.add(event);
-      assertFalse(mission.on(event).changed(), () -> "after " + seen);
-    }
+  @Example
+  void withTheLoadOnBoardAPersonIsAskedAndAnotherRobotFetchesItFromThere() {
+    Mission asked =
+        carrying("r1").on(new MissionEvent.RobotFailed("r1", "reports an error", THERE)).mission();
+    assertEquals(TaskState.CARRYING, asked.state());
+    assertEquals(
+        List.of("another robot", "wait", "cancel"), asked.question().orElseThrow().answers());
+    assertEquals(THERE, asked.loadAt());
+
+    Mission queued = asked.on(new MissionEvent.Answer("max", Reply.ANOTHER)).mission();
+
+    assertEquals(TaskState.QUEUED, queued.state());
+    assertEquals(THERE, queued.object());
+    Mission again = queued.assign(List.of("r2"), "free").mission();
+    again = again.on(new MissionEvent.PhaseEnded("r2", 1)).mission();
+    assertEquals(TaskState.CARRYING, again.state());
+    assertEquals(null, again.loadAt());
   }
 
-  @Provide
-  Arbitrary<List<MissionEvent>> events() {
-    Arbitrary<String> robots = Arbitraries.of("r1", "r2", "stranger");
-    Arbitrary<Integer> phases = Arbitraries.integers().between(1, 3);
-    Arbitrary<MissionEvent> started =
-        Combinators.combine(robots, phases).as(MissionEvent.DriveStarted::new);
-    Arbitrary<MissionEvent> ended =
-        Combinators.combine(robots, phases).as(MissionEvent.PhaseEnded::new);
-    Arbitrary<MissionEvent> retasked = robots.map(MissionEvent.Retasked::new);
-    return Arbitraries.frequencyOf(
-            net.jqwik.api.Tuple.of(1, started),
-            net.jqwik.api.Tuple.of(6, ended),
-            net.jqwik.api.Tuple.of(1, retasked))
-        .list()
-        .ofMaxSize(30);
+  @Example
+  void whoSaidThatTheTaskWaitsIsNotAskedAgainUntilTheRobotWasBack() {
+    MissionEvent failed = new MissionEvent.RobotFailed("r1", "reports an error", THERE);
+    Mission waits =
+        carrying("r1")
+            .on(failed)
+            .mission()
+            .on(new MissionEvent.Answer("max", Reply.WAIT))
+            .mission();
+
+    assertFalse(waits.on(failed).changed());
+    assertTrue(waits.question().isEmpty());
+    Mission back = waits.on(new MissionEvent.RobotBack("r1")).mission();
+    assertTrue(back.on(failed).mission().question().isPresent());
+  }
+
+  @Example
+  void cancelWithTheLoadOnBoardNeedsAChoice() {
+    Mission mission = carrying("r1");
+    Objection objection = mission.objectionTo(new MissionEvent.Cancel("max", null)).orElseThrow();
+    assertEquals(List.of("here", "back"), Objects.requireNonNull(objection.needs()).answers());
+    assertFalse(mission.on(new MissionEvent.Cancel("max", null)).changed());
+
+    Mission here = mission.on(new MissionEvent.Cancel("max", LoadChoice.HERE)).mission();
+    Mission set = here.on(new MissionEvent.Stopped("r1", THERE)).mission();
+    assertEquals(TaskState.CANCELLED, set.state());
+    assertEquals(THERE, set.loadAt());
+
+    Mission back = mission.on(new MissionEvent.Cancel("max", LoadChoice.BACK)).mission();
+    assertEquals(TASK.start(), back.destination());
+    assertEquals(
+        TaskState.CANCELLED, back.on(new MissionEvent.PhaseEnded("r1", 2)).mission().state());
+  }
+
+  @Example
+  void whatIsDeliveredOrEndedIsNotCancelled() {
+    Mission delivered = carrying("r1").on(new MissionEvent.PhaseEnded("r1", 2)).mission();
+    MissionEvent.Cancel cancel = new MissionEvent.Cancel("max", LoadChoice.HERE);
+    assertTrue(delivered.objectionTo(cancel).isPresent());
+    assertTrue(
+        delivered
+            .on(new MissionEvent.PhaseEnded("r1", 3))
+            .mission()
+            .objectionTo(cancel)
+            .isPresent());
+  }
+
+  private static Mission toObject(String robot) {
+    return Mission.queued(TASK)
+        .assign(List.of(robot), "nearest")
+        .mission()
+        .on(new MissionEvent.DriveStarted(robot, 1))
+        .mission();
+  }
+
+  private static Mission carrying(String robot) {
+    return toObject(robot).on(new MissionEvent.PhaseEnded(robot, 1)).mission();
   }
 }

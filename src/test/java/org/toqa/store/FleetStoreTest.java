@@ -12,6 +12,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FleetStore.StoredDrive;
@@ -19,12 +20,14 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.Carrier;
+import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.mission.Trouble;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
@@ -94,7 +97,7 @@ class FleetStoreTest {
             AT);
     TransportTask stored = store.addTask(asked);
     assertTrue(stored.id() > 0);
-    assertEquals(List.of(new OpenTask(stored, TaskState.QUEUED, List.of(), AT)), store.openTasks());
+    assertEquals(List.of(new OpenTask(Mission.queued(stored), AT)), store.openTasks());
     assertEquals(stored, store.task(stored.id()).orElseThrow().task());
     assertEquals("Asked for by Ann", store.history(stored.id()).getFirst().text());
   }
@@ -104,20 +107,67 @@ class FleetStoreTest {
     store.saveRobot(R1);
     store.saveRobot(R2);
     TransportTask task = store.addTask(task("two"));
-    Mission.Step step = Mission.assign(task, List.of("r2", "r1"), "heavy");
+    Mission.Step step = Mission.queued(task).assign(List.of("r2", "r1"), "heavy");
     store.saveMission(step.mission(), AT, List.of());
     Mission.Step next = step.mission().on(new MissionEvent.PhaseEnded("r1", 1));
     EventRecord event = new EventRecord(AT, "task.at-object", task.id(), "r1", "toqa", "here");
     store.saveMission(next.mission(), AT.plusMillis(5), List.of(event));
 
     OpenTask open = store.openTasks().getFirst();
-    assertEquals(TaskState.TO_OBJECT, open.state());
+    assertEquals(next.mission(), open.mission());
     assertEquals(
         List.of(new Carrier("r2", 1, false, false), new Carrier("r1", 1, true, false)),
-        open.carriers());
+        open.mission().carriers());
     assertEquals(AT.plusMillis(5), open.changedAt());
     assertEquals(event, store.history(task.id()).getLast());
     assertEquals(List.of("r2", "r1"), store.task(task.id()).orElseThrow().robots());
+  }
+
+  @Test
+  void aMissionComesBackWithAllThatPeopleSaidAndRobotsFailed() {
+    store.saveRobot(R1);
+    store.saveRobot(R2);
+    TransportTask task = store.addTask(task("odd"));
+    TaskPlace place = new TaskPlace(new Vec2(1.25, -3.5), null);
+    Mission odd =
+        new Mission(
+            task,
+            TaskState.CARRYING,
+            List.of(new Carrier("r1", 2, false, false)),
+            true,
+            LoadChoice.BACK,
+            place,
+            new Trouble("r1", "reports the error BUMPER", place, true));
+    store.saveMission(odd, AT, List.of());
+    assertEquals(odd, store.openTasks().getFirst().mission());
+
+    Mission other =
+        new Mission(
+            task,
+            TaskState.QUEUED,
+            List.of(new Carrier("r2", 1, false, true)),
+            false,
+            null,
+            null,
+            null);
+    store.saveMission(other, AT, List.of());
+    assertEquals(other, store.openTasks().getFirst().mission());
+  }
+
+  @Test
+  void whoIsOnHoldAndWhetherAllArePausedComesBack() {
+    store.saveRobot(R1);
+    store.saveHold("r1", true, List.of());
+    FleetPause pause = new FleetPause("Ann", AT);
+    store.savePause(pause, List.of());
+    store.savePause(pause, List.of()); // twice is as once
+    assertEquals(Set.of("r1"), store.held());
+    assertEquals(Optional.of(pause), store.pause());
+
+    store.saveHold("r1", false, List.of());
+    store.savePause(null, List.of());
+    assertEquals(Set.of(), store.held());
+    assertEquals(Optional.empty(), store.pause());
   }
 
   @Test
@@ -126,10 +176,18 @@ class FleetStoreTest {
     TransportTask first = store.addTask(task("first"));
     TransportTask second = store.addTask(task("second"));
     store.saveMission(
-        new Mission(first, TaskState.DONE, List.of(new Carrier("r1", 3, true, true))),
+        new Mission(
+            first,
+            TaskState.DONE,
+            List.of(new Carrier("r1", 3, true, true)),
+            false,
+            null,
+            null,
+            null),
         AT,
         List.of());
-    assertEquals(List.of(second.id()), store.openTasks().stream().map(t -> t.task().id()).toList());
+    assertEquals(
+        List.of(second.id()), store.openTasks().stream().map(t -> t.mission().id()).toList());
     assertEquals(
         List.of(second.id(), first.id()), store.tasks(0, 10).stream().map(t -> t.id()).toList());
     assertEquals(List.of(first.id()), store.tasks(1, 10).stream().map(t -> t.id()).toList());
@@ -153,9 +211,9 @@ class FleetStoreTest {
   @Test
   void aChangeThatFailsHasNotHappened() {
     TransportTask task = store.addTask(task("one"));
-    Mission unknownRobot = Mission.assign(task, List.of("nobody"), "?").mission();
+    Mission unknownRobot = Mission.queued(task).assign(List.of("nobody"), "?").mission();
     assertThrows(StoreException.class, () -> store.saveMission(unknownRobot, AT, List.of()));
-    assertEquals(TaskState.QUEUED, store.openTasks().getFirst().state());
+    assertEquals(TaskState.QUEUED, store.openTasks().getFirst().mission().state());
   }
 
   private static TransportTask task(String name) {

@@ -295,6 +295,115 @@ class ApiTest {
     assertEquals(405, get(path).statusCode());
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"hold", "resume", "home"})
+  void onlyManagersGiveRobotsOrders(String order) {
+    String path = "api/v1/robots/r1/" + order;
+
+    assertEquals(403, post(tokenOf(WebTestServer.CLERK), path, "").statusCode());
+    assertEquals(401, post(null, path, "").statusCode());
+    assertEquals(404, post(token, "api/v1/robots/none/" + order, "").statusCode());
+    assertEquals(405, get(path).statusCode());
+    assertEquals(200, post(token, path, "").statusCode());
+  }
+
+  @Test
+  void everybodyPausesAllRobotsAndOnlyAManagerLetsThemGoOn() {
+    String clerk = tokenOf(WebTestServer.CLERK);
+    assertEquals(401, post(null, "api/v1/fleet/pause", "").statusCode());
+    assertTrue(JSON.readTree(get("api/v1/fleet").body()).get("pause").isNull());
+
+    HttpResponse<String> paused = post(clerk, "api/v1/fleet/pause", "");
+
+    assertEquals(200, paused.statusCode());
+    assertEquals(
+        WebTestServer.CLERK, JSON.readTree(paused.body()).get("pause").get("user").stringValue());
+    HttpResponse<String> ofClerk = post(clerk, "api/v1/fleet/resume", "");
+    assertEquals(403, ofClerk.statusCode());
+    assertTrue(detail(ofClerk).startsWith("Only a manager may do this."));
+    HttpResponse<String> ofManager = post(token, "api/v1/fleet/resume", "");
+    assertEquals(200, ofManager.statusCode());
+    assertTrue(JSON.readTree(ofManager.body()).get("pause").isNull());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"cancel", "hold", "resume", "answer"})
+  void aTaskIsChangedByItsOwnerAndByManagersOnly(String wish) {
+    long others = add(token);
+    String body = wish.equals("answer") ? "{\"answer\":\"wait\"}" : "";
+    String clerk = tokenOf(WebTestServer.CLERK);
+
+    HttpResponse<String> ofClerk = post(clerk, "api/v1/tasks/" + others + "/" + wish, body);
+
+    assertEquals(403, ofClerk.statusCode());
+    assertTrue(detail(ofClerk).startsWith("This is another user’s task."));
+    assertEquals(401, post(null, "api/v1/tasks/" + others + "/" + wish, body).statusCode());
+    assertEquals(404, post(token, "api/v1/tasks/999/" + wish, body).statusCode());
+    assertEquals(404, post(token, "api/v1/tasks/x/" + wish, body).statusCode());
+    assertEquals(405, get("api/v1/tasks/" + others + "/" + wish).statusCode());
+    int expected = wish.equals("answer") ? 409 : 200; // it asks nothing
+    long own = add(clerk);
+    assertEquals(expected, post(clerk, "api/v1/tasks/" + own + "/" + wish, body).statusCode());
+    assertEquals(expected, post(token, "api/v1/tasks/" + own + "/" + wish, body).statusCode());
+  }
+
+  @Test
+  void aTaskIsHeldAndLetGoOnAndCancelled() {
+    String path = "api/v1/tasks/" + add(token);
+
+    assertTrue(JSON.readTree(post(token, path + "/hold", "").body()).get("held").asBoolean());
+    assertFalse(JSON.readTree(post(token, path + "/resume", "").body()).get("held").asBoolean());
+    HttpResponse<String> cancelled = post(token, path + "/cancel", "{}");
+    assertEquals("CANCELLED", JSON.readTree(cancelled.body()).get("state").stringValue());
+    HttpResponse<String> tooLate = post(token, path + "/hold", "");
+    assertEquals(409, tooLate.statusCode());
+    assertTrue(detail(tooLate).endsWith("has ended; it cannot be changed any more."));
+  }
+
+  @Test
+  void cancelWithTheLoadOnBoardAsksWhatBecomesOfIt() {
+    long task = add(token);
+    String path = "api/v1/tasks/" + task + "/cancel";
+    server.fleet().changeTask(task, TaskState.CARRYING, List.of("r1"), "picked up");
+
+    HttpResponse<String> asked = post(token, path, "");
+
+    assertEquals(409, asked.statusCode());
+    JsonNode needs = JSON.readTree(asked.body()).get("needs");
+    assertEquals("[\"here\",\"back\"]", needs.get("answers").toString());
+    assertTrue(needs.get("question").stringValue().startsWith("The load is on board."));
+    assertEquals(422, post(token, path, "{\"load\":\"away\"}").statusCode());
+    assertEquals(422, post(token, path, "{\"lead\":\"back\"}").statusCode());
+    assertEquals(400, post(token, path, "[]").statusCode());
+    assertEquals(200, post(token, path, "{\"load\":\"back\"}").statusCode());
+  }
+
+  @Test
+  void aTaskAsksAndIsAnswered() {
+    long task = add(token);
+    String path = "api/v1/tasks/" + task;
+    server.fleet().changeTask(task, TaskState.CARRYING, List.of("r1"), "picked up");
+    server.fleet().loseRobotOf(task);
+
+    JsonNode asked = JSON.readTree(get(path).body());
+    assertEquals(
+        "[\"another robot\",\"wait\",\"cancel\"]", asked.get("needs").get("answers").toString());
+    assertEquals(2, asked.get("loadAt").get("x").doubleValue());
+    assertEquals(422, post(token, path + "/answer", "{\"answer\":\"perhaps\"}").statusCode());
+    assertEquals(422, post(token, path + "/answer", "{}").statusCode());
+    HttpResponse<String> answered = post(token, path + "/answer", "{\"answer\":\"another robot\"}");
+
+    assertEquals(200, answered.statusCode());
+    JsonNode queued = JSON.readTree(answered.body());
+    assertEquals("QUEUED", queued.get("state").stringValue());
+    assertTrue(queued.get("needs").isNull());
+    assertEquals(2, queued.get("loadAt").get("x").doubleValue());
+  }
+
+  private long add(String bearer) {
+    return JSON.readTree(post(bearer, "api/v1/tasks", GOOD_TASK).body()).get("id").longValue();
+  }
+
   @Test
   void theStreamTellsWhatIsInTheWay() {
     server.fleet().changeFloor(TestFleet.crowdedFloor());

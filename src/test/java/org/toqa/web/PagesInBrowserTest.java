@@ -305,7 +305,8 @@ class PagesInBrowserTest {
         2,
         List.of(),
         "Carries the load to its goal.",
-        TestFleet.START);
+        TestFleet.START,
+        false);
   }
 
   private static RobotView robot(String name, RobotState state, Pose pose) {
@@ -329,7 +330,8 @@ class PagesInBrowserTest {
             0,
             List.of(new Fault("BATTERY_LOW", "The battery is nearly empty.")),
             "Stands with an error.",
-            TestFleet.START)
+            TestFleet.START,
+            false)
         : still;
   }
 }

@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.StandstillView;
@@ -34,9 +35,14 @@ import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Objection;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.mission.Trouble;
 
 /** A fleet in memory: it stores wishes by the contract's rules and drives nothing by itself. */
 final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
@@ -51,9 +57,10 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
   private FleetSnapshot latest =
-      new FleetSnapshot(1, START, List.of(), List.of(), 0, List.of(), List.of());
+      new FleetSnapshot(1, START, List.of(), List.of(), 0, List.of(), null, List.of());
   private List<FloorView> floors = List.of();
   private boolean silent;
+  private @Nullable FleetPause pause;
 
   /** From now on the store does not answer. */
   void fallSilent() {
@@ -88,7 +95,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
       tasks.replaceAll(
           view ->
               view.id() == id
-                  ? new TaskView(view.task(), state, false, robots, null, null, latest.at())
+                  ? new TaskView(view.task(), state, false, robots, null, null, null, latest.at())
                   : view);
       events.add(new EventRecord(latest.at(), state.name(), id, null, "fleet", sentence));
       publish(latest.robots());
@@ -134,6 +141,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
               TaskState.QUEUED,
               false,
               List.of(),
+              null,
               "It waits for a free robot.",
               null,
               latest.at());
@@ -184,6 +192,91 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   public CompletionStage<Answer<RobotView>> putInService(String name, String user) {
     return change(
         name, known -> robot(name, RobotState.IDLE, known.pose(), known.host(), known.port()));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> hold(String name, String user) {
+    return change(
+        name, known -> robot(name, RobotState.HOLDING, known.pose(), known.host(), known.port()));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> resume(String name, String user) {
+    return change(
+        name, known -> robot(name, RobotState.IDLE, known.pose(), known.host(), known.port()));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> sendHome(String name, String user) {
+    return change(
+        name, known -> robot(name, RobotState.DRIVING, known.pose(), known.host(), known.port()));
+  }
+
+  /** Tasks are the mission of one robot, r1. */
+  @Override
+  public CompletionStage<Answer<TaskView>> wish(long id, MissionEvent.Wish wish) {
+    lock.lock();
+    try {
+      Mission mission = mission(task(id).orElseThrow());
+      Optional<Objection> objection = mission.objectionTo(wish);
+      if (objection.isPresent()) {
+        return CompletableFuture.completedFuture(Answer.conflict(objection.get()));
+      }
+      TaskView next = TaskView.of(mission.on(wish).mission(), null, latest.at());
+      tasks.replaceAll(view -> view.id() == id ? next : view);
+      publish(latest.robots());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(next));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private static Mission mission(TaskView view) {
+    int phase = view.state() == TaskState.CARRYING ? 2 : 1;
+    List<Carrier> carriers =
+        view.robots().stream().map(robot -> new Carrier(robot, phase, false, false)).toList();
+    Trouble trouble =
+        view.needs() == null
+            ? null
+            : new Trouble("r1", "is not heard of", new TaskPlace(new Vec2(2, 2), null), false);
+    return new Mission(view.task(), view.state(), carriers, view.held(), null, null, trouble);
+  }
+
+  /** Publishes that a robot of the task, which has the load on board, is lost. */
+  void loseRobotOf(long id) {
+    lock.lock();
+    try {
+      MissionEvent lost = new MissionEvent.RobotLost("r1", new TaskPlace(new Vec2(2, 2), null));
+      tasks.replaceAll(
+          view ->
+              view.id() == id
+                  ? TaskView.of(mission(view).on(lost).mission(), null, latest.at())
+                  : view);
+      publish(latest.robots());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<FleetPause>>> pauseAll(String user) {
+    return pauseIs(new FleetPause(user, START));
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<FleetPause>>> resumeAll(String user) {
+    return pauseIs(null);
+  }
+
+  private CompletionStage<Answer<Optional<FleetPause>>> pauseIs(@Nullable FleetPause next) {
+    lock.lock();
+    try {
+      pause = next;
+      publish(latest.robots());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(Optional.ofNullable(next)));
+    } finally {
+      lock.unlock();
+    }
   }
 
   private CompletionStage<Answer<RobotView>> change(String name, UnaryOperator<RobotView> change) {
@@ -297,7 +390,8 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         0,
         List.of(),
         "Stands at its parking point.",
-        pose == null ? null : START);
+        pose == null ? null : START,
+        false);
   }
 
   /** A floor with an obstacle of 2 x 2 cells, those of a lost robot r6, and a standstill. */
@@ -324,6 +418,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
             newestFirst(),
             (int) tasks.stream().filter(t -> t.state() == TaskState.QUEUED).count(),
             floors,
+            pause,
             List.of());
     changed.signalAll();
   }

@@ -33,7 +33,7 @@ public final class DoorFilter extends HttpFilter {
   protected void doFilter(
       HttpServletRequest request, HttpServletResponse response, FilterChain chain)
       throws IOException, ServletException {
-    String path = path(request);
+    String path = Doors.pathOf(request);
     Optional<Doors.Place> place = Doors.at(path);
     if (place.isEmpty()) {
       refuse(request, response, 404, "problem.noSuchPage");
@@ -125,15 +125,10 @@ public final class DoorFilter extends HttpFilter {
       Object... values)
       throws IOException {
     String sentence = Texts.of(request).get(key, values);
-    if (Door.isApi(path(request))) {
+    if (Door.isApi(Doors.pathOf(request))) {
       Problem.of(status, sentence).send(response);
     } else {
       ErrorServlet.send(request, response, status, sentence);
     }
-  }
-
-  private static String path(HttpServletRequest request) {
-    String rest = request.getPathInfo();
-    return rest == null ? request.getServletPath() : request.getServletPath() + rest;
   }
 }

@@ -7,6 +7,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import org.toqa.fleet.Answer;
+import org.toqa.mission.Question;
 import org.toqa.web.Doors;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.Services;
@@ -52,6 +53,8 @@ abstract class ApiServlet extends HttpServlet {
         errors.add(field, sentence);
         throw Problem.of(errors).raised();
       }
+      case Answer.Conflict<T>(String sentence, Question needs) ->
+          throw Problem.conflict(sentence, needs).raised();
       case Answer.Unknown<T>(String sentence) -> throw Problem.of(404, sentence).raised();
     };
   }

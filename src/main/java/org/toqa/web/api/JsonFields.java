@@ -58,6 +58,12 @@ final class JsonFields {
     return new JsonFields(root, "", texts, errors);
   }
 
+  /** Whether the request has a body at all. */
+  static boolean isSent(HttpServletRequest request) {
+    return request.getContentLengthLong() != 0
+        && (request.getContentLengthLong() > 0 || request.getHeader("Transfer-Encoding") != null);
+  }
+
   @Nullable String text(String name) {
     return value(name)
         .flatMap(

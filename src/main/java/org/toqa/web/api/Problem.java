@@ -4,17 +4,25 @@ import com.fasterxml.jackson.annotation.JsonInclude;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.mission.Question;
 import org.toqa.web.FieldErrors;
 
 /**
  * An error of the API as RFC 9457 has it.
  *
  * @param detail a sentence that says what to do
+ * @param needs what must be said too, if that is what is missing
  * @param errors one for each field at fault, if fields are at fault
  */
 @JsonInclude(JsonInclude.Include.NON_EMPTY)
 public record Problem(
-    String type, String title, int status, String detail, List<FieldProblem> errors) {
+    String type,
+    String title,
+    int status,
+    String detail,
+    List<FieldProblem> errors,
+    @Nullable Question needs) {
 
   /** What is wrong with one field; a dot leads into an object. */
   public record FieldProblem(String field, String detail) {}
@@ -34,7 +42,11 @@ public record Problem(
   }
 
   public static Problem of(int status, String detail) {
-    return new Problem("about:blank", title(status), status, detail, List.of());
+    return new Problem("about:blank", title(status), status, detail, List.of(), null);
+  }
+
+  static Problem conflict(String detail, @Nullable Question needs) {
+    return new Problem("about:blank", title(409), 409, detail, List.of(), needs);
   }
 
   static Problem of(FieldErrors errors) {
@@ -45,7 +57,8 @@ public record Problem(
         String.join(" ", errors.sentences().values()),
         errors.sentences().entrySet().stream()
             .map(e -> new FieldProblem(e.getKey(), e.getValue()))
-            .toList());
+            .toList(),
+        null);
   }
 
   Raised raised() {
@@ -64,6 +77,7 @@ public record Problem(
       case 403 -> "Forbidden";
       case 404 -> "Not Found";
       case 405 -> "Method Not Allowed";
+      case 409 -> "Conflict";
       case 413 -> "Content Too Large";
       case 415 -> "Unsupported Media Type";
       case 422 -> "Unprocessable Content";

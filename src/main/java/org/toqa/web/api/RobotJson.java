@@ -28,7 +28,8 @@ record RobotJson(
     int released,
     List<Fault> errors,
     String doing,
-    @Nullable Instant lastSeen) {
+    @Nullable Instant lastSeen,
+    boolean held) {
 
   static RobotJson of(RobotView view) {
     return new RobotJson(
@@ -49,6 +50,7 @@ record RobotJson(
         view.released(),
         view.errors(),
         view.doing(),
-        view.lastSeen());
+        view.lastSeen(),
+        view.held());
   }
 }

@@ -14,7 +14,7 @@ import org.toqa.web.InputRules;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
-/** One robot; and a person's word where it is and whether it is in service. */
+/** One robot; and a person's word where it is and what it shall do. */
 public final class RobotServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
@@ -38,6 +38,9 @@ public final class RobotServlet extends ApiServlet {
         switch (Doors.lastSegment(request)) {
           case "out-of-service" -> services().fleet().takeOutOfService(robot, user);
           case "in-service" -> services().fleet().putInService(robot, user);
+          case "hold" -> services().fleet().hold(robot, user);
+          case "resume" -> services().fleet().resume(robot, user);
+          case "home" -> services().fleet().sendHome(robot, user);
           default -> services().fleet().locate(robot, pose(request), user);
         };
     Json.send(response, 200, RobotJson.of(accepted(FleetAnswers.await(wish))));

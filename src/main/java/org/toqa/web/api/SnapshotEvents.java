@@ -17,6 +17,7 @@ final class SnapshotEvents {
       List<TaskJson> tasks,
       int queued,
       List<FloorJson> floors,
+      @Nullable PauseJson pause,
       List<String> alerts) {
 
     static SnapshotJson of(FleetSnapshot snapshot) {
@@ -27,6 +28,7 @@ final class SnapshotEvents {
           snapshot.tasks().stream().map(TaskJson::of).toList(),
           snapshot.queued(),
           snapshot.floors().stream().map(FloorJson::of).toList(),
+          PauseJson.of(snapshot.pause()),
           snapshot.alerts());
     }
   }

@@ -6,6 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.Question;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -14,6 +15,7 @@ import org.toqa.mission.TransportTask;
  * A task on the wire.
  *
  * @param load kilograms
+ * @param loadAt where the load stands if that is neither its start nor its goal
  * @param history left out of lists and of the live stream
  */
 record TaskJson(
@@ -32,8 +34,9 @@ record TaskJson(
     TaskState state,
     boolean held,
     List<String> robots,
+    @Nullable PlaceJson loadAt,
     @Nullable String waitingFor,
-    TaskView.@Nullable Question needs,
+    @Nullable Question needs,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history) {
 
   /** Metres, map frame. */
@@ -75,6 +78,7 @@ record TaskJson(
         view.state(),
         view.held(),
         view.robots(),
+        view.loadAt() == null ? null : PlaceJson.of(view.loadAt()),
         view.waitingFor(),
         view.needs(),
         history);

@@ -7,6 +7,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import org.toqa.fleet.Answer;
+import org.toqa.mission.Question;
 import org.toqa.web.Doors;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.Services;
@@ -37,6 +38,9 @@ abstract class PageServlet extends HttpServlet {
   /** Shows a view that has no form, without making a session for it. */
   static void showBare(HttpServletRequest request, HttpServletResponse response, String view)
       throws ServletException, IOException {
+    request.setAttribute("path", Doors.pathOf(request));
+    request.setAttribute(
+        "pause", Services.from(request.getServletContext()).fleet().feed().latest().pause());
     request.getRequestDispatcher("/WEB-INF/views/" + view + ".jsp").forward(request, response);
   }
 
@@ -72,6 +76,7 @@ abstract class PageServlet extends HttpServlet {
       case Answer.Accepted<T>(T value) -> Optional.of(value);
       case Answer.Refused<T>(String field, String sentence) ->
           no(errors, field == null ? FORM : field, sentence);
+      case Answer.Conflict<T>(String sentence, Question needs) -> no(errors, FORM, sentence);
       case Answer.Unknown<T>(String sentence) -> no(errors, FORM, sentence);
     };
   }

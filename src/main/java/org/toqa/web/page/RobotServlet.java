@@ -18,7 +18,7 @@ import org.toqa.web.InputRules;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
-/** One robot: its state, and a manager's word where it is and whether it is in service. */
+/** One robot: its state, and a manager's word where it is and what it shall do. */
 public final class RobotServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
@@ -55,6 +55,9 @@ public final class RobotServlet extends PageServlet {
     return switch (Doors.lastSegment(request)) {
       case "out-of-service" -> Optional.of(fleet.takeOutOfService(name, user));
       case "in-service" -> Optional.of(fleet.putInService(name, user));
+      case "hold" -> Optional.of(fleet.hold(name, user));
+      case "resume" -> Optional.of(fleet.resume(name, user));
+      case "home" -> Optional.of(fleet.sendHome(name, user));
       default -> read(request, errors).map(pose -> fleet.locate(name, pose, user));
     };
   }

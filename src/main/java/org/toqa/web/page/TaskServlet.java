@@ -7,10 +7,17 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import org.toqa.fleet.TaskView;
+import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
+import org.toqa.web.Doors;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.TaskWishes;
 import org.toqa.web.Tasks;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
 
-/** One task: its state, its robots and what happened. */
+/** One task: its state, its robots, what happened, and what people want of it. */
 public final class TaskServlet extends PageServlet {
   /** The road of a task that goes well. */
   private static final List<TaskState> ROAD =
@@ -25,15 +32,63 @@ public final class TaskServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    Optional<TaskView> task = new Tasks(services()).byId(pathNumber(request, "id"));
+    Optional<TaskView> task = task(request);
     if (task.isEmpty()) {
       notFound(request, response, "problem.noSuchTask");
       return;
     }
-    request.setAttribute("task", task.get());
-    request.setAttribute("history", services().archive().history(task.get().id()));
-    request.setAttribute("road", ROAD);
-    request.setAttribute("reached", ROAD.indexOf(task.get().state()));
+    offer(request, task.get());
     show(request, response, "task");
+  }
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    Optional<TaskView> task = task(request);
+    if (task.isEmpty()) {
+      notFound(request, response, "problem.noSuchTask");
+      return;
+    }
+    if (!TaskWishes.isAllowed(Caller.of(request), task.get())) {
+      ErrorServlet.send(request, response, 403, Texts.of(request).get("problem.notYourTask"));
+      return;
+    }
+    FieldErrors errors = new FieldErrors();
+    MissionEvent.Wish wish = wish(request, errors);
+    long id = task.get().id();
+    Optional<TaskView> changed =
+        errors.isEmpty()
+            ? accepted(FleetAnswers.await(services().fleet().wish(id, wish)), errors)
+            : Optional.empty();
+    if (changed.isPresent()) {
+      goTo(request, response, "/tasks/" + id);
+    } else {
+      offer(request, task(request).orElse(task.get()));
+      showAgain(request, response, "task", errors);
+    }
+  }
+
+  private static MissionEvent.Wish wish(HttpServletRequest request, FieldErrors errors) {
+    Caller caller = Caller.of(request);
+    FormFields fields = new FormFields(request, errors);
+    TaskWishes wishes = new TaskWishes(Texts.of(request), errors);
+    return switch (Doors.lastSegment(request)) {
+      case "hold" -> new MissionEvent.Hold(caller.name());
+      case "resume" -> new MissionEvent.Resume(caller.name());
+      case "cancel" -> wishes.cancel(caller, fields.text("load"));
+      default -> wishes.answer(caller, fields.text("answer"));
+    };
+  }
+
+  private Optional<TaskView> task(HttpServletRequest request) {
+    return new Tasks(services()).byId(pathNumber(request, "id"));
+  }
+
+  private void offer(HttpServletRequest request, TaskView task) {
+    request.setAttribute("task", task);
+    request.setAttribute("mayChange", TaskWishes.isAllowed(Caller.of(request), task));
+    request.setAttribute("history", services().archive().history(task.id()));
+    request.setAttribute("road", ROAD);
+    request.setAttribute("reached", ROAD.indexOf(task.state()));
   }
 }

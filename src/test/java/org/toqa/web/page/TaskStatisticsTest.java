@@ -49,6 +49,7 @@ class TaskStatisticsTest {
         List.of(),
         null,
         null,
+        null,
         MIDNIGHT.plusSeconds(changed));
   }
 }

@@ -1,0 +1,21 @@
+package org.toqa.fleet;
+
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore.OpenTask;
+
+/**
+ * What the store knows of a floor when its agent starts.
+ *
+ * @param outOfService names of robots
+ * @param held names of robots
+ * @param pause null while the fleet is not paused
+ * @param begun tasks that have robots
+ */
+record FloorMemory(
+    List<RobotRecord> robots,
+    Set<String> outOfService,
+    Set<String> held,
+    @Nullable FleetPause pause,
+    List<OpenTask> begun) {}

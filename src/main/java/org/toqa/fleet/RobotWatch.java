@@ -1,0 +1,71 @@
+package org.toqa.fleet;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.MissionEvent.OfRobot;
+import org.toqa.mission.TaskPlace;
+
+/** Tells from a robot's condition what the mission that it works for must know. */
+final class RobotWatch {
+  /** A shorter loss is nothing to bother a person with. */
+  private static final Duration ASK_AFTER = Duration.ofSeconds(5);
+
+  private static final int LONGEST_CODE = 60;
+
+  private final Duration lostAfter;
+
+  /**
+   * @param lostAfter a robot that is silent for so long has failed
+   */
+  RobotWatch(Duration lostAfter) {
+    this.lostAfter = lostAfter;
+  }
+
+  /** The same condition may be told again and again. */
+  Optional<OfRobot> look(FloorRobot robot, Instant now) {
+    if (!robot.inService) {
+      if (robot.isHeard() && !robot.hasStopped()) {
+        return Optional.empty(); // where it will stand is not known yet
+      }
+      return Optional.of(new MissionEvent.RobotWithdrawn(robot.name(), place(robot)));
+    }
+    if (!robot.isHeard()) {
+      return lost(robot, now);
+    }
+    if (robot.mode == Mode.ERROR) {
+      if (robot.moving) {
+        return Optional.empty();
+      }
+      return Optional.of(new MissionEvent.RobotFailed(robot.name(), error(robot), place(robot)));
+    }
+    return robot.isFit() ? Optional.of(new MissionEvent.RobotBack(robot.name())) : Optional.empty();
+  }
+
+  private Optional<OfRobot> lost(FloorRobot robot, Instant now) {
+    Duration silence = Duration.between(robot.quietSince, now);
+    if (silence.compareTo(lostAfter) >= 0) {
+      return Optional.of(
+          new MissionEvent.RobotFailed(robot.name(), "is not heard of", place(robot)));
+    }
+    return silence.compareTo(ASK_AFTER) >= 0
+        ? Optional.of(new MissionEvent.RobotLost(robot.name(), place(robot)))
+        : Optional.empty();
+  }
+
+  private static String error(FloorRobot robot) {
+    if (robot.errors.isEmpty()) {
+      return "reports an error";
+    }
+    String code = robot.errors.getFirst().code();
+    return "reports the error "
+        + (code.length() > LONGEST_CODE ? code.substring(0, LONGEST_CODE) : code);
+  }
+
+  static @Nullable TaskPlace place(FloorRobot robot) {
+    return robot.pose == null ? null : new TaskPlace(robot.pose.position(), null);
+  }
+}

@@ -1,0 +1,9 @@
+package org.toqa.mission;
+
+/** What becomes of a load that is on board when its task is cancelled. */
+public enum LoadChoice {
+  /** It is set down where the robot comes to a stand. */
+  HERE,
+  /** It is carried back to where it was fetched first. */
+  BACK
+}

@@ -1,0 +1,146 @@
+package org.toqa.mission;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What becomes of a mission when one of its robots cannot go on: without the load it goes back to
+ * the queue, with the load on board a person is asked, and after delivery the robot is let go.
+ */
+final class TroubleRules {
+  private static final String LOST = "is not heard of";
+
+  private TroubleRules() {}
+
+  static Mission.Step lost(Mission mission, MissionEvent.RobotLost event) {
+    return mission.phaseOf(event.robot()) == 3
+        ? mission.unchanged()
+        : ask(mission, new Trouble(event.robot(), LOST, event.place(), false));
+  }
+
+  /** A person's word that the mission waits holds until the robot is back. */
+  static Mission.Step failed(Mission mission, MissionEvent.RobotFailed event) {
+    Trouble known = troubleOf(event.robot(), mission);
+    if (known != null && known.waits()) {
+      return mission.unchanged();
+    }
+    return stopsWorking(mission, new Trouble(event.robot(), event.why(), event.place(), false));
+  }
+
+  static Mission.Step withdrawn(Mission mission, MissionEvent.RobotWithdrawn event) {
+    return stopsWorking(
+        mission, new Trouble(event.robot(), "was taken out of service", event.place(), false));
+  }
+
+  static Mission.Step back(Mission mission, MissionEvent.RobotBack event) {
+    return troubleOf(event.robot(), mission) == null
+        ? mission.unchanged()
+        : mission.troubled(null).step(List.of(), event.robot() + " can go on");
+  }
+
+  static Mission.Step answered(Mission mission, MissionEvent.Answer event) {
+    Trouble trouble = mission.trouble();
+    if (trouble == null) {
+      return mission.unchanged();
+    }
+    return switch (event.reply()) {
+      case WAIT ->
+          mission
+              .troubled(trouble.waiting())
+              .step(List.of(), event.user() + " said: wait for " + trouble.robot());
+      case ANOTHER -> toTheQueue(mission, trouble, event.user() + " gave it to another robot");
+      case CANCEL ->
+          mission
+              .withLoadAt(trouble.place())
+              .letAllGo(
+                  TaskState.CANCELLED,
+                  "Cancelled by " + event.user() + "; the load stays " + where(trouble));
+    };
+  }
+
+  static Optional<Question> question(Mission mission) {
+    Trouble trouble = mission.trouble();
+    if (trouble == null || trouble.waits()) {
+      return Optional.empty();
+    }
+    List<String> answers = answers(mission, trouble).map(Reply::word).toList();
+    if (!isCarrying(mission)) {
+      return Optional.of(
+          new Question(
+              trouble.text() + " and has not fetched the load. Shall another robot do it?",
+              answers));
+    }
+    String fetch = answers.contains(Reply.ANOTHER.word()) ? "another robot fetch it there, " : "";
+    return Optional.of(
+        new Question(
+            trouble.text()
+                + " with the load on board, "
+                + where(trouble)
+                + ". Shall "
+                + fetch
+                + "the task wait for "
+                + trouble.robot()
+                + ", or be cancelled and the load stay there?",
+            answers));
+  }
+
+  private static Stream<Reply> answers(Mission mission, Trouble trouble) {
+    if (!isCarrying(mission)) {
+      return Stream.of(Reply.ANOTHER, Reply.WAIT);
+    }
+    return trouble.place() == null || mission.isStopping()
+        ? Stream.of(Reply.WAIT, Reply.CANCEL)
+        : Stream.of(Reply.ANOTHER, Reply.WAIT, Reply.CANCEL);
+  }
+
+  private static Mission.Step stopsWorking(Mission mission, Trouble trouble) {
+    return switch (mission.phaseOf(trouble.robot())) {
+      case 1 -> toTheQueue(mission, trouble, trouble.text() + "; another robot is looked for");
+      case 2 -> ask(mission, trouble);
+      default -> mission.letGo(trouble.robot(), trouble.text());
+    };
+  }
+
+  private static Mission.Step ask(Mission mission, Trouble trouble) {
+    Trouble known = mission.trouble();
+    if (known != null && known.text().equals(trouble.text())) {
+      return mission.unchanged();
+    }
+    if (known != null && !known.robot().equals(trouble.robot())) {
+      return mission.unchanged(); // one question at a time; the next is asked after its answer
+    }
+    TaskPlace place = trouble.place() == null && known != null ? known.place() : trouble.place();
+    Trouble asked = new Trouble(trouble.robot(), trouble.why(), place, false);
+    String sentence =
+        isCarrying(mission)
+            ? asked.text() + " with the load on board, " + where(asked)
+            : asked.text();
+    return mission.troubled(asked).step(List.of(), sentence);
+  }
+
+  /** What was on board stands where its robot was last. */
+  private static Mission.Step toTheQueue(Mission mission, Trouble trouble, String sentence) {
+    Mission queued =
+        isCarrying(mission) && trouble.place() != null
+            ? mission.withLoadAt(trouble.place())
+            : mission;
+    return queued.letAllGo(
+        TaskState.QUEUED, sentence, "Waits for a robot; the load is at " + queued.object().text());
+  }
+
+  private static boolean isCarrying(Mission mission) {
+    return mission.state() == TaskState.CARRYING;
+  }
+
+  private static @Nullable Trouble troubleOf(String robot, Mission mission) {
+    Trouble trouble = mission.trouble();
+    return trouble != null && trouble.robot().equals(robot) ? trouble : null;
+  }
+
+  private static String where(Trouble trouble) {
+    TaskPlace place = trouble.place();
+    return place == null ? "nobody knows where" : "at " + place.text();
+  }
+}

@@ -1,0 +1,121 @@
+package org.toqa.mission;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** What people may want of a mission, and what follows. */
+final class WishRules {
+  private WishRules() {}
+
+  static Optional<Objection> objection(Mission mission, MissionEvent.Wish wish) {
+    return switch (wish) {
+      case MissionEvent.Cancel cancel -> toCancelling(mission, cancel);
+      case MissionEvent.Hold ignored -> toChanging(mission);
+      case MissionEvent.Resume ignored -> toChanging(mission);
+      case MissionEvent.Answer answer -> toAnswering(mission, answer);
+    };
+  }
+
+  private static Optional<Objection> toCancelling(Mission mission, MissionEvent.Cancel cancel) {
+    return switch (mission.state()) {
+      case CANCELLED -> Optional.empty();
+      case DONE, FAILED -> toChanging(mission);
+      case RETURNING ->
+          Optional.of(
+              Objection.because(
+                  "The load is delivered already: there is nothing to cancel. Its robots are on"
+                      + " their way home."));
+      case CARRYING ->
+          cancel.choice() == null && mission.ending() == null
+              ? Optional.of(whereTo(mission))
+              : Optional.empty();
+      case QUEUED, ASSIGNED, TO_OBJECT -> Optional.empty();
+    };
+  }
+
+  private static Objection whereTo(Mission mission) {
+    String question =
+        "The load is on board. Shall it be set down here, where the robot stops, or be brought"
+            + " back to "
+            + mission.task().start().text()
+            + "?";
+    return new Objection(question, new Question(question, List.of("here", "back")));
+  }
+
+  private static Optional<Objection> toChanging(Mission mission) {
+    return mission.state().isEnded()
+        ? Optional.of(
+            Objection.because(
+                "Task " + mission.id() + " has ended; it cannot be changed any more."))
+        : Optional.empty();
+  }
+
+  private static Optional<Objection> toAnswering(Mission mission, MissionEvent.Answer answer) {
+    Optional<Question> question = mission.question();
+    if (question.isEmpty()) {
+      return Optional.of(
+          Objection.because("Task " + mission.id() + " asks nothing now; look at it again."));
+    }
+    return question.get().answers().contains(answer.reply().word())
+        ? Optional.empty()
+        : Optional.of(
+            new Objection(
+                "That is not possible now. Answer with one of: "
+                    + String.join(", ", question.get().answers())
+                    + ".",
+                question.get()));
+  }
+
+  static Mission.Step cancel(Mission mission, MissionEvent.Cancel event) {
+    if (mission.state().isEnded()) {
+      return mission.unchanged();
+    }
+    if (mission.state() != TaskState.CARRYING) {
+      return mission.letAllGo(TaskState.CANCELLED, "Cancelled by " + event.user());
+    }
+    LoadChoice choice = event.choice();
+    if (choice == null || choice == mission.ending()) {
+      return mission.unchanged();
+    }
+    Mission ending = onTheWayAgain(mission).ending(choice);
+    return switch (choice) {
+      case HERE ->
+          ending.step(stopAll(ending), event.user() + " cancelled it: the load is set down here");
+      case BACK ->
+          ending.step(
+              ending.driveAll(2),
+              event.user()
+                  + " cancelled it: the load is brought back to "
+                  + mission.task().start().text());
+    };
+  }
+
+  static Mission.Step hold(Mission mission, MissionEvent.Hold event) {
+    return mission.held()
+        ? mission.unchanged()
+        : mission.onHold(true).step(List.of(), event.user() + " put it on hold");
+  }
+
+  static Mission.Step resume(Mission mission, MissionEvent.Resume event) {
+    return mission.held()
+        ? mission.onHold(false).step(List.of(), event.user() + " let it go on")
+        : mission.unchanged();
+  }
+
+  /** Robots that had arrived somewhere drive anew. */
+  private static Mission onTheWayAgain(Mission mission) {
+    return mission.by(
+        mission.carriers().stream().map(c -> c.released() ? c : c.inPhase(2)).toList());
+  }
+
+  private static List<MissionCommand> stopAll(Mission mission) {
+    List<MissionCommand> commands = new ArrayList<>();
+    for (Carrier c : mission.carriers()) {
+      if (!c.released()) {
+        commands.add(new MissionCommand.Stop(c.robot()));
+      }
+    }
+    return commands;
+  }
+}

@@ -1,0 +1,43 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetPause;
+import org.toqa.web.Doors;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.access.Caller;
+
+/** The fleet as a whole: whether it is paused. */
+public final class FleetServlet extends ApiServlet {
+
+  /**
+   * @param pause null while robots may drive
+   */
+  private record FleetJson(@Nullable PauseJson pause) {
+    static FleetJson of(@Nullable FleetPause pause) {
+      return new FleetJson(PauseJson.of(pause));
+    }
+  }
+
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Json.send(response, 200, FleetJson.of(services().fleet().feed().latest().pause()));
+  }
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Fleet fleet = services().fleet();
+    String user = Caller.of(request).name();
+    CompletionStage<Answer<Optional<FleetPause>>> wish =
+        Doors.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user);
+    Json.send(response, 200, FleetJson.of(accepted(FleetAnswers.await(wish)).orElse(null)));
+  }
+}

@@ -1,0 +1,69 @@
+import {showTimes} from './times.js';
+
+/** Milliseconds between two refreshes at least. */
+const PACE = 1_000;
+
+/** What a part of a page can be about: a change of it in the stream makes that part come anew. */
+const subjects = {
+  tasks: ({tasks, queued}) => [queued, ...tasks.map((task) => [task.id, task.state, task.robots, task.held])],
+  task: ({tasks}, name) => tasks.find((task) => String(task.id) === name),
+  robots: ({robots}) => robots.map(({state, task, doing, battery}) => [state, task, doing, Math.round(100 * battery)]),
+  robot: ({robots}, name) => {
+    const robot = robots.find((candidate) => candidate.name === name);
+    return robot && {...robot, lastSeen: null, route: null};
+  },
+  wishes: ({tasks}, name) => {
+    const task = tasks.find((candidate) => String(candidate.id) === name);
+    return task && [task.state, task.held, task.needs];
+  },
+  orders: ({robots, pause}, name) => {
+    const robot = robots.find((candidate) => candidate.name === name);
+    return robot && [robot.held, robot.task, pause];
+  },
+  pause: ({pause}) => pause,
+  service: ({robots, floors}, name) => [
+    robots.find((robot) => robot.name === name)?.state === 'OUT_OF_SERVICE',
+    floors.some(({kept}) => kept.some(({robot}) => robot === name)),
+  ],
+};
+
+const shown = new Map(); // by the part's id, what its subject was
+const wanted = new Set(); // ids of the parts that are old
+let busy = false;
+
+async function refresh() {
+  if (busy || wanted.size === 0) {
+    return;
+  }
+  busy = true;
+  const ids = [...wanted];
+  wanted.clear();
+  try {
+    const answer = await fetch(location.href, {headers: {accept: 'text/html'}});
+    const page = new DOMParser().parseFromString(await answer.text(), 'text/html');
+    for (const id of answer.ok ? ids : []) {
+      const fresh = page.getElementById(id);
+      if (fresh) {
+        showTimes(fresh);
+        document.getElementById(id).replaceWith(fresh);
+      }
+    }
+  } finally {
+    setTimeout(() => {
+      busy = false;
+      refresh();
+    }, PACE);
+  }
+}
+
+/** Lets those parts of the page come anew whose subject has changed. */
+export function showParts(snapshot) {
+  for (const {id, dataset} of document.querySelectorAll('[data-live]')) {
+    const now = JSON.stringify(subjects[dataset.live](snapshot, dataset.name)) ?? '';
+    if (now !== shown.get(id)) {
+      shown.set(id, now);
+      wanted.add(id);
+    }
+  }
+  refresh();
+}
