@@ -28,10 +28,6 @@ final class CellSet {
     return of(both);
   }
 
-  int size() {
-    return indices.length;
-  }
-
   void forEach(IntConsumer consumer) {
     for (int index : indices) {
       consumer.accept(index);

@@ -219,11 +219,6 @@ final class Mover {
     return course != null && course.isShared() && hasUnreleased();
   }
 
-  /** Whether it is on a way that meets nobody's. */
-  boolean isOnOwnWay() {
-    return course != null && !course.isShared() && hasUnreleased();
-  }
-
   /** Begins another way where the released part of this one ends. */
   void take(Course next) {
     Course way = course;
