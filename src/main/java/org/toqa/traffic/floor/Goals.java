@@ -32,6 +32,10 @@ final class Goals {
   private static final int NEAR = 4;
 
   private final Ground ground;
+
+  /** Cells of the floor where none of them must be. */
+  private final BitSet closed;
+
   private final Lanes lanes;
   private final RoadGraph roads;
   private final List<Mover> planned;
@@ -51,17 +55,19 @@ final class Goals {
 
   Goals(
       Ground ground,
+      BitSet closed,
       Lanes lanes,
       RoadGraph roads,
       List<Mover> planned,
       int[] starts,
       BitSet wished) {
-    this(ground, lanes, roads, planned, starts, wished, Set.of());
+    this(ground, closed, lanes, roads, planned, starts, wished, Set.of());
     order(planned).forEach(i -> assign(i, goal(i)));
   }
 
   private Goals(
       Ground ground,
+      BitSet closed,
       Lanes lanes,
       RoadGraph roads,
       List<Mover> planned,
@@ -69,6 +75,7 @@ final class Goals {
       BitSet wished,
       Set<Integer> kept) {
     this.ground = ground;
+    this.closed = closed;
     this.lanes = lanes;
     this.roads = roads;
     this.planned = planned;
@@ -87,7 +94,8 @@ final class Goals {
     order.sort(comparing(i -> !planned.get(i).isUnserved()));
     int first = order.getFirst();
     int goal = assigned[first];
-    Goals one = new Goals(ground, lanes, roads, planned, starts, wished, way(starts[first], goal));
+    Goals one = new Goals(
+            ground, closed, lanes, roads, planned, starts, wished, way(starts[first], goal));
     one.assign(first, goal);
     order.stream().skip(1).forEach(i -> one.assign(i, one.nearest(starts[i], starts[i])));
     return one;
@@ -161,7 +169,7 @@ final class Goals {
       if (vertex != RoadGraph.NONE
           && roads.isConnected(start, vertex)
           && !SweptCells.straight(ground.grid(), lanes.lattice().centre(cell), goal, m.radius)
-              .intersects(ground.closed())) {
+              .intersects(closed)) {
         return vertex;
       }
     }

@@ -90,31 +90,28 @@ final class JointPlan {
       mover.cut();
       return;
     }
-    List<Stretch> rounding = fit(mover, visits, fitter, i -> false);
+    OccupancyGrid lattice = lanes.lattice();
+    List<Stretch> rounding =
+        fit(mover, fitter, lattice, waypoints(lattice, visits, 0, i -> false));
     List<Stretch> stretches =
         rounding.stream().noneMatch(s -> s.cells().intersects(closed))
             ? rounding
-            : fit(mover, visits, fitter, i -> true);
+            : fit(mover, fitter, lattice, fromMiddle(lattice, visits, 0, i -> true));
     mover.take(
         new Course(
             mover.releasedEnd(),
             stretches,
             0,
-            lanes.lattice(),
+            lattice,
             visits,
-            visitsAfter(lanes.lattice(), stretches, visits, 0),
+            visitsAfter(lattice, stretches, visits, 0),
             Arrays.asList(new @Nullable Wait[visits.size()])));
   }
 
-  private List<Stretch> fit(
-      Mover mover, List<Cell> visits, CourseFitter fitter, IntPredicate stopsAt) {
-    OccupancyGrid lattice = lanes.lattice();
+  private static List<Stretch> fit(
+      Mover mover, CourseFitter fitter, OccupancyGrid lattice, List<Waypoint> way) {
     return fitter.fit(
-        mover,
-        mover.releasedEnd(),
-        waypoints(lattice, visits, 0, stopsAt),
-        lattice.resolution(),
-        new Halts.Middles(lattice));
+        mover, mover.releasedEnd(), way, lattice.resolution(), new Halts.Middles(lattice));
   }
 
   private List<@Nullable Wait> waits(int m, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
@@ -157,6 +154,18 @@ final class JointPlan {
         way.add(new Waypoint(lattice.centre(here), isReversal || stopsAt.test(i)));
       }
     }
+    return way;
+  }
+
+  /**
+   * The same by way of the middle of the first cell, for a robot that stands beside that: from
+   * middle to middle the lanes are known to be wide enough.
+   */
+  static List<Waypoint> fromMiddle(
+      OccupancyGrid lattice, List<Cell> visits, int from, IntPredicate stopsAt) {
+    List<Waypoint> way = new ArrayList<>();
+    way.add(new Waypoint(lattice.centre(visits.get(from)), true));
+    way.addAll(waypoints(lattice, visits, from, stopsAt));
     return way;
   }
 

@@ -147,7 +147,7 @@ final class JointPlanning {
         roads = close();
       }
       starts = planned.stream().mapToInt(m -> roads.vertex(place(m))).toArray();
-      goals = new Goals(ground, lanes, roads, planned, starts, wished);
+      goals = new Goals(ground, closed, lanes, roads, planned, starts, wished);
     }
 
     private Cell place(Mover m) {
@@ -165,18 +165,21 @@ final class JointPlanning {
       return everybody
           || m.isUnserved()
           || m.isOnSharedWay()
-          || (m.course == null && isOnLane(m))
+          || (m.course == null && isOnLane(m, ground.closed()))
           || m.standing().intersects(wished);
     }
 
-    /** Whether its disc keeps to one lane cell. */
-    private boolean isOnLane(Mover m) {
+    /** Whether its disc keeps to one lane cell, and can go straight to the middle of that. */
+    private boolean isOnLane(Mover m, BitSet shut) {
       Pose pose = m.releasedEnd();
       Cell cell = lanes.lattice().cellAt(pose.position());
       Vec2 aside = pose.position().minus(lanes.lattice().centre(cell));
       double play = lanes.lattice().resolution() / 2 - m.radius + 1e-9;
       return lanes.lattice().contains(cell)
-          && Math.max(Math.abs(aside.x()), Math.abs(aside.y())) <= play;
+          && Math.max(Math.abs(aside.x()), Math.abs(aside.y())) <= play
+          && !SweptCells.straight(
+                  ground.grid(), pose.position(), lanes.lattice().centre(cell), m.radius)
+              .intersects(shut);
     }
 
     /** Closes what others have or will need. */
@@ -206,7 +209,7 @@ final class JointPlanning {
       List<Mover> aside = new ArrayList<>();
       for (Mover m : planned) {
         Cell cell = lanes.lattice().cellAt(m.releasedEnd().position());
-        if (!isOnLane(m) || roads.vertex(cell) == RoadGraph.NONE || places.containsValue(cell)) {
+        if (!isOnLane(m, closed) || roads.vertex(cell) == RoadGraph.NONE || places.containsValue(cell)) {
           aside.add(m);
         } else {
           places.put(m, cell);

@@ -119,7 +119,7 @@ final class Releases {
     List<Cell> visits = course.visits();
     int from = course.visitAfterStretches(index);
     int until = course.visitAfterStretches(index + 1);
-    List<Waypoint> way = JointPlan.waypoints(lattice, visits, from, v -> v > from && v < until);
+    List<Waypoint> way = JointPlan.fromMiddle(lattice, visits, from, v -> v > from && v < until);
     List<Stretch> stretches =
         fitter.fit(
             m, course.poseAfter(index), way, lattice.resolution(), new Halts.Middles(lattice));
