@@ -17,6 +17,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.RoadGraph;
@@ -43,6 +44,9 @@ final class Goals {
 
   /** Cells of the floor where nobody shall stay. */
   private final BitSet wished;
+
+  /** Cells of the floor that robots will need to get from their lane cells to their goals. */
+  private final BitSet lastLegs = new BitSet();
 
   private final int[] assigned;
   private final Map<Integer, String> taken = new HashMap<>();
@@ -94,8 +98,8 @@ final class Goals {
     order.sort(comparing(i -> !planned.get(i).isUnserved()));
     int first = order.getFirst();
     int goal = assigned[first];
-    Goals one = new Goals(
-            ground, closed, lanes, roads, planned, starts, wished, way(starts[first], goal));
+    Goals one =
+        new Goals(ground, closed, lanes, roads, planned, starts, wished, way(starts[first], goal));
     one.assign(first, goal);
     order.stream().skip(1).forEach(i -> one.assign(i, one.nearest(starts[i], starts[i])));
     return one;
@@ -159,7 +163,18 @@ final class Goals {
       return nearest(starts[i], starts[i]);
     }
     m.takenBy = taken.get(vertex);
-    return isOpen(vertex) ? vertex : nearest(vertex, starts[i]);
+    if (!isOpen(vertex)) {
+      return nearest(vertex, starts[i]);
+    }
+    lastLeg(roads.cell(vertex), m, m.goal).addTo(lastLegs);
+    return vertex;
+  }
+
+  /** What a robot touches between the middle of a lane cell and its goal, or that of its cell. */
+  private CellSet lastLeg(Cell from, Mover m, Vec2 goal) {
+    OccupancyGrid floor = ground.grid();
+    Vec2 end = lanes.areOwnCells() ? floor.centre(floor.cellAt(goal)) : goal;
+    return SweptCells.straight(floor, lanes.lattice().centre(from), end, m.radius);
   }
 
   /** The nearest lane cell to its goal from which it can go straight there. */
@@ -168,8 +183,7 @@ final class Goals {
       int vertex = roads.vertex(cell);
       if (vertex != RoadGraph.NONE
           && roads.isConnected(start, vertex)
-          && !SweptCells.straight(ground.grid(), lanes.lattice().centre(cell), goal, m.radius)
-              .intersects(closed)) {
+          && !lastLeg(cell, m, goal).intersects(closed)) {
         return vertex;
       }
     }
@@ -209,6 +223,7 @@ final class Goals {
   private boolean isOpen(int vertex) {
     return !taken.containsKey(vertex)
         && !kept.contains(vertex)
-        && !lanes.touches(roads.cell(vertex), wished);
+        && !lanes.touches(roads.cell(vertex), wished)
+        && !lanes.touches(roads.cell(vertex), lastLegs);
   }
 }

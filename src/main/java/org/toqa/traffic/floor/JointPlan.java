@@ -9,9 +9,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.IntPredicate;
 import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.Segment;
 import org.toqa.traffic.RoadGraph;
 import org.toqa.traffic.floor.Course.Wait;
 
@@ -25,6 +28,12 @@ import org.toqa.traffic.floor.Course.Wait;
  * and robust execution of MAPF schedules in warehouses", RA-L 2019).
  */
 final class JointPlan {
+  /** A way is looked at so many times a lane cell to see which cell it is in. */
+  private static final int PIECES = 8;
+
+  /** So near to the middle of a cell, in cells, a point is in it and on no border. */
+  private static final double INSIDE = 0.49;
+
   private final Lanes lanes;
   private final BitSet closed;
   private final RoadGraph roads;
@@ -91,27 +100,32 @@ final class JointPlan {
       return;
     }
     OccupancyGrid lattice = lanes.lattice();
-    List<Stretch> rounding =
-        fit(mover, fitter, lattice, waypoints(lattice, visits, 0, i -> false));
-    List<Stretch> stretches =
-        rounding.stream().noneMatch(s -> s.cells().intersects(closed))
-            ? rounding
-            : fit(mover, fitter, lattice, fromMiddle(lattice, visits, 0, i -> true));
+    Pose start = mover.releasedEnd();
+    List<Stretch> stretches = stretches(mover, start, visits, fitter);
     mover.take(
         new Course(
-            mover.releasedEnd(),
+            start,
             stretches,
             0,
             lattice,
             visits,
-            visitsAfter(lattice, stretches, visits, 0),
+            visitsAfter(lattice, start, stretches, visits, 0),
             Arrays.asList(new @Nullable Wait[visits.size()])));
   }
 
-  private static List<Stretch> fit(
-      Mover mover, CourseFitter fitter, OccupancyGrid lattice, List<Waypoint> way) {
-    return fitter.fit(
-        mover, mover.releasedEnd(), way, lattice.resolution(), new Halts.Middles(lattice));
+  /** With round corners, where these are clear and the robot stands well in its cell. */
+  private List<Stretch> stretches(Mover mover, Pose start, List<Cell> visits, CourseFitter fitter) {
+    OccupancyGrid lattice = lanes.lattice();
+    Halts halts = new Halts.Middles(lattice);
+    double length = lattice.resolution();
+    if (halts.isHalt(start.position(), 0)) {
+      List<Stretch> rounding =
+          fitter.fit(mover, start, waypoints(lattice, visits, 0, i -> false), length, halts);
+      if (rounding.stream().noneMatch(s -> s.cells().intersects(closed))) {
+        return rounding;
+      }
+    }
+    return fitter.fit(mover, start, fromMiddle(lattice, visits, 0, i -> true), length, halts);
   }
 
   private List<@Nullable Wait> waits(int m, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
@@ -170,24 +184,34 @@ final class JointPlan {
   }
 
   /**
-   * By stretch: which visit its end is; the stretches begin at visit {@code from}. A stretch goes
-   * on through the corners that it rounds, and one to the middle of the cell where the robot is
-   * ends in the same visit.
+   * By stretch: which visit its end is. What is driven passes through the cells of the visits one
+   * after the other, some of them perhaps more than once.
+   *
+   * @param start where the first stretch begins, in visit {@code from}
    */
   static List<Integer> visitsAfter(
-      OccupancyGrid lattice, List<Stretch> stretches, List<Cell> visits, int from) {
+      OccupancyGrid lattice, Pose start, List<Stretch> stretches, List<Cell> visits, int from) {
     List<Integer> after = new ArrayList<>();
     int visit = from;
-    for (Stretch s : stretches) {
-      Cell end = lattice.cellAt(s.end().position());
-      if (s.rounds() || !visits.get(visit).equals(end)) {
-        visit = Math.min(visit + 1, visits.size() - 1);
-      }
-      while (visit < visits.size() - 1 && !visits.get(visit).equals(end)) {
-        visit++;
+    Pose pose = start;
+    for (Stretch stretch : stretches) {
+      for (Segment segment : stretch.segments()) {
+        int pieces = 1 + (int) (PIECES * Math.abs(segment.length()) / lattice.resolution());
+        for (int i = 0; i < pieces; i++) {
+          pose = pose.advanced(segment.twist(), segment.t() / pieces);
+          boolean isNext =
+              visit + 1 < visits.size()
+                  && isInside(lattice, visits.get(visit + 1), pose.position());
+          visit += isNext ? 1 : 0;
+        }
       }
       after.add(visit);
     }
     return after;
+  }
+
+  private static boolean isInside(OccupancyGrid lattice, Cell cell, Vec2 point) {
+    Vec2 aside = point.minus(lattice.centre(cell));
+    return Math.max(Math.abs(aside.x()), Math.abs(aside.y())) < INSIDE * lattice.resolution();
   }
 }

@@ -26,8 +26,8 @@ import org.toqa.traffic.RoadGraph;
  * ways of their own or stand aside from the lanes, then with them. Who is left out is driven round.
  */
 final class JointPlanning {
-  /** Of the time there is, what a plan for all goals may take. */
-  private static final double SHARE_OF_ALL_GOALS = 0.6;
+  /** Of the time left, what each search may take. */
+  private static final double SHARE = 0.5;
 
   private final Ground ground;
   private final OwnWays ways;
@@ -51,7 +51,7 @@ final class JointPlanning {
   enum Outcome {
     /** All have courses by the new plan. */
     PLANNED,
-    /** Those without a way can only stay, and the others drive: no plan would help now. */
+    /** Those without a way can only stay, and nobody could make room: no plan would help now. */
     NOT_NEEDED,
     NOT_FOUND
   }
@@ -60,6 +60,7 @@ final class JointPlanning {
    * @param mustPlan whether ways were given up that others wait for
    */
   Outcome plan(Collection<Mover> movers, Holdings holdings, boolean mustPlan) {
+    Deadline deadline = patience.get();
     List<Attempt> incomplete = new ArrayList<>();
     for (boolean everybody : List.of(false, true)) {
       for (double diameter : diameters(movers, everybody)) {
@@ -67,7 +68,7 @@ final class JointPlanning {
         if (attempt.leftOut() > 0) {
           incomplete.add(attempt);
         } else {
-          Outcome outcome = tried(attempt, mustPlan);
+          Outcome outcome = tried(attempt, mustPlan, deadline);
           if (outcome != Outcome.NOT_FOUND) {
             return outcome;
           }
@@ -76,7 +77,7 @@ final class JointPlanning {
     }
     incomplete.sort(Comparator.comparingInt(Attempt::leftOut));
     for (Attempt attempt : incomplete) {
-      Outcome outcome = tried(attempt, mustPlan);
+      Outcome outcome = tried(attempt, mustPlan, deadline);
       if (outcome != Outcome.NOT_FOUND) {
         return outcome;
       }
@@ -85,25 +86,20 @@ final class JointPlanning {
   }
 
   /** Plans for all goals at once; where there is no such plan, for whoever waits longest. */
-  private Outcome tried(Attempt attempt, boolean mustPlan) {
-    if (!mustPlan && attempt.wished.isEmpty() && attempt.allWaitersStay()) {
+  private Outcome tried(Attempt attempt, boolean mustPlan, Deadline deadline) {
+    if (!mustPlan && attempt.wished.isEmpty() && attempt.allStay()) {
       return Outcome.NOT_NEEDED;
     }
-    Deadline deadline = patience.get();
     Optional<List<int[]>> steps =
         planner
-            .plan(
-                attempt.roads,
-                attempt.starts,
-                attempt.goals.assigned(),
-                deadline.after(SHARE_OF_ALL_GOALS))
+            .plan(attempt.roads, attempt.starts, attempt.goals.assigned(), deadline.after(SHARE))
             .or(
                 () ->
                     planner.plan(
                         attempt.roads,
                         attempt.starts,
                         attempt.goals.ofLongestWaiting().assigned(),
-                        deadline));
+                        deadline.after(SHARE)));
     steps.ifPresent(attempt::adopt);
     return steps.isPresent() ? Outcome.PLANNED : Outcome.NOT_FOUND;
   }
@@ -209,7 +205,9 @@ final class JointPlanning {
       List<Mover> aside = new ArrayList<>();
       for (Mover m : planned) {
         Cell cell = lanes.lattice().cellAt(m.releasedEnd().position());
-        if (!isOnLane(m, closed) || roads.vertex(cell) == RoadGraph.NONE || places.containsValue(cell)) {
+        if (!isOnLane(m, closed)
+            || roads.vertex(cell) == RoadGraph.NONE
+            || places.containsValue(cell)) {
           aside.add(m);
         } else {
           places.put(m, cell);
@@ -260,9 +258,11 @@ final class JointPlanning {
       return goals.unreachable() + (int) notPlanned;
     }
 
-    boolean allWaitersStay() {
+    /** Whether no one that waits goes on, and none that wants nothing makes room. */
+    boolean allStay() {
       for (int i = 0; i < planned.size(); i++) {
-        if (planned.get(i).isUnserved() && starts[i] != goals.assigned()[i]) {
+        Mover m = planned.get(i);
+        if ((m.isUnserved() || m.goal == null) && starts[i] != goals.assigned()[i]) {
           return false;
         }
       }

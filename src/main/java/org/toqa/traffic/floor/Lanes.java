@@ -86,7 +86,8 @@ final class Lanes {
     if (narrowest == 1) {
       return new Lanes(floor, 1, diameter, new Cell(0, 0));
     }
-    OccupancyGrid clear = Inflation.of(floor, diameter / 2);
+    // in an aisle hardly wider than the robot, its middle fits between the middles of two cells
+    OccupancyGrid clear = Inflation.of(floor, (diameter - floor.resolution()) / 2);
     long tries = Math.max(4, WORK / ((long) floor.width() * floor.height()));
     int sides = Math.max(1, Math.min(narrowest / 2, (int) (tries / 16)));
     int perSide = (int) Math.max(1, Math.sqrt((double) tries / sides));
@@ -115,7 +116,7 @@ final class Lanes {
    * How many cells of the floor lie near to open lane cells; those near to the largest connected
    * part count twice.
    *
-   * @param clear where the middle of a robot can be
+   * @param clear the cells in which the middle of a robot can be
    */
   private int reached(OccupancyGrid clear) {
     RoadGraph roads = roads(floor.occupied());
@@ -148,6 +149,11 @@ final class Lanes {
     Vec2 from = new Vec2(side / 2.0, 1.5 * side);
     Vec2 to = from.plus(new Vec2(columns * side, -rows * side));
     return List.copyOf(new Disc(diameter / 2).cellsAlong(cells, from, to));
+  }
+
+  /** Whether they are the floor's own cells. */
+  boolean areOwnCells() {
+    return side == 1;
   }
 
   /** The lane cells as a grid; its frame is the floor's. */

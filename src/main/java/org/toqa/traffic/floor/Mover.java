@@ -157,14 +157,15 @@ final class Mover {
     return goal != null && course == null && isGoal(pose);
   }
 
-  /** Whether who stands there stands at its goal, or in the middle of that one's cell. */
+  /** Whether who stands there stands at its goal, or where it fills a cell, in that of its goal. */
   boolean isGoal(Pose place) {
     if (goal == null) {
       return false;
     }
+    boolean fillsCell = Lanes.side(grid, 2 * radius) == 1;
     double aside = place.position().distanceTo(grid.centre(grid.cellAt(goal)));
     return place.position().distanceTo(goal) < ARRIVED
-        || aside < Math.max(ARRIVED, NEAR * grid.resolution());
+        || (fillsCell && aside < Math.max(ARRIVED, NEAR * grid.resolution()));
   }
 
   @Nullable Cell goalCell() {

@@ -237,8 +237,7 @@ final class OwnWays {
     return Stream.<Supplier<List<Stretch>>>of(
             () -> fitter.fit(m, m.releasedEnd(), exact, side * narrow, halts),
             () -> fitter.fit(m, m.releasedEnd(), exact, narrow, halts),
-            () -> fitter.fit(m, m.releasedEnd(), stopping(exact), narrow, halts),
-            () -> fitter.fit(m, m.releasedEnd(), stopping(way), narrow, halts))
+            () -> fitter.fit(m, m.releasedEnd(), stopping(exact), narrow, halts))
         .map(Supplier::get)
         .filter(stretches -> !stretches.isEmpty())
         .filter(isRight)

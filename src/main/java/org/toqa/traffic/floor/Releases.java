@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.Cell;
@@ -113,18 +114,22 @@ final class Releases {
   private boolean breakCorner(Mover m, Course course) {
     int index = m.released;
     OccupancyGrid lattice = course.lattice();
-    if (lattice == null || index < course.base() || !course.stretches().get(index).rounds()) {
+    if (lattice == null || index < course.base()) {
+      return false;
+    }
+    int from = course.visitAfterStretches(index);
+    int until = course.visitAfterStretches(index + 1);
+    if (until - from < 2) {
       return false;
     }
     List<Cell> visits = course.visits();
-    int from = course.visitAfterStretches(index);
-    int until = course.visitAfterStretches(index + 1);
+    Pose pose = course.poseAfter(index);
     List<Waypoint> way = JointPlan.fromMiddle(lattice, visits, from, v -> v > from && v < until);
     List<Stretch> stretches =
-        fitter.fit(
-            m, course.poseAfter(index), way, lattice.resolution(), new Halts.Middles(lattice));
+        fitter.fit(m, pose, way, lattice.resolution(), new Halts.Middles(lattice));
     m.course =
-        course.redriven(index, stretches, JointPlan.visitsAfter(lattice, stretches, visits, from));
+        course.redriven(
+            index, stretches, JointPlan.visitsAfter(lattice, pose, stretches, visits, from));
     m.redriven = true;
     m.blockedSince = null;
     return true;

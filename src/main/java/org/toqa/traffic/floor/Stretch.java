@@ -22,11 +22,4 @@ record Stretch(List<Segment> segments, Pose end, CellSet cells, CellSet endCells
   double duration() {
     return segments.stream().mapToDouble(Segment::t).sum();
   }
-
-  /**
-   * Whether it rounds a corner, for which it needs the cells on both sides of the corner at once.
-   */
-  boolean rounds() {
-    return segments.stream().anyMatch(s -> s.v() != 0 && s.w() != 0);
-  }
 }

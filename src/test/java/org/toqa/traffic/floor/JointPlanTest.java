@@ -1,0 +1,62 @@
+package org.toqa.traffic.floor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.time.Instant;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Objects;
+import org.junit.jupiter.api.Test;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.traffic.RoadGraph;
+
+class JointPlanTest {
+  private static final double DIAMETER = 0.255;
+
+  private final OccupancyGrid floor = DrivenFloor.draw("....", "....", "....");
+  private final Lanes lanes = Lanes.of(floor, DIAMETER);
+  private final RoadGraph roads = lanes.roads(new BitSet());
+
+  /**
+   * Into a cell, round a block of four in one curve, back through the same cell and out as it came:
+   * where the curve ends, the robot is in that cell for the second time.
+   */
+  @Test
+  void aLoopEndsInTheLaterVisitOfItsCell() {
+    Course course =
+        course(
+            new Cell(0, 1),
+            new Cell(1, 1),
+            new Cell(1, 0),
+            new Cell(2, 0),
+            new Cell(2, 1),
+            new Cell(1, 1),
+            new Cell(0, 1));
+    assertEquals(List.of(5, 6), course.visitAfter());
+  }
+
+  @Test
+  void aStraightIsCutInTheMiddleOfEachCell() {
+    Course course = course(new Cell(0, 1), new Cell(1, 1), new Cell(2, 1), new Cell(3, 1));
+    assertEquals(List.of(1, 2, 3), course.visitAfter());
+  }
+
+  @Test
+  void backTheWayItCameIsAVisitOfEachCellAgain() {
+    Course course = course(new Cell(0, 1), new Cell(1, 1), new Cell(0, 1));
+    assertEquals(List.of(1, 1, 2), course.visitAfter());
+  }
+
+  /** The course of one robot that has the floor for itself and faces east. */
+  private Course course(Cell... visits) {
+    Vec2 start = floor.centre(visits[0]);
+    Mover mover =
+        new Mover("r", 1, floor, new Pose(start.x(), start.y(), 0), DIAMETER / 2, Instant.EPOCH);
+    List<int[]> steps = List.of(visits).stream().map(c -> new int[] {roads.vertex(c)}).toList();
+    new JointPlan(lanes, new BitSet(), roads, List.of(mover), steps).adopt(new CourseFitter(floor));
+    return Objects.requireNonNull(mover.course);
+  }
+}
