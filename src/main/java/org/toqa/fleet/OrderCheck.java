@@ -10,8 +10,10 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.Disc;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
@@ -20,6 +22,9 @@ import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 import org.toqa.planning.HeadingAStar;
 import org.toqa.planning.PlanResult;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.traffic.oneshot.LacamFloorPlanner;
 
 /** Checks wishes against the floors before anything of them is stored. */
 final class OrderCheck {
@@ -28,6 +33,7 @@ final class OrderCheck {
 
   private final List<FloorMap> floors;
   private final Map<String, OccupancyGrid> standable = new HashMap<>();
+  private final Map<String, FloorTraffic> emptyFloors = new HashMap<>();
 
   OrderCheck(List<FloorMap> floors) {
     this.floors = List.copyOf(floors);
@@ -161,7 +167,7 @@ final class OrderCheck {
               high.x(),
               high.y()));
     }
-    if (!standable(floor).isFree(cell)) {
+    if (!canStand(floor, place.position())) {
       return new Answer.Refused<>(
           field,
           "The "
@@ -181,11 +187,38 @@ final class OrderCheck {
     if (start.equals(goal)) {
       return "Start and goal are the same place; choose another goal.";
     }
-    return switch (new HeadingAStar().plan(grid, start, goal)) {
-      case PlanResult.Found found -> null;
-      case PlanResult.NotFound none ->
-          "There is no way for a robot from " + from.text() + " to " + to.text() + ".";
-    };
+    boolean isWay =
+        new HeadingAStar().plan(grid, start, goal) instanceof PlanResult.Found
+            || isWayInTraffic(floor, from.position(), to.position());
+    return isWay
+        ? null
+        : "There is no way for a robot from " + from.text() + " to " + to.text() + ".";
+  }
+
+  /** Whether the smallest robot can stand on the point itself, or in the middle of its cell. */
+  private boolean canStand(FloorMap floor, Vec2 point) {
+    OccupancyGrid grid = floor.grid();
+    return standable(floor).isFree(grid.cellAt(point))
+        || new Disc(SMALLEST_RADIUS).cellsAt(grid, point).stream().allMatch(grid::isFree);
+  }
+
+  /**
+   * Whether the traffic would find a way for a robot alone: between the middles of cells too, as in
+   * an aisle hardly wider than the robot.
+   */
+  private boolean isWayInTraffic(FloorMap floor, Vec2 from, Vec2 to) {
+    FloorTraffic traffic =
+        emptyFloors.computeIfAbsent(
+            floor.name(),
+            name -> new FloorTraffic(floor.grid(), new LacamFloorPlanner(), Deadline::none));
+    String robot = "robot";
+    traffic.stands(robot, new Pose(from.x(), from.y(), 0), 2 * SMALLEST_RADIUS, Instant.EPOCH);
+    traffic.isFixed(robot, false);
+    traffic.wants(robot, to, Instant.EPOCH);
+    traffic.decide(Instant.EPOCH);
+    boolean isWay = traffic.reason(robot) == null;
+    traffic.leaves(robot);
+    return isWay;
   }
 
   private OccupancyGrid standable(FloorMap floor) {

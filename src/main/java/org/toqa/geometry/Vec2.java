@@ -38,6 +38,15 @@ public record Vec2(double x, double y) {
     return Math.hypot(x - other.x, y - other.y);
   }
 
+  /** Metres from this point to the nearest one of the straight line between two others. */
+  public double distanceToLine(Vec2 from, Vec2 to) {
+    Vec2 along = to.minus(from);
+    Vec2 here = minus(from);
+    double squared = along.x * along.x + along.y * along.y;
+    double t = squared == 0 ? 0 : (here.x * along.x + here.y * along.y) / squared;
+    return distanceTo(from.plus(along.times(Math.clamp(t, 0, 1))));
+  }
+
   /** Direction in radians, counter-clockwise from +x, in (-pi, pi]; 0 for the zero vector. */
   public double angle() {
     return Math.atan2(y, x);

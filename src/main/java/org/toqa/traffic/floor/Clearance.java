@@ -42,21 +42,12 @@ final class Clearance {
       int pieces = Math.max(1, (int) Math.ceil(Math.abs(segment.angle()) / PIECE));
       for (int i = 0; i < pieces; i++) {
         Pose next = pose.advanced(segment.twist(), segment.t() / pieces);
-        if (distance(pose.position(), next.position(), middle) < needed - ROUNDING) {
+        if (middle.distanceToLine(pose.position(), next.position()) < needed - ROUNDING) {
           return false;
         }
         pose = next;
       }
     }
     return true;
-  }
-
-  /** From a line to a point. */
-  private static double distance(Vec2 a, Vec2 b, Vec2 point) {
-    Vec2 along = b.minus(a);
-    Vec2 to = point.minus(a);
-    double squared = along.x() * along.x() + along.y() * along.y();
-    double t = squared == 0 ? 0 : (to.x() * along.x() + to.y() * along.y()) / squared;
-    return point.distanceTo(a.plus(along.times(Math.clamp(t, 0, 1))));
   }
 }

@@ -31,6 +31,9 @@ final class OwnWays {
   /** So many cells beside the robot and its goal its way over cells may begin and end. */
   private static final int BESIDE = 2;
 
+  /** So many lane cells from its goal a robot may go straight there, in any heading. */
+  private static final int NEAR = 3;
+
   private final Ground ground;
   private final CourseFitter fitter;
   private final PathPlanner alone = new HeadingAStar();
@@ -48,7 +51,7 @@ final class OwnWays {
       return Optional.empty();
     }
     OccupancyGrid free = ground.clear(m.radius, new BitSet(), List.of(), m.releasedCell());
-    return way(alone, free, m, goal).flatMap(way -> firstFit(m, way, this::isClear));
+    return fitted(alone, free, m, goal, this::isClear);
   }
 
   /** As if all other robots made room that can. */
@@ -132,8 +135,32 @@ final class OwnWays {
     if (goal == null) {
       return Optional.empty();
     }
-    return way(amongOthers, free, m, goal)
-        .flatMap(way -> firstFit(m, way, w -> isClear(w) && meetsNobody(m, w, beside, notOwn)));
+    return fitted(amongOthers, free, m, goal, w -> isClear(w) && meetsNobody(m, w, beside, notOwn));
+  }
+
+  /** Straight to a goal that is near, else over cells. */
+  private Optional<List<Stretch>> fitted(
+      PathPlanner planner,
+      OccupancyGrid free,
+      Mover m,
+      Cell goal,
+      Predicate<List<Stretch>> isRight) {
+    return straight(m, goal)
+        .flatMap(way -> firstFit(m, way, isRight))
+        .or(() -> way(planner, free, m, goal).flatMap(way -> firstFit(m, way, isRight)));
+  }
+
+  /** In an aisle hardly wider than the robot no cell's middle may be far enough from the walls. */
+  private Optional<List<Waypoint>> straight(Mover m, Cell goal) {
+    Vec2 point = m.goal;
+    int side = Lanes.side(ground.grid(), 2 * m.radius);
+    double near = NEAR * side * ground.grid().resolution();
+    return side > 1
+            && point != null
+            && goal.equals(m.goalCell())
+            && m.releasedEnd().position().distanceTo(point) < near
+        ? Optional.of(List.of(new Waypoint(point, false)))
+        : Optional.empty();
   }
 
   /** Robots so near to it that they touch the same cell. */

@@ -10,6 +10,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 
 class FloorTrafficTest {
@@ -235,5 +236,21 @@ class FloorTrafficTest {
         new Cell(1, 2),
         new Cell(0, 2),
         new Cell(0, 1));
+  }
+
+  @Test
+  void theRestOfAWayBeginsAtTheRobotAndNotBehindIt() {
+    DrivenFloor floor = new DrivenFloor(DrivenFloor.draw("....", "....", "...."), 1);
+    floor.put("r", new Cell(0, 0));
+    floor.send("r", new Cell(3, 2));
+    while (!floor.isArrived("r")) {
+      floor.step();
+      List<Vec2> way = floor.traffic.route("r").points();
+      for (int i = 2; i < way.size(); i++) {
+        double along = way.get(i - 1).distanceTo(way.get(i));
+        double round = way.get(i - 2).distanceTo(way.get(i));
+        assertTrue(round >= along - 1e-6, () -> "back at " + way);
+      }
+    }
   }
 }

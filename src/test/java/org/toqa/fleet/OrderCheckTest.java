@@ -1,0 +1,56 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+
+import java.time.Instant;
+import java.util.BitSet;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.mission.TransportTask;
+
+class OrderCheckTest {
+  /** An aisle of a certain width in cells of 5 cm, four metres long from west to east. */
+  private static FloorMap aisle(int width) {
+    int columns = 80;
+    BitSet walls = new BitSet();
+    walls.set(0, columns);
+    walls.set((width + 1) * columns, (width + 2) * columns);
+    OccupancyGrid grid = new OccupancyGrid(columns, width + 2, 0.05, Vec2.ZERO, walls);
+    return new FloorMap("aisle", grid, List.of(), List.of(), List.of());
+  }
+
+  private static Answer<TransportTask> carry(FloorMap floor, Vec2 from, Vec2 to) {
+    TaskOrder order =
+        new TaskOrder(
+            "Carry",
+            1,
+            new TaskOrder.Where.Point(from),
+            new TaskOrder.Where.Point(to),
+            null,
+            0,
+            null,
+            null);
+    return new OrderCheck(List.of(floor)).task(order, "clerk", Instant.EPOCH, 100);
+  }
+
+  /** The robot of 25.5 cm fits between the walls though on no cell's middle. */
+  @Test
+  void anAisleHardlyWiderThanTheRobotIsAWay() {
+    Answer<TransportTask> answer = carry(aisle(6), new Vec2(0.5, 0.2), new Vec2(3.5, 0.2));
+    assertInstanceOf(Answer.Accepted.class, answer, answer::toString);
+  }
+
+  @Test
+  void noRobotStandsInAnAisleNarrowerThanItself() {
+    assertEquals(
+        new Answer.Refused<>(
+            "start",
+            "The start (0.50, 0.18) lies in a wall or too near to one for a robot; choose a free"
+                + " place."),
+        carry(aisle(5), new Vec2(0.5, 0.18), new Vec2(3.5, 0.18)));
+  }
+}
