@@ -21,7 +21,6 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
-import org.junit.jupiter.api.TestInstance;
 import org.junit.jupiter.api.io.TempDir;
 import tools.jackson.databind.JsonNode;
 
@@ -33,7 +32,6 @@ import tools.jackson.databind.JsonNode;
  * another seed.
  */
 @Tag("full")
-@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class CrashMatrixIT {
   private static final int RUNS = Integer.getInteger("toqa.crashes", 8);
   private static final int FROM = Integer.getInteger("toqa.crashes.from", 1);
@@ -41,16 +39,16 @@ class CrashMatrixIT {
       List.of("Goods-in 1", "Mill", "Store A", "Assembly", "Packing 1", "Goods-out");
   private static final Pattern DELIVERY = Pattern.compile("task (\\d+): phase 2 is done");
 
-  @TempDir private Path folder;
-  private CrashSite site;
+  @TempDir private static Path folder;
+  private static CrashSite site;
 
   @BeforeAll
-  void build() throws Exception {
+  static void build() throws Exception {
     site = new CrashSite(folder);
   }
 
   @AfterAll
-  void clear() throws Exception {
+  static void clear() throws Exception {
     site.close();
   }
 
