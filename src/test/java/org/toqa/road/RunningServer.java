@@ -111,7 +111,8 @@ final class RunningServer implements AutoCloseable {
         return answer;
       }
       if (System.nanoTime() > end) {
-        throw new AssertionError(path + " still says " + answer);
+        throw new AssertionError(
+            path + " still says " + answer + " while the robots are " + api.get("robots"));
       }
       TimeUnit.MILLISECONDS.sleep(50);
     }

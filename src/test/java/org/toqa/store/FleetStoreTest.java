@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.sql.SQLException;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -42,12 +43,12 @@ class FleetStoreTest {
   private Database database;
   private JdbiFleetStore store;
 
-  Database open() {
+  Database open() throws SQLException {
     return Database.inMemory("fleet-store-" + System.nanoTime());
   }
 
   @BeforeEach
-  void openStore() {
+  void openStore() throws SQLException {
     database = open();
     store = new JdbiFleetStore(database.jdbi());
   }

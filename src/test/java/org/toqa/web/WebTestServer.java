@@ -44,6 +44,7 @@ final class WebTestServer implements AutoCloseable {
   private final TestFleet fleet = new TestFleet();
   private final Accounts accounts;
   private final JdbiFleetStore store;
+  private final JdbiTrackStore tracks;
   private final Tomcat tomcat = new Tomcat();
   private final Path baseDir;
 
@@ -72,12 +73,13 @@ final class WebTestServer implements AutoCloseable {
     Jdbi jdbi = Jdbi.create(url, "sa", "");
     accounts = new Accounts(jdbi, InstantSource.system());
     ApiTokens tokens = new ApiTokens(jdbi, InstantSource.system(), Duration.ofHours(12));
+    tracks = new JdbiTrackStore(jdbi);
     Services services =
         Services.of(
             fleet,
             fleet,
             new JdbiEventArchive(jdbi),
-            new JdbiTrackStore(jdbi),
+            tracks,
             accounts,
             tokens,
             PASSWORDS,
@@ -113,9 +115,13 @@ final class WebTestServer implements AutoCloseable {
     tomcat.start();
   }
 
-  /** What the history and the tracks are read from. */
+  /** What the history is read from. */
   JdbiFleetStore store() {
     return store;
+  }
+
+  JdbiTrackStore tracks() {
+    return tracks;
   }
 
   TestFleet fleet() {
