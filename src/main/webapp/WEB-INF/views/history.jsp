@@ -15,8 +15,7 @@
   <form method="get" action="${root}/history" class="filter">
     <c:forTokens items="task,user,from,until" delims="," var="name">
       <label><fmt:message key="history.${name}"/>
-        <input name="${name}" type="${name == 'from' or name == 'until' ? 'date' : 'text'}" value="${fn:escapeXml(param[name])}" autocomplete="off"
-          <c:if test="${not empty errors[name]}">aria-invalid="true"</c:if>>
+        <input name="${name}" type="${name == 'from' or name == 'until' ? 'date' : 'text'}" value="${fn:escapeXml(param[name])}" autocomplete="off" ${empty errors[name] ? '' : 'aria-invalid="true"'}>
         <c:if test="${not empty errors[name]}"><small><c:out value="${errors[name]}"/></small></c:if>
       </label>
     </c:forTokens>

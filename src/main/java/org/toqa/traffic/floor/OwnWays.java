@@ -48,7 +48,7 @@ final class OwnWays {
       return Optional.empty();
     }
     OccupancyGrid free = ground.clear(m.radius, new BitSet(), List.of(), m.releasedCell());
-    return way(alone, free, m, goal).flatMap(way -> firstFit(m, way, this::isClear));
+    return way(alone, free, m, goal).flatMap(way -> firstFit(m, way, w -> isClear(m, w)));
   }
 
   /** As if all other robots made room that can. */
@@ -133,7 +133,7 @@ final class OwnWays {
       return Optional.empty();
     }
     return way(amongOthers, free, m, goal)
-        .flatMap(way -> firstFit(m, way, w -> isClear(w) && meetsNobody(m, w, beside, notOwn)));
+        .flatMap(way -> firstFit(m, way, w -> isClear(m, w) && meetsNobody(m, w, beside, notOwn)));
   }
 
   /** Robots so near to it that they touch the same cell. */
@@ -146,8 +146,18 @@ final class OwnWays {
     return others.stream().filter(o -> o != m && o.standing().intersects(under)).toList();
   }
 
-  private boolean isClear(List<Stretch> way) {
-    return isOffAll(way, ground.closed());
+  /**
+   * A wall that it touches already does not keep it from driving away: it may have been stopped
+   * anywhere, and stands a little beside where it should.
+   */
+  private boolean isClear(Mover m, List<Stretch> way) {
+    CellSet under = SweptCells.standing(ground.grid(), m.releasedEnd().position(), m.radius);
+    if (!under.intersects(ground.closed())) {
+      return isOffAll(way, ground.closed());
+    }
+    BitSet notUnder = (BitSet) ground.closed().clone();
+    under.forEach(notUnder::clear);
+    return isOffAll(way, notUnder);
   }
 
   private static boolean meetsNobody(Mover m, List<Stretch> way, List<Mover> beside, BitSet taken) {
