@@ -38,7 +38,10 @@
       </nav>
     </c:if>
   </header>
-  <c:if test="${not empty caller}"><t:pause/></c:if>
+  <c:if test="${not empty caller}">
+    <t:pause/>
+    <div id="alerts" role="alert"><c:forEach items="${alerts}" var="alert"><p class="notice bad"><c:out value="${alert}"/></p></c:forEach></div>
+  </c:if>
   <main id="content" class="${layout}">
     <jsp:doBody/>
   </main>

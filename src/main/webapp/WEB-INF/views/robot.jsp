@@ -7,7 +7,7 @@
 <fmt:message key="robot.title" var="title"><fmt:param value="${robot.name}"/></fmt:message>
 <fmt:formatNumber value="${robot.maxLoad}" maxFractionDigits="2" var="maxLoad"/>
 <fmt:formatNumber value="${robot.footprint}" maxFractionDigits="3" var="footprint"/>
-<t:page title="${title}" here="robot" script="live.js">
+<t:page title="${title}" here="robot" script="track.js">
   <div id="live" data-live="robot" data-name="${fn:escapeXml(robot.name)}">
     <div class="heading">
       <h1><c:out value="${title}"/></h1>
@@ -45,6 +45,14 @@
       <a href="${root}/map"><fmt:message key="task.onMap"/></a>
     </article>
   </div>
+  <article class="card">
+    <h2><fmt:message key="robot.track"><fmt:param value="${trackHours}"/></fmt:message></h2>
+    <fmt:message key="robot.track.label" var="trackLabel"/>
+    <canvas id="track" class="track" role="img" aria-label="${trackLabel}" data-robot="${fn:escapeXml(robot.name)}" data-floor="${fn:escapeXml(robot.floor)}" data-hours="${trackHours}"></canvas>
+    <p id="track-none" class="faint" hidden><fmt:message key="robot.track.none"/></p>
+    <c:url value="/history" var="history"><c:param name="robot" value="${robot.name}"/></c:url>
+    <a href="<c:out value="${history}"/>"><fmt:message key="robot.history"/></a>
+  </article>
   <c:if test="${caller.isManager()}">
     <article class="card" id="orders" data-live="orders" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.task ? '' : 'hidden'}>
       <h2><fmt:message key="robot.orders"/></h2>

@@ -11,7 +11,10 @@
       <h1>${title}</h1>
       <p class="faint"><fmt:message key="tasks.count"><fmt:param value="${count}"/></fmt:message></p>
     </div>
-    <a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
+    <div class="choices">
+      <a role="button" class="outline secondary" href="${root}/history"><fmt:message key="tasks.history"/></a>
+      <a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
+    </div>
   </div>
   <div id="live" data-live="tasks">
     <c:if test="${empty tasks}"><p class="notice"><fmt:message key="tasks.empty"/></p></c:if>

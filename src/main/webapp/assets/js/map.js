@@ -67,7 +67,7 @@ function showSnapshot(snapshot) {
   showCounts();
   showRobots();
   showTasks();
-  showNeeds(snapshot.alerts);
+  showNeeds();
   showAge();
 }
 
@@ -160,11 +160,8 @@ function standstillEntry({robots: names, since, text: what}) {
   };
 }
 
-function showNeeds(alerts) {
+function showNeeds() {
   const entries = [
-    ...alerts.map((alert) => ({
-      key: alert, href: 'map', state: 'ERROR', letter: '!', title: alert, side: '', what: '',
-    })),
     ...floors.flatMap(({standstills}) => standstills.map(standstillEntry)),
     ...tasks.filter((task) => task.needs).map(taskEntry),
     ...robots.filter((robot) => IN_NEED.has(robot.state)).map(robotEntry),

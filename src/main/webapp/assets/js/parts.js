@@ -56,8 +56,22 @@ async function refresh() {
   }
 }
 
+function showAlerts(alerts) {
+  const now = alerts.join('\n');
+  const place = document.getElementById('alerts');
+  if (place && place.innerText.trim() !== now) {
+    place.replaceChildren(...alerts.map((alert) => {
+      const line = document.createElement('p');
+      line.className = 'notice bad';
+      line.textContent = alert;
+      return line;
+    }));
+  }
+}
+
 /** Lets those parts of the page come anew whose subject has changed. */
 export function showParts(snapshot) {
+  showAlerts(snapshot.alerts);
   for (const {id, dataset} of document.querySelectorAll('[data-live]')) {
     const now = JSON.stringify(subjects[dataset.live](snapshot, dataset.name)) ?? '';
     if (now !== shown.get(id)) {

@@ -26,6 +26,8 @@ import org.toqa.allocation.Policy;
  * @param simulate how many simulated robots
  * @param lostAfter how long a robot is silent until its task goes to another
  * @param speed how many times faster than real time the simulated robots live
+ * @param keepTracks how long it is kept where robots were
+ * @param keepHistory how long ended tasks and events are kept
  * @param manager the manager to make while there is none
  * @param plainLinks whether robots on other machines may be spoken to without encryption
  */
@@ -39,6 +41,8 @@ public record Configuration(
     int simulate,
     Duration lostAfter,
     double speed,
+    Duration keepTracks,
+    Duration keepHistory,
     @Nullable FirstManager manager,
     boolean plainLinks,
     Level logLevel) {
@@ -90,6 +94,8 @@ public record Configuration(
           simulate,
           lostAfter,
           speed,
+          Duration.ofDays(wholeNumber(Setting.KEEP_TRACKS, 1, 3650)),
+          Duration.ofDays(wholeNumber(Setting.KEEP_HISTORY, 1, 3650)),
           manager(),
           yesOrNo(Setting.PLAIN_LINKS),
           logLevel());

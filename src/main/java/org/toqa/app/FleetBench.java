@@ -22,13 +22,14 @@ import tools.jackson.databind.json.JsonMapper;
 /** {@code toqa bench fleet}: what a whole fleet costs that always has something to carry. */
 @Command(
     name = "fleet",
-    description = "Runs a whole server with simulated robots in real time.",
+    description = "Runs a whole server with simulated robots.",
     footer = {
       "",
       "Prints JSON: pace (the fleet's seconds a second; below 1 where the machine",
       "cannot keep up), cores (processor seconds a second, of the whole process),",
-      "metresDriven and tasksDone by all robots together, and nearestMetres (the",
-      "least that two robots' edges were ever apart; below 0 it exits 1)."
+      "metresDriven and tasksDone by all robots together, nearestMetres (the least",
+      "that two robots' edges were ever apart; below 0 it exits 1), and heapBeforeMb",
+      "and heapAfterMb (what is in use at the begin and at the end)."
     })
 final class FleetBench implements Callable<Integer> {
   private static final Duration LOOK_EVERY = Duration.ofMillis(250);
@@ -62,6 +63,13 @@ final class FleetBench implements Callable<Integer> {
       paramLabel = "S",
       description = "Of starts and goals (default: ${DEFAULT-VALUE}).")
   private long seed;
+
+  @Option(
+      names = "--speed",
+      defaultValue = "1",
+      paramLabel = "N",
+      description = "How many times faster than real time (default: ${DEFAULT-VALUE}).")
+  private String speed = "1";
 
   @Option(
       names = "--map",
@@ -111,6 +119,7 @@ final class FleetBench implements Callable<Integer> {
   private Layer options(Path data) {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     options.put(Setting.SIMULATE, String.valueOf(robots));
+    options.put(Setting.SPEED, speed);
     options.put(Setting.LOG_LEVEL, "ERROR");
     options.put(Setting.DATA, data.toString());
     options.put(Setting.MAP, map);

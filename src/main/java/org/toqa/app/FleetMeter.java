@@ -24,6 +24,7 @@ final class FleetMeter {
   private final long cpuAtFirst = system.getProcessCpuTime();
   private final long began = System.nanoTime();
   private final Instant fleetBegan;
+  private final double heapAtFirst = Heap.usedMegabytes();
 
   /** Those that had ended before. */
   private final Set<Long> old = new HashSet<>();
@@ -51,6 +52,8 @@ final class FleetMeter {
    * @param cores processor seconds a second
    * @param metresDriven by all robots together
    * @param nearestMetres the least that two robots' edges were apart
+   * @param heapBeforeMb megabytes in use at the begin, after the garbage was collected
+   * @param heapAfterMb the same at the end
    */
   record Report(
       int robots,
@@ -59,7 +62,9 @@ final class FleetMeter {
       double cores,
       double metresDriven,
       int tasksDone,
-      double nearestMetres) {}
+      double nearestMetres,
+      double heapBeforeMb,
+      double heapAfterMb) {}
 
   FleetMeter(InstantSource fleetTime) {
     this.fleetTime = fleetTime;
@@ -92,6 +97,8 @@ final class FleetMeter {
         (system.getProcessCpuTime() - cpuAtFirst) / nanos,
         metres,
         done.size(),
-        nearest);
+        nearest,
+        heapAtFirst,
+        Heap.usedMegabytes());
   }
 }

@@ -50,6 +50,7 @@ public final class Main implements Runnable {
     // The other benches know nothing of a server; one needs all of it, one its map.
     requireNonNull(line.getSubcommands().get("bench"))
         .addSubcommand(new FleetBench())
+        .addSubcommand(new TaskBench())
         .addSubcommand(new AllocationBench(Webapp::shippedMap));
     return line.setParameterExceptionHandler((e, args) -> complain(e))
         .setExecutionExceptionHandler((e, command, result) -> fail(e, command));

@@ -17,6 +17,8 @@ enum Setting {
   SIMULATE("simulate", "0", "a whole number from 0 to 500"),
   LOST_AFTER("lostAfter", "30", "a whole number of seconds from 5 to 3600"),
   SPEED("speed", "1", "a number from 0.1 to 100"),
+  KEEP_TRACKS("keepTracks", "90", "a whole number of days from 1 to 3650"),
+  KEEP_HISTORY("keepHistory", "730", "a whole number of days from 1 to 3650"),
   MANAGER("manager", "", "name:password of the first manager"),
   PLAIN_LINKS("plainLinks", "false", "true or false"),
   LOG_LEVEL("logLevel", "INFO", "one of ERROR, WARN, INFO, DEBUG, TRACE");

@@ -16,6 +16,7 @@ import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.TrackRecorder;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
@@ -27,7 +28,10 @@ import org.toqa.sim.VirtualClock;
 import org.toqa.store.Accounts;
 import org.toqa.store.ApiTokens;
 import org.toqa.store.Database;
+import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiTrackStore;
+import org.toqa.store.Pruning;
 import org.toqa.web.Services;
 import org.toqa.web.access.Passwords;
 
@@ -35,8 +39,8 @@ import org.toqa.web.access.Passwords;
  * The product behind its web pages: store, fleet and simulated robots. It has one owner, the
  * command that started it or, on a stock Tomcat, {@link ToqaContextListener}.
  *
- * <p>Started in order: map, database, first manager, simulated robots, fleet, time. Closed in the
- * reverse order.
+ * <p>Started in order: map, database, first manager, simulated robots, fleet, time, tracks. Closed
+ * in the reverse order.
  */
 final class Toqa implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Toqa.class);
@@ -106,7 +110,24 @@ final class Toqa implements AutoCloseable {
     clock.start();
     parts.push(clock);
     ApiTokens tokens = new ApiTokens(database.jdbi(), wallClock, TOKEN_LIFE);
-    Services services = Services.of(fleet, store, accounts, tokens, passwords, wallClock);
+    JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
+    parts.push(new TrackRecorder(fleet.feed(), tracks));
+    parts.push(
+        new Housekeeping(
+            new Pruning(database.jdbi()),
+            configuration.keepTracks(),
+            configuration.keepHistory(),
+            wallClock));
+    Services services =
+        Services.of(
+            fleet,
+            store,
+            new JdbiEventArchive(database.jdbi()),
+            tracks,
+            accounts,
+            tokens,
+            passwords,
+            wallClock);
     return new Toqa(configuration, clock, services, parts);
   }
 

@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TransportTask;
 
 /**
  * One line of the history.
@@ -20,6 +21,21 @@ public record EventRecord(
 
   /** Who acts when no person does. */
   public static final String SYSTEM = "toqa";
+
+  /**
+   * What the history says of a new task.
+   *
+   * @param task has its id
+   */
+  public static EventRecord added(TransportTask task) {
+    return new EventRecord(
+        task.createdAt(),
+        "task.added",
+        task.id(),
+        null,
+        task.user(),
+        "Asked for by " + task.user());
+  }
 
   /** What the history says of a mission's step. */
   static List<EventRecord> of(Mission.Step step, MissionEvent event, Instant at) {

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
@@ -19,7 +20,8 @@ import org.toqa.motion.Trajectory;
  * </ol>
  *
  * Each call is one transaction: when it returns, a crash loses nothing of it; when it throws {@link
- * StoreException}, nothing of it has happened. Calls may wait; they come from virtual threads.
+ * StoreException}, it has happened as a whole or not at all, and nobody knows which. It may then be
+ * repeated: what was stored twice is stored once. Calls may wait; they come from virtual threads.
  */
 public interface FleetStore {
 
@@ -42,9 +44,16 @@ public interface FleetStore {
 
   /**
    * @param task its id is not known yet
+   * @param submission names this wish, so that it can be withdrawn
    * @return the task with its id
    */
-  TransportTask addTask(TransportTask task);
+  TransportTask addTask(TransportTask task, UUID submission);
+
+  /** Removes what {@link #addTask} may have stored, as if it had never been asked for. */
+  void withdraw(UUID submission);
+
+  /** Does nothing but throw when the store does not answer. */
+  void check();
 
   /** Adds the robot, or gives the robot of that name another address. */
   void saveRobot(RobotRecord robot);

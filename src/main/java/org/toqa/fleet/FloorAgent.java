@@ -534,11 +534,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     writer.tryOnce(
         () -> store.saveService(m.robot(), m.inService(), List.of(event)),
         () -> self.tell(new FloorMessage.ServiceStored(m, clears)),
-        failure ->
-            m.replyTo()
-                .tell(
-                    StatusReply.error(
-                        "The database does not answer, so nothing was changed; try again.")));
+        failure -> m.replyTo().tell(StatusReply.error(failure)));
   }
 
   private static String sentence(FloorMessage.Serve m, boolean clears) {
@@ -840,10 +836,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
 
   private void report() {
     changed = false;
-    List<String> alerts =
-        writer.trouble() == null
-            ? List.of()
-            : List.of("The database does not answer: " + writer.trouble());
+    List<String> alerts = writer.trouble() == null ? List.of() : List.of(StoreWatch.AWAY);
     manager.tell(
         new ManagerMessage.FloorReport(
             view(),

@@ -12,6 +12,7 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -40,6 +41,7 @@ import org.toqa.allocation.Standing;
 import org.toqa.allocation.Travel;
 import org.toqa.allocation.WaitingReason;
 import org.toqa.fleet.FleetStore.OpenTask;
+import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Inflation;
@@ -66,6 +68,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private final FleetStore store;
   private final StoreWriter writer;
+  private final StoreWatch storeWatch;
+  private final TaskIntake intake;
   private final InstantSource clock;
   private final Allocator allocator;
   private final OrderCheck check;
@@ -129,6 +133,10 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.board = board;
     this.check = new OrderCheck(floorMaps);
     this.writer = new StoreWriter("manager");
+    this.intake = new TaskIntake(store, writer);
+    ActorRef<ManagerMessage> self = context.getSelf();
+    this.storeWatch =
+        new StoreWatch(store, answers -> self.tell(new ManagerMessage.StoreWatched(answers)));
     List<RobotRecord> stored = store.robots();
     List<OpenTask> open = store.openTasks();
     Set<String> outOfService = store.outOfService();
@@ -202,6 +210,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.NotBegun m -> requeue(m.mission());
       case ManagerMessage.FloorReport m -> reported(m);
       case ManagerMessage.Decided m -> decided(m);
+      case ManagerMessage.StoreWatched m -> changed = true;
       case ManagerMessage.Tick m -> tick(m.now());
     }
     return this;
@@ -223,14 +232,22 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   }
 
   private void store(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo) {
+    if (!storeWatch.answers()) {
+      refuse(replyTo);
+      return;
+    }
     ActorRef<ManagerMessage> self = getContext().getSelf();
-    writer.tryOnce(
-        () -> self.tell(new ManagerMessage.TaskStored(store.addTask(task), replyTo)),
-        () -> {},
-        failure ->
-            replyTo.tell(
-                StatusReply.error(
-                    "The database does not answer, so the task was not accepted; try again.")));
+    intake.take(
+        task,
+        stored -> self.tell(new ManagerMessage.TaskStored(stored, replyTo)),
+        () -> refuse(replyTo));
+  }
+
+  private static void refuse(ActorRef<StatusReply<Answer<TaskView>>> replyTo) {
+    replyTo.tell(
+        StatusReply.error(
+            new StoreException(
+                "The database does not answer, so the task was not accepted; try again.", null)));
   }
 
   private void taskStored(ManagerMessage.TaskStored m) {
@@ -272,7 +289,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
           m.replyTo()
               .tell(
                   StatusReply.error(
-                      "The database does not answer, so the robot was not added; try again."));
+                      new StoreException(
+                          "The database does not answer, so the robot was not added; try again.",
+                          null)));
         });
   }
 
@@ -561,7 +580,10 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     changed = false;
     List<RobotView> views = new ArrayList<>();
     Map<Long, TaskView> tasks = new HashMap<>();
-    List<String> alerts = new ArrayList<>();
+    Set<String> alerts = new LinkedHashSet<>();
+    if (!storeWatch.answers()) {
+      alerts.add(StoreWatch.AWAY);
+    }
     ended.forEach(t -> tasks.put(t.id(), t));
     firstOfQueue().forEach(t -> tasks.put(t.id(), t));
     for (ManagerMessage.FloorReport report : reports.values()) {
@@ -582,7 +604,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             queue.size(),
             floorViews(),
             pause,
-            alerts));
+            List.copyOf(alerts)));
   }
 
   private List<TaskView> firstOfQueue() {
@@ -622,6 +644,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   }
 
   private Behavior<ManagerMessage> closed() {
+    storeWatch.close();
     writer.close();
     return this;
   }

@@ -92,5 +92,8 @@ sealed interface ManagerMessage {
    */
   record Decided(String floor, List<Decision> decisions) implements ManagerMessage {}
 
+  /** The store has stopped or begun to answer. */
+  record StoreWatched(boolean answers) implements ManagerMessage {}
+
   record Tick(Instant now) implements ManagerMessage {}
 }

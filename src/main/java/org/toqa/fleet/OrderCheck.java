@@ -199,7 +199,7 @@ final class OrderCheck {
   private boolean canStand(FloorMap floor, Vec2 point) {
     OccupancyGrid grid = floor.grid();
     return standable(floor).isFree(grid.cellAt(point))
-        || new Disc(SMALLEST_RADIUS).cellsAt(grid, point).stream().allMatch(grid::isFree);
+        || new Disc(SMALLEST_RADIUS).isFreeAt(grid, point);
   }
 
   /**

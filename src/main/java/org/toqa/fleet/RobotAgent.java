@@ -51,6 +51,9 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
   /** Counts the connections: what was meant for an old one is not sent on the next. */
   private long connection;
 
+  /** The number of the last message that was sent. */
+  private long sent;
+
   /** Messages that wait for the store. */
   private int unsent;
 
@@ -249,7 +252,7 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private void tick(Instant time) {
     now = time;
-    if (hello != null && unsent == 0 && !lastPing.plus(PING_EVERY).isAfter(now)) {
+    if (hello != null && !lastPing.plus(PING_EVERY).isAfter(now)) {
       ping();
     }
     if (!silent && lastHeard.plus(LOST_AFTER).isBefore(now)) {
@@ -260,12 +263,14 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private void ping() {
     lastPing = now;
-    send(new ServerMessage.Ping(++seq));
+    // a number of the past where others wait for the store: theirs must not be old when they come
+    send(new ServerMessage.Ping(unsent == 0 ? ++seq : sent));
   }
 
   private void send(ServerMessage message) {
     if (hello != null) {
       link.send(message);
+      sent = message instanceof Command command ? command.seq() : sent;
     }
   }
 

@@ -64,6 +64,11 @@ public record Disc(double radius) {
         && cellsAt(grid, centre).stream().allMatch(grid::isFree);
   }
 
+  /** Metres between a point and a cell of the grid; 0 inside. */
+  public static double gap(OccupancyGrid grid, Vec2 point, Cell cell) {
+    return pointToSquare(point.minus(grid.centre(cell)), grid.resolution() / 2);
+  }
+
   /** From the line a-b to the square round the origin with half side {@code half}; 0 inside. */
   private static double distanceToSquare(Vec2 a, Vec2 b, double half) {
     if (crossesSquare(a, b, half)) {
@@ -72,21 +77,13 @@ public record Disc(double radius) {
     double nearest = Math.min(pointToSquare(a, half), pointToSquare(b, half));
     for (int corner = 0; corner < 4; corner++) {
       Vec2 p = new Vec2((corner & 1) == 0 ? -half : half, (corner & 2) == 0 ? -half : half);
-      nearest = Math.min(nearest, pointToLine(p, a, b));
+      nearest = Math.min(nearest, p.distanceToLine(a, b));
     }
     return nearest;
   }
 
   private static double pointToSquare(Vec2 p, double half) {
     return Math.hypot(Math.max(0, Math.abs(p.x()) - half), Math.max(0, Math.abs(p.y()) - half));
-  }
-
-  private static double pointToLine(Vec2 p, Vec2 a, Vec2 b) {
-    Vec2 along = b.minus(a);
-    double squared = along.x() * along.x() + along.y() * along.y();
-    Vec2 ap = p.minus(a);
-    double t = squared == 0 ? 0 : (ap.x() * along.x() + ap.y() * along.y()) / squared;
-    return p.distanceTo(a.plus(along.times(Math.clamp(t, 0, 1))));
   }
 
   // Clips the line's parameter to both slabs of the square (Liang and Barsky, 1984).

@@ -103,7 +103,7 @@ public final class SimulatedFleet implements AutoCloseable {
             robot.maxLoad(),
             FOOTPRINT,
             LIMITS,
-            new AgentConfig.Simulated(robot.start(), SLIP, robot.name().hashCode()));
+            new AgentConfig.Simulated(robot.start(), SLIP, robot.name().hashCode(), 1));
     Inhabitant inhabitant = new Inhabitant(Daemon.open(config, clock, clock.nanos()));
     robots.add(inhabitant);
     clock.add(inhabitant, Daemon.TICK);

@@ -13,8 +13,9 @@ import java.util.Locale;
 import java.util.Optional;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.JdbiException;
 import org.jdbi.v3.core.statement.StatementContext;
-import org.jdbi.v3.core.statement.UnableToExecuteStatementException;
+import org.toqa.fleet.FleetStore.StoreException;
 
 /**
  * The users of the web application. There is always at least one manager once there has been one.
@@ -35,21 +36,29 @@ public final class Accounts {
   private static final String COLUMNS =
       "u.id as user_id, u.name, u.password_hash, u.role, u.created_at";
 
-  private final Jdbi jdbi;
+  private final Sql sql;
   private final InstantSource clock;
 
+  private final LastKnown<Long, Account> known = new LastKnown<>();
+
+  /** There was a manager, so there always is one. */
+  private volatile boolean managed;
+
   public Accounts(Jdbi jdbi, InstantSource clock) {
-    this.jdbi = jdbi;
+    this.sql = new Sql(jdbi);
     this.clock = clock;
   }
 
   public boolean hasManager() {
-    return jdbi.withHandle(handle -> managers(handle) > 0);
+    if (!managed) {
+      managed = sql.in(handle -> managers(handle) > 0);
+    }
+    return managed;
   }
 
   /** All users by name. */
   public List<Account> all() {
-    return jdbi.withHandle(
+    return sql.in(
         handle ->
             handle
                 .createQuery("select " + COLUMNS + " from users u order by u.name_key")
@@ -57,13 +66,14 @@ public final class Accounts {
                 .list());
   }
 
+  /** While the database does not answer, what it said last. */
   public Optional<Account> byId(long id) {
-    return jdbi.withHandle(handle -> byId(handle, id));
+    return known.ask(id, () -> sql.in(handle -> byId(handle, id)));
   }
 
   /** The user of that name in any case. */
   public Optional<Account> byName(String name) {
-    return jdbi.withHandle(
+    return sql.in(
         handle ->
             handle
                 .createQuery("select " + COLUMNS + " from users u where u.name_key = :key")
@@ -76,9 +86,10 @@ public final class Accounts {
   public Optional<Account> add(String name, String passwordHash, Role role) {
     try {
       return Optional.of(
-          jdbi.withHandle(handle -> insert(handle, name, passwordHash, role, clock.instant())));
-    } catch (UnableToExecuteStatementException e) {
-      if (e.getCause() instanceof SQLIntegrityConstraintViolationException) {
+          sql.in(handle -> insert(handle, name, passwordHash, role, clock.instant())));
+    } catch (StoreException e) {
+      if (e.getCause() instanceof JdbiException refused
+          && refused.getCause() instanceof SQLIntegrityConstraintViolationException) {
         return Optional.empty();
       }
       throw e;
@@ -91,7 +102,7 @@ public final class Accounts {
   }
 
   public synchronized Deletion delete(long id) {
-    return jdbi.inTransaction(
+    return sql.inTransaction(
         handle -> {
           Optional<Account> account = byId(handle, id);
           if (account.isEmpty()) {
@@ -107,7 +118,7 @@ public final class Accounts {
 
   /** Also ends the user's API tokens. False when there is no such user. */
   public boolean changePassword(long id, String passwordHash) {
-    return jdbi.inTransaction(
+    return sql.inTransaction(
         handle -> {
           handle.execute("delete from api_tokens where user_id = ?", id);
           return handle.execute("update users set password_hash = ? where id = ?", passwordHash, id)
@@ -126,10 +137,6 @@ public final class Accounts {
 
   static String columns() {
     return COLUMNS;
-  }
-
-  static LocalDateTime utc(Instant instant) {
-    return LocalDateTime.ofInstant(instant.truncatedTo(ChronoUnit.MILLIS), ZoneOffset.UTC);
   }
 
   private static Optional<Account> byId(Handle handle, long id) {
@@ -153,7 +160,7 @@ public final class Accounts {
             .bind("key", key(name))
             .bind("hash", passwordHash)
             .bind("role", role.name())
-            .bind("now", utc(now))
+            .bind("now", Sql.utc(now))
             .executeAndReturnGeneratedKeys("id")
             .mapTo(Long.class)
             .one();

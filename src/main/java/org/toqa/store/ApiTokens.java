@@ -19,16 +19,17 @@ import org.jdbi.v3.core.Jdbi;
 public final class ApiTokens {
   private static final int RANDOM_BYTES = 32;
 
-  private final Jdbi jdbi;
+  private final Sql sql;
   private final InstantSource clock;
   private final Duration life;
+  private final LastKnown<String, Account> known = new LastKnown<>();
   private final SecureRandom random = new SecureRandom();
 
   /**
    * @param life how long a token is good
    */
   public ApiTokens(Jdbi jdbi, InstantSource clock, Duration life) {
-    this.jdbi = jdbi;
+    this.sql = new Sql(jdbi);
     this.clock = clock;
     this.life = life;
   }
@@ -39,9 +40,9 @@ public final class ApiTokens {
     random.nextBytes(secret);
     String token = Base64.getUrlEncoder().withoutPadding().encodeToString(secret);
     Instant now = clock.instant();
-    jdbi.useTransaction(
+    sql.inTransaction(
         handle -> {
-          handle.execute("delete from api_tokens where expires_at <= ?", Accounts.utc(now));
+          handle.execute("delete from api_tokens where expires_at <= ?", Sql.utc(now));
           handle.execute(
               """
               insert into api_tokens (user_id, token_hash, created_at, expires_at)
@@ -49,15 +50,23 @@ public final class ApiTokens {
               """,
               userId,
               hash(token),
-              Accounts.utc(now),
-              Accounts.utc(now.plus(life)));
+              Sql.utc(now),
+              Sql.utc(now.plus(life)));
+          return token;
         });
     return token;
   }
 
-  /** The user who holds the token, while it is good. */
+  /**
+   * The user who holds the token, while it is good; what was said last, while the database is away.
+   */
   public Optional<Account> owner(String token) {
-    return jdbi.withHandle(
+    String hash = hash(token);
+    return known.ask(hash, () -> stored(hash));
+  }
+
+  private Optional<Account> stored(String hash) {
+    return sql.in(
         handle ->
             handle
                 .createQuery(
@@ -67,8 +76,8 @@ public final class ApiTokens {
                            from users u join api_tokens t on t.user_id = u.id
                           where t.token_hash = :hash and t.expires_at > :now
                           """)
-                .bind("hash", hash(token))
-                .bind("now", Accounts.utc(clock.instant()))
+                .bind("hash", hash)
+                .bind("now", Sql.utc(clock.instant()))
                 .map(Accounts::account)
                 .findOne());
   }

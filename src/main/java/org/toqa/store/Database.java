@@ -3,12 +3,23 @@ package org.toqa.store;
 import com.zaxxer.hikari.HikariConfig;
 import com.zaxxer.hikari.HikariDataSource;
 import java.time.Duration;
+import java.util.List;
 import javax.sql.DataSource;
 import org.flywaydb.core.Flyway;
 import org.jdbi.v3.core.Jdbi;
 
 /** The database: a pool of connections, migrated to the newest {@code sql/}. */
 public final class Database implements AutoCloseable {
+  private static final int FLYWAY_CONNECTIONS = 3;
+  private static final List<String> NUMBERED = List.of("tasks", "events");
+
+  private static final String MYSQL = "jdbc:mysql:";
+
+  /** A database that does not answer for so long is away; what was asked is tried again. */
+  private static final Duration SILENCE_LIMIT = Duration.ofSeconds(8);
+
+  private static final Duration CONNECT_LIMIT = Duration.ofSeconds(3);
+
   private static final String H2_OPTIONS =
       ";MODE=MySQL;DATABASE_TO_LOWER=TRUE;CASE_INSENSITIVE_IDENTIFIERS=TRUE";
 
@@ -25,30 +36,51 @@ public final class Database implements AutoCloseable {
    * @param user empty: the one in the URL, if any
    */
   public static Database open(String url, String user, String password) {
+    try (HikariDataSource patient = new HikariDataSource(config(url, user, password))) {
+      Flyway.configure(Database.class.getClassLoader())
+          .dataSource(patient)
+          .locations("classpath:sql")
+          .load()
+          .migrate();
+      if (!url.startsWith(MYSQL)) {
+        countWithoutGaps(Jdbi.create((DataSource) patient));
+      }
+    }
+    HikariConfig config = config(url, user, password);
+    config.setMaximumPoolSize(10);
+    config.setConnectionTimeout(CONNECT_LIMIT.plusSeconds(1).toMillis());
+    config.setValidationTimeout(CONNECT_LIMIT.toMillis());
+    if (url.startsWith(
+        MYSQL)) { // without limits a connection to a machine that is gone waits for ever
+      config.addDataSourceProperty("connectTimeout", CONNECT_LIMIT.toMillis());
+      config.addDataSourceProperty("socketTimeout", SILENCE_LIMIT.toMillis());
+    }
+    return new Database(new HikariDataSource(config));
+  }
+
+  /** H2 takes ids in stocks of 32, and a killed process loses the rest of its stock. */
+  private static void countWithoutGaps(Jdbi jdbi) {
+    jdbi.useHandle(
+        h -> {
+          for (String table : NUMBERED) {
+            h.execute("alter table " + table + " alter column id set no cache");
+          }
+        });
+  }
+
+  /** Connections that wait as long as it takes, as a migration may. */
+  private static HikariConfig config(String url, String user, String password) {
     HikariConfig config = new HikariConfig();
     config.setPoolName("toqa");
     config.setJdbcUrl(url);
     // Named, since the container's DriverManager does not look into a web application.
-    config.setDriverClassName(
-        url.startsWith("jdbc:mysql:") ? "com.mysql.cj.jdbc.Driver" : "org.h2.Driver");
+    config.setDriverClassName(url.startsWith(MYSQL) ? "com.mysql.cj.jdbc.Driver" : "org.h2.Driver");
     if (!user.isEmpty()) { // else the URL may name one
       config.setUsername(user);
       config.setPassword(password);
     }
-    config.setMaximumPoolSize(10);
-    config.setConnectionTimeout(Duration.ofSeconds(5).toMillis());
-    HikariDataSource pool = new HikariDataSource(config);
-    try {
-      Flyway.configure(Database.class.getClassLoader())
-          .dataSource(pool)
-          .locations("classpath:sql")
-          .load()
-          .migrate();
-    } catch (RuntimeException e) {
-      pool.close();
-      throw e;
-    }
-    return new Database(pool);
+    config.setMaximumPoolSize(FLYWAY_CONNECTIONS);
+    return config;
   }
 
   /** An H2 database that lives as long as it is open. */

@@ -5,15 +5,12 @@ import java.sql.SQLException;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
-import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
+import java.util.UUID;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
-import org.jdbi.v3.core.JdbiException;
-import org.jdbi.v3.core.statement.PreparedBatch;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetPause;
@@ -33,17 +30,17 @@ import org.toqa.mission.Trouble;
 
 /** The fleet's store on H2 and on MySQL: robots, tasks, who executes what, drives and events. */
 public final class JdbiFleetStore implements FleetStore, TaskArchive {
-  private final Jdbi jdbi;
+  private final Sql sql;
 
   public JdbiFleetStore(Jdbi jdbi) {
-    this.jdbi = jdbi;
+    this.sql = new Sql(jdbi);
   }
 
   // --- robots -----------------------------------------------------------------------------------
 
   @Override
   public List<RobotRecord> robots() {
-    return in(
+    return sql.in(
         h ->
             h.createQuery(
                     "select name, floor, host, port, max_load, parking, simulated from robots order by id")
@@ -62,7 +59,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public void saveRobot(RobotRecord robot) {
-    in(
+    sql.in(
         h ->
             h.createUpdate(
                     """
@@ -83,7 +80,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public Set<String> outOfService() {
-    return in(
+    return sql.in(
         h ->
             h.createQuery("select name from robots where out_of_service = true")
                 .mapTo(String.class)
@@ -97,7 +94,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public Set<String> held() {
-    return in(
+    return sql.in(
         h -> h.createQuery("select name from robots where held = true").mapTo(String.class).set());
   }
 
@@ -107,45 +104,45 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   private void saveFlag(String column, String robot, boolean value, List<EventRecord> events) {
-    inTransaction(
+    sql.inTransaction(
         h -> {
           h.createUpdate("update robots set " + column + " = :value where id = :id")
               .bind("value", value)
               .bind("id", robotId(h, robot))
               .execute();
-          addEvents(h, events);
+          Events.add(h, events);
           return null;
         });
   }
 
   @Override
   public Optional<FleetPause> pause() {
-    return in(
+    return sql.in(
         h ->
             h.createQuery("select user_name, at from fleet_pause")
-                .map((rs, ctx) -> new FleetPause(rs.getString("user_name"), instant(rs, "at")))
+                .map((rs, ctx) -> new FleetPause(rs.getString("user_name"), Rows.instant(rs, "at")))
                 .findOne());
   }
 
   @Override
   public void savePause(@Nullable FleetPause pause, List<EventRecord> events) {
-    inTransaction(
+    sql.inTransaction(
         h -> {
           h.execute("delete from fleet_pause");
           if (pause != null) {
             h.createUpdate("insert into fleet_pause (id, user_name, at) values (1, :user, :at)")
                 .bind("user", pause.user())
-                .bind("at", utc(pause.since()))
+                .bind("at", Sql.utc(pause.since()))
                 .execute();
           }
-          addEvents(h, events);
+          Events.add(h, events);
           return null;
         });
   }
 
   @Override
   public Optional<StoredDrive> drive(String robot) {
-    return in(
+    return sql.in(
         h ->
             h.createQuery(
                     """
@@ -157,7 +154,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                     (rs, ctx) ->
                         new StoredDrive(
                             rs.getLong("seq"),
-                            nullableLong(rs, "task_id"),
+                            Rows.nullableLong(rs, "task_id"),
                             rs.getInt("phase"),
                             WayJson.read(rs.getString("way"))))
                 .findOne());
@@ -165,7 +162,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public void saveDrive(String robot, StoredDrive drive) {
-    inTransaction(
+    sql.inTransaction(
         h -> {
           long id = robotId(h, robot);
           h.createUpdate(
@@ -180,7 +177,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
               .bind("task", drive.task())
               .bind("phase", drive.phase())
               .bind("way", WayJson.write(drive.way()))
-              .bind("at", utc(Instant.now()))
+              .bind("at", Sql.utc(Instant.now()))
               .execute();
           return h.createUpdate("update robots set last_seq = :seq where id = :id")
               .bind("seq", drive.seq())
@@ -208,7 +205,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public List<OpenTask> openTasks() {
-    return in(
+    return sql.in(
         h ->
             h
                 .createQuery(
@@ -223,8 +220,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public TransportTask addTask(TransportTask task) {
-    return inTransaction(
+  public TransportTask addTask(TransportTask task, UUID submission) {
+    return sql.inTransaction(
         h -> {
           LoadSize size = task.size();
           long id =
@@ -232,10 +229,10 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                       """
                       insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
                         start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
-                        state, created_at, changed_at)
+                        state, created_at, changed_at, submission)
                       values (:name, (select id from users where name_key = :userKey), :user, :floor, :load,
                         :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
-                        :priority, :deadline, 'QUEUED', :at, :at)
+                        :priority, :deadline, 'QUEUED', :at, :at, :submission)
                       """)
                   .bind("name", task.name())
                   .bind("userKey", task.user().toLowerCase(java.util.Locale.ROOT))
@@ -251,28 +248,40 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                   .bind("goalY", task.goal().position().y())
                   .bind("goalStation", task.goal().station())
                   .bind("priority", task.priority())
-                  .bind("deadline", task.deadline() == null ? null : utc(task.deadline()))
-                  .bind("at", utc(task.createdAt()))
+                  .bind("deadline", task.deadline() == null ? null : Sql.utc(task.deadline()))
+                  .bind("at", Sql.utc(task.createdAt()))
+                  .bind("submission", submission.toString())
                   .executeAndReturnGeneratedKeys("id")
                   .mapTo(Long.class)
                   .one();
-          addEvents(
-              h,
-              List.of(
-                  new EventRecord(
-                      task.createdAt(),
-                      "task.added",
-                      id,
-                      null,
-                      task.user(),
-                      "Asked for by " + task.user())));
-          return task.withId(id);
+          TransportTask stored = task.withId(id);
+          Events.add(h, List.of(EventRecord.added(stored)));
+          return stored;
         });
   }
 
   @Override
+  public void withdraw(UUID submission) {
+    sql.inTransaction(
+        h -> {
+          String of = " (select id from tasks where submission = :submission)";
+          h.createUpdate("delete from events where task_id in" + of)
+              .bind("submission", submission.toString())
+              .execute();
+          return h.createUpdate("delete from tasks where submission = :submission")
+              .bind("submission", submission.toString())
+              .execute();
+        });
+  }
+
+  @Override
+  public void check() {
+    sql.in(h -> h.createQuery("select 1").mapTo(Integer.class).one());
+  }
+
+  @Override
   public void saveMission(Mission mission, Instant at, List<EventRecord> events) {
-    inTransaction(
+    sql.inTransaction(
         h -> {
           saveState(h, mission, at);
           h.createUpdate("delete from task_robots where task_id = :id")
@@ -281,7 +290,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
           for (int place = 0; place < mission.carriers().size(); place++) {
             saveCarrier(h, mission.id(), place, mission.carriers().get(place));
           }
-          addEvents(h, events);
+          Events.add(h, events);
           return null;
         });
   }
@@ -299,7 +308,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             where id = :id
             """)
         .bind("state", mission.state().name())
-        .bind("at", utc(at))
+        .bind("at", Sql.utc(at))
         .bind("held", mission.held())
         .bind("ending", mission.ending() == null ? null : mission.ending().name())
         .bind("setDownX", setDown == null ? null : setDown.position().x())
@@ -338,7 +347,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public List<TaskView> tasks(int offset, int limit) {
-    return in(
+    return sql.in(
         h ->
             h
                 .createQuery(
@@ -356,7 +365,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public Optional<TaskView> task(long id) {
-    return in(
+    return sql.in(
         h ->
             h.createQuery("select " + TASK_COLUMNS + " from tasks where id = :id")
                 .bind("id", id)
@@ -367,7 +376,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public long count() {
-    return in(h -> h.createQuery("select count(*) from tasks").mapTo(Long.class).one());
+    return sql.in(h -> h.createQuery("select count(*) from tasks").mapTo(Long.class).one());
   }
 
   /**
@@ -387,8 +396,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   private static TaskRow row(ResultSet rs) throws SQLException {
-    Double length = nullableDouble(rs, "load_length");
-    Double width = nullableDouble(rs, "load_width");
+    Double length = Rows.nullableDouble(rs, "load_length");
+    Double width = Rows.nullableDouble(rs, "load_width");
     LocalDateTime deadline = rs.getObject("deadline", LocalDateTime.class);
     TransportTask task =
         new TransportTask(
@@ -406,7 +415,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             deadline == null ? null : deadline.toInstant(ZoneOffset.UTC),
             length == null || width == null ? null : new LoadSize(length, width),
             rs.getString("user_name"),
-            instant(rs, "created_at"));
+            Rows.instant(rs, "created_at"));
     String ending = rs.getString("ending");
     Mission unmanned =
         new Mission(
@@ -417,7 +426,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             ending == null ? null : LoadChoice.valueOf(ending),
             spot(rs, "set_down"),
             trouble(rs));
-    return new TaskRow(unmanned, instant(rs, "changed_at"));
+    return new TaskRow(unmanned, Rows.instant(rs, "changed_at"));
   }
 
   private static @Nullable Trouble trouble(ResultSet rs) throws SQLException {
@@ -432,8 +441,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   private static @Nullable TaskPlace spot(ResultSet rs, String columns) throws SQLException {
-    Double x = nullableDouble(rs, columns + "_x");
-    Double y = nullableDouble(rs, columns + "_y");
+    Double x = Rows.nullableDouble(rs, columns + "_x");
+    Double y = Rows.nullableDouble(rs, columns + "_y");
     return x == null || y == null ? null : new TaskPlace(new Vec2(x, y), null);
   }
 
@@ -462,90 +471,15 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public void addEvents(List<EventRecord> events) {
-    inTransaction(
+    sql.inTransaction(
         h -> {
-          addEvents(h, events);
+          Events.add(h, events);
           return null;
         });
   }
 
-  private static void addEvents(Handle h, List<EventRecord> events) {
-    PreparedBatch batch =
-        h.prepareBatch(
-            """
-            insert into events (at, kind, task_id, robot, who, text)
-            values (:at, :kind, :task, :robot, :who, :text)
-            """);
-    for (EventRecord e : events) {
-      batch
-          .bind("at", utc(e.at()))
-          .bind("kind", e.kind())
-          .bind("task", e.task())
-          .bind("robot", e.robot())
-          .bind("who", e.who())
-          .bind("text", e.text())
-          .add();
-    }
-    batch.execute();
-  }
-
   @Override
   public List<EventRecord> history(long task) {
-    return in(
-        h ->
-            h.createQuery(
-                    "select at, kind, task_id, robot, who, text from events where task_id = :task order by id")
-                .bind("task", task)
-                .map(
-                    (rs, ctx) ->
-                        new EventRecord(
-                            instant(rs, "at"),
-                            rs.getString("kind"),
-                            nullableLong(rs, "task_id"),
-                            rs.getString("robot"),
-                            rs.getString("who"),
-                            rs.getString("text")))
-                .list());
-  }
-
-  // --- borders ----------------------------------------------------------------------------------
-
-  private <T> T in(Function<Handle, T> work) {
-    try {
-      return jdbi.withHandle(work::apply);
-    } catch (JdbiException e) {
-      throw failure(e);
-    }
-  }
-
-  private <T> T inTransaction(Function<Handle, T> work) {
-    try {
-      return jdbi.inTransaction(work::apply);
-    } catch (JdbiException e) {
-      throw failure(e);
-    }
-  }
-
-  private static StoreException failure(JdbiException e) {
-    Throwable cause = e.getCause() == null ? e : e.getCause();
-    return new StoreException(String.valueOf(cause.getMessage()), e);
-  }
-
-  private static LocalDateTime utc(Instant instant) {
-    return LocalDateTime.ofInstant(instant.truncatedTo(ChronoUnit.MILLIS), ZoneOffset.UTC);
-  }
-
-  private static Instant instant(ResultSet rs, String column) throws SQLException {
-    return rs.getObject(column, LocalDateTime.class).toInstant(ZoneOffset.UTC);
-  }
-
-  private static @Nullable Long nullableLong(ResultSet rs, String column) throws SQLException {
-    long value = rs.getLong(column);
-    return rs.wasNull() ? null : value;
-  }
-
-  private static @Nullable Double nullableDouble(ResultSet rs, String column) throws SQLException {
-    double value = rs.getDouble(column);
-    return rs.wasNull() ? null : value;
+    return sql.in(h -> Events.of(h, task));
   }
 }

@@ -51,6 +51,7 @@ public final class Doors {
           new Door("POST", "/users/{id}/password", USER),
           new Door("POST", "/users/{id}/delete", MANAGER),
           new Door("GET", "/statistics", USER),
+          new Door("GET", "/history", USER),
           new Door("GET", "/api/v1/health", ANYBODY),
           new Door("POST", "/api/v1/session", STRANGER),
           new Door("GET", "/api/v1/openapi.json", USER),
@@ -72,6 +73,8 @@ public final class Doors {
           new Door("POST", "/api/v1/robots/{name}/hold", MANAGER),
           new Door("POST", "/api/v1/robots/{name}/resume", MANAGER),
           new Door("POST", "/api/v1/robots/{name}/home", MANAGER),
+          new Door("GET", "/api/v1/tracks/{name}", USER),
+          new Door("GET", "/api/v1/history", USER),
           new Door("GET", "/api/v1/fleet", USER),
           new Door("POST", "/api/v1/fleet/pause", USER),
           new Door("POST", "/api/v1/fleet/resume", MANAGER));

@@ -6,6 +6,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.FleetStore.StoreException;
 
 /** Waits for the fleet on behalf of a request. */
 public final class FleetAnswers {
@@ -14,8 +15,9 @@ public final class FleetAnswers {
   private FleetAnswers() {}
 
   /**
-   * @throws FleetSilentException when there is no answer within ten seconds or the store failed;
-   *     the wish may still have been stored
+   * @throws StoreException when nothing was done, since the store did not answer
+   * @throws FleetSilentException when there is no answer within ten seconds; the wish may still
+   *     have been stored
    */
   public static <T> Answer<T> await(CompletionStage<Answer<T>> wish) {
     try {
@@ -23,7 +25,12 @@ public final class FleetAnswers {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new FleetSilentException(e);
-    } catch (ExecutionException | TimeoutException e) {
+    } catch (ExecutionException e) {
+      if (e.getCause() instanceof StoreException refused) {
+        throw refused;
+      }
+      throw new FleetSilentException(e);
+    } catch (TimeoutException e) {
       throw new FleetSilentException(e);
     }
   }

@@ -3,8 +3,10 @@ package org.toqa.web;
 import jakarta.servlet.ServletContext;
 import java.time.InstantSource;
 import java.util.Objects;
+import org.toqa.fleet.EventArchive;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.TaskArchive;
+import org.toqa.fleet.TrackStore;
 import org.toqa.store.Accounts;
 import org.toqa.store.ApiTokens;
 import org.toqa.web.access.Login;
@@ -14,6 +16,8 @@ import org.toqa.web.access.Passwords;
 public record Services(
     Fleet fleet,
     TaskArchive archive,
+    EventArchive history,
+    TrackStore tracks,
     Accounts accounts,
     ApiTokens tokens,
     Passwords passwords,
@@ -25,12 +29,21 @@ public record Services(
   public static Services of(
       Fleet fleet,
       TaskArchive archive,
+      EventArchive history,
+      TrackStore tracks,
       Accounts accounts,
       ApiTokens tokens,
       Passwords passwords,
       InstantSource clock) {
     return new Services(
-        fleet, archive, accounts, tokens, passwords, Login.of(accounts, passwords, clock));
+        fleet,
+        archive,
+        history,
+        tracks,
+        accounts,
+        tokens,
+        passwords,
+        Login.of(accounts, passwords, clock));
   }
 
   public static Services from(ServletContext context) {

@@ -1,11 +1,7 @@
 package org.toqa.road;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -15,7 +11,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.testbed.RealMySql;
-import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 
 /** A server on a real MySQL, and three daemons, each a process of its own; each is killed. */
@@ -29,8 +24,7 @@ class RealPartsIT {
 
   @TempDir private Path folder;
 
-  private final Map<String, ToqaProcess> agents = new HashMap<>();
-  private final Map<String, Integer> ports = new HashMap<>();
+  private final Map<String, RunningAgent> agents = new HashMap<>();
 
   @Test
   void serverAndAgentAreKilledInEveryPhase() throws Exception {
@@ -38,13 +32,14 @@ class RealPartsIT {
     Files.writeString(config, "database:\n  url: \"" + RealMySql.newDatabase() + "\"\n");
     try (RunningServer server = new RunningServer(folder, "--config", config.toString())) {
       for (String name : STARTS.keySet().stream().sorted().toList()) {
-        ports.put(name, freePort());
-        startAgent(name);
+        double[] start = Objects.requireNonNull(STARTS.get(name));
+        RunningAgent agent = new RunningAgent(folder, name, start[0], start[1], 1);
+        agents.put(name, agent);
         server
             .api()
             .post(
                 "robots",
-                Map.of("name", name, "host", "127.0.0.1", "port", ports.get(name), "maxLoad", 5));
+                Map.of("name", name, "host", "127.0.0.1", "port", agent.port(), "maxLoad", 5));
       }
       server.await("robots", RealPartsIT::areAllIdle);
 
@@ -58,7 +53,7 @@ class RealPartsIT {
       Objects.requireNonNull(agents.get(carrier)).kill();
       server.await("robots/" + carrier, r -> r.get("state").asString().equals("LOST"));
       assertEquals("CARRYING", server.state(task));
-      startAgent(carrier);
+      Objects.requireNonNull(agents.get(carrier)).startAgain();
 
       server.awaitState(task, "RETURNING");
       server.killAndStartAgain();
@@ -66,7 +61,7 @@ class RealPartsIT {
       assertEquals(1, server.happened(task, "Picked up"));
       assertEquals(1, server.happened(task, "Delivered"));
     } finally {
-      agents.values().forEach(ToqaProcess::close);
+      agents.values().forEach(RunningAgent::close);
     }
   }
 
@@ -77,31 +72,5 @@ class RealPartsIT {
       }
     }
     return robots.size() == STARTS.size();
-  }
-
-  private void startAgent(String name) throws IOException, InterruptedException {
-    Path home = Files.createDirectories(folder.resolve(name));
-    double[] start = Objects.requireNonNull(STARTS.get(name));
-    Path config = home.resolve("agent.yaml");
-    Files.writeString(
-        config,
-        """
-        name: %s
-        port: %d
-        dataDir: data
-        chassis:
-          type: simulated
-          start: {x: %s, y: %s, heading: 0}
-        """
-            .formatted(name, ports.get(name), start[0], start[1]));
-    ToqaProcess agent = ToqaProcess.toqa(home, Map.of(), "agent", "--config", config.toString());
-    agents.put(name, agent);
-    assertTrue(agent.awaitErr(name + ".*" + ports.get(name)).find(0));
-  }
-
-  private static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return socket.getLocalPort();
-    }
   }
 }

@@ -20,6 +20,7 @@ final class RunningServer implements AutoCloseable {
 
   private final Path folder;
   private final String[] arguments;
+  private final List<ToqaProcess> killed = new ArrayList<>();
   private ToqaProcess process;
   private ApiClient api;
   private URI root;
@@ -49,27 +50,45 @@ final class RunningServer implements AutoCloseable {
 
   /** As {@code kill -9} does it, and then as a user starts it again. */
   void killAndStartAgain() throws Exception {
+    kill();
+    startAgain();
+  }
+
+  void kill() throws Exception {
     process.kill();
+    killed.add(process);
     api.close();
+  }
+
+  void startAgain() throws Exception {
     process = launch();
     root = URI.create(process.awaitErr("http://[^ ]*").group());
     api = new ApiClient(root, MANAGER, PASSWORD);
   }
 
+  /** Everything on standard error of the servers that were killed. */
+  List<String> lastWords() throws InterruptedException {
+    List<String> lines = new ArrayList<>();
+    for (ToqaProcess server : killed) {
+      lines.addAll(server.err());
+    }
+    return lines;
+  }
+
   long addTask(String name, String start, String goal) throws Exception {
-    return api.post(
-            "tasks",
-            Map.of(
-                "name",
-                name,
-                "load",
-                2,
-                "start",
-                Map.of("station", start),
-                "goal",
-                Map.of("station", goal)))
-        .get("id")
-        .asLong();
+    return api.post("tasks", order(name, start, goal)).get("id").asLong();
+  }
+
+  static Map<String, Object> order(String name, String start, String goal) {
+    return Map.of(
+        "name",
+        name,
+        "load",
+        2,
+        "start",
+        Map.of("station", start),
+        "goal",
+        Map.of("station", goal));
   }
 
   JsonNode task(long id) throws Exception {
@@ -92,7 +111,8 @@ final class RunningServer implements AutoCloseable {
         return answer;
       }
       if (System.nanoTime() > end) {
-        throw new AssertionError(path + " still says " + answer);
+        throw new AssertionError(
+            path + " still says " + answer + " while the robots are " + api.get("robots"));
       }
       TimeUnit.MILLISECONDS.sleep(50);
     }

@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.sql.SQLException;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.UUID;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -41,12 +43,12 @@ class FleetStoreTest {
   private Database database;
   private JdbiFleetStore store;
 
-  Database open() {
+  Database open() throws SQLException {
     return Database.inMemory("fleet-store-" + System.nanoTime());
   }
 
   @BeforeEach
-  void openStore() {
+  void openStore() throws SQLException {
     database = open();
     store = new JdbiFleetStore(database.jdbi());
   }
@@ -95,7 +97,7 @@ class FleetStoreTest {
             new LoadSize(0.6, 0.4),
             "Ann",
             AT);
-    TransportTask stored = store.addTask(asked);
+    TransportTask stored = store.addTask(asked, UUID.randomUUID());
     assertTrue(stored.id() > 0);
     assertEquals(List.of(new OpenTask(Mission.queued(stored), AT)), store.openTasks());
     assertEquals(stored, store.task(stored.id()).orElseThrow().task());
@@ -106,7 +108,7 @@ class FleetStoreTest {
   void aMissionComesBackInThePhaseItWasStoredIn() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    TransportTask task = store.addTask(task("two"));
+    TransportTask task = store.addTask(task("two"), UUID.randomUUID());
     Mission.Step step = Mission.queued(task).assign(List.of("r2", "r1"), "heavy");
     store.saveMission(step.mission(), AT, List.of());
     Mission.Step next = step.mission().on(new MissionEvent.PhaseEnded("r1", 1));
@@ -127,7 +129,7 @@ class FleetStoreTest {
   void aMissionComesBackWithAllThatPeopleSaidAndRobotsFailed() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    TransportTask task = store.addTask(task("odd"));
+    TransportTask task = store.addTask(task("odd"), UUID.randomUUID());
     TaskPlace place = new TaskPlace(new Vec2(1.25, -3.5), null);
     Mission odd =
         new Mission(
@@ -173,8 +175,8 @@ class FleetStoreTest {
   @Test
   void endedTasksAreOnlyInTheArchive() {
     store.saveRobot(R1);
-    TransportTask first = store.addTask(task("first"));
-    TransportTask second = store.addTask(task("second"));
+    TransportTask first = store.addTask(task("first"), UUID.randomUUID());
+    TransportTask second = store.addTask(task("second"), UUID.randomUUID());
     store.saveMission(
         new Mission(
             first,
@@ -210,7 +212,7 @@ class FleetStoreTest {
 
   @Test
   void aChangeThatFailsHasNotHappened() {
-    TransportTask task = store.addTask(task("one"));
+    TransportTask task = store.addTask(task("one"), UUID.randomUUID());
     Mission unknownRobot = Mission.queued(task).assign(List.of("nobody"), "?").mission();
     assertThrows(StoreException.class, () -> store.saveMission(unknownRobot, AT, List.of()));
     assertEquals(TaskState.QUEUED, store.openTasks().getFirst().mission().state());

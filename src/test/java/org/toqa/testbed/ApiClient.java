@@ -7,6 +7,7 @@ import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.time.Duration;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import tools.jackson.databind.JsonNode;
@@ -15,6 +16,8 @@ import tools.jackson.databind.json.JsonMapper;
 /** A user of the API, logged in. */
 public final class ApiClient implements AutoCloseable {
   private static final JsonMapper JSON = JsonMapper.builder().build();
+
+  private static final int UNAVAILABLE = 503;
 
   private final HttpClient http = HttpClient.newHttpClient();
   private final URI root;
@@ -38,6 +41,15 @@ public final class ApiClient implements AutoCloseable {
 
   public JsonNode post(String path, Object body) throws IOException, InterruptedException {
     return JSON.readTree(send(request(path).POST(body(body))));
+  }
+
+  /** Empty where the server says that it cannot do it now. */
+  public Optional<JsonNode> tryToPost(String path, Object body)
+      throws IOException, InterruptedException {
+    HttpResponse<String> response = answer(request(path).POST(body(body)));
+    return response.statusCode() == UNAVAILABLE
+        ? Optional.empty()
+        : Optional.of(JSON.readTree(good(response)));
   }
 
   /** Reads the live events until one satisfies the condition. */
@@ -66,13 +78,17 @@ public final class ApiClient implements AutoCloseable {
   }
 
   private String send(HttpRequest.Builder request) throws IOException, InterruptedException {
-    HttpResponse<String> response =
-        http.send(
-            request
-                .header("Content-Type", "application/json")
-                .timeout(Duration.ofSeconds(30))
-                .build(),
-            HttpResponse.BodyHandlers.ofString());
+    return good(answer(request));
+  }
+
+  private HttpResponse<String> answer(HttpRequest.Builder request)
+      throws IOException, InterruptedException {
+    return http.send(
+        request.header("Content-Type", "application/json").timeout(Duration.ofSeconds(30)).build(),
+        HttpResponse.BodyHandlers.ofString());
+  }
+
+  private static String good(HttpResponse<String> response) {
     if (response.statusCode() >= 300) {
       throw new AssertionError(response.statusCode() + ": " + response.body());
     }

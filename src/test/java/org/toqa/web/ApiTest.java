@@ -9,6 +9,7 @@ import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
+import java.time.Instant;
 import java.util.List;
 import java.util.Scanner;
 import java.util.Set;
@@ -21,8 +22,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
+import org.toqa.fleet.TrackPoint;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskState;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -62,6 +67,66 @@ class ApiTest {
   @Test
   void theServerIsUp() {
     assertEquals("{\"status\":\"UP\"}", visitor.get("api/v1/health").body());
+  }
+
+  @Test
+  void whatAilsTheFleetIsInItsHealth() {
+    server.fleet().raise("The database does not answer.");
+
+    HttpResponse<String> answer = visitor.get("api/v1/health");
+
+    assertEquals(503, answer.statusCode());
+    JsonNode health = JSON.readTree(answer.body());
+    assertEquals("DEGRADED", health.get("status").stringValue());
+    assertEquals("The database does not answer.", health.get("alerts").get(0).stringValue());
+  }
+
+  @Test
+  void theHistoryIsFilteredAndPaged() {
+    Instant at = Instant.parse("2026-11-21T08:00:00Z");
+    server
+        .store()
+        .addEvents(
+            List.of(
+                new EventRecord(at, "robot.held", null, "r1", "Max", "one"),
+                new EventRecord(at, "task.started", 7L, "r1", "toqa", "two"),
+                new EventRecord(at, "task.started", 8L, "r2", "toqa", "three")));
+
+    JsonNode first = JSON.readTree(get("api/v1/history?robot=r1&limit=1").body());
+    JsonNode second =
+        JSON.readTree(get("api/v1/history?robot=r1&before=" + first.get("next").asLong()).body());
+
+    assertEquals("two", first.get("events").get(0).get("text").stringValue());
+    assertEquals("one", second.get("events").get(0).get("text").stringValue());
+    assertTrue(second.get("next").isNull());
+    assertEquals(
+        1,
+        JSON.readTree(get("api/v1/history?until=2026-11-21&task=8").body()).get("events").size());
+    HttpResponse<String> wrong = get("api/v1/history?task=x&from=yesterday&kind=A");
+    assertEquals(422, wrong.statusCode());
+    assertEquals(3, JSON.readTree(wrong.body()).get("errors").size());
+  }
+
+  @Test
+  void aRobotHasATrack() {
+    server
+        .fleet()
+        .changeRobots(
+            none -> List.of(TestFleet.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
+    server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false));
+    Instant now = server.fleet().latest().at();
+    server
+        .tracks()
+        .add(
+            List.of(
+                new TrackPoint("r1", now.minusSeconds(7200), new Vec2(1, 1)),
+                new TrackPoint("r1", now.minusSeconds(60), new Vec2(2.5, 1))));
+
+    JsonNode points = JSON.readTree(get("api/v1/tracks/r1?hours=1").body()).get("points");
+
+    assertEquals(1, points.size());
+    assertEquals(2.5, points.get(0).get("x").asDouble());
+    assertEquals(404, get("api/v1/tracks/r9").statusCode());
   }
 
   @Test
@@ -449,7 +514,7 @@ class ApiTest {
     HttpResponse<String> answer = post(token, "api/v1/tasks", GOOD_TASK);
 
     assertEquals(503, answer.statusCode());
-    assertTrue(detail(answer).startsWith("The fleet did not answer in time."));
+    assertTrue(detail(answer).startsWith("The database does not answer, so nothing was changed."));
     assertFalse(answer.body().contains("Exception"));
   }
 

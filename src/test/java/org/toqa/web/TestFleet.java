@@ -19,6 +19,7 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.RobotOrder;
@@ -60,11 +61,23 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
       new FleetSnapshot(1, START, List.of(), List.of(), 0, List.of(), null, List.of());
   private List<FloorView> floors = List.of();
   private boolean silent;
+  private List<String> alerts = List.of();
   private @Nullable FleetPause pause;
 
   /** From now on the store does not answer. */
   void fallSilent() {
     silent = true;
+  }
+
+  /** Publishes what ails the whole fleet. */
+  void raise(String alert) {
+    lock.lock();
+    try {
+      alerts = List.of(alert);
+      publish(latest.robots());
+    } finally {
+      lock.unlock();
+    }
   }
 
   /** Publishes other robots. */
@@ -107,7 +120,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user) {
     if (silent) {
-      return CompletableFuture.failedFuture(new IllegalStateException("no store"));
+      return CompletableFuture.failedFuture(new StoreException("no store", null));
     }
     lock.lock();
     try {
@@ -419,7 +432,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
             (int) tasks.stream().filter(t -> t.state() == TaskState.QUEUED).count(),
             floors,
             pause,
-            List.of());
+            alerts);
     changed.signalAll();
   }
 

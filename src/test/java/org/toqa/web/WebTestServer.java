@@ -24,6 +24,9 @@ import org.flywaydb.core.Flyway;
 import org.jdbi.v3.core.Jdbi;
 import org.toqa.store.Accounts;
 import org.toqa.store.ApiTokens;
+import org.toqa.store.JdbiEventArchive;
+import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.Role;
 import org.toqa.web.access.Passwords;
 
@@ -40,6 +43,8 @@ final class WebTestServer implements AutoCloseable {
 
   private final TestFleet fleet = new TestFleet();
   private final Accounts accounts;
+  private final JdbiFleetStore store;
+  private final JdbiTrackStore tracks;
   private final Tomcat tomcat = new Tomcat();
   private final Path baseDir;
 
@@ -68,8 +73,18 @@ final class WebTestServer implements AutoCloseable {
     Jdbi jdbi = Jdbi.create(url, "sa", "");
     accounts = new Accounts(jdbi, InstantSource.system());
     ApiTokens tokens = new ApiTokens(jdbi, InstantSource.system(), Duration.ofHours(12));
+    tracks = new JdbiTrackStore(jdbi);
     Services services =
-        Services.of(fleet, fleet, accounts, tokens, PASSWORDS, InstantSource.system());
+        Services.of(
+            fleet,
+            fleet,
+            new JdbiEventArchive(jdbi),
+            tracks,
+            accounts,
+            tokens,
+            PASSWORDS,
+            InstantSource.system());
+    store = new JdbiFleetStore(jdbi);
     baseDir = Files.createTempDirectory("toqa-web-test");
     startTomcat(port, services);
   }
@@ -98,6 +113,15 @@ final class WebTestServer implements AutoCloseable {
         (classes, servletContext) -> servletContext.setAttribute(Services.ATTRIBUTE, services),
         null);
     tomcat.start();
+  }
+
+  /** What the history is read from. */
+  JdbiFleetStore store() {
+    return store;
+  }
+
+  JdbiTrackStore tracks() {
+    return tracks;
   }
 
   TestFleet fleet() {

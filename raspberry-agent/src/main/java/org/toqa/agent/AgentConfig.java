@@ -59,8 +59,9 @@ public record AgentConfig(
    *
    * @param start where a new body is put, map frame
    * @param noise standard deviation of a wheel's slip, as a share of what it turns
+   * @param speed how many times faster than real time it and its daemon live
    */
-  public record Simulated(Pose start, double noise, long seed) {}
+  public record Simulated(Pose start, double noise, long seed, double speed) {}
 
   /** Reads a file; a relative data folder lies beside it. */
   public static AgentConfig read(Path file) throws ConfigException {
@@ -73,7 +74,7 @@ public record AgentConfig(
         top.number("maxLoad", 5, 0, 10_000),
         top.number("footprint", 0.255, 0.05, 5),
         limits(top),
-        chassis(top.section("chassis", "type", "start", "noise", "seed")));
+        chassis(top.section("chassis", "type", "start", "noise", "seed", "speed")));
   }
 
   private static Map<?, ?> keys(Path file) throws ConfigException {
@@ -149,6 +150,7 @@ public record AgentConfig(
     return new Simulated(
         pose,
         chassis.number("noise", 0.01, 0, 1),
-        chassis.whole("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE));
+        chassis.whole("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE),
+        chassis.number("speed", 1, 0.1, 100));
   }
 }

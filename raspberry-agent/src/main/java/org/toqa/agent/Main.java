@@ -69,7 +69,7 @@ public final class Main implements Callable<Integer> {
     Daemon daemon = Daemon.open(config, InstantSource.system(), System.nanoTime());
     CountDownLatch closed = new CountDownLatch(1);
     try (daemon) {
-      RealTimeLoop loop = new RealTimeLoop(daemon);
+      RealTimeLoop loop = new RealTimeLoop(daemon, config.chassis().speed());
       Runtime.getRuntime().addShutdownHook(new Thread(() -> end(loop, closed)));
       loop.run();
     } finally {

@@ -4,10 +4,10 @@ import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 
 /** How long each of many runs took, in one unit of time. */
-final class Timings {
+public final class Timings {
   private final double[] sorted;
 
-  Timings(double[] times) {
+  public Timings(double[] times) {
     sorted = times.clone();
     Arrays.sort(sorted);
   }
@@ -18,7 +18,7 @@ final class Timings {
   }
 
   /** 0 where nothing was timed. */
-  double mean() {
+  public double mean() {
     return Arrays.stream(sorted).average().orElse(0);
   }
 
@@ -27,11 +27,11 @@ final class Timings {
    *
    * @param share above 0, at most 1
    */
-  double percentile(double share) {
+  public double percentile(double share) {
     return sorted.length == 0 ? 0 : sorted[(int) Math.ceil(share * sorted.length) - 1];
   }
 
-  double max() {
+  public double max() {
     return percentile(1);
   }
 }

@@ -14,10 +14,13 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.Cell;
+import org.toqa.grid.Disc;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.Segment;
 import org.toqa.planning.HeadingAStar;
 import org.toqa.planning.Path;
 import org.toqa.planning.PathPlanner;
@@ -33,6 +36,8 @@ final class OwnWays {
 
   /** So many lane cells from its goal a robot may go straight there, in any heading. */
   private static final int NEAR = 3;
+
+  private static final double ROUNDING = 1e-4;
 
   private final Ground ground;
   private final CourseFitter fitter;
@@ -51,7 +56,7 @@ final class OwnWays {
       return Optional.empty();
     }
     OccupancyGrid free = ground.clear(m.radius, new BitSet(), List.of(), m.releasedCell());
-    return fitted(alone, free, m, goal, this::isClear);
+    return fitted(alone, free, m, goal, way -> true);
   }
 
   /** As if all other robots made room that can. */
@@ -135,19 +140,20 @@ final class OwnWays {
     if (goal == null) {
       return Optional.empty();
     }
-    return fitted(amongOthers, free, m, goal, w -> isClear(w) && meetsNobody(m, w, beside, notOwn));
+    return fitted(amongOthers, free, m, goal, way -> meetsNobody(m, way, beside, notOwn));
   }
 
-  /** Straight to a goal that is near, else over cells. */
+  /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */
   private Optional<List<Stretch>> fitted(
       PathPlanner planner,
       OccupancyGrid free,
       Mover m,
       Cell goal,
       Predicate<List<Stretch>> isRight) {
+    Predicate<List<Stretch>> isClearAndRight = way -> isClear(m, way) && isRight.test(way);
     return straight(m, goal)
-        .flatMap(way -> firstFit(m, way, isRight))
-        .or(() -> way(planner, free, m, goal).flatMap(way -> firstFit(m, way, isRight)));
+        .flatMap(way -> firstFit(m, way, isClearAndRight))
+        .or(() -> way(planner, free, m, goal).flatMap(way -> firstFit(m, way, isClearAndRight)));
   }
 
   /** In an aisle hardly wider than the robot no cell's middle may be far enough from the walls. */
@@ -173,8 +179,40 @@ final class OwnWays {
     return others.stream().filter(o -> o != m && o.standing().intersects(under)).toList();
   }
 
-  private boolean isClear(List<Stretch> way) {
-    return isOffAll(way, ground.closed());
+  /**
+   * Whether it touches nothing that stands fast. What it touches already, as it may have been
+   * stopped anywhere and stands a little beside where it should, it comes no nearer to.
+   */
+  private boolean isClear(Mover m, List<Stretch> way) {
+    OccupancyGrid grid = ground.grid();
+    Pose pose = m.releasedEnd();
+    BitSet touched = new BitSet();
+    SweptCells.standing(grid, pose.position(), m.radius).addTo(touched);
+    touched.and(ground.closed());
+    if (touched.isEmpty()) {
+      return isOffAll(way, ground.closed());
+    }
+    BitSet others = (BitSet) ground.closed().clone();
+    others.andNot(touched);
+    double gap = m.radius;
+    for (int i = touched.nextSetBit(0); i >= 0; i = touched.nextSetBit(i + 1)) {
+      gap = Math.min(gap, Disc.gap(grid, pose.position(), grid.cell(i)));
+    }
+    return isOffAll(way, others) && isOffAll(pose, way, Math.max(gap - ROUNDING, ROUNDING), touched);
+  }
+
+  /** Whether a disc of some radius on that way, which begins at a pose, touches no such cell. */
+  private boolean isOffAll(Pose start, List<Stretch> way, double radius, BitSet cells) {
+    Pose pose = start;
+    for (Stretch stretch : way) {
+      for (Segment segment : stretch.segments()) {
+        if (SweptCells.of(ground.grid(), pose, segment, radius).intersects(cells)) {
+          return false;
+        }
+        pose = pose.advanced(segment.twist(), segment.t());
+      }
+    }
+    return true;
   }
 
   private static boolean meetsNobody(Mover m, List<Stretch> way, List<Mover> beside, BitSet taken) {

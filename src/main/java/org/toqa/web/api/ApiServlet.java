@@ -7,6 +7,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.mission.Question;
 import org.toqa.web.Doors;
 import org.toqa.web.FieldErrors;
@@ -23,6 +24,8 @@ abstract class ApiServlet extends HttpServlet {
       super.service(request, response);
     } catch (Problem.Raised e) {
       e.problem().send(response);
+    } catch (StoreException e) {
+      Problem.of(503, Texts.of(request).get("problem.databaseAway")).send(response);
     }
   }
 

@@ -3,13 +3,19 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.List;
 import java.util.Map;
 
-/** Says that the server answers. */
+/** Says that the server answers, and what ails the whole fleet. */
 public final class HealthServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Json.send(response, 200, Map.of("status", "UP"));
+    List<String> alerts = services().fleet().feed().latest().alerts();
+    if (alerts.isEmpty()) {
+      Json.send(response, 200, Map.of("status", "UP"));
+    } else {
+      Json.send(response, 503, Map.of("status", "DEGRADED", "alerts", alerts));
+    }
   }
 }

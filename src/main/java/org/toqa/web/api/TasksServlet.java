@@ -3,6 +3,8 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.List;
+import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.web.FieldErrors;
@@ -41,6 +43,6 @@ public final class TasksServlet extends ApiServlet {
     Json.send(
         response,
         HttpServletResponse.SC_CREATED,
-        TaskJson.withHistory(task, services().archive().history(task.id())));
+        TaskJson.withHistory(task, List.of(EventRecord.added(task.task()))));
   }
 }

@@ -6,6 +6,7 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.web.Door;
 import org.toqa.web.FleetSilentException;
 import org.toqa.web.Texts;
@@ -50,7 +51,8 @@ public final class ErrorServlet extends PageServlet {
   }
 
   private static int status(HttpServletRequest request) {
-    if (cause(request) instanceof FleetSilentException) {
+    Object cause = cause(request);
+    if (cause instanceof FleetSilentException || cause instanceof StoreException) {
       return HttpServletResponse.SC_SERVICE_UNAVAILABLE;
     }
     return request.getAttribute(RequestDispatcher.ERROR_STATUS_CODE) instanceof Integer status
@@ -66,7 +68,10 @@ public final class ErrorServlet extends PageServlet {
         .get(
             switch (status) {
               case 404 -> "problem.noSuchPage";
-              case 503 -> "problem.fleetSilent";
+              case 503 ->
+                  cause(request) instanceof StoreException
+                      ? "problem.databaseAway"
+                      : "problem.fleetSilent";
               default -> status < 500 ? "problem.badRequest" : "problem.ourFault";
             });
   }

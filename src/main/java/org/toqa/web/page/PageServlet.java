@@ -7,6 +7,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.FleetSnapshot;
 import org.toqa.mission.Question;
 import org.toqa.web.Doors;
 import org.toqa.web.FieldErrors;
@@ -39,8 +40,9 @@ abstract class PageServlet extends HttpServlet {
   static void showBare(HttpServletRequest request, HttpServletResponse response, String view)
       throws ServletException, IOException {
     request.setAttribute("path", Doors.pathOf(request));
-    request.setAttribute(
-        "pause", Services.from(request.getServletContext()).fleet().feed().latest().pause());
+    FleetSnapshot fleet = Services.from(request.getServletContext()).fleet().feed().latest();
+    request.setAttribute("pause", fleet.pause());
+    request.setAttribute("alerts", fleet.alerts());
     request.getRequestDispatcher("/WEB-INF/views/" + view + ".jsp").forward(request, response);
   }
 

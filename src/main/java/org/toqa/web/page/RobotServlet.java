@@ -20,6 +20,8 @@ import org.toqa.web.access.Caller;
 
 /** One robot: its state, and a manager's word where it is and what it shall do. */
 public final class RobotServlet extends PageServlet {
+  private static final int TRACK_HOURS = 4;
+
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
@@ -85,6 +87,7 @@ public final class RobotServlet extends PageServlet {
     Optional<RobotView> robot =
         fleet.robots().stream().filter(r -> r.name().equals(name)).findFirst();
     robot.ifPresent(r -> request.setAttribute("robot", r));
+    request.setAttribute("trackHours", TRACK_HOURS);
     request.setAttribute(
         "keepsPlace", fleet.floors().stream().anyMatch(floor -> floor.kept().containsKey(name)));
     return robot.isPresent();

@@ -4,14 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.oneshot.LacamFloorPlanner;
 
 class FloorTrafficTest {
   private static final Duration LIMIT = Duration.ofMinutes(5);
@@ -88,6 +92,23 @@ class FloorTrafficTest {
     Map<String, String> reasons = floor.reasons();
     assertEquals(8, reasons.size());
     reasons.forEach((robot, reason) -> assertTrue(reason.startsWith("Waits"), robot + reason));
+  }
+
+  @Test
+  void aRobotThatWasStoppedAMillimetreInAWallDrivesAway() {
+    FloorTraffic traffic =
+        new FloorTraffic(
+            DrivenFloor.draw("#####", "....."),
+            new LacamFloorPlanner(),
+            () -> Deadline.in(Duration.ofSeconds(1), System::nanoTime));
+    Instant now = Instant.EPOCH;
+    // the wall begins at y = 0.3 m; 0.1735 + 0.255 / 2 = 0.301
+    traffic.stands("a", new Pose(0.15, 0.1735, 0), 0.255, now);
+    traffic.wants("a", new Vec2(1.35, 0.15), now);
+
+    assertTrue(
+        traffic.decide(now).stream().anyMatch(Decision.Begin.class::isInstance),
+        () -> String.valueOf(traffic.reason("a")));
   }
 
   @Test

@@ -1,0 +1,108 @@
+package org.toqa.app;
+
+import java.net.URI;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import tools.jackson.databind.json.JsonMapper;
+
+/** {@code toqa bench tasks}: how fast tasks can be put in, and whether all of them are there. */
+@Command(
+    name = "tasks",
+    description = "Puts tasks into a whole server through its API, by many clients at once.",
+    footer = {
+      "",
+      "Prints JSON: p50Ms, p99Ms and maxMs of POST /api/v1/tasks, tasksPerSecond,",
+      "lost and twice (tasks that were accepted and are not there, or more than once;",
+      "it exits 1), and heapMb (what is still in use when all are queued, clients",
+      "included)."
+    })
+final class TaskBench implements Callable<Integer> {
+  private static final String USER = "bench";
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Option(
+      names = "--tasks",
+      defaultValue = "10000",
+      paramLabel = "N",
+      description = "How many, 1 to 100000 (default: ${DEFAULT-VALUE}).")
+  private int tasks;
+
+  @Option(
+      names = "--clients",
+      defaultValue = "20",
+      paramLabel = "N",
+      description = "How many put them in at once, 1 to 1000 (default: ${DEFAULT-VALUE}).")
+  private int clients;
+
+  @Option(
+      names = "--robots",
+      defaultValue = "3",
+      paramLabel = "N",
+      description = "How many robots carry meanwhile, 0 to 500 (default: ${DEFAULT-VALUE}).")
+  private int robots;
+
+  @Option(
+      names = "--database",
+      paramLabel = "URL",
+      description = "JDBC, of an empty database (default: an H2 file).")
+  private @Nullable String database;
+
+  @Override
+  public Integer call() throws Exception {
+    mustBeBetween("--tasks", tasks, 1, 100_000);
+    mustBeBetween("--clients", clients, 1, 1000);
+    mustBeBetween("--robots", robots, 0, 500);
+    Path webapp = Webapp.folder();
+    try (StopSignal stop = new StopSignal();
+        TemporaryFolder data = TemporaryFolder.create("toqa-bench")) {
+      String password = UUID.randomUUID().toString();
+      Configuration configuration =
+          Configuration.of(webapp, List.of(options(data.path(), password)));
+      Operation measurement = (toqa, address, wish) -> measure(address, password);
+      return measurement.runOn(configuration, webapp, stop);
+    }
+  }
+
+  private int measure(URI address, String password) throws Exception {
+    try (TaskClients crowd = TaskClients.logIn(address, USER, password, clients)) {
+      long begun = System.nanoTime();
+      double[] millis = crowd.putIn(tasks);
+      Duration took = Duration.ofNanos(System.nanoTime() - begun);
+      TaskReport report = TaskReport.of(millis, took, clients, crowd.namesOfAll());
+      spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+      return report.lost() == 0 && report.twice() == 0 ? ExitCode.OK : Main.FAILED;
+    }
+  }
+
+  private Layer options(Path data, String password) {
+    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    options.put(Setting.SIMULATE, String.valueOf(robots));
+    options.put(Setting.LOG_LEVEL, "ERROR");
+    options.put(Setting.DATA, data.toString());
+    options.put(Setting.DATABASE_URL, database);
+    options.put(Setting.MANAGER, USER + ":" + password);
+    options.put(Setting.PORT, "0");
+    return Layer.ofCommandLine(options);
+  }
+
+  private void mustBeBetween(String option, int value, int least, int most) {
+    if (value < least || value > most) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "%s %d: it must be from %d to %d".formatted(option, value, least, most));
+    }
+  }
+}

@@ -1,0 +1,137 @@
+package org.toqa.app;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Many users of the API at once, each of whom waits for an answer before the next question. */
+final class TaskClients implements AutoCloseable {
+  private static final Duration LIMIT = Duration.ofSeconds(60);
+  private static final int PAGE = 500;
+  private static final double LOAD = 2; // kilograms
+
+  private final HttpClient http = HttpClient.newHttpClient();
+  private final URI root;
+  private final int count;
+  private final String token;
+
+  private TaskClients(URI root, String name, String password, int count)
+      throws IOException, InterruptedException {
+    this.root = root;
+    this.count = count;
+    HttpRequest.Builder session = HttpRequest.newBuilder(root.resolve("api/v1/session"));
+    token =
+        json(send(post(session, Map.of("name", name, "password", password)), 200))
+            .get("token")
+            .asString();
+  }
+
+  static TaskClients logIn(URI root, String name, String password, int count)
+      throws IOException, InterruptedException {
+    return new TaskClients(root, name, password, count);
+  }
+
+  /** Puts tasks in, named by their number; answers how many milliseconds each took. */
+  double[] putIn(int tasks) throws Exception {
+    List<String> stations = stations();
+    double[] millis = new double[tasks];
+    AtomicInteger next = new AtomicInteger();
+    try (ExecutorService threads = Executors.newVirtualThreadPerTaskExecutor()) {
+      List<Future<?>> clients = new ArrayList<>();
+      for (int i = 0; i < count; i++) {
+        clients.add(
+            threads.submit(
+                () -> {
+                  for (int n = next.getAndIncrement(); n < tasks; n = next.getAndIncrement()) {
+                    millis[n] = putIn(n, stations);
+                  }
+                  return null;
+                }));
+      }
+      for (Future<?> client : clients) {
+        client.get();
+      }
+    }
+    return millis;
+  }
+
+  private double putIn(int number, List<String> stations) throws IOException, InterruptedException {
+    Map<String, Object> order =
+        Map.of(
+            "name",
+            String.valueOf(number),
+            "load",
+            LOAD,
+            "start",
+            Map.of("station", stations.get(number % stations.size())),
+            "goal",
+            Map.of("station", stations.get((number + 1) % stations.size())));
+    long begun = System.nanoTime();
+    send(post(request("tasks"), order), 201);
+    return (System.nanoTime() - begun) / 1e6;
+  }
+
+  private List<String> stations() throws IOException, InterruptedException {
+    List<String> names = new ArrayList<>();
+    json(send(request("map"), 200))
+        .get("stations")
+        .forEach(s -> names.add(s.get("name").asString()));
+    return names;
+  }
+
+  /** The name of each task that the server has. */
+  List<String> namesOfAll() throws IOException, InterruptedException {
+    List<String> names = new ArrayList<>();
+    int size;
+    do {
+      size = names.size();
+      json(send(request("tasks?limit=" + PAGE + "&offset=" + size), 200))
+          .forEach(task -> names.add(task.get("name").asString()));
+    } while (names.size() == size + PAGE);
+    return names;
+  }
+
+  private HttpRequest.Builder request(String path) {
+    return HttpRequest.newBuilder(root.resolve("api/v1/" + path))
+        .header("Authorization", "Bearer " + token);
+  }
+
+  private static HttpRequest.Builder post(HttpRequest.Builder request, Map<String, Object> body) {
+    return request
+        .header("Content-Type", "application/json")
+        .POST(BodyPublishers.ofByteArray(JsonMapper.shared().writeValueAsBytes(body)));
+  }
+
+  private String send(HttpRequest.Builder request, int wanted)
+      throws IOException, InterruptedException {
+    HttpResponse<String> answer =
+        http.send(request.timeout(LIMIT).build(), BodyHandlers.ofString());
+    if (answer.statusCode() != wanted) {
+      throw new IOException("The server answered " + answer.statusCode() + ": " + answer.body());
+    }
+    return answer.body();
+  }
+
+  private static JsonNode json(String text) {
+    return JsonMapper.shared().readTree(text);
+  }
+
+  @Override
+  public void close() {
+    http.close();
+  }
+}

@@ -1,0 +1,68 @@
+package org.toqa.fleet;
+
+import java.time.Duration;
+import java.util.function.Consumer;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.fleet.FleetStore.StoreException;
+
+/** Asks the store every two seconds, on a thread of its own, whether it is there. */
+final class StoreWatch implements AutoCloseable {
+  /** What people are told while it is not. */
+  static final String AWAY =
+      "The database does not answer. Robots finish what they were told and then wait;"
+          + " nothing new is accepted until it is back.";
+
+  private static final Logger log = LoggerFactory.getLogger(StoreWatch.class);
+  private static final Duration PACE = Duration.ofSeconds(2);
+
+  private final FleetStore store;
+  private final Consumer<Boolean> changed;
+  private final Thread thread;
+  private volatile boolean answers = true;
+
+  /**
+   * @param changed is told, on the watch's thread, when the store stops or begins to answer
+   */
+  StoreWatch(FleetStore store, Consumer<Boolean> changed) {
+    this.store = store;
+    this.changed = changed;
+    thread = Thread.ofVirtual().name("store-watch").start(this::run);
+  }
+
+  /** Whether it did when it was asked last; at first it is taken to. */
+  boolean answers() {
+    return answers;
+  }
+
+  private void run() {
+    try {
+      while (true) {
+        Thread.sleep(PACE);
+        look();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void look() {
+    boolean now;
+    try {
+      store.check();
+      now = true;
+    } catch (StoreException e) {
+      now = false;
+    }
+    if (now != answers) {
+      answers = now;
+      log.warn(now ? "The database answers again." : "The database does not answer.");
+      changed.accept(now);
+    }
+  }
+
+  @Override
+  public void close() {
+    thread.interrupt();
+  }
+}

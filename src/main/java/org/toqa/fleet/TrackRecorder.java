@@ -1,0 +1,81 @@
+package org.toqa.fleet;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.fleet.FleetStore.StoreException;
+
+/**
+ * Writes down where robots were, on a thread of its own. A killed server loses the last ten seconds
+ * of it; while the store does not answer, the newest points wait.
+ */
+public final class TrackRecorder implements AutoCloseable {
+  private static final Logger log = LoggerFactory.getLogger(TrackRecorder.class);
+  private static final Duration LOOK_EVERY = Duration.ofMillis(200);
+  private static final Duration WRITE_EVERY = Duration.ofSeconds(10);
+  private static final int MOST_WAITING = 100_000;
+
+  private final SnapshotFeed feed;
+  private final TrackStore store;
+  private final Map<String, TrackThinner> thinners = new HashMap<>();
+  private final List<TrackPoint> waiting = new ArrayList<>();
+  private final Thread thread;
+
+  public TrackRecorder(SnapshotFeed feed, TrackStore store) {
+    this.feed = feed;
+    this.store = store;
+    thread = Thread.ofVirtual().name("tracks").start(this::run);
+  }
+
+  private void run() {
+    long written = System.nanoTime();
+    long version = -1;
+    try {
+      while (true) {
+        FleetSnapshot snapshot = feed.awaitNewer(version, WRITE_EVERY);
+        version = snapshot.version();
+        snapshot.robots().forEach(this::look);
+        if (System.nanoTime() - written > WRITE_EVERY.toNanos()) {
+          write();
+          written = System.nanoTime();
+        }
+        Thread.sleep(LOOK_EVERY);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void look(RobotView robot) {
+    if (robot.pose() != null && robot.lastSeen() != null && robot.state() != RobotState.LOST) {
+      thinners
+          .computeIfAbsent(robot.name(), TrackThinner::new)
+          .add(robot.lastSeen(), robot.pose().position())
+          .ifPresent(waiting::add);
+    }
+  }
+
+  private void write() {
+    if (waiting.isEmpty()) {
+      return;
+    }
+    try {
+      store.add(List.copyOf(waiting));
+      waiting.clear();
+    } catch (StoreException e) {
+      log.warn("Tracks could not be stored; they wait.", e);
+      if (waiting.size() > MOST_WAITING) {
+        waiting.subList(0, waiting.size() - MOST_WAITING).clear();
+      }
+    }
+  }
+
+  @Override
+  public void close() {
+    thread.interrupt();
+  }
+}

@@ -1,0 +1,73 @@
+package org.toqa.store;
+
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.util.List;
+import org.jdbi.v3.core.Handle;
+import org.jdbi.v3.core.statement.PreparedBatch;
+import org.jdbi.v3.core.statement.StatementContext;
+import org.toqa.fleet.EventRecord;
+
+/** The table of events, within a transaction of somebody else. */
+final class Events {
+  static final String COLUMNS = "at, kind, task_id, robot, who, text";
+
+  private Events() {}
+
+  /**
+   * Adds what is not there yet: a change is tried again when nobody knows whether it was stored,
+   * and must not be told twice.
+   */
+  static void add(Handle h, List<EventRecord> events) {
+    PreparedBatch batch =
+        h.prepareBatch(
+            "insert into events (" + COLUMNS + ") values (:at, :kind, :task, :robot, :who, :text)");
+    for (EventRecord e : events) {
+      if (!isThere(h, e)) {
+        batch
+            .bind("at", Sql.utc(e.at()))
+            .bind("kind", e.kind())
+            .bind("task", e.task())
+            .bind("robot", e.robot())
+            .bind("who", e.who())
+            .bind("text", e.text())
+            .add();
+      }
+    }
+    if (batch.size() > 0) {
+      batch.execute();
+    }
+  }
+
+  private static boolean isThere(Handle h, EventRecord e) {
+    return h
+        .createQuery("select " + COLUMNS + " from events where at = :at and kind = :kind")
+        .bind("at", Sql.utc(e.at()))
+        .bind("kind", e.kind())
+        .map(Events::row)
+        .stream()
+        .anyMatch(
+            stored ->
+                stored.equals(
+                    new EventRecord(
+                        stored.at(), e.kind(), e.task(), e.robot(), e.who(), e.text())));
+  }
+
+  /** Oldest first. */
+  static List<EventRecord> of(Handle h, long task) {
+    return h.createQuery("select " + COLUMNS + " from events where task_id = :task order by id")
+        .bind("task", task)
+        .map(Events::row)
+        .list();
+  }
+
+  static EventRecord row(ResultSet rs, StatementContext context) throws SQLException {
+    return new EventRecord(
+        Rows.instant(rs, "at"),
+        rs.getString("kind"),
+        Rows.nullableLong(rs, "task_id"),
+        rs.getString("robot"),
+        rs.getString("who"),
+        rs.getString("text"));
+  }
+}

@@ -1,0 +1,59 @@
+package org.toqa.store;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.statement.Query;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventArchive;
+
+/** The history on H2 and on MySQL. */
+public final class JdbiEventArchive implements EventArchive {
+  private final Sql sql;
+
+  public JdbiEventArchive(Jdbi jdbi) {
+    this.sql = new Sql(jdbi);
+  }
+
+  @Override
+  public List<Entry> events(Filter filter, long before, int limit) {
+    Map<String, Object> conditions = new LinkedHashMap<>();
+    conditions.put("id < :a", before);
+    add(conditions, "task_id = :b", filter.task());
+    add(conditions, "robot = :c", filter.robot());
+    add(conditions, "who = :d", filter.user());
+    if (filter.kind() != null) {
+      boolean isFamily = filter.kind().indexOf('.') < 0;
+      conditions.put(
+          isFamily ? "kind like :e" : "kind = :e",
+          isFamily ? filter.kind().replaceAll("[%_]", "") + ".%" : filter.kind());
+    }
+    add(conditions, "at >= :f", filter.from() == null ? null : Sql.utc(filter.from()));
+    add(conditions, "at < :g", filter.until() == null ? null : Sql.utc(filter.until()));
+    return sql.in(
+        h -> {
+          Query query =
+              h.createQuery(
+                  "select id, "
+                      + Events.COLUMNS
+                      + " from events where "
+                      + String.join(" and ", conditions.keySet())
+                      + " order by id desc limit :limit");
+          conditions.forEach(
+              (condition, value) ->
+                  query.bind(condition.substring(condition.indexOf(':') + 1), value));
+          return query
+              .bind("limit", limit)
+              .map((rs, context) -> new Entry(rs.getLong("id"), Events.row(rs, context)))
+              .list();
+        });
+  }
+
+  private static void add(
+      Map<String, Object> conditions, String condition, @Nullable Object value) {
+    if (value != null) {
+      conditions.put(condition, value);
+    }
+  }
+}

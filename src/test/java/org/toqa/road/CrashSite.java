@@ -1,0 +1,85 @@
+package org.toqa.road;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.toqa.testbed.Cable;
+import org.toqa.testbed.RealMySql;
+
+/**
+ * A server on a real MySQL with one simulated robot, and two robots whose daemons are processes of
+ * their own. All of it can be killed, and each connection be cut.
+ */
+final class CrashSite implements AutoCloseable {
+  private static final double SPEED = 20;
+
+  final Cable database;
+  final List<RunningAgent> agents;
+  final Map<String, Cable> links = new LinkedHashMap<>();
+  final RunningServer server;
+
+  CrashSite(Path folder) throws Exception {
+    String url = RealMySql.newDatabase();
+    URI address = URI.create(url.substring("jdbc:".length()));
+    database = new Cable(address.getPort());
+    Path config = folder.resolve("server.yaml");
+    Files.writeString(
+        config,
+        "database:\n  url: \"%s\"\n"
+            .formatted(url.replace(":" + address.getPort(), ":" + database.port())));
+    agents =
+        List.of(
+            new RunningAgent(folder, "carl", 7.95, 3.15, SPEED),
+            new RunningAgent(folder, "dora", 15.15, 1.05, SPEED));
+    server =
+        new RunningServer(
+            folder,
+            "--config",
+            config.toString(),
+            "--simulate",
+            "1",
+            "--speed",
+            String.valueOf(SPEED));
+    for (RunningAgent agent : agents) {
+      Cable link = new Cable(agent.port());
+      links.put(agent.name(), link);
+      server
+          .api()
+          .post(
+              "robots",
+              Map.of("name", agent.name(), "host", "127.0.0.1", "port", link.port(), "maxLoad", 5));
+    }
+    server.await("robots", robots -> robots.size() == 3);
+  }
+
+  void mendAll() {
+    database.mend();
+    links.values().forEach(Cable::mend);
+  }
+
+  /** Everything that server and robots have said; they are killed for it. */
+  List<String> lastWords() throws Exception {
+    server.kill();
+    List<String> lines = new ArrayList<>(server.lastWords());
+    for (RunningAgent agent : agents) {
+      agent.kill();
+      lines.addAll(agent.lastWords());
+    }
+    return lines;
+  }
+
+  @Override
+  public void close() throws IOException {
+    server.close();
+    agents.forEach(RunningAgent::close);
+    for (Cable cable : Stream.concat(links.values().stream(), Stream.of(database)).toList()) {
+      cable.close();
+    }
+  }
+}

@@ -1,0 +1,171 @@
+package org.toqa.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.sql.SQLException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.UUID;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.EventArchive.Entry;
+import org.toqa.fleet.EventArchive.Filter;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.TrackPoint;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask;
+
+/** What is kept, found again and pruned; here on H2, in {@code MySqlHistoryTest} on MySQL. */
+class HistoryTest {
+  private static final Instant AT = Instant.parse("2026-11-21T10:00:00.123Z");
+  private static final Filter ALL = new Filter(null, null, null, null, null, null);
+
+  private Database database;
+  private JdbiFleetStore store;
+  private JdbiEventArchive history;
+  private JdbiTrackStore tracks;
+  private Pruning pruning;
+
+  Database open() throws SQLException {
+    return Database.inMemory("history-" + System.nanoTime());
+  }
+
+  @BeforeEach
+  void openStore() throws SQLException {
+    database = open();
+    store = new JdbiFleetStore(database.jdbi());
+    history = new JdbiEventArchive(database.jdbi());
+    tracks = new JdbiTrackStore(database.jdbi());
+    pruning = new Pruning(database.jdbi());
+  }
+
+  @AfterEach
+  void closeStore() {
+    database.close();
+  }
+
+  @Test
+  void eventsAreFoundByRobotTaskUserKindAndTime() {
+    EventRecord held = event(AT, "robot.held", null, "r1", "Max", "Max put r1 on hold");
+    EventRecord lost = event(AT.plusSeconds(1), "task.robot-lost", 7L, "r1", "toqa", "lost");
+    EventRecord seen = event(AT.plusSeconds(2), "floor.obstacle", null, "r2", "toqa", "box");
+    store.addEvents(List.of(held, lost, seen));
+
+    assertEquals(List.of(seen, lost, held), found(ALL));
+    assertEquals(List.of(lost, held), found(new Filter(null, "r1", null, null, null, null)));
+    assertEquals(List.of(lost), found(new Filter(7L, null, null, null, null, null)));
+    assertEquals(List.of(held), found(new Filter(null, null, "Max", null, null, null)));
+    assertEquals(List.of(seen), found(new Filter(null, null, null, "floor", null, null)));
+    assertEquals(List.of(seen), found(new Filter(null, null, null, "floor.obstacle", null, null)));
+    assertEquals(List.of(), found(new Filter(null, null, null, "obstacle", null, null)));
+    assertEquals(
+        List.of(lost),
+        found(new Filter(null, null, null, null, AT.plusSeconds(1), AT.plusSeconds(2))));
+  }
+
+  @Test
+  void pagesFollowEachOtherWithoutGaps() {
+    store.addEvents(
+        IntStream.range(0, 25)
+            .mapToObj(i -> event(AT.plusSeconds(i), "fleet.paused", null, null, "Max", "no. " + i))
+            .toList());
+
+    List<Entry> first = history.events(ALL, Long.MAX_VALUE, 10);
+    List<Entry> second = history.events(ALL, first.getLast().id(), 10);
+
+    assertEquals("no. 24", first.getFirst().event().text());
+    assertEquals("no. 15", first.getLast().event().text());
+    assertEquals("no. 14", second.getFirst().event().text());
+  }
+
+  @Test
+  void aChangeThatIsRepeatedIsToldOnce() {
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true));
+    List<EventRecord> events =
+        List.of(
+            event(AT, "robot.held", null, "r1", "Max", "Max put r1 on hold"),
+            event(AT, "robot.held", null, "r1", "Max", "and said why"));
+
+    store.saveHold("r1", true, events);
+    store.saveHold("r1", true, events);
+
+    assertEquals(events.reversed(), found(ALL));
+  }
+
+  @Test
+  void aWithdrawnTaskWasNeverThere() {
+    UUID submission = UUID.randomUUID();
+    store.addTask(task("ghost"), submission);
+    TransportTask stays = store.addTask(task("stays"), UUID.randomUUID());
+
+    store.withdraw(submission);
+    store.withdraw(UUID.randomUUID());
+
+    assertEquals(1, store.count());
+    assertEquals(List.of(EventRecord.added(stays)), found(ALL));
+  }
+
+  @Test
+  void aTrackComesBackToTheMillimetre() {
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true));
+    TrackPoint early = new TrackPoint("r1", AT, new Vec2(1.234, -5.678));
+    TrackPoint late = new TrackPoint("r1", AT.plusSeconds(5), new Vec2(2, 0));
+    tracks.add(List.of(late, early, new TrackPoint("nobody", AT, new Vec2(0, 0))));
+    tracks.add(List.of(early));
+
+    List<TrackPoint> all = tracks.track("r1", AT);
+    assertEquals(List.of(early.at(), late.at()), all.stream().map(TrackPoint::at).toList());
+    assertEquals(0, early.position().distanceTo(all.getFirst().position()), 1e-9);
+    assertEquals(1, tracks.track("r1", AT.plusMillis(1)).size());
+  }
+
+  @Test
+  void whatIsTooOldIsPrunedAndWhatIsOpenStays() {
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true));
+    TransportTask done = store.addTask(task("done"), UUID.randomUUID());
+    TransportTask open = store.addTask(task("open"), UUID.randomUUID());
+    Mission ended = new Mission(done, TaskState.CANCELLED, List.of(), false, null, null, null);
+    store.saveMission(ended, AT, List.of());
+    EventRecord recent = event(AT.plus(Duration.ofDays(2)), "fleet.paused", null, null, "A", "b");
+    store.addEvents(List.of(event(AT, "fleet.paused", null, null, "Max", "old"), recent));
+    tracks.add(
+        IntStream.range(0, 2500)
+            .mapToObj(i -> new TrackPoint("r1", AT.plusSeconds(i), new Vec2(i, 0)))
+            .toList());
+
+    assertEquals(2000, pruning.tracks(AT.plusSeconds(2000)));
+    assertEquals(1, pruning.history(AT.plus(Duration.ofDays(1))));
+
+    assertEquals(500, tracks.track("r1", AT).size());
+    assertEquals(List.of(recent, EventRecord.added(open)), found(ALL));
+    assertEquals(1, store.count());
+  }
+
+  private List<EventRecord> found(Filter filter) {
+    return history.events(filter, Long.MAX_VALUE, 100).stream().map(Entry::event).toList();
+  }
+
+  private static EventRecord event(
+      Instant at,
+      String kind,
+      @Nullable Long task,
+      @Nullable String robot,
+      String who,
+      String text) {
+    return new EventRecord(at, kind, task, robot, who, text);
+  }
+
+  private static TransportTask task(String name) {
+    TaskPlace here = new TaskPlace(new Vec2(1, 1), null);
+    TaskPlace there = new TaskPlace(new Vec2(2, 2), null);
+    return new TransportTask(0, name, 1, here, there, "lab", 0, null, null, "Ann", AT);
+  }
+}
