@@ -3,8 +3,11 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -12,6 +15,8 @@ import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
 import org.toqa.traffic.floor.Route;
 
 /**
@@ -21,6 +26,8 @@ import org.toqa.traffic.floor.Route;
  * of it ({@code errand}, {@code way}) stand side by side; the floor acts where they differ.
  */
 final class FloorRobot {
+  private static final Logger log = LoggerFactory.getLogger(FloorRobot.class);
+
   /** The diameter assumed of a robot that was never heard of: the smallest of ours, metres. */
   private static final double UNKNOWN_FOOTPRINT = 0.255;
 
@@ -96,6 +103,22 @@ final class FloorRobot {
     static Errand home(Vec2 parking) {
       return new Errand(null, 0, parking);
     }
+
+    /**
+     * What the robot's phase of the mission asks.
+     *
+     * @param home its parking point
+     */
+    static Errand of(Mission mission, String robot, Optional<Vec2> home) {
+      int phase = mission.carrier(robot).map(Carrier::phase).orElse(3);
+      Vec2 goal =
+          switch (phase) {
+            case 1 -> mission.object().position();
+            case 2 -> mission.destination().position();
+            default -> home.orElse(mission.task().goal().position());
+          };
+      return new Errand(mission.id(), phase, goal);
+    }
   }
 
   FloorRobot(RobotRecord record, ActorRef<RobotMessage> agent, Instant now) {
@@ -169,6 +192,15 @@ final class FloorRobot {
         && told.phase() == wanted.phase()
         && Objects.equals(wanted.task(), told.task())
         && (toldGoal == null || toldGoal.equals(wanted.goal()));
+  }
+
+  /** Ends its drive, once. */
+  void cancelDrive() {
+    if (connected && !cancelling) {
+      cancelling = true;
+      log.info("{}: its drive {} is not wanted any more.", name(), drive);
+      agent.tell(new RobotMessage.Cancel(reportedTask));
+    }
   }
 
   RobotState state() {
