@@ -14,6 +14,7 @@ import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
+import org.toqa.fleet.ChargingRules;
 
 /**
  * How this server is to run, every value checked. {@code docs/configuration.md} explains each.
@@ -25,6 +26,7 @@ import org.toqa.allocation.Policy;
  * @param allocator who decides which robots carry what
  * @param simulate how many simulated robots
  * @param lostAfter how long a robot is silent until its task goes to another
+ * @param charging when robots charge
  * @param speed how many times faster than real time the simulated robots live
  * @param manager the manager to make while there is none
  * @param plainLinks whether robots on other machines may be spoken to without encryption
@@ -38,6 +40,7 @@ public record Configuration(
     Policy allocator,
     int simulate,
     Duration lostAfter,
+    ChargingRules charging,
     double speed,
     @Nullable FirstManager manager,
     boolean plainLinks,
@@ -89,10 +92,25 @@ public record Configuration(
           policy(),
           simulate,
           lostAfter,
+          charging(),
           speed,
           manager(),
           yesOrNo(Setting.PLAIN_LINKS),
           logLevel());
+    }
+
+    private ChargingRules charging() throws ConfigurationException {
+      int below = wholeNumber(Setting.CHARGING_BELOW, 5, 90);
+      int until = wholeNumber(Setting.CHARGING_UNTIL, 10, 100);
+      if (until <= below) {
+        throw refused(
+            Setting.CHARGING_UNTIL, "it must be more than charging.below, which is " + below + ".");
+      }
+      return new ChargingRules(
+          below / 100.0,
+          until / 100.0,
+          Duration.ofSeconds(Math.round(3600 * number(Setting.CHARGING_AFTER_HOURS, 0.1, 24))),
+          Duration.ofMinutes(wholeNumber(Setting.CHARGING_MINUTES, 1, 1440)));
     }
 
     private InetAddress address() throws ConfigurationException {

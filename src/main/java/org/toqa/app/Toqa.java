@@ -13,6 +13,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.AgentFleet;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.RobotRecord;
@@ -98,7 +99,8 @@ final class Toqa implements AutoCloseable {
             store,
             new TcpRobotLinks(configuration.plainLinks()),
             configuration.allocator().allocator(),
-            configuration.lostAfter(),
+            new FleetRules(
+                configuration.lostAfter(), configuration.charging(), configuration.speed()),
             wallClock,
             clock.instant());
     parts.push(fleet);

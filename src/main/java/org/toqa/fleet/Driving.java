@@ -47,8 +47,10 @@ final class Driving {
 
   private void arrived(FloorRobot robot, Errand errand) {
     if (errand.task() == null) {
-      robot.errand = null;
-      state.changed = true;
+      if (robot.turn == null) { // else it stays while it charges
+        robot.errand = null;
+        state.changed = true;
+      }
     } else {
       missions.happened(errand.task(), new MissionEvent.PhaseEnded(robot.name(), errand.phase()));
     }

@@ -35,6 +35,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private final FloorMissions missions;
   private final Holding holding;
   private final Homing homing;
+  private final Charging charging;
   private final RobotWishes wishes;
   private final Reception reception;
   private final Driving driving;
@@ -44,15 +45,14 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       FloorMemory memory,
       FleetStore store,
       RobotLinks links,
-      Duration lostAfter,
+      FleetRules rules,
       InstantSource clock,
       Instant now,
       ActorRef<ManagerMessage> manager) {
     return AgentFleet.goingOn(
         Behaviors.setup(
             context ->
-                new FloorAgent(
-                    context, floor, memory, store, links, lostAfter, clock, now, manager)));
+                new FloorAgent(context, floor, memory, store, links, rules, clock, now, manager)));
   }
 
   private FloorAgent(
@@ -61,7 +61,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       FloorMemory memory,
       FleetStore store,
       RobotLinks links,
-      Duration lostAfter,
+      FleetRules rules,
       InstantSource clock,
       Instant now,
       ActorRef<ManagerMessage> manager) {
@@ -76,9 +76,11 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     watch = new FloorWatch(floor, traffic);
     reports = new FloorReports(state, watch, manager);
     missions =
-        new FloorMissions(state, reports, new RobotWatch(lostAfter), context.getSelf(), manager);
+        new FloorMissions(
+            state, reports, new RobotWatch(rules.lostAfter()), context.getSelf(), manager);
     holding = new Holding(state, memory.pause());
     homing = new Homing(state);
+    charging = new Charging(state, missions, rules.charging(), context.getSelf());
     wishes = new RobotWishes(state, reports, missions, holding, homing, context.getSelf());
     reception = new Reception(state, missions, holding, watch);
     driving = new Driving(state, missions);
@@ -87,6 +89,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       robot.inService = !memory.outOfService().contains(record.name());
       robot.held = memory.held().contains(record.name());
     }
+    memory.charges().forEach(charging::recover);
     memory.begun().forEach(missions::recover);
   }
 
@@ -109,6 +112,8 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.Locate m -> wishes.locate(m);
       case FloorMessage.Serve m -> wishes.serve(m);
       case FloorMessage.ServiceStored m -> wishes.serviceStored(m.wish(), m.clears());
+      case FloorMessage.Recharge m -> charging.isWanted(m);
+      case FloorMessage.ChargeStored m -> charging.stored(m);
       case FloorMessage.RobotJoined m -> join(m.robot());
       case FloorMessage.FromRobot m -> reception.fromRobot(m);
       case FloorMessage.Tick m -> tick(m.now());
@@ -131,6 +136,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private void tick(Instant time) {
     state.now = time;
     state.robots.values().forEach(r -> r.agent.tell(new RobotMessage.Tick(time)));
+    charging.look();
     for (FloorRobot robot : state.robots.values()) {
       missions.watch(robot);
       holding.holdOrGoOn(robot);

@@ -66,6 +66,16 @@ sealed interface FloorMessage {
   /** The mission's new state is safe: now do what follows from it. */
   record Stored(Mission.Step step) implements FloorMessage {}
 
+  /** These robots are free, but what they have left lasts for no task that waits. */
+  record Recharge(List<String> robots, long task) implements FloorMessage {}
+
+  /**
+   * That is safe: now the robot may move for it.
+   *
+   * @param turn null: it charges no more
+   */
+  record ChargeStored(String robot, ChargeRecord.@Nullable Turn turn) implements FloorMessage {}
+
   record Tick(Instant now) implements FloorMessage {}
 
   /** A robot's agent speaks. */

@@ -41,7 +41,7 @@ final class FloorMissions {
   }
 
   void begin(FloorMessage.Begin m) {
-    if (m.robots().stream().anyMatch(r -> isEngaged(r) || !isInService(r))) {
+    if (m.robots().stream().anyMatch(r -> isEngaged(r) || !isFree(r))) {
       manager.tell(new ManagerMessage.NotBegun(m.mission()));
       return;
     }
@@ -85,9 +85,9 @@ final class FloorMissions {
         .isPresent();
   }
 
-  private boolean isInService(String robot) {
+  private boolean isFree(String robot) {
     FloorRobot known = state.robots.get(robot);
-    return known != null && known.inService;
+    return known != null && known.inService && known.turn == null;
   }
 
   void happened(long task, MissionEvent event) {

@@ -78,7 +78,7 @@ final class FloorReports {
         case ERROR -> reasons.add(robot.name() + " reports an error");
         case OUT_OF_SERVICE ->
             reasons.add(robot.name() + " is out of service: put it back in service");
-        case IDLE, DRIVING, HOLDING -> {
+        case IDLE, DRIVING, HOLDING, CHARGING -> {
           if (robot.holdReason != null) {
             reasons.add(robot.holdReason);
           } else if (robot.trouble != null) {

@@ -1,5 +1,6 @@
 package org.toqa.fleet;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
@@ -8,6 +9,7 @@ import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -77,6 +79,27 @@ final class FloorRobot {
 
   boolean cancelling;
 
+  /** How long it has worked since it last charged. */
+  Duration worked = Duration.ZERO;
+
+  /** The same, as it is stored. */
+  Duration workWritten = Duration.ZERO;
+
+  /** Its place at a charging point; null: it need not charge. */
+  @Nullable Turn turn;
+
+  /** Whether that is safe, so that it may move for it. */
+  boolean turnStored;
+
+  /** Whether it stands at the charging point and is the first one there. */
+  boolean charging;
+
+  /** What it does about charging, a sentence. */
+  @Nullable String chargingSays;
+
+  /** A task that it was free for, but its battery would not have lasted. */
+  @Nullable Long lacksFor;
+
   /** Why it shall hold, a sentence; null: it need not. */
   @Nullable String holdReason;
 
@@ -102,6 +125,10 @@ final class FloorRobot {
   record Errand(@Nullable Long task, int phase, Vec2 goal) {
     static Errand home(Vec2 parking) {
       return new Errand(null, 0, parking);
+    }
+
+    static Errand charge(Vec2 point) {
+      return new Errand(null, 0, point);
     }
 
     /**
@@ -161,6 +188,10 @@ final class FloorRobot {
     lastSeen = now;
   }
 
+  Optional<Turn> turn() {
+    return Optional.ofNullable(turn);
+  }
+
   boolean isHeard() {
     return connected && !silent;
   }
@@ -217,7 +248,7 @@ final class FloorRobot {
       return RobotState.NOT_LOCALISED;
     }
     return switch (mode) {
-      case IDLE -> RobotState.IDLE;
+      case IDLE -> charging ? RobotState.CHARGING : RobotState.IDLE;
       case DRIVING, FOLLOWING -> RobotState.DRIVING;
       case HOLDING -> RobotState.HOLDING;
       case ERROR -> RobotState.ERROR;
@@ -247,7 +278,8 @@ final class FloorRobot {
         errors,
         doing(work),
         lastSeen,
-        holdReason != null);
+        holdReason != null,
+        turn == null ? null : turn.point());
   }
 
   private String doing(@Nullable Errand work) {
@@ -260,9 +292,12 @@ final class FloorRobot {
       case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
       case ERROR -> errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
       case OUT_OF_SERVICE -> "Out of service. " + outOfService();
-      case IDLE, DRIVING, HOLDING -> {
+      case IDLE, DRIVING, HOLDING, CHARGING -> {
         if (holdReason != null) {
           yield holdReason;
+        }
+        if (chargingSays != null && (work == null || work.task() == null)) {
+          yield trouble == null ? chargingSays : trouble;
         }
         yield work == null ? "Free" : working(work);
       }

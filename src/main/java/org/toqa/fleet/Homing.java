@@ -28,6 +28,9 @@ final class Homing {
     if (mission.isPresent()) {
       return robot.name() + " works for task " + mission.get().id() + "; it drives home after it.";
     }
+    if (robot.turn != null) {
+      return robot.name() + " must charge first; it drives home after it.";
+    }
     if (state.home(robot.name()).isEmpty()) {
       return robot.name() + " has no parking point, so it has no home.";
     }

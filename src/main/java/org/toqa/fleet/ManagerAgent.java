@@ -2,7 +2,6 @@ package org.toqa.fleet;
 
 import static java.util.Objects.requireNonNull;
 
-import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
@@ -44,6 +43,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
 import org.toqa.link.RobotLinks;
 import org.toqa.mission.Mission;
 import org.toqa.mission.Objection;
@@ -101,7 +101,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetStore store,
       RobotLinks links,
       Allocator allocator,
-      Duration lostAfter,
+      FleetRules rules,
       InstantSource clock,
       Instant now,
       SnapshotBoard board) {
@@ -109,7 +109,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         Behaviors.setup(
             context ->
                 new ManagerAgent(
-                    context, floors, store, links, allocator, lostAfter, clock, now, board)));
+                    context, floors, store, links, allocator, rules, clock, now, board)));
   }
 
   private ManagerAgent(
@@ -118,7 +118,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetStore store,
       RobotLinks links,
       Allocator allocator,
-      Duration lostAfter,
+      FleetRules rules,
       InstantSource clock,
       Instant now,
       SnapshotBoard board) {
@@ -133,6 +133,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     List<OpenTask> open = store.openTasks();
     Set<String> outOfService = store.outOfService();
     Set<String> held = store.held();
+    List<ChargeRecord> charges = store.charges();
     this.pause = store.pause().orElse(null);
     stored.forEach(r -> robots.put(r.name(), r));
     for (OpenTask t : open) {
@@ -146,6 +147,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               stored.stream().filter(r -> r.floor().equals(floor.name())).toList(),
               outOfService,
               held,
+              charges,
               pause,
               open.stream()
                   .filter(t -> t.mission().state() != TaskState.QUEUED)
@@ -153,7 +155,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                   .toList());
       ActorRef<FloorMessage> agent =
           context.spawn(
-              FloorAgent.of(floor, memory, store, links, lostAfter, clock, now, context.getSelf()),
+              FloorAgent.of(floor, memory, store, links, rules, clock, now, context.getSelf()),
               "floor-" + floors.size());
       floors.put(floor.name(), agent);
       maps.put(floor.name(), floor);
@@ -479,9 +481,14 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         grid.origin(),
         grid.origin().plus(size),
         requireNonNull(distances.get(floor.name())),
+        chargers(floor),
         jobs,
         List.of(),
         robotsHere);
+  }
+
+  private static List<Vec2> chargers(FloorMap floor) {
+    return floor.charging().stream().map(Place::position).toList();
   }
 
   private static ManagerMessage decided(
@@ -511,7 +518,12 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             due.add(m.floor());
           }
         }
-        case Decision.Waits(long id, String why) -> waiting.put(id, why);
+        case Decision.Waits(long id, String why, List<String> drained) -> {
+          waiting.put(id, why);
+          if (!drained.isEmpty()) {
+            requireNonNull(floors.get(m.floor())).tell(new FloorMessage.Recharge(drained, id));
+          }
+        }
       }
     }
     reasons.put(m.floor(), waiting);
@@ -589,7 +601,12 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     Map<String, WaitingReason> byFloor = new HashMap<>();
     reports
         .keySet()
-        .forEach(f -> byFloor.put(f, new WaitingReason(candidates(f), Travel.STRAIGHT)));
+        .forEach(
+            f ->
+                byFloor.put(
+                    f,
+                    new WaitingReason(
+                        candidates(f), Travel.STRAIGHT, chargers(requireNonNull(maps.get(f))))));
     return queue
         .first(QUEUED_SHOWN)
         .map(q -> view(q, reason(q, byFloor.get(q.task().floor()))))

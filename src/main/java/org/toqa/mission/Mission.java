@@ -130,6 +130,7 @@ public record Mission(
       case MissionEvent.RobotLost e -> TroubleRules.lost(this, e);
       case MissionEvent.RobotFailed e -> TroubleRules.failed(this, e);
       case MissionEvent.RobotWithdrawn e -> TroubleRules.withdrawn(this, e);
+      case MissionEvent.MustCharge e -> TroubleRules.charges(this, e);
       case MissionEvent.RobotBack e -> TroubleRules.back(this, e);
     };
   }

@@ -82,6 +82,18 @@ public sealed interface MissionEvent {
     }
   }
 
+  /**
+   * The robot must charge, and does no more for the mission.
+   *
+   * @param why a clause, such as {@code its battery has 18 %}
+   */
+  record MustCharge(String robot, String why) implements OfRobot {
+    @Override
+    public String kind() {
+      return "task.robot-charges";
+    }
+  }
+
   /** The robot, which was in trouble, can go on. */
   record RobotBack(String robot) implements OfRobot {
     @Override

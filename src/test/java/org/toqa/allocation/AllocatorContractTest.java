@@ -127,6 +127,7 @@ class AllocatorContractTest {
             Vec2.ZERO,
             new Vec2(80, 10),
             walled,
+            List.of(),
             List.of(job(1, 1, 60)),
             List.of(),
             List.of(free("r1", 5, 20), free("r2", 5, 39)));
@@ -137,7 +138,8 @@ class AllocatorContractTest {
                 1,
                 "None of the 2 robots that are strong enough can take it now:"
                     + " r1 finds no way to the load and its goal,"
-                    + " r2 finds no way to the load and its goal.")),
+                    + " r2 finds no way to the load and its goal.",
+                List.of())),
         allocator.allocate(situation));
   }
 
@@ -147,7 +149,7 @@ class AllocatorContractTest {
     Map<Standing, String> sentences =
         Map.of(
             Standing.OUT_OF_SERVICE, "is out of service",
-            Standing.CHARGING, "is charging",
+            Standing.CHARGING, "must charge first",
             Standing.LOST, "is lost: nothing is heard from it",
             Standing.HELD, "is held",
             Standing.BUSY, "works on task 7");
@@ -196,7 +198,7 @@ class AllocatorContractTest {
   private static String why(Allocator allocator, double load, Candidate... robots) {
     List<Decision> decisions =
         allocator.allocate(situation(List.of(job(1, load, 5)), List.of(robots)));
-    assertEquals(List.of(new Decision.Waits(1, decisions.getFirst().why())), decisions);
+    assertEquals(List.of(new Decision.Waits(1, decisions.getFirst().why(), List.of())), decisions);
     return decisions.getFirst().why();
   }
 

@@ -83,6 +83,7 @@ class FleetMeterTest {
         List.of(),
         "Drives",
         NOON,
-        false);
+        false,
+        null);
   }
 }

@@ -645,7 +645,7 @@ class FleetTest {
         store,
         links,
         new OptimalAllocator(),
-        LOST_AFTER,
+        new FleetRules(LOST_AFTER, ChargingRules.USUAL, 1),
         InstantSource.system(),
         now);
   }

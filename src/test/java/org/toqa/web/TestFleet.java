@@ -391,7 +391,8 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         List.of(),
         "Stands at its parking point.",
         pose == null ? null : START,
-        false);
+        false,
+        null);
   }
 
   /** A floor with an obstacle of 2 x 2 cells, those of a lost robot r6, and a standstill. */
