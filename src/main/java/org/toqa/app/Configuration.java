@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -25,6 +26,8 @@ import org.toqa.fleet.ChargingRules;
  * @param map the floor's map
  * @param allocator who decides which robots carry what
  * @param simulate how many simulated robots
+ * @param simulateBatteries what the batteries of new simulated robots have, 0 to 1, robot by robot;
+ *     the last one counts for all others
  * @param lostAfter how long a robot is silent until its task goes to another
  * @param charging when robots charge
  * @param speed how many times faster than real time the simulated robots live
@@ -39,6 +42,7 @@ public record Configuration(
     Database database,
     Policy allocator,
     int simulate,
+    List<Double> simulateBatteries,
     Duration lostAfter,
     ChargingRules charging,
     double speed,
@@ -91,12 +95,28 @@ public record Configuration(
           database(data),
           policy(),
           simulate,
+          batteries(),
           lostAfter,
           charging(),
           speed,
           manager(),
           yesOrNo(Setting.PLAIN_LINKS),
           logLevel());
+    }
+
+    private List<Double> batteries() throws ConfigurationException {
+      List<Double> batteries = new ArrayList<>();
+      for (String word : text(Setting.SIMULATE_BATTERIES).split(",", -1)) {
+        if (!word.strip().matches("[1-9][0-9]{0,2}")) {
+          throw outside(Setting.SIMULATE_BATTERIES);
+        }
+        int percent = Integer.parseInt(word.strip());
+        if (percent < 5 || percent > 100) {
+          throw outside(Setting.SIMULATE_BATTERIES);
+        }
+        batteries.add(percent / 100.0);
+      }
+      return List.copyOf(batteries);
     }
 
     private ChargingRules charging() throws ConfigurationException {

@@ -15,6 +15,10 @@ enum Setting {
   DATABASE_PASSWORD("database.password", "", "that user's password"),
   ALLOCATOR("allocator", "optimal", "zones, contract-net or optimal"),
   SIMULATE("simulate", "0", "a whole number from 0 to 500"),
+  SIMULATE_BATTERIES(
+      "simulateBatteries",
+      "100",
+      "whole numbers of percent from 5 to 100 with commas between them"),
   LOST_AFTER("lostAfter", "30", "a whole number of seconds from 5 to 3600"),
   CHARGING_BELOW("charging.below", "20", "a whole number of percent from 5 to 90"),
   CHARGING_UNTIL("charging.until", "95", "a whole number of percent from 10 to 100"),

@@ -140,10 +140,15 @@ final class Toqa implements AutoCloseable {
     List<SimulatedRobot> robots = new ArrayList<>();
     for (int i = 0; i < configuration.simulate(); i++) {
       Pose start = new Pose(places.get(i).position().x(), places.get(i).position().y(), 0);
-      robots.add(new SimulatedRobot("r" + (i + 1), start, SIMULATED_LOAD));
+      robots.add(
+          new SimulatedRobot("r" + (i + 1), start, SIMULATED_LOAD, battery(configuration, i)));
     }
     SimulatedFleet simulated =
-        SimulatedFleet.open(configuration.data().resolve("robots"), robots, clock);
+        SimulatedFleet.open(
+            configuration.data().resolve("robots"),
+            robots,
+            floor.charging().stream().map(Place::position).toList(),
+            clock);
     try {
       for (int i = 0; i < robots.size(); i++) {
         String name = robots.get(i).name();
@@ -157,6 +162,11 @@ final class Toqa implements AutoCloseable {
       simulated.close();
       throw new IOException("The simulated robots cannot be stored: " + e.getMessage(), e);
     }
+  }
+
+  private static double battery(Configuration configuration, int robot) {
+    List<Double> batteries = configuration.simulateBatteries();
+    return batteries.get(Math.min(robot, batteries.size() - 1));
   }
 
   /** Where robots begin: the parking points, and where these do not suffice, free cells. */

@@ -86,7 +86,8 @@ final class Driving {
                 errand == null ? 0 : errand.phase(),
                 begin.way(),
                 begin.released(),
-                begin.last()));
+                begin.last(),
+                errand == null ? 0 : errand.load()));
       }
       case Decision.Extend extend ->
           robot.agent.tell(

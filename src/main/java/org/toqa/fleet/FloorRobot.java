@@ -120,15 +120,16 @@ final class FloorRobot {
   /**
    * A phase that the robot shall drive.
    *
-   * @param task null when it drives home without a task, in phase 0
+   * @param task null when it drives home or to a charger, in phase 0
+   * @param load kilograms that it has on board
    */
-  record Errand(@Nullable Long task, int phase, Vec2 goal) {
+  record Errand(@Nullable Long task, int phase, Vec2 goal, double load) {
     static Errand home(Vec2 parking) {
-      return new Errand(null, 0, parking);
+      return new Errand(null, 0, parking, 0);
     }
 
     static Errand charge(Vec2 point) {
-      return new Errand(null, 0, point);
+      return new Errand(null, 0, point, 0);
     }
 
     /**
@@ -144,7 +145,8 @@ final class FloorRobot {
             case 2 -> mission.destination().position();
             default -> home.orElse(mission.task().goal().position());
           };
-      return new Errand(mission.id(), phase, goal);
+      double load = phase == 2 ? mission.task().load() / mission.carriers().size() : 0;
+      return new Errand(mission.id(), phase, goal, load);
     }
   }
 

@@ -143,7 +143,8 @@ class SimulatedChassisTest {
   }
 
   private Pose truthAfterAMinute(Path file, long seed) throws IOException {
-    try (SimulatedChassis body = new SimulatedChassis(file, START, 0.05, seed)) {
+    try (SimulatedChassis body =
+        new SimulatedChassis(file, START, SimulatedPower.FULL, 0.05, seed)) {
       nanos = 0;
       ChassisReading now = run(body, new Twist(0.2, 0, 0.1), 60 * SECOND);
       assertNotEquals(0, START.compose(now.odometry()).distanceTo(body.truth()), 0.001);
@@ -152,7 +153,7 @@ class SimulatedChassisTest {
   }
 
   private SimulatedChassis body(double noise) throws IOException {
-    return new SimulatedChassis(folder.resolve("body"), START, noise, 1);
+    return new SimulatedChassis(folder.resolve("body"), START, SimulatedPower.FULL, noise, 1);
   }
 
   private ChassisReading run(SimulatedChassis body, Twist command, int ticks) {
