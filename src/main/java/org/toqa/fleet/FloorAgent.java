@@ -104,6 +104,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private Behavior<FloorMessage> on(FloorMessage message) {
     switch (message) {
       case FloorMessage.Begin m -> missions.begin(m);
+      case FloorMessage.Exchange m -> missions.exchange(m);
       case FloorMessage.Wished m -> missions.wished(m);
       case FloorMessage.Stored m -> missions.stored(m.step());
       case FloorMessage.Pause m -> holding.pause(m.pause());

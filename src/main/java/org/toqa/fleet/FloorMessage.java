@@ -22,6 +22,14 @@ sealed interface FloorMessage {
   /** These robots shall carry out this task. */
   record Begin(Mission mission, List<String> robots, String why) implements FloorMessage {}
 
+  /**
+   * Tasks whose loads are not picked up go to other robots: all of these moves, or none where one
+   * cannot be any more.
+   */
+  record Exchange(List<Move> moves) implements FloorMessage {}
+
+  record Move(long task, String from, String to, String why) {}
+
   /** A person wants something of a task. */
   record Wished(long task, MissionEvent.Wish wish, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements FloorMessage {}

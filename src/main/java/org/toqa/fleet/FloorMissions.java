@@ -1,9 +1,12 @@
 package org.toqa.fleet;
 
+import static java.util.stream.Collectors.toSet;
+
 import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.toqa.fleet.FleetStore.OpenTask;
@@ -45,9 +48,7 @@ final class FloorMissions {
       manager.tell(new ManagerMessage.NotBegun(m.mission()));
       return;
     }
-    for (String name : m.robots()) {
-      state.missions.of(name).ifPresent(old -> happened(old, new MissionEvent.Retasked(name)));
-    }
+    m.robots().forEach(this::isRetasked);
     Mission.Step step = m.mission().assign(m.robots(), m.why());
     Instant at = state.clock.instant();
     apply(
@@ -61,6 +62,38 @@ final class FloorMissions {
             .toList());
     reports.send(); // first, so that the task is in every picture
     manager.tell(new ManagerMessage.Begun(m.mission().id()));
+  }
+
+  /** Tasks go to other robots, if all of that is still possible. */
+  void exchange(FloorMessage.Exchange m) {
+    Set<String> givers = m.moves().stream().map(FloorMessage.Move::from).collect(toSet());
+    if (!m.moves().stream().allMatch(move -> isPossible(move, givers))) {
+      return;
+    }
+    for (FloorMessage.Move move : m.moves()) {
+      if (!givers.contains(move.to())) {
+        isRetasked(move.to());
+      }
+    }
+    for (FloorMessage.Move move : m.moves()) {
+      happened(move.task(), new MissionEvent.Exchanged(move.from(), move.to(), move.why()));
+    }
+    reports.send();
+  }
+
+  private boolean isPossible(FloorMessage.Move move, Set<String> givers) {
+    return isFree(move.to())
+        && (givers.contains(move.to()) || !isEngaged(move.to()))
+        && state
+            .missions
+            .get(move.task())
+            .filter(Mission::isExchangeable)
+            .filter(mission -> mission.robots().equals(List.of(move.from())))
+            .isPresent();
+  }
+
+  private void isRetasked(String robot) {
+    state.missions.of(robot).ifPresent(old -> happened(old, new MissionEvent.Retasked(robot)));
   }
 
   /** A mission that was under way when the server stopped goes on in the phase it was stored in. */

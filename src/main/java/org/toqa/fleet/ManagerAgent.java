@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import static java.util.Objects.requireNonNull;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
@@ -35,6 +36,7 @@ import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
 import org.toqa.allocation.Job;
 import org.toqa.allocation.Situation;
+import org.toqa.allocation.Situation.Given;
 import org.toqa.allocation.Standing;
 import org.toqa.allocation.Travel;
 import org.toqa.allocation.WaitingReason;
@@ -62,6 +64,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   /** So many of the queue's first tasks take part in a round. */
   private static final int LOOKED_AT = 200;
 
+  private static final Duration DEADLINES_EVERY = Duration.ofSeconds(1);
+
   private static final String NOT_LOOKED_AT = "Looking for a robot.";
 
   private final FleetStore store;
@@ -75,6 +79,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final Map<String, FloorDistances> distances = new HashMap<>();
 
   private final TaskQueue queue = new TaskQueue();
+  private final Exchanges exchanges = new Exchanges();
+  private final DeadlineWatch deadlines;
+  private Instant nextLookAtDeadlines = Instant.MIN;
   private final Map<String, RobotRecord> robots = new TreeMap<>();
   private final Map<String, ManagerMessage.FloorReport> reports = new HashMap<>();
   private final Map<Long, TaskView> handedOver = new HashMap<>();
@@ -131,6 +138,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.writer = new StoreWriter("manager");
     List<RobotRecord> stored = store.robots();
     List<OpenTask> open = store.openTasks();
+    this.deadlines =
+        new DeadlineWatch(
+            rules.pace(), open.stream().map(t -> t.mission().id()).collect(Collectors.toSet()));
     Set<String> outOfService = store.outOfService();
     Set<String> held = store.held();
     List<ChargeRecord> charges = store.charges();
@@ -238,10 +248,56 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void taskStored(ManagerMessage.TaskStored m) {
     TransportTask task = m.task();
     queue.add(Mission.queued(task), task.createdAt(), true);
-    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view(task.id(), NOT_LOOKED_AT))));
     changed = true;
     due.add(task.floor());
+    TaskView queued = view(task.id(), NOT_LOOKED_AT);
+    Optional<EventRecord> late = lookAtDeadline(queued);
+    StatusReply<Answer<TaskView>> answer =
+        StatusReply.success(new Answer.Accepted<>(deadlines.told(queued)));
+    if (late.isEmpty()) {
+      m.replyTo().tell(answer);
+    } else {
+      writer.write(() -> store.addEvents(List.of(late.get())), () -> m.replyTo().tell(answer));
+    }
   }
+
+  // --- deadlines --------------------------------------------------------------------------------
+
+  private void lookAtDeadlines(Instant now) {
+    if (now.isBefore(nextLookAtDeadlines)) {
+      return;
+    }
+    nextLookAtDeadlines = now.plus(DEADLINES_EVERY);
+    List<EventRecord> late =
+        Stream.concat(
+                queue.first(LOOKED_AT).map(q -> view(q, NOT_LOOKED_AT)),
+                reports.values().stream().flatMap(r -> r.missions().stream()))
+            .flatMap(task -> lookAtDeadline(task).stream())
+            .toList();
+    if (!late.isEmpty()) {
+      changed = true;
+      writer.write(() -> store.addEvents(late), () -> {});
+    }
+  }
+
+  /** A line for the history if it has just become clear that the task will be late. */
+  private Optional<EventRecord> lookAtDeadline(TaskView task) {
+    if (!DeadlineWatch.isDue(task)) {
+      return Optional.empty();
+    }
+    String floor = task.task().floor();
+    Map<Long, TaskView> here =
+        missions(floor).stream().collect(Collectors.toMap(TaskView::id, t -> t));
+    Forecast forecast = new Forecast(requireNonNull(distances.get(floor)));
+    Instant at = clock.instant();
+    return deadlines
+        .look(task, forecast.of(task, robotViews(floor), here), at)
+        .map(
+            sentence ->
+                new EventRecord(at, "task.late", task.id(), null, EventRecord.SYSTEM, sentence));
+  }
+
+  // --- robots -----------------------------------------------------------------------------------
 
   private void addRobot(ManagerMessage.AddRobot m) {
     Answer<RobotRecord> checked = check.robot(m.order(), List.copyOf(robots.values()));
@@ -451,20 +507,19 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private void beginRound(FloorMap floor) {
     List<Candidate> robotsHere = candidates(floor.name());
-    double strongest =
-        robotsHere.stream()
-            .filter(r -> r.standing() == Standing.FREE)
-            .mapToDouble(Candidate::maxLoad)
-            .max()
-            .orElse(Double.NEGATIVE_INFINITY);
+    List<Given> given =
+        exchanges.given(missions(floor.name()), robotViews(floor.name()), clock.instant());
+    double strongest = strongest(robotsHere, given);
     List<Job> jobs = queue.first(floor.name(), job -> job.load() <= strongest, LOOKED_AT);
     if (jobs.isEmpty()) {
       reasons.remove(floor.name());
       changed = true;
+    }
+    if (jobs.isEmpty() && given.isEmpty()) {
       return;
     }
     deciding.add(floor.name());
-    Situation situation = situation(floor, jobs, robotsHere);
+    Situation situation = situation(floor, jobs, given, robotsHere);
     getContext()
         .pipeToSelf(
             CompletableFuture.supplyAsync(
@@ -473,7 +528,25 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             (decisions, failure) -> decided(floor.name(), decisions, failure));
   }
 
-  private Situation situation(FloorMap floor, List<Job> jobs, List<Candidate> robotsHere) {
+  /** What a robot that is free, or may be by an exchange, carries; nothing while none is free. */
+  private static double strongest(List<Candidate> robotsHere, List<Given> given) {
+    Set<String> holders = given.stream().map(Given::robot).collect(Collectors.toSet());
+    return robotsHere.stream().noneMatch(r -> r.standing() == Standing.FREE)
+        ? Double.NEGATIVE_INFINITY
+        : robotsHere.stream()
+            .filter(r -> r.standing() == Standing.FREE || holders.contains(r.robot()))
+            .mapToDouble(Candidate::maxLoad)
+            .max()
+            .orElse(Double.NEGATIVE_INFINITY);
+  }
+
+  private List<RobotView> robotViews(String floor) {
+    ManagerMessage.FloorReport report = reports.get(floor);
+    return report == null ? List.of() : report.robots();
+  }
+
+  private Situation situation(
+      FloorMap floor, List<Job> jobs, List<Given> given, List<Candidate> robotsHere) {
     OccupancyGrid grid = floor.grid();
     Vec2 size = new Vec2(grid.width(), grid.height()).times(grid.resolution());
     return new Situation(
@@ -483,7 +556,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         requireNonNull(distances.get(floor.name())),
         chargers(floor),
         jobs,
-        List.of(),
+        given,
         robotsHere);
   }
 
@@ -503,30 +576,53 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void decided(ManagerMessage.Decided m) {
     deciding.remove(m.floor());
     changed = true;
-    Set<String> free =
-        candidates(m.floor()).stream()
-            .filter(r -> r.standing() == Standing.FREE)
-            .map(Candidate::robot)
-            .collect(Collectors.toSet());
+    ActorRef<FloorMessage> floor = requireNonNull(floors.get(m.floor()));
+    Set<String> free = exchange(floor, m);
     Map<Long, String> waiting = new HashMap<>();
     for (Decision decision : m.decisions()) {
       switch (decision) {
         case Decision.Assigned(long id, List<String> chosen, String why) -> {
           if (free.containsAll(chosen)) {
             mayBegin(id).ifPresent(mission -> handOver(mission, chosen, why));
-          } else {
+          } else if (queue.get(id).isPresent()) {
             due.add(m.floor());
           }
         }
         case Decision.Waits(long id, String why, List<String> drained) -> {
           waiting.put(id, why);
           if (!drained.isEmpty()) {
-            requireNonNull(floors.get(m.floor())).tell(new FloorMessage.Recharge(drained, id));
+            floor.tell(new FloorMessage.Recharge(drained, id));
           }
         }
       }
     }
     reasons.put(m.floor(), waiting);
+  }
+
+  /**
+   * Lets robots change tasks that are not begun.
+   *
+   * @return who is free for another task then
+   */
+  private Set<String> exchange(ActorRef<FloorMessage> floor, ManagerMessage.Decided m) {
+    Set<String> free =
+        candidates(m.floor()).stream()
+            .filter(r -> r.standing() == Standing.FREE)
+            .map(Candidate::robot)
+            .collect(Collectors.toCollection(HashSet::new));
+    List<FloorMessage.Move> moves =
+        exchanges.moves(m.decisions(), missions(m.floor()), free, clock.instant());
+    if (!moves.isEmpty()) {
+      floor.tell(new FloorMessage.Exchange(moves));
+      moves.forEach(move -> free.add(move.from()));
+      moves.forEach(move -> free.remove(move.to()));
+    }
+    return free;
+  }
+
+  private List<TaskView> missions(String floor) {
+    ManagerMessage.FloorReport report = reports.get(floor);
+    return report == null ? List.of() : report.missions();
   }
 
   /** Takes it out of the queue, unless it was cancelled or held meanwhile. */
@@ -564,6 +660,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void tick(Instant now) {
     floors.values().forEach(f -> f.tell(new FloorMessage.Tick(now)));
     beginRounds();
+    lookAtDeadlines(now);
     if (changed) {
       publish();
     }
@@ -584,7 +681,10 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     handedOver.values().forEach(t -> tasks.putIfAbsent(t.id(), t));
     views.sort(Comparator.comparing(RobotView::name));
     List<TaskView> newestFirst =
-        tasks.values().stream().sorted(Comparator.comparingLong(TaskView::id).reversed()).toList();
+        tasks.values().stream()
+            .map(deadlines::told)
+            .sorted(Comparator.comparingLong(TaskView::id).reversed())
+            .toList();
     board.publish(
         new FleetSnapshot(
             board.latest().version() + 1,

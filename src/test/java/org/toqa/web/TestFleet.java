@@ -95,7 +95,8 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
       tasks.replaceAll(
           view ->
               view.id() == id
-                  ? new TaskView(view.task(), state, false, robots, null, null, null, latest.at())
+                  ? new TaskView(
+                      view.task(), state, false, robots, null, null, null, null, latest.at())
                   : view);
       events.add(new EventRecord(latest.at(), state.name(), id, null, "fleet", sentence));
       publish(latest.robots());
@@ -143,6 +144,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
               List.of(),
               null,
               "It waits for a free robot.",
+              null,
               null,
               latest.at());
       tasks.add(view);
