@@ -32,6 +32,7 @@ import org.toqa.mission.TaskState;
  *
  * <pre>
  * charges below 5                   percent; 20 where nothing is said, for the whole scenario
+ * charges after 2                   seconds of work; six hours where nothing is said
  * a has 18                          percent in its battery, from now on
  * task box A B 2                    kilograms
  * task late A B 2 within 5          seconds to its deadline; "expect late answered ..." looks at
@@ -48,6 +49,7 @@ import org.toqa.mission.TaskState;
  * expect box told r1 must charge    in its history
  * expect a does Charges at C1
  * expect a is IDLE
+ * expect a has 18
  * expect a at A
  * </pre>
  */
@@ -57,7 +59,7 @@ final class FleetScenario {
   private static final Pattern EXPECT = Pattern.compile("expect (\\w+) (\\S+) ?(.*)");
   private static final Pattern HAS = Pattern.compile("([a-z]) has (\\d+)");
   private static final Pattern ROBOT = Pattern.compile("([a-z]) (\\D+)");
-  private static final Pattern CHARGES = Pattern.compile("charges below (\\d+)");
+  private static final Pattern CHARGES = Pattern.compile("charges (below|after) (\\d+)");
   private static final Pattern CANCEL = Pattern.compile("cancel (\\w+) ?(here|back)?");
   private static final Pattern ANSWER = Pattern.compile("answer (\\w+) (.+)");
 
@@ -71,16 +73,19 @@ final class FleetScenario {
     for (String line : text.lines().toList()) {
       Matcher threshold = CHARGES.matcher(line);
       if (threshold.matches()) {
-        charging = chargesBelow(Integer.parseInt(threshold.group(1)) / 100.0);
+        charging = charges(threshold.group(1), Integer.parseInt(threshold.group(2)));
       } else if (!line.isBlank() && !line.startsWith("# ")) {
         (line.contains(" ") || line.equals("restart") ? script : rows).add(line);
       }
     }
   }
 
-  private static ChargingRules chargesBelow(double share) {
+  private static ChargingRules charges(String when, int number) {
     ChargingRules usual = ChargingRules.USUAL;
-    return new ChargingRules(share, usual.until(), usual.work(), usual.toFull());
+    return when.equals("below")
+        ? new ChargingRules(number / 100.0, usual.until(), usual.work(), usual.toFull())
+        : new ChargingRules(
+            usual.below(), usual.until(), Duration.ofSeconds(number), usual.toFull());
   }
 
   /**
@@ -176,6 +181,8 @@ final class FleetScenario {
       case "answered" -> view -> says(Objects.requireNonNull(answered.get(who)).late(), words);
       case "told" ->
           view -> stage.store.history(id(who)).stream().anyMatch(e -> e.text().contains(words));
+      case "has" ->
+          view -> Objects.equals(robot(view, who).battery(), Integer.parseInt(words) / 100.0);
       case "does" -> view -> says(robot(view, who).doing(), words);
       case "is" -> view -> robot(view, who).state() == RobotState.valueOf(words);
       case "at" ->
