@@ -34,6 +34,7 @@
         </dd>
         <dt><fmt:message key="robot.battery"/></dt>
         <dd><c:choose><c:when test="${empty robot.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.battery}" type="percent"/></c:otherwise></c:choose></dd>
+        <c:if test="${not empty robot.charger}"><dt><fmt:message key="robot.charger"/></dt><dd><c:out value="${robot.charger}"/></dd></c:if>
         <dt><fmt:message key="robot.maxLoad"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></dd>
         <dt><fmt:message key="robot.footprint"/></dt><dd><fmt:message key="common.metres"><fmt:param value="${footprint}"/></fmt:message></dd>
         <dt><fmt:message key="robot.floor"/></dt><dd><c:out value="${robot.floor}"/></dd>

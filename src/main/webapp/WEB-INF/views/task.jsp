@@ -16,6 +16,7 @@
       <t:state of="task" state="${task.state}"/>
     </div>
     <c:if test="${not empty task.waitingFor}"><p class="notice"><strong><fmt:message key="task.waitingFor"/></strong>${" "}<c:out value="${task.waitingFor}"/></p></c:if>
+    <c:if test="${not empty task.late}"><p class="notice bad"><strong><fmt:message key="task.late"/></strong>${" "}<c:out value="${task.late}"/></p></c:if>
     <c:if test="${not empty task.loadAt}"><p class="notice"><strong><fmt:message key="task.loadAt"/></strong>${" "}<t:place place="${task.loadAt}"/></p></c:if>
     <c:if test="${task.held}"><p class="notice"><fmt:message key="task.held"/></p></c:if>
     <c:if test="${not empty task.needs}"><p class="notice bad"><strong><fmt:message key="task.needs"/></strong>${" "}<c:out value="${task.needs.question}"/></p></c:if>
@@ -35,6 +36,7 @@
           <dt><fmt:message key="task.goal"/></dt><dd><t:place place="${task.task.goal}"/></dd>
           <dt><fmt:message key="task.floor"/></dt><dd><c:out value="${task.task.floor}"/></dd>
           <dt><fmt:message key="task.robots"/></dt><dd><t:robots names="${task.robots}"/></dd>
+          <c:if test="${not empty task.task.deadline}"><dt><fmt:message key="task.deadline"/></dt><dd><t:time at="${task.task.deadline}"/></dd></c:if>
           <dt><fmt:message key="task.user"/></dt><dd><c:out value="${task.task.user}"/></dd>
           <dt><fmt:message key="task.created"/></dt><dd><t:time at="${task.task.createdAt}"/></dd>
           <dt><fmt:message key="task.changed"/></dt><dd><t:time at="${task.changedAt}"/></dd>

@@ -7,6 +7,7 @@ const COLOURS = {
   CONNECTING: 'state-silent',
   IDLE: 'state-idle',
   DRIVING: 'state-driving',
+  CHARGING: 'state-idle',
   HOLDING: 'state-holding',
   NOT_LOCALISED: 'state-lost-place',
   ERROR: 'state-error',

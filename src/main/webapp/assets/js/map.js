@@ -12,7 +12,8 @@ import {text} from './texts.js';
 const $ = (selector) => document.querySelector(selector);
 const percent = new Intl.NumberFormat(document.documentElement.lang, {style: 'percent'});
 const STATES = [
-  'ERROR', 'NOT_LOCALISED', 'LOST', 'CONNECTING', 'OUT_OF_SERVICE', 'HOLDING', 'DRIVING', 'IDLE',
+  'ERROR', 'NOT_LOCALISED', 'LOST', 'CONNECTING', 'OUT_OF_SERVICE', 'HOLDING', 'CHARGING', 'DRIVING',
+  'IDLE',
 ];
 const IN_NEED = new Set(['ERROR', 'NOT_LOCALISED', 'LOST']);
 
@@ -126,7 +127,7 @@ function taskEntry(task) {
     letter: String(task.id),
     title: task.name,
     side: text(`task.state.${task.state}`),
-    what: task.needs?.question ?? task.waitingFor ?? task.robots.join(', '),
+    what: task.needs?.question ?? task.late ?? task.waitingFor ?? task.robots.join(', '),
   };
 }
 

@@ -17,7 +17,7 @@ interface Bidding {
 
   /** What each robot's agent on the server computes, at once. */
   static List<Reply> computed(Situation situation, Job job, List<Candidate> invited) {
-    List<Cost> costs = new Costs(situation.travel()).of(job, invited);
+    List<Cost> costs = new Costs(situation).of(job, invited);
     return IntStream.range(0, invited.size())
         .<Reply>mapToObj(
             i ->

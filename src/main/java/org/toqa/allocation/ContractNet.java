@@ -78,7 +78,7 @@ public final class ContractNet implements Allocator {
                   job ->
                       holders.containsKey(job.id())
                           ? afterTrade(requireNonNull(awards.get(job.id())))
-                          : new Decision.Waits(job.id(), reason.of(job)));
+                          : reason.waits(job));
       Stream<Decision> takenOver =
           situation.given().stream()
               .filter(g -> !g.robot().equals(holders.get(g.job().id())))
@@ -94,6 +94,7 @@ public final class ContractNet implements Allocator {
               situation.low(),
               situation.high(),
               situation.travel(),
+              situation.chargers(),
               situation.waiting().stream().filter(j -> !holders.containsKey(j.id())).toList(),
               List.of(),
               situation.free().stream().filter(r -> !holders.containsValue(r.robot())).toList());
@@ -128,7 +129,7 @@ public final class ContractNet implements Allocator {
           situation.robots().stream().filter(r -> present.contains(r.robot())).toList();
       List<String> names = traders.stream().map(Candidate::robot).toList();
       int[] before = jobs.stream().mapToInt(job -> names.indexOf(holders.get(job.id()))).toArray();
-      int[] after = Exchange.trade(new Costs(situation.travel()), jobs, traders, before);
+      int[] after = Exchange.trade(new Costs(situation), jobs, traders, before);
       IntStream.range(0, after.length)
           .forEach(i -> holders.put(jobs.get(i).id(), names.get(after[i])));
     }

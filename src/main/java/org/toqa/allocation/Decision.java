@@ -21,5 +21,14 @@ public sealed interface Decision {
     }
   }
 
-  record Waits(long job, String why) implements Decision {}
+  /**
+   * No robot carries it yet.
+   *
+   * @param drained robots that are free and would do it if they had charged
+   */
+  record Waits(long job, String why, List<String> drained) implements Decision {
+    public Waits {
+      drained = List.copyOf(drained);
+    }
+  }
 }

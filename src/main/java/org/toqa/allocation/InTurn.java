@@ -30,7 +30,7 @@ final class InTurn {
         left.remove(robot);
         decisions.add(new Decision.Assigned(job.id(), List.of(robot.robot()), chosen.get().why()));
       } else {
-        decisions.add(new Decision.Waits(job.id(), reason.of(job)));
+        decisions.add(reason.waits(job));
       }
     }
     return decisions;

@@ -14,7 +14,7 @@ public final class NearestFreeRobot implements Allocator {
 
   @Override
   public List<Decision> allocate(Situation situation) {
-    Costs costs = new Costs(situation.travel());
+    Costs costs = new Costs(situation);
     return InTurn.decide(
         situation,
         (job, left) ->

@@ -43,7 +43,7 @@ public final class OptimalAllocator implements Allocator {
       if (robot != null && !holder.equals(Optional.of(robot.robot()))) {
         decisions.add(new Decision.Assigned(job.id(), List.of(robot.robot()), table.why(j, robot)));
       } else if (robot == null && holder.isEmpty()) {
-        decisions.add(new Decision.Waits(job.id(), reason.of(job)));
+        decisions.add(reason.waits(job));
       }
     }
     return decisions;
@@ -66,7 +66,7 @@ public final class OptimalAllocator implements Allocator {
           situation.robots().stream()
               .filter(r -> r.isFree() || holders.contains(r.robot()))
               .toList();
-      Costs model = new Costs(situation.travel());
+      Costs model = new Costs(situation);
       costs = jobs.stream().map(job -> model.of(job, robots)).toList();
     }
 
@@ -94,7 +94,7 @@ public final class OptimalAllocator implements Allocator {
       for (int row = 0; row < rows; row++) {
         int job = jobsAreRows ? row : columnOf[row];
         int robot = jobsAreRows ? columnOf[row] : row;
-        if (costs.get(job).get(robot).isPossible()) {
+        if (costs.get(job).get(robot).isPossible() || holds(robot, job)) {
           chosen[job] = robots.get(robot);
         }
       }
@@ -104,16 +104,18 @@ public final class OptimalAllocator implements Allocator {
     private double weight(int job, int robot) {
       Cost cost = costs.get(job).get(robot);
       if (!cost.isPossible()) {
-        return FORBIDDEN;
+        return holds(robot, job) ? 0 : FORBIDDEN; // who has it keeps it, unless another can do it
       }
-      Optional<String> holder = holder(job);
-      if (holder.isPresent()) {
-        boolean stays = holder.get().equals(robots.get(robot).robot());
-        double detour = stays ? 0 : Energy.joules(TURNING_ROUND, 0);
+      if (holder(job).isPresent()) {
+        double detour = holds(robot, job) ? 0 : Energy.joules(TURNING_ROUND, 0);
         return cost.joules() + detour - MUST;
       }
       double waited = jobs.get(job).waited(situation.now()) * METRES_A_SECOND;
       return cost.joules() - Energy.joules(waited, 0);
+    }
+
+    private boolean holds(int robot, int job) {
+      return holder(job).equals(Optional.of(robots.get(robot).robot()));
     }
 
     String why(int job, Candidate robot) {

@@ -10,6 +10,7 @@ import org.toqa.geometry.Vec2;
  * @param low the floor's lower left corner, metres, map frame
  * @param high the floor's upper right corner, metres, map frame
  * @param travel the lengths of ways on the floor
+ * @param chargers the floor's charging points, metres, map frame
  * @param waiting tasks that no robot has, the most urgent ones at least
  * @param given tasks that robots have but whose loads are not picked up, as far as they may still
  *     go to other robots; no two of one robot
@@ -20,6 +21,7 @@ public record Situation(
     Vec2 low,
     Vec2 high,
     Travel travel,
+    List<Vec2> chargers,
     List<Job> waiting,
     List<Given> given,
     List<Candidate> robots) {
@@ -28,6 +30,7 @@ public record Situation(
   public record Given(Job job, String robot) {}
 
   public Situation {
+    chargers = List.copyOf(chargers);
     waiting = waiting.stream().sorted(Job.BY_PRECEDENCE).toList();
     given = List.copyOf(given);
     robots = List.copyOf(robots);

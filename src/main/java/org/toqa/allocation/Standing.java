@@ -6,7 +6,8 @@ public enum Standing {
   FREE("is free", "are free"),
   BUSY("works on another task", "work on other tasks"),
   HELD("is held", "are held"),
-  CHARGING("is charging", "are charging"),
+  /** At a charging point, on its way there, or waiting for one. */
+  CHARGING("must charge first", "must charge first"),
   OUT_OF_SERVICE("is out of service", "are out of service"),
   LOST("is lost: nothing is heard from it", "are lost"),
   CONNECTING("has not been heard of yet", "have not been heard of yet"),

@@ -9,6 +9,9 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.IntStream;
+import org.toqa.allocation.Costs.Obstacle;
+import org.toqa.geometry.Vec2;
 
 /** Why a task waits, as a sentence for people. */
 public final class WaitingReason {
@@ -20,14 +23,26 @@ public final class WaitingReason {
 
   /**
    * @param travel {@link Travel#STRAIGHT} where nobody has looked for ways yet
+   * @param chargers the floor's charging points, metres, map frame
    */
-  public WaitingReason(List<Candidate> robots, Travel travel) {
+  public WaitingReason(List<Candidate> robots, Travel travel, List<Vec2> chargers) {
     this.robots = List.copyOf(robots);
-    this.costs = new Costs(travel);
+    this.costs = new Costs(travel, chargers);
   }
 
   WaitingReason(Situation situation) {
-    this(situation.robots(), situation.travel());
+    this(situation.robots(), situation.travel(), situation.chargers());
+  }
+
+  Decision.Waits waits(Job job) {
+    List<Candidate> free = robots.stream().filter(Candidate::isFree).toList();
+    List<Costs.Cost> prices = free.isEmpty() ? List.of() : costs.of(job, free);
+    List<String> drained =
+        IntStream.range(0, free.size())
+            .filter(i -> prices.get(i).obstacle() == Obstacle.BATTERY)
+            .mapToObj(i -> free.get(i).robot())
+            .toList();
+    return new Decision.Waits(job.id(), of(job), drained);
   }
 
   /** The reason of a task that no robot was given. */
@@ -86,13 +101,25 @@ public final class WaitingReason {
 
   private String keeps(Job job, Candidate robot) {
     return switch (robot.standing()) {
-      case FREE ->
-          costs.of(job, robot).isPossible()
-              ? "is needed for another task first"
-              : "finds no way to the load and its goal";
+      case FREE -> keepsFree(job, robot);
       case BUSY ->
           robot.task() == null ? robot.standing().ofOne() : "works on task " + robot.task();
       default -> robot.standing().ofOne();
+    };
+  }
+
+  private String keepsFree(Job job, Candidate robot) {
+    return switch (costs.of(job, robot).obstacle()) {
+      case null -> "is needed for another task first";
+      case TOO_WEAK -> "is too weak";
+      case NO_WAY -> "finds no way to the load and its goal";
+      case BATTERY ->
+          robot.battery() == null
+              ? "would not get to a charger after it"
+              : String.format(
+                  Locale.ROOT,
+                  "has %.0f %% and would not get to a charger after it",
+                  100 * robot.battery());
     };
   }
 
@@ -105,7 +132,8 @@ public final class WaitingReason {
         .map(
             e ->
                 e.getKey() == Standing.FREE
-                    ? e.getValue() + " cannot reach it or are needed for other tasks first"
+                    ? e.getValue()
+                        + " cannot reach it, must charge first or are needed for other tasks first"
                     : e.getValue()
                         + " "
                         + (e.getValue() == 1 ? e.getKey().ofOne() : e.getKey().ofSeveral()))

@@ -20,7 +20,7 @@ public final class ZoneAllocator implements Allocator {
       return InTurn.decide(situation, (job, left) -> Optional.empty());
     }
     Zones zones = new Zones(situation.low(), situation.high(), situation.robots());
-    Costs costs = new Costs(situation.travel());
+    Costs costs = new Costs(situation);
     return InTurn.decide(
         situation,
         (job, left) ->

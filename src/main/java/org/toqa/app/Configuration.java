@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -14,6 +15,7 @@ import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
+import org.toqa.fleet.ChargingRules;
 
 /**
  * How this server is to run, every value checked. {@code docs/configuration.md} explains each.
@@ -24,7 +26,10 @@ import org.toqa.allocation.Policy;
  * @param map the floor's map
  * @param allocator who decides which robots carry what
  * @param simulate how many simulated robots
+ * @param simulateBatteries what the batteries of new simulated robots have, 0 to 1, robot by robot;
+ *     the last one counts for all others
  * @param lostAfter how long a robot is silent until its task goes to another
+ * @param charging when robots charge
  * @param speed how many times faster than real time the simulated robots live
  * @param keepTracks how long it is kept where robots were
  * @param keepHistory how long ended tasks and events are kept
@@ -39,7 +44,9 @@ public record Configuration(
     Database database,
     Policy allocator,
     int simulate,
+    List<Double> simulateBatteries,
     Duration lostAfter,
+    ChargingRules charging,
     double speed,
     Duration keepTracks,
     Duration keepHistory,
@@ -92,13 +99,44 @@ public record Configuration(
           database(data),
           policy(),
           simulate,
+          batteries(),
           lostAfter,
+          charging(),
           speed,
           Duration.ofDays(wholeNumber(Setting.KEEP_TRACKS, 1, 3650)),
           Duration.ofDays(wholeNumber(Setting.KEEP_HISTORY, 1, 3650)),
           manager(),
           yesOrNo(Setting.PLAIN_LINKS),
           logLevel());
+    }
+
+    private List<Double> batteries() throws ConfigurationException {
+      List<Double> batteries = new ArrayList<>();
+      for (String word : text(Setting.SIMULATE_BATTERIES).split(",", -1)) {
+        if (!word.strip().matches("[1-9][0-9]{0,2}")) {
+          throw outside(Setting.SIMULATE_BATTERIES);
+        }
+        int percent = Integer.parseInt(word.strip());
+        if (percent < 5 || percent > 100) {
+          throw outside(Setting.SIMULATE_BATTERIES);
+        }
+        batteries.add(percent / 100.0);
+      }
+      return List.copyOf(batteries);
+    }
+
+    private ChargingRules charging() throws ConfigurationException {
+      int below = wholeNumber(Setting.CHARGING_BELOW, 5, 90);
+      int until = wholeNumber(Setting.CHARGING_UNTIL, 10, 100);
+      if (until <= below) {
+        throw refused(
+            Setting.CHARGING_UNTIL, "it must be more than charging.below, which is " + below + ".");
+      }
+      return new ChargingRules(
+          below / 100.0,
+          until / 100.0,
+          Duration.ofSeconds(Math.round(3600 * number(Setting.CHARGING_AFTER_HOURS, 0.1, 24))),
+          Duration.ofMinutes(wholeNumber(Setting.CHARGING_MINUTES, 1, 1440)));
     }
 
     private InetAddress address() throws ConfigurationException {

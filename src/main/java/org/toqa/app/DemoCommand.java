@@ -17,6 +17,10 @@ import picocli.CommandLine.Option;
     description = "Shows simulated robots at work, on nothing but this machine.")
 final class DemoCommand implements Callable<Integer> {
   private static final String USER = "demo";
+
+  /** The third robot has to charge soon. */
+  private static final String BATTERIES = "100,100,22,100";
+
   private static final String PASSWORD = "demo-robots";
 
   @Option(names = "--once", description = "Runs the demo tasks, prints a table, and ends.")
@@ -85,6 +89,7 @@ final class DemoCommand implements Callable<Integer> {
   private Layer options(Path data) {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     options.put(Setting.SIMULATE, String.valueOf(robots));
+    options.put(Setting.SIMULATE_BATTERIES, BATTERIES);
     options.put(Setting.MANAGER, USER + ":" + PASSWORD);
     options.put(Setting.LOG_LEVEL, "WARN");
     options.put(Setting.DATA, data.toString());

@@ -13,6 +13,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.AgentFleet;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.RobotRecord;
@@ -102,7 +103,8 @@ final class Toqa implements AutoCloseable {
             store,
             new TcpRobotLinks(configuration.plainLinks()),
             configuration.allocator().allocator(),
-            configuration.lostAfter(),
+            new FleetRules(
+                configuration.lostAfter(), configuration.charging(), configuration.speed()),
             wallClock,
             clock.instant());
     parts.push(fleet);
@@ -159,10 +161,15 @@ final class Toqa implements AutoCloseable {
     List<SimulatedRobot> robots = new ArrayList<>();
     for (int i = 0; i < configuration.simulate(); i++) {
       Pose start = new Pose(places.get(i).position().x(), places.get(i).position().y(), 0);
-      robots.add(new SimulatedRobot("r" + (i + 1), start, SIMULATED_LOAD));
+      robots.add(
+          new SimulatedRobot("r" + (i + 1), start, SIMULATED_LOAD, battery(configuration, i)));
     }
     SimulatedFleet simulated =
-        SimulatedFleet.open(configuration.data().resolve("robots"), robots, clock);
+        SimulatedFleet.open(
+            configuration.data().resolve("robots"),
+            robots,
+            floor.charging().stream().map(Place::position).toList(),
+            clock);
     try {
       for (int i = 0; i < robots.size(); i++) {
         String name = robots.get(i).name();
@@ -176,6 +183,11 @@ final class Toqa implements AutoCloseable {
       simulated.close();
       throw new IOException("The simulated robots cannot be stored: " + e.getMessage(), e);
     }
+  }
+
+  private static double battery(Configuration configuration, int robot) {
+    List<Double> batteries = configuration.simulateBatteries();
+    return batteries.get(Math.min(robot, batteries.size() - 1));
   }
 
   /** Where robots begin: the parking points, and where these do not suffice, free cells. */

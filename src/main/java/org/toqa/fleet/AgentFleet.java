@@ -59,7 +59,6 @@ public final class AgentFleet implements Fleet, AutoCloseable {
    * Reads the store and goes on with what is in it.
    *
    * @param floors at least one; the first is the default
-   * @param lostAfter how long a robot is silent until its task goes to another
    * @param clock for the times in the history
    * @param now of the time that {@link #tick} brings
    */
@@ -68,7 +67,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       FleetStore store,
       RobotLinks links,
       Allocator allocator,
-      Duration lostAfter,
+      FleetRules rules,
       InstantSource clock,
       Instant now) {
     this.floors = List.copyOf(floors);
@@ -86,7 +85,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     ClassLoader loader = AgentFleet.class.getClassLoader();
     this.system =
         ActorSystem.create(
-            ManagerAgent.of(floors, store, links, allocator, lostAfter, clock, now, board),
+            ManagerAgent.of(floors, store, links, allocator, rules, clock, now, board),
             "toqa",
             BootstrapSetup.create(CONFIG.withFallback(ConfigFactory.load(loader)))
                 .withClassloader(loader));

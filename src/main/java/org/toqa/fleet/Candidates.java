@@ -45,10 +45,13 @@ final class Candidates {
       case ERROR -> Standing.ERROR;
       case OUT_OF_SERVICE -> Standing.OUT_OF_SERVICE;
       case HOLDING -> robot.task() == null ? Standing.HELD : Standing.BUSY;
-      case IDLE, DRIVING ->
-          promised.contains(robot.name()) || (robot.task() != null && robot.phase() < 3)
-              ? Standing.BUSY
-              : Standing.FREE;
+      case CHARGING -> Standing.CHARGING;
+      case IDLE, DRIVING -> robot.charger() != null ? Standing.CHARGING : working(robot, promised);
     };
+  }
+
+  private static Standing working(RobotView robot, Set<String> promised) {
+    boolean isBusy = promised.contains(robot.name()) || (robot.task() != null && robot.phase() < 3);
+    return isBusy ? Standing.BUSY : Standing.FREE;
   }
 }

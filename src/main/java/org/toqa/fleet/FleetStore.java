@@ -15,7 +15,7 @@ import org.toqa.motion.Trajectory;
  *
  * <ol>
  *   <li>At start the fleet reads {@link #robots}, {@link #outOfService}, {@link #held}, {@link
- *       #pause}, {@link #openTasks} and each robot's {@link #drive}.
+ *       #charges}, {@link #pause}, {@link #openTasks} and each robot's {@link #drive}.
  *   <li>From then on every change is written here before the command that follows from it is sent.
  * </ol>
  *
@@ -35,6 +35,9 @@ public interface FleetStore {
 
   /** Whether all robots are paused. */
   Optional<FleetPause> pause();
+
+  /** How robots stand with charging. */
+  List<ChargeRecord> charges();
 
   /** Tasks that have not ended, in the order in which they came. */
   List<OpenTask> openTasks();
@@ -62,6 +65,8 @@ public interface FleetStore {
   void saveService(String robot, boolean inService, List<EventRecord> events);
 
   void saveHold(String robot, boolean held, List<EventRecord> events);
+
+  void saveCharge(ChargeRecord record, List<EventRecord> events);
 
   /**
    * @param pause null: the fleet goes on

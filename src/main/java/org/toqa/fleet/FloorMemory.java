@@ -10,6 +10,7 @@ import org.toqa.fleet.FleetStore.OpenTask;
  *
  * @param outOfService names of robots
  * @param held names of robots
+ * @param charges of its robots
  * @param pause null while the fleet is not paused
  * @param begun tasks that have robots
  */
@@ -17,5 +18,6 @@ record FloorMemory(
     List<RobotRecord> robots,
     Set<String> outOfService,
     Set<String> held,
+    List<ChargeRecord> charges,
     @Nullable FleetPause pause,
     List<OpenTask> begun) {}

@@ -22,6 +22,14 @@ sealed interface FloorMessage {
   /** These robots shall carry out this task. */
   record Begin(Mission mission, List<String> robots, String why) implements FloorMessage {}
 
+  /**
+   * Tasks whose loads are not picked up go to other robots: all of these moves, or none where one
+   * cannot be any more.
+   */
+  record Exchange(List<Move> moves) implements FloorMessage {}
+
+  record Move(long task, String from, String to, String why) {}
+
   /** A person wants something of a task. */
   record Wished(long task, MissionEvent.Wish wish, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements FloorMessage {}
@@ -65,6 +73,16 @@ sealed interface FloorMessage {
 
   /** The mission's new state is safe: now do what follows from it. */
   record Stored(Mission.Step step) implements FloorMessage {}
+
+  /** These robots are free, but what they have left lasts for no task that waits. */
+  record Recharge(List<String> robots, long task) implements FloorMessage {}
+
+  /**
+   * That is safe: now the robot may move for it.
+   *
+   * @param turn null: it charges no more
+   */
+  record ChargeStored(String robot, ChargeRecord.@Nullable Turn turn) implements FloorMessage {}
 
   record Tick(Instant now) implements FloorMessage {}
 

@@ -1,10 +1,15 @@
 package org.toqa.fleet;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -12,6 +17,8 @@ import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
 import org.toqa.traffic.floor.Route;
 
 /**
@@ -21,6 +28,8 @@ import org.toqa.traffic.floor.Route;
  * of it ({@code errand}, {@code way}) stand side by side; the floor acts where they differ.
  */
 final class FloorRobot {
+  private static final Logger log = LoggerFactory.getLogger(FloorRobot.class);
+
   /** The diameter assumed of a robot that was never heard of: the smallest of ours, metres. */
   private static final double UNKNOWN_FOOTPRINT = 0.255;
 
@@ -70,6 +79,27 @@ final class FloorRobot {
 
   boolean cancelling;
 
+  /** How long it has worked since it last charged. */
+  Duration worked = Duration.ZERO;
+
+  /** The same, as it is stored. */
+  Duration workWritten = Duration.ZERO;
+
+  /** Its place at a charging point; null: it need not charge. */
+  @Nullable Turn turn;
+
+  /** Whether that is safe, so that it may move for it. */
+  boolean turnStored;
+
+  /** Whether it stands at the charging point and is the first one there. */
+  boolean charging;
+
+  /** What it does about charging, a sentence. */
+  @Nullable String chargingSays;
+
+  /** A task that it was free for, but its battery would not have lasted. */
+  @Nullable Long lacksFor;
+
   /** Why it shall hold, a sentence; null: it need not. */
   @Nullable String holdReason;
 
@@ -90,11 +120,33 @@ final class FloorRobot {
   /**
    * A phase that the robot shall drive.
    *
-   * @param task null when it drives home without a task, in phase 0
+   * @param task null when it drives home or to a charger, in phase 0
+   * @param load kilograms that it has on board
    */
-  record Errand(@Nullable Long task, int phase, Vec2 goal) {
+  record Errand(@Nullable Long task, int phase, Vec2 goal, double load) {
     static Errand home(Vec2 parking) {
-      return new Errand(null, 0, parking);
+      return new Errand(null, 0, parking, 0);
+    }
+
+    static Errand charge(Vec2 point) {
+      return new Errand(null, 0, point, 0);
+    }
+
+    /**
+     * What the robot's phase of the mission asks.
+     *
+     * @param home its parking point
+     */
+    static Errand of(Mission mission, String robot, Optional<Vec2> home) {
+      int phase = mission.carrier(robot).map(Carrier::phase).orElse(3);
+      Vec2 goal =
+          switch (phase) {
+            case 1 -> mission.object().position();
+            case 2 -> mission.destination().position();
+            default -> home.orElse(mission.task().goal().position());
+          };
+      double load = phase == 2 ? mission.task().load() / mission.carriers().size() : 0;
+      return new Errand(mission.id(), phase, goal, load);
     }
   }
 
@@ -138,6 +190,10 @@ final class FloorRobot {
     lastSeen = now;
   }
 
+  Optional<Turn> turn() {
+    return Optional.ofNullable(turn);
+  }
+
   boolean isHeard() {
     return connected && !silent;
   }
@@ -171,6 +227,15 @@ final class FloorRobot {
         && (toldGoal == null || toldGoal.equals(wanted.goal()));
   }
 
+  /** Ends its drive, once. */
+  void cancelDrive() {
+    if (connected && !cancelling) {
+      cancelling = true;
+      log.info("{}: its drive {} is not wanted any more.", name(), drive);
+      agent.tell(new RobotMessage.Cancel(reportedTask));
+    }
+  }
+
   RobotState state() {
     if (!inService) {
       return RobotState.OUT_OF_SERVICE;
@@ -185,7 +250,7 @@ final class FloorRobot {
       return RobotState.NOT_LOCALISED;
     }
     return switch (mode) {
-      case IDLE -> RobotState.IDLE;
+      case IDLE -> charging ? RobotState.CHARGING : RobotState.IDLE;
       case DRIVING, FOLLOWING -> RobotState.DRIVING;
       case HOLDING -> RobotState.HOLDING;
       case ERROR -> RobotState.ERROR;
@@ -215,7 +280,8 @@ final class FloorRobot {
         errors,
         doing(work),
         lastSeen,
-        holdReason != null);
+        holdReason != null,
+        turn == null ? null : turn.point());
   }
 
   private String doing(@Nullable Errand work) {
@@ -228,9 +294,12 @@ final class FloorRobot {
       case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
       case ERROR -> errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
       case OUT_OF_SERVICE -> "Out of service. " + outOfService();
-      case IDLE, DRIVING, HOLDING -> {
+      case IDLE, DRIVING, HOLDING, CHARGING -> {
         if (holdReason != null) {
           yield holdReason;
+        }
+        if (chargingSays != null && (work == null || work.task() == null)) {
+          yield trouble == null ? chargingSays : trouble;
         }
         yield work == null ? "Free" : working(work);
       }

@@ -37,6 +37,7 @@ import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
 import org.toqa.allocation.Job;
 import org.toqa.allocation.Situation;
+import org.toqa.allocation.Situation.Given;
 import org.toqa.allocation.Standing;
 import org.toqa.allocation.Travel;
 import org.toqa.allocation.WaitingReason;
@@ -46,6 +47,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
 import org.toqa.link.RobotLinks;
 import org.toqa.mission.Mission;
 import org.toqa.mission.Objection;
@@ -64,6 +66,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   /** So many of the queue's first tasks take part in a round. */
   private static final int LOOKED_AT = 200;
 
+  private static final Duration DEADLINES_EVERY = Duration.ofSeconds(1);
+
   private static final String NOT_LOOKED_AT = "Looking for a robot.";
 
   private final FleetStore store;
@@ -79,6 +83,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final Map<String, FloorDistances> distances = new HashMap<>();
 
   private final TaskQueue queue = new TaskQueue();
+  private final Exchanges exchanges = new Exchanges();
+  private final DeadlineWatch deadlines;
+  private Instant nextLookAtDeadlines = Instant.MIN;
   private final Map<String, RobotRecord> robots = new TreeMap<>();
   private final Map<String, ManagerMessage.FloorReport> reports = new HashMap<>();
   private final Map<Long, TaskView> handedOver = new HashMap<>();
@@ -105,7 +112,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetStore store,
       RobotLinks links,
       Allocator allocator,
-      Duration lostAfter,
+      FleetRules rules,
       InstantSource clock,
       Instant now,
       SnapshotBoard board) {
@@ -113,7 +120,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         Behaviors.setup(
             context ->
                 new ManagerAgent(
-                    context, floors, store, links, allocator, lostAfter, clock, now, board)));
+                    context, floors, store, links, allocator, rules, clock, now, board)));
   }
 
   private ManagerAgent(
@@ -122,7 +129,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetStore store,
       RobotLinks links,
       Allocator allocator,
-      Duration lostAfter,
+      FleetRules rules,
       InstantSource clock,
       Instant now,
       SnapshotBoard board) {
@@ -139,8 +146,12 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         new StoreWatch(store, answers -> self.tell(new ManagerMessage.StoreWatched(answers)));
     List<RobotRecord> stored = store.robots();
     List<OpenTask> open = store.openTasks();
+    this.deadlines =
+        new DeadlineWatch(
+            rules.pace(), open.stream().map(t -> t.mission().id()).collect(Collectors.toSet()));
     Set<String> outOfService = store.outOfService();
     Set<String> held = store.held();
+    List<ChargeRecord> charges = store.charges();
     this.pause = store.pause().orElse(null);
     stored.forEach(r -> robots.put(r.name(), r));
     for (OpenTask t : open) {
@@ -154,6 +165,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               stored.stream().filter(r -> r.floor().equals(floor.name())).toList(),
               outOfService,
               held,
+              charges,
               pause,
               open.stream()
                   .filter(t -> t.mission().state() != TaskState.QUEUED)
@@ -161,7 +173,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                   .toList());
       ActorRef<FloorMessage> agent =
           context.spawn(
-              FloorAgent.of(floor, memory, store, links, lostAfter, clock, now, context.getSelf()),
+              FloorAgent.of(floor, memory, store, links, rules, clock, now, context.getSelf()),
               "floor-" + floors.size());
       floors.put(floor.name(), agent);
       maps.put(floor.name(), floor);
@@ -253,10 +265,56 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void taskStored(ManagerMessage.TaskStored m) {
     TransportTask task = m.task();
     queue.add(Mission.queued(task), task.createdAt(), true);
-    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view(task.id(), NOT_LOOKED_AT))));
     changed = true;
     due.add(task.floor());
+    TaskView queued = view(task.id(), NOT_LOOKED_AT);
+    Optional<EventRecord> late = lookAtDeadline(queued);
+    StatusReply<Answer<TaskView>> answer =
+        StatusReply.success(new Answer.Accepted<>(deadlines.told(queued)));
+    if (late.isEmpty()) {
+      m.replyTo().tell(answer);
+    } else {
+      writer.write(() -> store.addEvents(List.of(late.get())), () -> m.replyTo().tell(answer));
+    }
   }
+
+  // --- deadlines --------------------------------------------------------------------------------
+
+  private void lookAtDeadlines(Instant now) {
+    if (now.isBefore(nextLookAtDeadlines)) {
+      return;
+    }
+    nextLookAtDeadlines = now.plus(DEADLINES_EVERY);
+    List<EventRecord> late =
+        Stream.concat(
+                queue.first(LOOKED_AT).map(q -> view(q, NOT_LOOKED_AT)),
+                reports.values().stream().flatMap(r -> r.missions().stream()))
+            .flatMap(task -> lookAtDeadline(task).stream())
+            .toList();
+    if (!late.isEmpty()) {
+      changed = true;
+      writer.write(() -> store.addEvents(late), () -> {});
+    }
+  }
+
+  /** A line for the history if it has just become clear that the task will be late. */
+  private Optional<EventRecord> lookAtDeadline(TaskView task) {
+    if (!DeadlineWatch.isDue(task)) {
+      return Optional.empty();
+    }
+    String floor = task.task().floor();
+    Map<Long, TaskView> here =
+        missions(floor).stream().collect(Collectors.toMap(TaskView::id, t -> t));
+    Forecast forecast = new Forecast(requireNonNull(distances.get(floor)));
+    Instant at = clock.instant();
+    return deadlines
+        .look(task, forecast.of(task, robotViews(floor), here), at)
+        .map(
+            sentence ->
+                new EventRecord(at, "task.late", task.id(), null, EventRecord.SYSTEM, sentence));
+  }
+
+  // --- robots -----------------------------------------------------------------------------------
 
   private void addRobot(ManagerMessage.AddRobot m) {
     Answer<RobotRecord> checked = check.robot(m.order(), List.copyOf(robots.values()));
@@ -468,20 +526,19 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private void beginRound(FloorMap floor) {
     List<Candidate> robotsHere = candidates(floor.name());
-    double strongest =
-        robotsHere.stream()
-            .filter(r -> r.standing() == Standing.FREE)
-            .mapToDouble(Candidate::maxLoad)
-            .max()
-            .orElse(Double.NEGATIVE_INFINITY);
+    List<Given> given =
+        exchanges.given(missions(floor.name()), robotViews(floor.name()), clock.instant());
+    double strongest = strongest(robotsHere, given);
     List<Job> jobs = queue.first(floor.name(), job -> job.load() <= strongest, LOOKED_AT);
     if (jobs.isEmpty()) {
       reasons.remove(floor.name());
       changed = true;
+    }
+    if (jobs.isEmpty() && given.isEmpty()) {
       return;
     }
     deciding.add(floor.name());
-    Situation situation = situation(floor, jobs, robotsHere);
+    Situation situation = situation(floor, jobs, given, robotsHere);
     getContext()
         .pipeToSelf(
             CompletableFuture.supplyAsync(
@@ -490,7 +547,25 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             (decisions, failure) -> decided(floor.name(), decisions, failure));
   }
 
-  private Situation situation(FloorMap floor, List<Job> jobs, List<Candidate> robotsHere) {
+  /** What a robot that is free, or may be by an exchange, carries; nothing while none is free. */
+  private static double strongest(List<Candidate> robotsHere, List<Given> given) {
+    Set<String> holders = given.stream().map(Given::robot).collect(Collectors.toSet());
+    return robotsHere.stream().noneMatch(r -> r.standing() == Standing.FREE)
+        ? Double.NEGATIVE_INFINITY
+        : robotsHere.stream()
+            .filter(r -> r.standing() == Standing.FREE || holders.contains(r.robot()))
+            .mapToDouble(Candidate::maxLoad)
+            .max()
+            .orElse(Double.NEGATIVE_INFINITY);
+  }
+
+  private List<RobotView> robotViews(String floor) {
+    ManagerMessage.FloorReport report = reports.get(floor);
+    return report == null ? List.of() : report.robots();
+  }
+
+  private Situation situation(
+      FloorMap floor, List<Job> jobs, List<Given> given, List<Candidate> robotsHere) {
     OccupancyGrid grid = floor.grid();
     Vec2 size = new Vec2(grid.width(), grid.height()).times(grid.resolution());
     return new Situation(
@@ -498,9 +573,14 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         grid.origin(),
         grid.origin().plus(size),
         requireNonNull(distances.get(floor.name())),
+        chargers(floor),
         jobs,
-        List.of(),
+        given,
         robotsHere);
+  }
+
+  private static List<Vec2> chargers(FloorMap floor) {
+    return floor.charging().stream().map(Place::position).toList();
   }
 
   private static ManagerMessage decided(
@@ -515,25 +595,53 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void decided(ManagerMessage.Decided m) {
     deciding.remove(m.floor());
     changed = true;
-    Set<String> free =
-        candidates(m.floor()).stream()
-            .filter(r -> r.standing() == Standing.FREE)
-            .map(Candidate::robot)
-            .collect(Collectors.toSet());
+    ActorRef<FloorMessage> floor = requireNonNull(floors.get(m.floor()));
+    Set<String> free = exchange(floor, m);
     Map<Long, String> waiting = new HashMap<>();
     for (Decision decision : m.decisions()) {
       switch (decision) {
         case Decision.Assigned(long id, List<String> chosen, String why) -> {
           if (free.containsAll(chosen)) {
             mayBegin(id).ifPresent(mission -> handOver(mission, chosen, why));
-          } else {
+          } else if (queue.get(id).isPresent()) {
             due.add(m.floor());
           }
         }
-        case Decision.Waits(long id, String why) -> waiting.put(id, why);
+        case Decision.Waits(long id, String why, List<String> drained) -> {
+          waiting.put(id, why);
+          if (!drained.isEmpty()) {
+            floor.tell(new FloorMessage.Recharge(drained, id));
+          }
+        }
       }
     }
     reasons.put(m.floor(), waiting);
+  }
+
+  /**
+   * Lets robots change tasks that are not begun.
+   *
+   * @return who is free for another task then
+   */
+  private Set<String> exchange(ActorRef<FloorMessage> floor, ManagerMessage.Decided m) {
+    Set<String> free =
+        candidates(m.floor()).stream()
+            .filter(r -> r.standing() == Standing.FREE)
+            .map(Candidate::robot)
+            .collect(Collectors.toCollection(HashSet::new));
+    List<FloorMessage.Move> moves =
+        exchanges.moves(m.decisions(), missions(m.floor()), free, clock.instant());
+    if (!moves.isEmpty()) {
+      floor.tell(new FloorMessage.Exchange(moves));
+      moves.forEach(move -> free.add(move.from()));
+      moves.forEach(move -> free.remove(move.to()));
+    }
+    return free;
+  }
+
+  private List<TaskView> missions(String floor) {
+    ManagerMessage.FloorReport report = reports.get(floor);
+    return report == null ? List.of() : report.missions();
   }
 
   /** Takes it out of the queue, unless it was cancelled or held meanwhile. */
@@ -571,6 +679,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void tick(Instant now) {
     floors.values().forEach(f -> f.tell(new FloorMessage.Tick(now)));
     beginRounds();
+    lookAtDeadlines(now);
     if (changed) {
       publish();
     }
@@ -594,7 +703,10 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     handedOver.values().forEach(t -> tasks.putIfAbsent(t.id(), t));
     views.sort(Comparator.comparing(RobotView::name));
     List<TaskView> newestFirst =
-        tasks.values().stream().sorted(Comparator.comparingLong(TaskView::id).reversed()).toList();
+        tasks.values().stream()
+            .map(deadlines::told)
+            .sorted(Comparator.comparingLong(TaskView::id).reversed())
+            .toList();
     board.publish(
         new FleetSnapshot(
             board.latest().version() + 1,
@@ -611,7 +723,12 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     Map<String, WaitingReason> byFloor = new HashMap<>();
     reports
         .keySet()
-        .forEach(f -> byFloor.put(f, new WaitingReason(candidates(f), Travel.STRAIGHT)));
+        .forEach(
+            f ->
+                byFloor.put(
+                    f,
+                    new WaitingReason(
+                        candidates(f), Travel.STRAIGHT, chargers(requireNonNull(maps.get(f))))));
     return queue
         .first(QUEUED_SHOWN)
         .map(q -> view(q, reason(q, byFloor.get(q.task().floor()))))

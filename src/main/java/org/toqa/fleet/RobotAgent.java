@@ -134,7 +134,8 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
             m.way().start(),
             m.way().segments(),
             m.released(),
-            m.last()));
+            m.last(),
+            m.load()));
     floor.tell(new FloorMessage.DriveBegun(robot.name(), next));
   }
 

@@ -20,8 +20,10 @@ sealed interface RobotMessage {
    *
    * @param released so many segments of it for now
    * @param last whether it ends the phase
+   * @param load kilograms that it has on board
    */
-  record Drive(@Nullable Long task, int phase, Trajectory way, int released, boolean last)
+  record Drive(
+      @Nullable Long task, int phase, Trajectory way, int released, boolean last, double load)
       implements RobotMessage {}
 
   /** Drive other segments from {@code from} on. */

@@ -7,6 +7,8 @@ public enum RobotState {
   /** At its parking point or waiting, free for a task. */
   IDLE,
   DRIVING,
+  /** Stands at a charging point and charges. */
+  CHARGING,
   /** Stands in the middle of its way. */
   HOLDING,
   /** Does not know where it is; a person must say it. */

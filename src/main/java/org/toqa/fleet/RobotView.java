@@ -20,6 +20,7 @@ import org.toqa.link.message.AgentMessage.Fault;
  * @param released how many points of {@code route} it may already drive to
  * @param doing a sentence for people
  * @param held whether it shall hold: by a person's word, for its task, or since all are paused
+ * @param charger the charging point that it charges at, drives to or waits for; null: none
  */
 public record RobotView(
     String name,
@@ -40,7 +41,8 @@ public record RobotView(
     List<Fault> errors,
     String doing,
     @Nullable Instant lastSeen,
-    boolean held) {
+    boolean held,
+    @Nullable String charger) {
 
   public RobotView {
     route = List.copyOf(route);
@@ -68,6 +70,7 @@ public record RobotView(
         List.of(),
         "Added; connecting",
         null,
-        false);
+        false,
+        null);
   }
 }

@@ -10,6 +10,7 @@ import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.toqa.allocation.Job;
 import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 
 /**
@@ -42,11 +43,17 @@ final class TaskQueue {
   }
 
   private static Job job(Mission mission) {
-    TransportTask task = mission.task();
+    return job(mission.task(), mission.object());
+  }
+
+  /**
+   * @param object where the load is fetched
+   */
+  static Job job(TransportTask task, TaskPlace object) {
     return new Job(
         task.id(),
         task.load(),
-        mission.object().position(),
+        object.position(),
         task.goal().position(),
         Job.waitingSince(task.createdAt(), task.priority(), task.deadline()));
   }

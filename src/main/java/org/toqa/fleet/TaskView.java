@@ -16,6 +16,7 @@ import org.toqa.mission.TransportTask;
  * @param loadAt where the load stands if that is neither its start nor its goal, else null
  * @param waitingFor a sentence while it waits, else null
  * @param needs what a person must decide, else null
+ * @param late a sentence while its deadline cannot be met, else null
  */
 public record TaskView(
     TransportTask task,
@@ -25,6 +26,7 @@ public record TaskView(
     @Nullable TaskPlace loadAt,
     @Nullable String waitingFor,
     @Nullable Question needs,
+    @Nullable String late,
     Instant changedAt) {
 
   public TaskView {
@@ -43,7 +45,17 @@ public record TaskView(
         mission.loadAt(),
         waitingFor,
         mission.question().orElse(null),
+        null,
         changedAt);
+  }
+
+  TaskView told(@Nullable String nextLate) {
+    return new TaskView(task, state, held, robots, loadAt, waitingFor, needs, nextLate, changedAt);
+  }
+
+  /** Where the load is fetched. */
+  TaskPlace object() {
+    return loadAt != null ? loadAt : task.start();
   }
 
   public long id() {

@@ -100,6 +100,15 @@ public record Mission(
     return TroubleRules.question(this);
   }
 
+  /** Whether another robot may take it over: it has one, and that one has not fetched the load. */
+  public boolean isExchangeable() {
+    return (state == TaskState.ASSIGNED || state == TaskState.TO_OBJECT)
+        && carriers.size() == 1
+        && carriers.getFirst().isDriving()
+        && !held
+        && trouble == null;
+  }
+
   public Optional<Objection> objectionTo(MissionEvent.Wish wish) {
     return WishRules.objection(this, wish);
   }
@@ -126,10 +135,12 @@ public record Mission(
       case MissionEvent.DriveStarted e -> PhaseRules.started(this, e);
       case MissionEvent.PhaseEnded e -> PhaseRules.ended(this, e);
       case MissionEvent.Retasked e -> PhaseRules.retasked(this, e);
+      case MissionEvent.Exchanged e -> PhaseRules.exchanged(this, e);
       case MissionEvent.Stopped e -> PhaseRules.stopped(this, e);
       case MissionEvent.RobotLost e -> TroubleRules.lost(this, e);
       case MissionEvent.RobotFailed e -> TroubleRules.failed(this, e);
       case MissionEvent.RobotWithdrawn e -> TroubleRules.withdrawn(this, e);
+      case MissionEvent.MustCharge e -> TroubleRules.charges(this, e);
       case MissionEvent.RobotBack e -> TroubleRules.back(this, e);
     };
   }

@@ -41,6 +41,18 @@ public sealed interface MissionEvent {
     }
   }
 
+  /**
+   * Another robot takes the task over before the load is picked up.
+   *
+   * @param robot the one that had it
+   */
+  record Exchanged(String robot, String to, String why) implements OfRobot {
+    @Override
+    public String kind() {
+      return "task.exchanged";
+    }
+  }
+
   /** The robot, which shall set the load down, has come to a stand. */
   record Stopped(String robot, TaskPlace place) implements OfRobot {
     @Override
@@ -79,6 +91,18 @@ public sealed interface MissionEvent {
     @Override
     public String kind() {
       return "task.robot-withdrawn";
+    }
+  }
+
+  /**
+   * The robot must charge, and does no more for the mission.
+   *
+   * @param why a clause, such as {@code its battery has 18 %}
+   */
+  record MustCharge(String robot, String why) implements OfRobot {
+    @Override
+    public String kind() {
+      return "task.robot-charges";
     }
   }
 

@@ -33,6 +33,19 @@ final class PhaseRules {
         : mission.unchanged();
   }
 
+  static Mission.Step exchanged(Mission mission, MissionEvent.Exchanged event) {
+    if (!mission.isExchangeable()) {
+      return mission.unchanged();
+    }
+    return mission
+        .by(List.of(Carrier.chosen(event.to())))
+        .in(TaskState.ASSIGNED)
+        .step(
+            List.of(
+                new MissionCommand.LetGo(event.robot()), new MissionCommand.Drive(event.to(), 1)),
+            "Given to " + event.to() + " instead of " + event.robot() + ": " + event.why());
+  }
+
   static Mission.Step stopped(Mission mission, MissionEvent.Stopped event) {
     Carrier carrier = mission.carrier(event.robot()).orElseThrow();
     if (!mission.isStopping() || carrier.arrived()) {

@@ -34,6 +34,20 @@ final class TroubleRules {
         mission, new Trouble(event.robot(), "was taken out of service", event.place(), false));
   }
 
+  /** No robot goes to charge with a load on board. */
+  static Mission.Step charges(Mission mission, MissionEvent.MustCharge event) {
+    String sentence = event.robot() + " must charge: " + event.why();
+    return switch (mission.phaseOf(event.robot())) {
+      case 1 ->
+          toTheQueue(
+              mission,
+              new Trouble(event.robot(), "must charge", null, false),
+              sentence + "; another robot is looked for");
+      case 2 -> mission.unchanged();
+      default -> mission.letGo(event.robot(), sentence);
+    };
+  }
+
   static Mission.Step back(Mission mission, MissionEvent.RobotBack event) {
     return troubleOf(event.robot(), mission) == null
         ? mission.unchanged()

@@ -10,6 +10,8 @@ import org.slf4j.LoggerFactory;
 import org.toqa.agent.AgentConfig;
 import org.toqa.agent.Daemon;
 import org.toqa.agent.MotionLimits;
+import org.toqa.agent.chassis.SimulatedPower;
+import org.toqa.geometry.Vec2;
 
 /**
  * Simulated robots: real daemons over simulated bodies, each behind a TCP port of its own on
@@ -25,6 +27,7 @@ public final class SimulatedFleet implements AutoCloseable {
   private static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
   private static final double SLIP = 0.01;
 
+  private final List<Vec2> chargers;
   private final VirtualClock clock;
   private final List<Inhabitant> robots = new ArrayList<>();
 
@@ -50,10 +53,12 @@ public final class SimulatedFleet implements AutoCloseable {
    * Makes the robots, or finds them again, and lets them live by the clock.
    *
    * @param folder one folder for each robot is kept in it, with the robot's name
+   * @param chargers where robots that stand there are charged, metres, map frame
    */
-  public static SimulatedFleet open(Path folder, List<SimulatedRobot> robots, VirtualClock clock)
+  public static SimulatedFleet open(
+      Path folder, List<SimulatedRobot> robots, List<Vec2> chargers, VirtualClock clock)
       throws IOException {
-    SimulatedFleet fleet = new SimulatedFleet(clock);
+    SimulatedFleet fleet = new SimulatedFleet(chargers, clock);
     try {
       for (SimulatedRobot robot : robots) {
         fleet.add(folder.resolve(robot.name()), robot);
@@ -65,7 +70,8 @@ public final class SimulatedFleet implements AutoCloseable {
     }
   }
 
-  private SimulatedFleet(VirtualClock clock) {
+  private SimulatedFleet(List<Vec2> chargers, VirtualClock clock) {
+    this.chargers = List.copyOf(chargers);
     this.clock = clock;
   }
 
@@ -103,7 +109,12 @@ public final class SimulatedFleet implements AutoCloseable {
             robot.maxLoad(),
             FOOTPRINT,
             LIMITS,
-            new AgentConfig.Simulated(robot.start(), SLIP, robot.name().hashCode(), 1));
+            new AgentConfig.Simulated(
+                robot.start(),
+                new SimulatedPower(robot.battery(), chargers),
+                SLIP,
+                robot.name().hashCode(),
+                1));
     Inhabitant inhabitant = new Inhabitant(Daemon.open(config, clock, clock.nanos()));
     robots.add(inhabitant);
     clock.add(inhabitant, Daemon.TICK);

@@ -2,6 +2,7 @@ package org.toqa.store;
 
 import java.sql.ResultSet;
 import java.sql.SQLException;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
@@ -12,6 +13,8 @@ import java.util.UUID;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.ChargeRecord;
+import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetStore;
@@ -111,6 +114,42 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
               .bind("id", robotId(h, robot))
               .execute();
           Events.add(h, events);
+          return null;
+        });
+  }
+
+  @Override
+  public List<ChargeRecord> charges() {
+    return in(
+        h ->
+            h.createQuery("select name, worked_s, charger, charger_since from robots order by id")
+                .map(
+                    (rs, ctx) ->
+                        new ChargeRecord(
+                            rs.getString("name"),
+                            Duration.ofMillis(Math.round(1000 * rs.getDouble("worked_s"))),
+                            rs.getString("charger") == null
+                                ? null
+                                : new Turn(rs.getString("charger"), instant(rs, "charger_since"))))
+                .list());
+  }
+
+  @Override
+  public void saveCharge(ChargeRecord record, List<EventRecord> events) {
+    Turn turn = record.turn();
+    inTransaction(
+        h -> {
+          h.createUpdate(
+                  """
+                  update robots set worked_s = :worked, charger = :charger, charger_since = :since
+                  where id = :id
+                  """)
+              .bind("worked", record.worked().toMillis() / 1000.0)
+              .bind("charger", turn == null ? null : turn.point())
+              .bind("since", turn == null ? null : utc(turn.since()))
+              .bind("id", robotId(h, record.robot()))
+              .execute();
+          addEvents(h, events);
           return null;
         });
   }

@@ -44,6 +44,7 @@ public final class Tasks {
             stored.loadAt(),
             "Other tasks in the queue come before it.",
             stored.needs(),
+            stored.late(),
             stored.changedAt())
         : stored;
   }

@@ -3,6 +3,7 @@ package org.toqa.allocation;
 import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.toqa.allocation.Floors.NOON;
 import static org.toqa.allocation.Floors.busy;
@@ -127,6 +128,7 @@ class AllocatorContractTest {
             Vec2.ZERO,
             new Vec2(80, 10),
             walled,
+            List.of(),
             List.of(job(1, 1, 60)),
             List.of(),
             List.of(free("r1", 5, 20), free("r2", 5, 39)));
@@ -137,8 +139,38 @@ class AllocatorContractTest {
                 1,
                 "None of the 2 robots that are strong enough can take it now:"
                     + " r1 finds no way to the load and its goal,"
-                    + " r2 finds no way to the load and its goal.")),
+                    + " r2 finds no way to the load and its goal.",
+                List.of())),
         allocator.allocate(situation));
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void noRobotTakesATaskAfterWhichItWouldNotGetToACharger(Allocator allocator) {
+    // 40 m to the load, 1 m with 1 kg, 39 m to the charger: 80 * 88.8 J + 9 J of 106,560 J = 6.7 %,
+    // and 5 % are kept in reserve
+    assertEquals(
+        List.of(
+            new Decision.Waits(
+                1,
+                "The only robot, r1, has 11 % and would not get to a charger after it.",
+                List.of("r1"))),
+        allocator.allocate(withChargerAtTheOtherEnd(0.11)));
+    assertInstanceOf(
+        Decision.Assigned.class, allocator.allocate(withChargerAtTheOtherEnd(0.12)).getFirst());
+  }
+
+  private static Situation withChargerAtTheOtherEnd(double battery) {
+    Vec2 place = new Vec2(0, 5);
+    return new Situation(
+        NOON,
+        Vec2.ZERO,
+        new Vec2(80, 10),
+        Travel.STRAIGHT,
+        List.of(new Vec2(79, 6)),
+        List.of(job(1, 1, 40)),
+        List.of(),
+        List.of(new Candidate("r1", 5, place, place, battery, Standing.FREE, null)));
   }
 
   @ParameterizedTest
@@ -147,7 +179,7 @@ class AllocatorContractTest {
     Map<Standing, String> sentences =
         Map.of(
             Standing.OUT_OF_SERVICE, "is out of service",
-            Standing.CHARGING, "is charging",
+            Standing.CHARGING, "must charge first",
             Standing.LOST, "is lost: nothing is heard from it",
             Standing.HELD, "is held",
             Standing.BUSY, "works on task 7");
@@ -196,7 +228,7 @@ class AllocatorContractTest {
   private static String why(Allocator allocator, double load, Candidate... robots) {
     List<Decision> decisions =
         allocator.allocate(situation(List.of(job(1, load, 5)), List.of(robots)));
-    assertEquals(List.of(new Decision.Waits(1, decisions.getFirst().why())), decisions);
+    assertEquals(List.of(new Decision.Waits(1, decisions.getFirst().why(), List.of())), decisions);
     return decisions.getFirst().why();
   }
 

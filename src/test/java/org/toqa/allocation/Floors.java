@@ -23,7 +23,14 @@ final class Floors {
   static Situation situation(
       Instant now, List<Job> waiting, List<Given> given, List<Candidate> robots) {
     return new Situation(
-        now, Vec2.ZERO, new Vec2(LENGTH, WIDTH), Travel.STRAIGHT, waiting, given, robots);
+        now,
+        Vec2.ZERO,
+        new Vec2(LENGTH, WIDTH),
+        Travel.STRAIGHT,
+        List.of(),
+        waiting,
+        given,
+        robots);
   }
 
   /** One that came at noon, from (x, 5) to (x, 6). */

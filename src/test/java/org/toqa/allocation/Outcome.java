@@ -33,7 +33,7 @@ final class Outcome {
     Map<Long, Job> jobs = new HashMap<>();
     situation.waiting().forEach(j -> jobs.put(j.id(), j));
     situation.given().forEach(g -> jobs.put(g.job().id(), g.job()));
-    Costs costs = new Costs(situation.travel());
+    Costs costs = new Costs(situation);
     double sum = 0;
     for (Map.Entry<Long, String> entry : holders.entrySet()) {
       Job job = requireNonNull(jobs.get(entry.getKey()));

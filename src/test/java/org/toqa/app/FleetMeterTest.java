@@ -59,7 +59,7 @@ class FleetMeterTest {
   private static TaskView task(long id, TaskState state) {
     TransportTask task =
         new TransportTask(id, "t", 2, PLACE, PLACE, "hall", 0, null, null, "boss", NOON);
-    return new TaskView(task, state, false, List.of(), null, null, null, NOON);
+    return new TaskView(task, state, false, List.of(), null, null, null, null, NOON);
   }
 
   /** r1 is 0.2 m wide, any other one 0.3 m. */
@@ -83,6 +83,7 @@ class FleetMeterTest {
         List.of(),
         "Drives",
         NOON,
-        false);
+        false,
+        null);
   }
 }

@@ -7,11 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
-import java.time.Duration;
 import java.time.Instant;
-import java.time.InstantSource;
 import java.util.BitSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -23,7 +20,6 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.toqa.allocation.OptimalAllocator;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -31,23 +27,16 @@ import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
-import org.toqa.link.RobotLink;
-import org.toqa.link.RobotLinks;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Reply;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
-import org.toqa.store.Database;
-import org.toqa.store.JdbiFleetStore;
 
 /** The agents over a real store, with robots that the test plays. */
 @Timeout(60)
 class FleetTest {
-  private static final Duration LOST_AFTER = Duration.ofSeconds(30);
-  private static final Duration LIMIT = Duration.ofSeconds(20);
-
   /** Two rooms and one door between them, in cells of 1 m; (0, 0) is the lower left corner. */
   private static final OccupancyGrid GRID =
       OccupancyGrid.parse(
@@ -70,22 +59,17 @@ class FleetTest {
           List.of(new Place("P1", WEST), new Place("P2", EAST)),
           List.of());
 
-  private final Map<String, ScriptedRobot> robots = new LinkedHashMap<>();
-  private final Database database = Database.inMemory("fleet-" + System.nanoTime());
-  private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-  private Instant now = Instant.parse("2026-11-21T08:00:00Z");
-  private AgentFleet fleet;
+  private final FleetStage stage = new FleetStage(FLOOR);
 
   @BeforeEach
   void start() {
-    add("r1", WEST, "P1");
-    fleet = open();
+    stage.add("r1", WEST, "P1");
+    stage.restart();
   }
 
   @AfterEach
   void stop() {
-    fleet.close();
-    database.close();
+    stage.close();
   }
 
   @Test
@@ -94,10 +78,12 @@ class FleetTest {
 
     until(view -> obstacles(view).equals(cells(new Cell(6, 1))));
     played("r1").sees();
-    Instant unseen = now;
+    Instant unseen = stage.now;
     until(view -> obstacles(view).equals(CellRuns.NONE));
 
-    assertTrue(!now.isBefore(unseen.plus(ObstacleMap.REMEMBERED).minusMillis(200)), now.toString());
+    assertTrue(
+        !stage.now.isBefore(unseen.plus(ObstacleMap.REMEMBERED).minusMillis(200)),
+        stage.now.toString());
     untilHistory(
         "floor.obstacle-gone",
         "The obstacle at (6.50, 1.50) was not seen any more; robots may drive there again");
@@ -114,7 +100,7 @@ class FleetTest {
     played("r1").sees(EAST, new Vec2(6.5, 1.5));
 
     until(view -> !obstacles(view).equals(CellRuns.NONE));
-    assertEquals(cells(new Cell(6, 1)), obstacles(fleet.feed().latest()));
+    assertEquals(cells(new Cell(6, 1)), obstacles(stage.fleet.feed().latest()));
   }
 
   @Test
@@ -124,16 +110,17 @@ class FleetTest {
     played("r2").fallSilent();
     until(view -> robot(view, "r2").state() == RobotState.LOST);
     assertEquals(
-        Map.of("r2", cells(new Cell(4, 1))), fleet.feed().latest().floors().getFirst().kept());
+        Map.of("r2", cells(new Cell(4, 1))),
+        stage.fleet.feed().latest().floors().getFirst().kept());
     long task = submit("West", "East");
     until(view -> waitsFor(view, task).startsWith("Waits for r2"));
 
-    RobotView taken = accepted(fleet.takeOutOfService("r2", "Max"));
+    RobotView taken = accepted(stage.fleet.takeOutOfService("r2", "Max"));
 
     assertEquals(RobotState.OUT_OF_SERVICE, taken.state());
     assertNull(taken.pose());
     until(view -> task(view, task).state() == TaskState.DONE);
-    assertEquals(Map.of(), fleet.feed().latest().floors().getFirst().kept());
+    assertEquals(Map.of(), stage.fleet.feed().latest().floors().getFirst().kept());
     assertEquals(
         List.of("Max took r2 out of service; it does not stand any more where it was lost"),
         history("robot.out-of-service"));
@@ -145,24 +132,24 @@ class FleetTest {
     until(view -> robot(view, "r2").state() == RobotState.IDLE);
     played("r2").fallSilent();
     until(view -> robot(view, "r2").state() == RobotState.LOST);
-    accepted(fleet.takeOutOfService("r2", "Max"));
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
     played("r2").speakAgain();
     until(view -> robot(view, "r2").pose() != null);
 
     long task = submit("West", "East");
 
     until(view -> waitsFor(view, task).startsWith("Waits for r2"));
-    assertEquals(RobotState.OUT_OF_SERVICE, robot(fleet.feed().latest(), "r2").state());
+    assertEquals(RobotState.OUT_OF_SERVICE, robot(stage.fleet.feed().latest(), "r2").state());
   }
 
   @Test
   void aRobotOutOfServiceThatFallsSilentKeepsItsPlaceUntilAPersonSaysItAgain() throws Exception {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
-    accepted(fleet.takeOutOfService("r1", "Max"));
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
     played("r1").fallSilent();
     until(view -> view.floors().getFirst().kept().containsKey("r1"));
 
-    accepted(fleet.takeOutOfService("r1", "Max"));
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
 
     until(view -> view.floors().getFirst().kept().isEmpty());
     assertEquals(
@@ -177,32 +164,33 @@ class FleetTest {
     long task = submit("West", "East");
     until(view -> task(view, task).state() == TaskState.CARRYING && played("r1").isDriving());
 
-    accepted(fleet.takeOutOfService("r1", "Max"));
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
     until(view -> !played("r1").isDriving());
     Vec2 stopped = played("r1").position();
     until(view -> waitsFor(view, task).equals("r1 is out of service: put it back in service"));
-    fleet.close(); // and it survives a restart
-    fleet = open();
+    stage.restart(); // and it survives a restart
     until(view -> !view.robots().isEmpty() && robot(view, "r1").pose() != null);
-    assertEquals(RobotState.OUT_OF_SERVICE, robot(fleet.feed().latest(), "r1").state());
+    assertEquals(RobotState.OUT_OF_SERVICE, robot(stage.fleet.feed().latest(), "r1").state());
     assertEquals(
-        "r1 is out of service: put it back in service", waitsFor(fleet.feed().latest(), task));
+        "r1 is out of service: put it back in service",
+        waitsFor(stage.fleet.feed().latest(), task));
     assertEquals(stopped, played("r1").position());
 
-    accepted(fleet.putInService("r1", "Clara"));
+    accepted(stage.fleet.putInService("r1", "Clara"));
 
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(0, played("r1").position().distanceTo(WEST), 1e-6);
     assertEquals(List.of("Clara put r1 back in service"), history("robot.in-service"));
     assertTrue(
-        store.history(task).stream().anyMatch(e -> e.text().equals("Max took r1 out of service")));
+        stage.store.history(task).stream()
+            .anyMatch(e -> e.text().equals("Max took r1 out of service")));
   }
 
   @Test
   void aLoadTooHeavyForOneWaitsAndSaysWhatItNeeds() throws Exception {
     reopenWith("r2", EAST, "P2");
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
-    double most = robot(fleet.feed().latest(), "r1").maxLoad();
+    double most = robot(stage.fleet.feed().latest(), "r1").maxLoad();
 
     long task = submit(order(1.5 * most));
 
@@ -213,18 +201,22 @@ class FleetTest {
                     "It needs 2 robots that carry it together, and 2 of 2 are free;"
                         + " robots cannot carry together yet."));
     Answer<TaskView> tooHeavy =
-        fleet.submit(order(3 * most), "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS);
+        stage
+            .fleet
+            .submit(order(3 * most), "Clara")
+            .toCompletableFuture()
+            .get(10, TimeUnit.SECONDS);
     assertInstanceOf(Answer.Refused.class, tooHeavy);
   }
 
   @Test
   void aTaskSaysThatItsOnlyRobotIsOutOfServiceAndIsDoneWhenItIsBack() throws Exception {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
-    accepted(fleet.takeOutOfService("r1", "Max"));
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
 
     long task = submit("West", "East");
     until(view -> waitsFor(view, task).equals("The only robot, r1, is out of service."));
-    accepted(fleet.putInService("r1", "Max"));
+    accepted(stage.fleet.putInService("r1", "Max"));
 
     until(view -> task(view, task).state() == TaskState.DONE);
   }
@@ -232,31 +224,31 @@ class FleetTest {
   @Test
   void ofALongQueueTheFirstOnesAreShownAndAllAreCounted() throws Exception {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
-    accepted(fleet.takeOutOfService("r1", "Max"));
-    long first = accepted(fleet.submit(order(1), "Clara")).id();
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    long first = accepted(stage.fleet.submit(order(1), "Clara")).id();
     for (int i = 1; i < 150; i++) {
-      accepted(fleet.submit(order(1), "Clara"));
+      accepted(stage.fleet.submit(order(1), "Clara"));
     }
     TaskOrder urgent =
         new TaskOrder(
             "urgent", 1, new Where.Station("West"), new Where.Station("East"), null, 9, null, null);
-    long last = accepted(fleet.submit(urgent, "Clara")).id();
+    long last = accepted(stage.fleet.submit(urgent, "Clara")).id();
 
     until(view -> view.queued() == 151 && view.tasks().size() == 100);
 
-    FleetSnapshot view = fleet.feed().latest();
+    FleetSnapshot view = stage.fleet.feed().latest();
     assertEquals(last, view.tasks().getFirst().id());
     assertEquals(first, view.tasks().getLast().id());
-    accepted(fleet.putInService("r1", "Max"));
+    accepted(stage.fleet.putInService("r1", "Max"));
     until(later -> later.tasks().stream().anyMatch(t -> t.id() == last && t.robots().size() == 1));
-    assertEquals(150, fleet.feed().latest().queued());
+    assertEquals(150, stage.fleet.feed().latest().queued());
   }
 
   @Test
   void aRobotOutOfServiceGetsNoTask() throws Exception {
     reopenWith("r2", EAST, "P2");
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
-    accepted(fleet.takeOutOfService("r1", "Max"));
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
 
     long task = submit("West", "East"); // r1 stands nearest
 
@@ -267,15 +259,15 @@ class FleetTest {
   void whatIsSoAlreadyIsAcceptedAndNotToldAgain() throws Exception {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
 
-    assertEquals(RobotState.IDLE, accepted(fleet.putInService("r1", "Max")).state());
-    accepted(fleet.takeOutOfService("r1", "Max"));
-    accepted(fleet.takeOutOfService("r1", "Max"));
+    assertEquals(RobotState.IDLE, accepted(stage.fleet.putInService("r1", "Max")).state());
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
 
     assertEquals(List.of(), history("robot.in-service"));
     assertEquals(1, history("robot.out-of-service").size());
     assertInstanceOf(
         Answer.Unknown.class,
-        fleet.takeOutOfService("r9", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
+        stage.fleet.takeOutOfService("r9", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
   }
 
   @Test
@@ -288,7 +280,7 @@ class FleetTest {
             task(view, task).state() == TaskState.CARRYING
                 && !robot(view, "r1").route().isEmpty()
                 && played("r1").isDriving());
-    List<Vec2> straight = robot(fleet.feed().latest(), "r1").route();
+    List<Vec2> straight = robot(stage.fleet.feed().latest(), "r1").route();
     assertTrue(
         straight.stream().allMatch(p -> Math.abs(p.y() - 1.5) < 1e-6), "through the obstacle");
 
@@ -311,8 +303,10 @@ class FleetTest {
     long task = submit("West", "East");
 
     until(view -> waitsFor(view, task).contains("an obstacle"));
-    assertTrue(waitsFor(fleet.feed().latest(), task).contains("(4.50, 1.50)"));
-    assertEquals(waitsFor(fleet.feed().latest(), task), robot(fleet.feed().latest(), "r1").doing());
+    assertTrue(waitsFor(stage.fleet.feed().latest(), task).contains("(4.50, 1.50)"));
+    assertEquals(
+        waitsFor(stage.fleet.feed().latest(), task),
+        robot(stage.fleet.feed().latest(), "r1").doing());
     played("r2").sees();
     until(view -> task(view, task).state() == TaskState.DONE);
   }
@@ -325,7 +319,7 @@ class FleetTest {
     played("r1").sticks(true);
     until(view -> !view.floors().getFirst().standstills().isEmpty());
     FloorView.StandstillView standstill =
-        fleet.feed().latest().floors().getFirst().standstills().getFirst();
+        stage.fleet.feed().latest().floors().getFirst().standstills().getFirst();
     played("r1").sticks(false);
     until(view -> view.floors().getFirst().standstills().isEmpty());
 
@@ -333,7 +327,8 @@ class FleetTest {
     untilHistory("traffic.resolved", "The standstill of r1 is over.");
     untilHistory("traffic.standstill", standstill.text());
     until(view -> task(view, task).state() == TaskState.DONE);
-    assertTrue(store.history(task).stream().anyMatch(e -> e.kind().equals("traffic.standstill")));
+    assertTrue(
+        stage.store.history(task).stream().anyMatch(e -> e.kind().equals("traffic.standstill")));
   }
 
   // --- cancel, hold, pause, failures ------------------------------------------------------------
@@ -343,31 +338,31 @@ class FleetTest {
     long task = submit("East", "West");
     until(view -> task(view, task).state() == TaskState.TO_OBJECT && played("r1").isDriving());
 
-    TaskView cancelled = accepted(fleet.wish(task, new MissionEvent.Cancel("Max", null)));
+    TaskView cancelled = accepted(stage.fleet.wish(task, new MissionEvent.Cancel("Max", null)));
 
     assertEquals(TaskState.CANCELLED, cancelled.state());
     until(view -> !played("r1").isDriving() && played("r1").position().distanceTo(WEST) < 1e-6);
     assertEquals(List.of("Cancelled by Max"), history("task.cancelled"));
-    assertEquals(TaskState.CANCELLED, store.task(task).orElseThrow().state());
+    assertEquals(TaskState.CANCELLED, stage.store.task(task).orElseThrow().state());
   }
 
   @Test
   void aQueuedTaskIsHeldAndCancelledWithoutARobot() throws Exception {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
-    accepted(fleet.takeOutOfService("r1", "Max"));
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
     long task = submit("East", "West");
 
-    assertTrue(accepted(fleet.wish(task, new MissionEvent.Hold("Max"))).held());
-    fleet.close(); // and it survives a restart
-    fleet = open();
-    accepted(fleet.putInService("r1", "Max"));
+    assertTrue(accepted(stage.fleet.wish(task, new MissionEvent.Hold("Max"))).held());
+    stage.restart(); // and it survives a restart
+    accepted(stage.fleet.putInService("r1", "Max"));
     until(view -> robot(view, "r1").state() == RobotState.IDLE && task(view, task).held());
-    assertEquals("On hold.", waitsFor(fleet.feed().latest(), task));
-    TaskView cancelled = accepted(fleet.wish(task, new MissionEvent.Cancel("Max", null)));
+    assertEquals("On hold.", waitsFor(stage.fleet.feed().latest(), task));
+    TaskView cancelled = accepted(stage.fleet.wish(task, new MissionEvent.Cancel("Max", null)));
 
     assertEquals(TaskState.CANCELLED, cancelled.state());
     until(view -> task(view, task).state() == TaskState.CANCELLED);
-    assertInstanceOf(Answer.Conflict.class, answer(fleet.wish(task, new MissionEvent.Hold("Max"))));
+    assertInstanceOf(
+        Answer.Conflict.class, answer(stage.fleet.wish(task, new MissionEvent.Hold("Max"))));
   }
 
   @Test
@@ -375,17 +370,18 @@ class FleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
 
-    Answer<TaskView> asked = answer(fleet.wish(task, new MissionEvent.Cancel("Max", null)));
+    Answer<TaskView> asked = answer(stage.fleet.wish(task, new MissionEvent.Cancel("Max", null)));
     assertEquals(
         List.of("here", "back"),
         Objects.requireNonNull(assertInstanceOf(Answer.Conflict.class, asked).needs()).answers());
-    accepted(fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+    accepted(stage.fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
 
     until(view -> task(view, task).state() == TaskState.CANCELLED);
-    Vec2 place = Objects.requireNonNull(task(fleet.feed().latest(), task).loadAt()).position();
+    Vec2 place =
+        Objects.requireNonNull(task(stage.fleet.feed().latest(), task).loadAt()).position();
     assertTrue(place.x() > 0.5 && place.x() < 8.5, "on the way: " + place);
     until(view -> played("r1").position().distanceTo(WEST) < 1e-6);
-    TaskView stored = store.task(task).orElseThrow();
+    TaskView stored = stage.store.task(task).orElseThrow();
     assertEquals(0, Objects.requireNonNull(stored.loadAt()).position().distanceTo(place), 1e-9);
   }
 
@@ -394,13 +390,14 @@ class FleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
 
-    accepted(fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.BACK)));
+    accepted(stage.fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.BACK)));
 
     until(view -> task(view, task).state() == TaskState.CANCELLED);
     assertEquals(0, played("r1").position().distanceTo(new Vec2(0.5, 2.5)), 1e-6);
     until(
         view ->
-            store.history(task).stream().anyMatch(e -> e.text().equals("Brought back to West")));
+            stage.store.history(task).stream()
+                .anyMatch(e -> e.text().equals("Brought back to West")));
   }
 
   @Test
@@ -408,7 +405,8 @@ class FleetTest {
     long task = submit("West", "East");
     until(view -> task(view, task).state() == TaskState.RETURNING);
 
-    Answer<TaskView> no = answer(fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+    Answer<TaskView> no =
+        answer(stage.fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
 
     assertInstanceOf(Answer.Conflict.class, no);
     until(view -> task(view, task).state() == TaskState.DONE);
@@ -419,17 +417,16 @@ class FleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
 
-    assertTrue(accepted(fleet.wish(task, new MissionEvent.Hold("Max"))).held());
+    assertTrue(accepted(stage.fleet.wish(task, new MissionEvent.Hold("Max"))).held());
     until(view -> played("r1").isHeld() && robot(view, "r1").state() == RobotState.HOLDING);
     Vec2 stopped = played("r1").position();
-    fleet.close();
-    fleet = open();
+    stage.restart();
     until(view -> !view.robots().isEmpty() && robot(view, "r1").state() == RobotState.HOLDING);
-    assertTrue(task(fleet.feed().latest(), task).held());
-    assertEquals("Task " + task + " is on hold", waitsFor(fleet.feed().latest(), task));
+    assertTrue(task(stage.fleet.feed().latest(), task).held());
+    assertEquals("Task " + task + " is on hold", waitsFor(stage.fleet.feed().latest(), task));
     assertEquals(stopped, played("r1").position());
 
-    accepted(fleet.wish(task, new MissionEvent.Resume("Max")));
+    accepted(stage.fleet.wish(task, new MissionEvent.Resume("Max")));
 
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(List.of("Max put it on hold"), history("task.held"));
@@ -441,13 +438,12 @@ class FleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
 
-    assertTrue(accepted(fleet.hold("r1", "Max")).held());
+    assertTrue(accepted(stage.fleet.hold("r1", "Max")).held());
     until(view -> robot(view, "r1").state() == RobotState.HOLDING);
-    fleet.close();
-    fleet = open();
+    stage.restart();
     until(view -> !view.robots().isEmpty() && robot(view, "r1").held());
-    assertEquals(TaskState.CARRYING, task(fleet.feed().latest(), task).state());
-    accepted(fleet.resume("r1", "Max"));
+    assertEquals(TaskState.CARRYING, task(stage.fleet.feed().latest(), task).state());
+    accepted(stage.fleet.resume("r1", "Max"));
 
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(List.of("Max put r1 on hold"), history("robot.held"));
@@ -458,7 +454,7 @@ class FleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
 
-    assertEquals("Max", accepted(fleet.pauseAll("Max")).orElseThrow().user());
+    assertEquals("Max", accepted(stage.fleet.pauseAll("Max")).orElseThrow().user());
     until(view -> played("r1").isHeld());
     Vec2 stopped = played("r1").position();
     reopenWith("r2", EAST, "P2");
@@ -466,11 +462,11 @@ class FleetTest {
         view ->
             played("r2").isHeld()
                 && view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
-    assertEquals("Max", Objects.requireNonNull(fleet.feed().latest().pause()).user());
+    assertEquals("Max", Objects.requireNonNull(stage.fleet.feed().latest().pause()).user());
     assertEquals(stopped, played("r1").position());
-    assertEquals("All robots are paused by Max", robot(fleet.feed().latest(), "r1").doing());
+    assertEquals("All robots are paused by Max", robot(stage.fleet.feed().latest(), "r1").doing());
 
-    accepted(fleet.resumeAll("Boss"));
+    accepted(stage.fleet.resumeAll("Boss"));
 
     until(view -> task(view, task).state() == TaskState.DONE && view.pause() == null);
     assertEquals(List.of("Max paused all robots"), history("fleet.paused"));
@@ -499,16 +495,16 @@ class FleetTest {
     long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
     until(view -> task(view, task).state() == TaskState.TO_OBJECT && played("r1").isDriving());
     played("r1").loseConnection();
-    Instant lost = now;
+    Instant lost = stage.now;
     until(view -> task(view, task).needs() != null);
     assertEquals(
         List.of("another robot", "wait"),
-        Objects.requireNonNull(task(fleet.feed().latest(), task).needs()).answers());
+        Objects.requireNonNull(task(stage.fleet.feed().latest(), task).needs()).answers());
 
     until(view -> task(view, task).robots().equals(List.of("r2")));
 
-    assertTrue(!now.isBefore(lost.plus(LOST_AFTER)), "not before 30 s");
-    assertTrue(fleet.feed().latest().floors().getFirst().kept().containsKey("r1"));
+    assertTrue(!stage.now.isBefore(lost.plus(FleetStage.LOST_AFTER)), "not before 30 s");
+    assertTrue(stage.fleet.feed().latest().floors().getFirst().kept().containsKey("r1"));
     int told = played("r1").obeyed().size();
     played("r1").speakAgain();
     until(view -> played("r1").obeyed().size() > told);
@@ -523,13 +519,13 @@ class FleetTest {
     long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
     until(view -> task(view, task).robots().equals(List.of("r1")));
     played("r1").fallSilent();
-    Instant lost = now;
+    Instant lost = stage.now;
     until(view -> task(view, task).needs() != null);
 
-    accepted(fleet.wish(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
+    accepted(stage.fleet.wish(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
 
     until(view -> task(view, task).robots().equals(List.of("r2")));
-    assertTrue(now.isBefore(lost.plus(LOST_AFTER)), "before the 30 s are over");
+    assertTrue(stage.now.isBefore(lost.plus(FleetStage.LOST_AFTER)), "before the 30 s are over");
   }
 
   @Test
@@ -540,22 +536,22 @@ class FleetTest {
     untilCarryingOnTheWay(task);
     played("r1").breaks("BUMPER");
     until(view -> task(view, task).needs() != null);
-    Vec2 place = Objects.requireNonNull(task(fleet.feed().latest(), task).loadAt()).position();
+    Vec2 place =
+        Objects.requireNonNull(task(stage.fleet.feed().latest(), task).loadAt()).position();
     assertEquals(played("r1").position(), place);
-    fleet.close(); // the question survives a restart
-    fleet = open();
+    stage.restart(); // the question survives a restart
     until(view -> !view.tasks().isEmpty() && task(view, task).needs() != null);
 
-    accepted(fleet.wish(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
+    accepted(stage.fleet.wish(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
     until(view -> task(view, task).robots().equals(List.of("r2")));
     played("r1").fallSilent(); // it is carried away
     until(view -> robot(view, "r1").state() == RobotState.LOST);
-    accepted(fleet.takeOutOfService("r1", "Max"));
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
 
     until(view -> task(view, task).state() == TaskState.CARRYING);
     until(view -> task(view, task).state() == TaskState.DONE);
     assertTrue(
-        store.history(task).stream()
+        stage.store.history(task).stream()
             .anyMatch(e -> e.text().equals("Picked up at " + new TaskPlace(place, null).text())));
   }
 
@@ -565,7 +561,7 @@ class FleetTest {
     untilCarryingOnTheWay(task);
     played("r1").breaks("BUMPER");
     until(view -> task(view, task).needs() != null);
-    accepted(fleet.wish(task, new MissionEvent.Answer("Max", Reply.WAIT)));
+    accepted(stage.fleet.wish(task, new MissionEvent.Answer("Max", Reply.WAIT)));
     until(view -> task(view, task).needs() == null);
 
     played("r1").isMended();
@@ -599,9 +595,9 @@ class FleetTest {
     reopenWith("r3", DOOR, null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
 
-    assertEquals(0, accepted(fleet.sendHome("r2", "Max")).phase());
-    assertInstanceOf(Answer.Conflict.class, answer(fleet.sendHome("r3", "Max")));
-    assertInstanceOf(Answer.Unknown.class, answer(fleet.sendHome("r9", "Max")));
+    assertEquals(0, accepted(stage.fleet.sendHome("r2", "Max")).phase());
+    assertInstanceOf(Answer.Conflict.class, answer(stage.fleet.sendHome("r3", "Max")));
+    assertInstanceOf(Answer.Unknown.class, answer(stage.fleet.sendHome("r9", "Max")));
 
     until(view -> played("r2").position().distanceTo(EAST) < 1e-6);
     assertEquals(List.of("Max sent r2 home"), history("robot.sent-home"));
@@ -621,48 +617,13 @@ class FleetTest {
 
   // --- the stage --------------------------------------------------------------------------------
 
-  private void add(String name, Vec2 at, @Nullable String parking) {
-    robots.put(name, new ScriptedRobot(name, at));
-    store.saveRobot(new RobotRecord(name, "hall", "127.0.0.1", 1, 5, parking, false));
-  }
-
   private void reopenWith(String name, Vec2 at, @Nullable String parking) {
-    fleet.close();
-    add(name, at, parking);
-    fleet = open();
+    stage.add(name, at, parking);
+    stage.restart();
   }
 
-  private AgentFleet open() {
-    RobotLinks links =
-        new RobotLinks() {
-          @Override
-          public RobotLink open(String robot, String host, int port, RobotLink.Listener listener) {
-            return played(robot).link(listener);
-          }
-        };
-    return new AgentFleet(
-        List.of(FLOOR),
-        store,
-        links,
-        new OptimalAllocator(),
-        LOST_AFTER,
-        InstantSource.system(),
-        now);
-  }
-
-  /** Lets time go on, and the robots drive, until it is so. */
   private void until(Predicate<FleetSnapshot> condition) throws InterruptedException {
-    long end = System.nanoTime() + LIMIT.toNanos();
-    FleetSnapshot view = fleet.feed().latest();
-    while (view.robots().isEmpty() || !condition.test(view)) {
-      if (System.nanoTime() > end) {
-        fail("It is still so: " + view);
-      }
-      now = now.plusMillis(100);
-      robots.values().forEach(ScriptedRobot::step);
-      fleet.tick(now);
-      view = fleet.feed().awaitNewer(view.version(), Duration.ofMillis(20));
-    }
+    stage.until(condition);
   }
 
   /** What no answer waits for is written a moment later. */
@@ -685,7 +646,7 @@ class FleetTest {
   }
 
   private long submit(TaskOrder order) throws Exception {
-    long id = accepted(fleet.submit(order, "Clara")).id();
+    long id = accepted(stage.fleet.submit(order, "Clara")).id();
     until(view -> view.tasks().stream().anyMatch(t -> t.id() == id));
     return id;
   }
@@ -696,7 +657,7 @@ class FleetTest {
   }
 
   private ScriptedRobot played(String name) {
-    return Objects.requireNonNull(robots.get(name));
+    return stage.played(name);
   }
 
   private static RobotView robot(FleetSnapshot view, String name) {
@@ -722,7 +683,8 @@ class FleetTest {
   }
 
   private List<String> history(String kind) {
-    return database
+    return stage
+        .database
         .jdbi()
         .withHandle(
             h ->

@@ -38,6 +38,7 @@ final class ScriptedRobot {
   private final String name;
   private Pose pose;
   private List<Vec2> obstacles = List.of();
+  private double battery = 0.8;
   private boolean mute;
   private boolean stuck;
   private boolean held;
@@ -63,6 +64,13 @@ final class ScriptedRobot {
 
   synchronized void sees(Vec2... points) {
     obstacles = List.of(points);
+  }
+
+  /**
+   * @param share of 0 to 1
+   */
+  synchronized void has(double share) {
+    battery = share;
   }
 
   /** From now on it says nothing, and drives nothing. */
@@ -260,7 +268,7 @@ final class ScriptedRobot {
         drive,
         segment,
         released,
-        0.8,
+        battery,
         List.of(),
         obstacles,
         fault == null ? List.of() : List.of(fault));

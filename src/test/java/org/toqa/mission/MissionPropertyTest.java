@@ -45,7 +45,8 @@ class MissionPropertyTest {
         TaskState.ASSIGNED,
         EnumSet.of(TaskState.TO_OBJECT, TaskState.CARRYING, TaskState.QUEUED, TaskState.CANCELLED));
     NEXT.put(
-        TaskState.TO_OBJECT, EnumSet.of(TaskState.CARRYING, TaskState.QUEUED, TaskState.CANCELLED));
+        TaskState.TO_OBJECT,
+        EnumSet.of(TaskState.ASSIGNED, TaskState.CARRYING, TaskState.QUEUED, TaskState.CANCELLED));
     NEXT.put(
         TaskState.CARRYING, EnumSet.of(TaskState.RETURNING, TaskState.QUEUED, TaskState.CANCELLED));
     NEXT.put(TaskState.RETURNING, EnumSet.of(TaskState.DONE));
@@ -179,6 +180,8 @@ class MissionPropertyTest {
                 Arbitraries.of(
                     new MissionEvent.RobotBack(robot),
                     new MissionEvent.Retasked(robot),
+                    new MissionEvent.MustCharge(robot, "its battery has 10 %"),
+                    new MissionEvent.Exchanged(robot, "r3", "nearer"),
                     new MissionEvent.Stopped(robot, spot())));
     Arbitrary<MissionEvent> wishes =
         Arbitraries.of(

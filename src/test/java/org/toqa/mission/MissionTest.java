@@ -75,6 +75,34 @@ class MissionTest {
   }
 
   @Example
+  void beforeThePickUpAnotherRobotMayTakeItOver() {
+    MissionEvent exchanged = new MissionEvent.Exchanged("r1", "r2", "it is nearer");
+
+    Mission.Step step = toObject("r1").on(exchanged);
+
+    assertEquals(TaskState.ASSIGNED, step.mission().state());
+    assertEquals(List.of("r2"), step.mission().robots());
+    assertEquals(
+        List.of(new MissionCommand.LetGo("r1"), new MissionCommand.Drive("r2", 1)),
+        step.commands());
+    assertEquals(List.of("Given to r2 instead of r1: it is nearer"), step.history());
+    assertFalse(step.mission().on(exchanged).changed(), "repeated");
+    assertFalse(carrying("r1").on(exchanged).changed(), "with the load on board");
+    assertFalse(
+        toObject("r1").on(new MissionEvent.Hold("max")).mission().on(exchanged).changed(), "held");
+  }
+
+  @Example
+  void aRobotThatMustChargeGivesItsTaskBackButNeverALoadOnBoard() {
+    MissionEvent charges = new MissionEvent.MustCharge("r1", "its battery has 5 %");
+
+    assertEquals(TaskState.QUEUED, toObject("r1").on(charges).mission().state());
+    assertFalse(carrying("r1").on(charges).changed());
+    Mission returning = carrying("r1").on(new MissionEvent.PhaseEnded("r1", 2)).mission();
+    assertEquals(TaskState.DONE, returning.on(charges).mission().state());
+  }
+
+  @Example
   void aRobotThatFailsBeforeItHasTheLoadGivesTheTaskBack() {
     Mission mission = toObject("r1");
 

@@ -33,16 +33,16 @@ class SimulatedFleetTest {
   private static final Pose START = new Pose(1, 1, 0);
   private static final List<SimulatedRobot> ROBOTS =
       List.of(
-          new SimulatedRobot("r1", START, 5),
-          new SimulatedRobot("r2", new Pose(2, 1, 0), 5),
-          new SimulatedRobot("r3", new Pose(3, 1, 0), 8));
+          new SimulatedRobot("r1", START, 5, 1),
+          new SimulatedRobot("r2", new Pose(2, 1, 0), 5, 1),
+          new SimulatedRobot("r3", new Pose(3, 1, 0), 8, 1));
 
   @TempDir Path folder;
 
   @Test
   void everyRobotAnswersAtAPortOfItsOwn() throws Exception {
     try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 10);
-        SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, clock)) {
+        SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, List.of(), clock)) {
       clock.start();
 
       for (SimulatedRobot robot : ROBOTS) {
@@ -58,18 +58,18 @@ class SimulatedFleetTest {
   @Test
   void robotsAreFoundAgainWhereTheyStood() throws Exception {
     try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 50);
-        SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, clock);
+        SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, List.of(), clock);
         Peer peer = new Peer("r1", fleet)) {
       clock.add(nanos -> peer.ping(), Duration.ofMillis(500));
       clock.start();
       peer.await(Hello.class);
       peer.link.send(
-          new Drive(1, 5L, 1, START, List.of(new Segment(0.25, 0, 40)), 1, true)); // 10 m
+          new Drive(1, 5L, 1, START, List.of(new Segment(0.25, 0, 40)), 1, true, 0)); // 10 m
       assertEquals(new Done(5L, 1, 1), peer.await(Done.class));
     }
 
     try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 1);
-        SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, clock);
+        SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, List.of(), clock);
         Peer peer = new Peer("r1", fleet)) {
       clock.start();
       Hello hello = peer.await(Hello.class);
@@ -83,7 +83,7 @@ class SimulatedFleetTest {
   @Test
   void worldThatRunsTooFastForTheMachineTripsNoTimer() throws Exception {
     try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 500);
-        SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, clock);
+        SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, List.of(), clock);
         Peer peer = new Peer("r1", fleet)) {
       clock.start();
       peer.await(Hello.class);
@@ -91,7 +91,14 @@ class SimulatedFleetTest {
       // the second segment is never released: a silence would show as HOLDING
       peer.link.send(
           new Drive(
-              1, 5L, 1, START, List.of(new Segment(0.25, 0, 1), new Segment(0.25, 0, 1)), 1, true));
+              1,
+              5L,
+              1,
+              START,
+              List.of(new Segment(0.25, 0, 1), new Segment(0.25, 0, 1)),
+              1,
+              true,
+              0));
       for (int i = 0; i < 1_000; i++) {
         State state = peer.await(State.class);
         assertTrue(state.mode() != Mode.HOLDING, "held at " + clock.instant());

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.sql.SQLException;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
@@ -13,6 +14,8 @@ import java.util.UUID;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.toqa.fleet.ChargeRecord;
+import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetStore.OpenTask;
@@ -80,6 +83,21 @@ class FleetStoreTest {
 
     assertEquals(Set.of("r1"), store.outOfService());
     assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
+  }
+
+  @Test
+  void whatARobotHasWorkedAndWhereItChargesComesBack() {
+    store.saveRobot(R1);
+    ChargeRecord rested = new ChargeRecord("r1", Duration.ZERO, null);
+    assertEquals(List.of(rested), store.charges());
+
+    ChargeRecord waits = new ChargeRecord("r1", Duration.ofMinutes(90), new Turn("C1", AT));
+    store.saveCharge(waits, List.of());
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true));
+
+    assertEquals(List.of(waits), store.charges());
+    store.saveCharge(rested, List.of());
+    assertEquals(List.of(rested), store.charges());
   }
 
   @Test

@@ -306,7 +306,8 @@ class PagesInBrowserTest {
         List.of(),
         "Carries the load to its goal.",
         TestFleet.START,
-        false);
+        false,
+        null);
   }
 
   private static RobotView robot(String name, RobotState state, Pose pose) {
@@ -331,7 +332,8 @@ class PagesInBrowserTest {
             List.of(new Fault("BATTERY_LOW", "The battery is nearly empty.")),
             "Stands with an error.",
             TestFleet.START,
-            false)
+            false,
+            null)
         : still;
   }
 }

@@ -108,7 +108,8 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
       tasks.replaceAll(
           view ->
               view.id() == id
-                  ? new TaskView(view.task(), state, false, robots, null, null, null, latest.at())
+                  ? new TaskView(
+                      view.task(), state, false, robots, null, null, null, null, latest.at())
                   : view);
       events.add(new EventRecord(latest.at(), state.name(), id, null, "fleet", sentence));
       publish(latest.robots());
@@ -156,6 +157,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
               List.of(),
               null,
               "It waits for a free robot.",
+              null,
               null,
               latest.at());
       tasks.add(view);
@@ -404,7 +406,8 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         List.of(),
         "Stands at its parking point.",
         pose == null ? null : START,
-        false);
+        false,
+        null);
   }
 
   /** A floor with an obstacle of 2 x 2 cells, those of a lost robot r6, and a standstill. */

@@ -9,6 +9,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.regex.Pattern;
+import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.geometry.Pose;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.Yaml;
@@ -58,10 +59,12 @@ public record AgentConfig(
    * A simulated body.
    *
    * @param start where a new body is put, map frame
+   * @param power its battery, and where it is charged
    * @param noise standard deviation of a wheel's slip, as a share of what it turns
    * @param speed how many times faster than real time it and its daemon live
    */
-  public record Simulated(Pose start, double noise, long seed, double speed) {}
+  public record Simulated(
+      Pose start, SimulatedPower power, double noise, long seed, double speed) {}
 
   /** Reads a file; a relative data folder lies beside it. */
   public static AgentConfig read(Path file) throws ConfigException {
@@ -74,7 +77,8 @@ public record AgentConfig(
         top.number("maxLoad", 5, 0, 10_000),
         top.number("footprint", 0.255, 0.05, 5),
         limits(top),
-        chassis(top.section("chassis", "type", "start", "noise", "seed", "speed")));
+        chassis(
+            top.section("chassis", "type", "start", "battery", "chargers", "noise", "seed", "speed")));
   }
 
   private static Map<?, ?> keys(Path file) throws ConfigException {
@@ -149,6 +153,7 @@ public record AgentConfig(
             Math.toRadians(start.number("heading", 0, -360, 360)));
     return new Simulated(
         pose,
+        new SimulatedPower(chassis.number("battery", 1, 0, 1), chassis.points("chargers")),
         chassis.number("noise", 0.01, 0, 1),
         chassis.whole("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE),
         chassis.number("speed", 1, 0.1, 100));

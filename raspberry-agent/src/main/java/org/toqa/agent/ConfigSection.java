@@ -1,9 +1,11 @@
 package org.toqa.agent;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.toqa.geometry.Vec2;
 
 /**
  * A part of a configuration file. It has no key that it does not know; each question names a key,
@@ -54,6 +56,28 @@ final class ConfigSection {
   String text(String key, String otherwise) throws ConfigException {
     Object value = values.get(key);
     return value == null ? otherwise : text(key, value);
+  }
+
+  /** A list of places, metres, map frame; empty where the key is not there. */
+  List<Vec2> points(String key) throws ConfigException {
+    Object value = values.get(key);
+    if (value == null) {
+      return List.of();
+    }
+    if (!(value instanceof List<?> items)) {
+      throw wrong(key, value, "a list of {x: 1.0, y: 2.0}");
+    }
+    List<Vec2> points = new ArrayList<>();
+    for (Object item : items) {
+      if (!(item instanceof Map<?, ?> map && map.containsKey("x") && map.containsKey("y"))) {
+        throw wrong(key, value, "a list of {x: 1.0, y: 2.0}");
+      }
+      ConfigSection point = new ConfigSection(file, path + key + ".", map, "x", "y");
+      points.add(
+          new Vec2(
+              point.number("x", 0, -100_000, 100_000), point.number("y", 0, -100_000, 100_000)));
+    }
+    return points;
   }
 
   double number(String key, double otherwise, double least, double most) throws ConfigException {

@@ -82,7 +82,7 @@ public final class Daemon implements AutoCloseable {
     AgentConfig.Simulated body = config.chassis();
     Chassis chassis =
         new SimulatedChassis(
-            folder.path().resolve("body"), body.start(), body.noise(), body.seed());
+            folder.path().resolve("body"), body.start(), body.power(), body.noise(), body.seed());
     try {
       return new Daemon(config, clock, nanos, folder, chassis);
     } catch (IOException e) {
@@ -136,6 +136,7 @@ public final class Daemon implements AutoCloseable {
   public void tick(long now) {
     double seconds = Math.min((now - nanos) / 1e9, LONGEST_STEP_SECONDS);
     nanos = now;
+    chassis.carries(control.load());
     control.sense(chassis.exchange(command, now));
     hear();
     command = control.drive(seconds, now - heardNanos > SILENCE_NANOS);

@@ -14,6 +14,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.link.message.AgentMessage.Fault;
 import tools.jackson.core.JacksonException;
+import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
@@ -27,7 +28,10 @@ import tools.jackson.databind.json.JsonMapper;
 final class Journal {
 
   private static final Logger log = LoggerFactory.getLogger(Journal.class);
-  private static final JsonMapper MAPPER = JsonMapper.builder().build();
+  private static final JsonMapper MAPPER =
+      JsonMapper.builder()
+          .disable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES) // fields came to be later
+          .build();
 
   private final Path file;
   private final Path next;

@@ -11,6 +11,7 @@ import org.toqa.link.message.AgentMessage.PhaseEnd;
  * @param powerCycle of the body when this was written
  * @param anchor the map pose of the origin of the body's odometry; null when it is not known
  * @param lastSeq the highest sequence number accepted so far of a command that has an effect
+ * @param load kilograms on board
  * @param drive the drive under way, 0 for none
  * @param segment how many of its segments are completed
  * @param held whether an operator's hold is in force
@@ -22,53 +23,67 @@ record JournalEntry(
     @JsonProperty("lastSeq") long lastSeq,
     @JsonProperty("task") @Nullable Long task,
     @JsonProperty("phase") int phase,
+    @JsonProperty("load") double load,
     @JsonProperty("drive") long drive,
     @JsonProperty("segment") int segment,
     @JsonProperty("held") boolean held,
     @JsonProperty("done") @Nullable PhaseEnd done) {
 
   static JournalEntry of(long powerCycle, @Nullable Pose anchor) {
-    return new JournalEntry(powerCycle, anchor, 0, null, 0, 0, 0, false, null);
+    return new JournalEntry(powerCycle, anchor, 0, null, 0, 0, 0, 0, false, null);
   }
 
   JournalEntry accepted(long seq) {
-    return new JournalEntry(powerCycle, anchor, seq, task, phase, drive, segment, held, done);
+    return new JournalEntry(powerCycle, anchor, seq, task, phase, load, drive, segment, held, done);
   }
 
   JournalEntry anchoredAt(long cycle, @Nullable Pose origin) {
-    return new JournalEntry(cycle, origin, lastSeq, task, phase, drive, segment, held, done);
+    return new JournalEntry(cycle, origin, lastSeq, task, phase, load, drive, segment, held, done);
   }
 
   /** A new drive; it tells that the server knows of the last one's end. */
-  JournalEntry driving(long newDrive, @Nullable Long ofTask, int inPhase) {
-    return new JournalEntry(powerCycle, anchor, lastSeq, ofTask, inPhase, newDrive, 0, held, null);
+  JournalEntry driving(long newDrive, @Nullable Long ofTask, int inPhase, double onBoard) {
+    return new JournalEntry(
+        powerCycle, anchor, lastSeq, ofTask, inPhase, onBoard, newDrive, 0, held, null);
   }
 
   JournalEntry at(int completed) {
-    return new JournalEntry(powerCycle, anchor, lastSeq, task, phase, drive, completed, held, done);
+    return new JournalEntry(
+        powerCycle, anchor, lastSeq, task, phase, load, drive, completed, held, done);
   }
 
   JournalEntry holding(boolean hold) {
-    return new JournalEntry(powerCycle, anchor, lastSeq, task, phase, drive, segment, hold, done);
+    return new JournalEntry(
+        powerCycle, anchor, lastSeq, task, phase, load, drive, segment, hold, done);
   }
 
   /** The drive is at its end, and with it the phase. */
   JournalEntry phaseEnded() {
     return new JournalEntry(
-        powerCycle, anchor, lastSeq, task, phase, 0, 0, held, new PhaseEnd(task, phase, drive));
+        powerCycle,
+        anchor,
+        lastSeq,
+        task,
+        phase,
+        load,
+        0,
+        0,
+        held,
+        new PhaseEnd(task, phase, drive));
   }
 
   /** The drive is no more, but its task and phase are still what the robot works for. */
   JournalEntry drivenNoMore() {
-    return new JournalEntry(powerCycle, anchor, lastSeq, task, phase, 0, 0, held, done);
+    return new JournalEntry(powerCycle, anchor, lastSeq, task, phase, load, 0, 0, held, done);
   }
 
   /** The robot works for nothing any more. */
   JournalEntry released() {
-    return new JournalEntry(powerCycle, anchor, lastSeq, null, 0, 0, 0, held, null);
+    return new JournalEntry(powerCycle, anchor, lastSeq, null, 0, 0, 0, 0, held, null);
   }
 
   JournalEntry doneAcknowledged() {
-    return new JournalEntry(powerCycle, anchor, lastSeq, task, phase, drive, segment, held, null);
+    return new JournalEntry(
+        powerCycle, anchor, lastSeq, task, phase, load, drive, segment, held, null);
   }
 }

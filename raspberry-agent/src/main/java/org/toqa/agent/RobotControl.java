@@ -135,6 +135,11 @@ final class RobotControl {
     return Optional.ofNullable(memory().done());
   }
 
+  /** Kilograms on board. */
+  double load() {
+    return memory().load();
+  }
+
   /** The answer to a command, which has its effect by then. */
   AgentMessage obey(Command command) {
     if (command instanceof Ping || command.seq() <= memory().lastSeq()) {
@@ -261,7 +266,7 @@ final class RobotControl {
 
   private JournalEntry after(Command command) {
     return switch (command) {
-      case Drive drive -> memory().driving(drive.seq(), drive.task(), drive.phase());
+      case Drive drive -> memory().driving(drive.seq(), drive.task(), drive.phase(), drive.load());
       case Hold _ -> memory().holding(true);
       case Resume _ -> memory().holding(false);
       case Cancel cancel ->

@@ -263,7 +263,7 @@ class DriveCommandsTest {
   }
 
   private static Drive released(long seq, int count, Segment... segments) {
-    return new Drive(seq, 5L, 1, Rig.START, List.of(segments), count, true);
+    return new Drive(seq, 5L, 1, Rig.START, List.of(segments), count, true, 0);
   }
 
   @Test

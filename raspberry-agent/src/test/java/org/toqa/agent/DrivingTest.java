@@ -103,7 +103,7 @@ class DrivingTest {
 
   @Test
   void robotStandsAtTheEndOfWhatIsReleasedAndGoesOnWhenMoreIs() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true));
+    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true, 0));
     server.live(Duration.ofSeconds(10));
     assertNear(ahead(1), server.pose(), 0.002, 0.003);
     assertEquals(0, server.state().twist().v(), 0.01);
@@ -117,7 +117,7 @@ class DrivingTest {
 
   @Test
   void robotNeverLeavesWhatIsReleased() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true));
+    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true, 0));
     server.live(Duration.ofSeconds(10));
 
     double farthest =
@@ -127,7 +127,7 @@ class DrivingTest {
 
   @Test
   void releaseInTimeLeavesTheSpeedAsItIs() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true));
+    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true, 0));
     server.live(Duration.ofSeconds(2));
     server.accepted(new Release(2, 1, 2));
     int before = server.heard(State.class).size();
@@ -142,7 +142,7 @@ class DrivingTest {
 
   @Test
   void extendBringsTheRestOfTheWay() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE), 1, false));
+    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE), 1, false, 0));
     server.live(Duration.ofSeconds(10));
     assertEquals(List.of(), server.heard(Done.class), "an extend will bring the rest");
 
@@ -154,7 +154,7 @@ class DrivingTest {
   @Test
   void extendReplansWhatIsNotReleased() {
     Segment turn = new Segment(0, 1, Math.PI / 2);
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true));
+    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true, 0));
     server.live(Duration.ofSeconds(1));
     server.accepted(new Extend(2, 1, 1, List.of(turn), 2, true));
     server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
@@ -263,7 +263,7 @@ class DrivingTest {
 
   @Test
   void silentServerLetsTheRobotFinishWhatIsReleasedAndHold() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true));
+    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true, 0));
     rig.live(Duration.ofSeconds(10));
 
     server.synchronise(); // now it is heard again, after the states of the silence
@@ -275,7 +275,7 @@ class DrivingTest {
 
   @Test
   void robotThatWaitedForASilentServerGoesOnWhenMoreIsReleased() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true));
+    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true, 0));
     rig.live(Duration.ofSeconds(10));
     server.accepted(new Release(2, 1, 2));
     server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);

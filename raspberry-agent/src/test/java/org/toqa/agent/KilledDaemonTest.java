@@ -67,7 +67,7 @@ class KilledDaemonTest {
     Pose last;
     try (Peer peer = new Peer()) {
       assertEquals(START, peer.await(Hello.class, h -> true).pose());
-      peer.say(new Drive(4, 5L, 2, START, List.of(new Segment(0.5, 0, 60)), 1, true));
+      peer.say(new Drive(4, 5L, 2, START, List.of(new Segment(0.5, 0, 60)), 1, true, 0));
       peer.await(Ack.class, ack -> ack.seq() == 4);
       last = peer.await(State.class, s -> s.pose().x() > 1.2).pose();
     }

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.agent.chassis.SimulatedChassis;
+import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Done;
@@ -189,7 +190,8 @@ class RestartTest {
   }
 
   private void cyclePower() throws IOException {
-    try (SimulatedChassis body = new SimulatedChassis(folder.resolve("body"), Rig.START, 0, 7)) {
+    try (SimulatedChassis body =
+        new SimulatedChassis(folder.resolve("body"), Rig.START, SimulatedPower.FULL, 0, 7)) {
       body.cyclePower();
     }
   }

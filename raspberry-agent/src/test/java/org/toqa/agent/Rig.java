@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.geometry.Pose;
 
 /** A real daemon over a simulated body, in time that only the test moves. */
@@ -53,7 +54,7 @@ final class Rig implements AutoCloseable {
         5,
         0.255,
         LIMITS,
-        new AgentConfig.Simulated(START, noise, 7, 1));
+        new AgentConfig.Simulated(START, SimulatedPower.FULL, noise, 7, 1));
   }
 
   /** A server that was greeted and has said nothing yet. */

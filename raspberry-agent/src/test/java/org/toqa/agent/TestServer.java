@@ -184,7 +184,7 @@ final class TestServer implements AutoCloseable {
 
   static ServerMessage.Drive drive(
       long seq, @Nullable Long task, int phase, Pose start, List<Segment> segments) {
-    return new ServerMessage.Drive(seq, task, phase, start, segments, segments.size(), true);
+    return new ServerMessage.Drive(seq, task, phase, start, segments, segments.size(), true, 0);
   }
 
   private AgentMessage await(Predicate<AgentMessage> wished) {

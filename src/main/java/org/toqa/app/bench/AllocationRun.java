@@ -225,6 +225,7 @@ final class AllocationRun {
         grid.origin(),
         grid.origin().plus(size),
         shift.distances(),
+        List.of(),
         waiting.values().stream().limit(LOOKED_AT).toList(),
         given,
         robots.values().stream().map(this::candidate).toList());

@@ -19,6 +19,7 @@ import tools.jackson.databind.cfg.EnumFeature;
 import tools.jackson.databind.deser.std.StdScalarDeserializer;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.module.SimpleModule;
+import tools.jackson.databind.node.ObjectNode;
 
 /**
  * Messages of the robot link as lines: one JSON object, UTF-8, ended by a line feed, at most {@link
@@ -127,6 +128,7 @@ public final class LinkCodec {
     if (!tree.isObject()) {
       return new MessageReading.Refused<>(0, "The line is not one JSON object in UTF-8.");
     }
+    addMissing(tree);
     long seq = tree.path("seq").isIntegralNumber() ? tree.path("seq").asLong(0) : 0;
     String fault = faultOf(tree, messages);
     if (fault != null) {
@@ -136,6 +138,15 @@ public final class LinkCodec {
       return new MessageReading.Understood<>(MAPPER.treeToValue(tree, messages));
     } catch (JacksonException e) {
       return new MessageReading.Refused<>(seq, sentence(tree.path("type").stringValue(), e));
+    }
+  }
+
+  /** Fields that a peer of an earlier release does not send. */
+  private static void addMissing(JsonNode message) {
+    if (message instanceof ObjectNode drive
+        && message.path("type").asString("").equals("drive")
+        && !message.has("load")) {
+      drive.put("load", 0.0);
     }
   }
 

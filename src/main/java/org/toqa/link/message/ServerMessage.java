@@ -46,6 +46,7 @@ public sealed interface ServerMessage {
    * @param released only the first so many segments may be driven yet
    * @param last (on the wire {@code final}) the segments end the phase; false: an {@link Extend}
    *     brings the rest
+   * @param load kilograms that the robot has on board
    */
   record Drive(
       long seq,
@@ -54,7 +55,8 @@ public sealed interface ServerMessage {
       Pose start,
       List<Segment> segments,
       int released,
-      @JsonProperty("final") boolean last)
+      @JsonProperty("final") boolean last,
+      double load)
       implements Command {}
 
   /**

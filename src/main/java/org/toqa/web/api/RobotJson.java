@@ -29,7 +29,8 @@ record RobotJson(
     List<Fault> errors,
     String doing,
     @Nullable Instant lastSeen,
-    boolean held) {
+    boolean held,
+    @Nullable String charger) {
 
   static RobotJson of(RobotView view) {
     return new RobotJson(
@@ -51,6 +52,7 @@ record RobotJson(
         view.errors(),
         view.doing(),
         view.lastSeen(),
-        view.held());
+        view.held(),
+        view.charger());
   }
 }

@@ -36,6 +36,7 @@ record TaskJson(
     List<String> robots,
     @Nullable PlaceJson loadAt,
     @Nullable String waitingFor,
+    @Nullable String late,
     @Nullable Question needs,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history) {
 
@@ -80,6 +81,7 @@ record TaskJson(
         view.robots(),
         view.loadAt() == null ? null : PlaceJson.of(view.loadAt()),
         view.waitingFor(),
+        view.late(),
         view.needs(),
         history);
   }

@@ -100,7 +100,7 @@ class LinkCodecProperties {
             Arbitraries.of(true, false))
         .as(
             (seq, task, phase, start, way, released, last) ->
-                new ServerMessage.Drive(seq, task, phase, start, way, released, last));
+                new ServerMessage.Drive(seq, task, phase, start, way, released, last, 0));
   }
 
   @Provide

@@ -51,11 +51,12 @@ class LinkCodecTest {
         new ServerMessage.Drive(
             7,
             42L,
-            1,
+            2,
             new Pose(1.5, 2.25, 0),
             List.of(new Segment(0.25, 0, 1.2), new Segment(0.25, 0.69, 1.138)),
             1,
-            true),
+            true,
+            2.5),
         understood(LinkCodec.serverMessage(line(drive))));
   }
 
@@ -133,7 +134,8 @@ class LinkCodecTest {
             new Pose(-1e4 / 3, -1e4 / 3, -1.0 / 3),
             Collections.nCopies(LinkCodec.SEGMENTS_A_LINE, longest),
             LinkCodec.SEGMENTS_A_LINE,
-            false);
+            false,
+            0);
 
     assertTrue(LinkCodec.line(drive).length <= LinkCodec.MAX_LINE_BYTES);
   }
@@ -148,7 +150,8 @@ class LinkCodecTest {
             new Pose(0, 0, 0),
             Collections.nCopies(5_000, new Segment(0.25, 0, 1)),
             0,
-            true);
+            true,
+            0);
 
     assertThrows(IllegalArgumentException.class, () -> LinkCodec.line(drive));
   }

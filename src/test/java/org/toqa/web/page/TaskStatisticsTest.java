@@ -50,6 +50,7 @@ class TaskStatisticsTest {
         null,
         null,
         null,
+        null,
         MIDNIGHT.plusSeconds(changed));
   }
 }

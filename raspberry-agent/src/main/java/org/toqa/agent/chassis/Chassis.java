@@ -21,6 +21,13 @@ public interface Chassis extends AutoCloseable {
    */
   ChassisReading exchange(Twist command, long nanos);
 
+  /**
+   * Tells the body what is on board from now on; from the thread of {@link #exchange}.
+   *
+   * @param kilograms 0 for nothing
+   */
+  void carries(double kilograms);
+
   @Override
   void close();
 }

@@ -29,9 +29,9 @@ record SimulatedBody(
 
   static final Pose ORIGIN = new Pose(0, 0, 0);
 
-  static SimulatedBody placed(Pose start) {
+  static SimulatedBody placed(Pose start, double battery) {
     return new SimulatedBody(
-        1, start, start, ThreeWheels.ZERO, ThreeWheels.ZERO, ORIGIN, Twist.ZERO, 1, 0);
+        1, start, start, ThreeWheels.ZERO, ThreeWheels.ZERO, ORIGIN, Twist.ZERO, battery, 0);
   }
 
   SimulatedBody commanded(Twist wanted) {

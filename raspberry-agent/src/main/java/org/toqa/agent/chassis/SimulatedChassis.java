@@ -12,8 +12,8 @@ import org.toqa.motion.ThreeWheelKinematics;
 /**
  * The body of the three-wheeled robot, simulated: motors that follow a command with a lag and a
  * limited acceleration, wheels that slip a little (seeded noise between what turns and what moves),
- * odometry from encoder counts alone, a battery that drains by time and distance. Its state is kept
- * in a file, see {@link SimulatedBodyFile}.
+ * odometry from encoder counts alone, a battery (see {@link SimulatedPower}). Its state is kept in
+ * a file, see {@link SimulatedBodyFile}.
  */
 public final class SimulatedChassis implements Chassis {
 
@@ -28,20 +28,23 @@ public final class SimulatedChassis implements Chassis {
   private static final double WHEEL_ACCELERATION = 1.5 / WHEELS.wheelRadius();
 
   private static final double MOTOR_LAG_SECONDS = 0.04;
+
+  /** Radians a second; wheels that turn no faster stand. */
+  private static final double STANDS = 1e-3;
+
   private static final double LONGEST_STEP_SECONDS = 0.02;
 
-  /** Eight hours of standing, or 80 minutes of driving at 0.25 m/s, empty the battery. */
-  private static final double DRAIN_A_SECOND = 1 / 28_800.0;
-
-  private static final double DRAIN_A_METRE = 1 / 1_440.0;
-
   private final SimulatedBodyFile file;
+  private final SimulatedPower power;
   private final double noise;
   private final SplittableRandom random;
   private SimulatedBody body;
   private Odometry odometry;
   private boolean started;
   private long lastNanos;
+
+  /** Kilograms on board. */
+  private double load;
 
   /**
    * Finds the body that the file keeps, or puts a new one.
@@ -50,14 +53,21 @@ public final class SimulatedChassis implements Chassis {
    * @param start where a new body is put, map frame
    * @param noise standard deviation of a wheel's slip, as a share of what it turns
    */
-  public SimulatedChassis(Path file, Pose start, double noise, long seed) throws IOException {
+  public SimulatedChassis(Path file, Pose start, SimulatedPower power, double noise, long seed)
+      throws IOException {
     this.file = new SimulatedBodyFile(file);
+    this.power = power;
     this.noise = noise;
-    body = this.file.read().orElseGet(() -> SimulatedBody.placed(start));
+    body = this.file.read().orElseGet(() -> SimulatedBody.placed(start, power.first()));
     random = new SplittableRandom(seed + body.steps());
     odometry = odometryOf(body);
     rollOut();
     this.file.write(body);
+  }
+
+  @Override
+  public void carries(double kilograms) {
+    load = kilograms;
   }
 
   @Override
@@ -105,7 +115,7 @@ public final class SimulatedChassis implements Chassis {
   /** The body of a daemon that died: its last command ran out, then it came to a stand. */
   private void rollOut() {
     move(body.command(), COMMAND_LIFE_NANOS / 1e9);
-    while (body.rates().largest() > 1e-3) {
+    while (body.rates().largest() > STANDS) {
       move(Twist.ZERO, LONGEST_STEP_SECONDS);
     }
   }
@@ -130,7 +140,8 @@ public final class SimulatedChassis implements Chassis {
     ThreeWheels turns = body.rates().plus(rates).times(dt / 2);
     ThreeWheels turned = body.turned().plus(turns);
     Twist moves = WHEELS.twist(slip(turns.one()), slip(turns.two()), slip(turns.three()));
-    double drain = DRAIN_A_SECOND * dt + DRAIN_A_METRE * Math.hypot(moves.vx(), moves.vy());
+    double metres = Math.hypot(moves.vx(), moves.vy());
+    boolean isCharged = rates.largest() < STANDS && power.isDocked(body.truth());
     body =
         new SimulatedBody(
             body.powerCycle(),
@@ -140,7 +151,9 @@ public final class SimulatedChassis implements Chassis {
             rates,
             odometry.update(counts(turned)),
             body.command(),
-            Math.max(0, body.battery() - drain),
+            isCharged
+                ? power.charged(body.battery(), dt)
+                : power.drained(body.battery(), dt, metres, load),
             body.steps() + 1);
   }
 

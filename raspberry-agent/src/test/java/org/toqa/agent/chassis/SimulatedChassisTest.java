@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -142,8 +143,35 @@ class SimulatedChassisTest {
     }
   }
 
+  @Test
+  void aLoadDrainsTheBatteryMore() throws IOException {
+    try (SimulatedChassis body = body(0)) {
+      run(body, new Twist(0.25, 0, 0), SECOND);
+      double before = body.exchange(new Twist(0.25, 0, 0), nanos).battery();
+      double empty = before - run(body, new Twist(0.25, 0, 0), 60 * SECOND).battery();
+      body.carries(5);
+      double loaded = before - empty - run(body, new Twist(0.25, 0, 0), 60 * SECOND).battery();
+
+      assertEquals(15 * 5 * 9 / 106_560.0, loaded - empty, 1e-5); // 15 m, 5 kg, 9 J/m/kg
+    }
+  }
+
+  @Test
+  void aBodyThatStandsAtAChargerIsCharged() throws IOException {
+    SimulatedPower power = new SimulatedPower(0.5, List.of(START.position()));
+    Path file = folder.resolve("docked");
+    try (SimulatedChassis body = new SimulatedChassis(file, START, power, 0.01, 1)) {
+      double after = run(body, Twist.ZERO, 60 * SECOND).battery();
+      assertEquals(0.5 + 1 / 30.0, after, 1e-3); // a full battery in 30 minutes
+
+      double gone = run(body, new Twist(0.25, 0, 0), 4 * SECOND).battery();
+      assertTrue(run(body, Twist.ZERO, 60 * SECOND).battery() < gone, "a metre away");
+    }
+  }
+
   private Pose truthAfterAMinute(Path file, long seed) throws IOException {
-    try (SimulatedChassis body = new SimulatedChassis(file, START, 0.05, seed)) {
+    try (SimulatedChassis body =
+        new SimulatedChassis(file, START, SimulatedPower.FULL, 0.05, seed)) {
       nanos = 0;
       ChassisReading now = run(body, new Twist(0.2, 0, 0.1), 60 * SECOND);
       assertNotEquals(0, START.compose(now.odometry()).distanceTo(body.truth()), 0.001);
@@ -152,7 +180,7 @@ class SimulatedChassisTest {
   }
 
   private SimulatedChassis body(double noise) throws IOException {
-    return new SimulatedChassis(folder.resolve("body"), START, noise, 1);
+    return new SimulatedChassis(folder.resolve("body"), START, SimulatedPower.FULL, noise, 1);
   }
 
   private ChassisReading run(SimulatedChassis body, Twist command, int ticks) {

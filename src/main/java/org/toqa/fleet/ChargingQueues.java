@@ -1,0 +1,106 @@
+package org.toqa.fleet;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Inflation;
+import org.toqa.grid.Place;
+import org.toqa.motion.DriveSpeeds;
+
+/** Who charges where, who comes next, and when: an estimate from ways and batteries. */
+final class ChargingQueues {
+  /** What a robot that nobody can move is taken to keep a charging point for. */
+  private static final double BLOCKED_SECONDS = 3600;
+
+  /** Assumed of a robot that has not said what its battery has. */
+  private static final double UNKNOWN_BATTERY = 0.5;
+
+  private final FloorState state;
+  private final ChargingRules rules;
+  private final FloorDistances distances;
+
+  /**
+   * @param seconds until the robot can begin to charge there
+   */
+  record Choice(Place point, double seconds) {}
+
+  ChargingQueues(FloorState state, ChargingRules rules) {
+    this.state = state;
+    this.rules = rules;
+    this.distances =
+        new FloorDistances(Inflation.of(state.floor.grid(), OrderCheck.SMALLEST_RADIUS));
+  }
+
+  /** Where the robot can charge soonest; empty where it reaches no charging point. */
+  Optional<Choice> soonest(FloorRobot robot) {
+    return state.floor.charging().stream()
+        .map(point -> new Choice(point, seconds(robot, point)))
+        .filter(choice -> Double.isFinite(choice.seconds()))
+        .min(Comparator.comparingDouble(Choice::seconds));
+  }
+
+  /** Until the robot can begin to charge there, after those that come before it. */
+  double seconds(FloorRobot robot, Place point) {
+    double free = isBlocked(point, robot) ? BLOCKED_SECONDS : 0;
+    for (FloorRobot other : ahead(robot, point)) {
+      free = Math.max(free, drive(other, point)) + charge(other);
+    }
+    return Math.max(free, drive(robot, point));
+  }
+
+  /** The robots that come before it at the point, the first one first. */
+  List<FloorRobot> ahead(FloorRobot robot, Place point) {
+    return state.robots.values().stream()
+        .filter(other -> has(other, point) && (other.isFit() || isAt(other, point)))
+        .sorted(
+            Comparator.comparing((FloorRobot r) -> !isAt(r, point))
+                .thenComparing(r -> r.turn().map(Turn::since).orElseThrow())
+                .thenComparing(FloorRobot::name))
+        .takeWhile(other -> other != robot)
+        .toList();
+  }
+
+  private static boolean has(FloorRobot robot, Place point) {
+    return robot.turn().filter(turn -> turn.point().equals(point.name())).isPresent();
+  }
+
+  /** Joules are not asked here: only where the robot is. */
+  boolean isAt(FloorRobot robot, Place point) {
+    return state.isAt(robot, point.position());
+  }
+
+  private boolean isBlocked(Place point, FloorRobot robot) {
+    return state.robots.values().stream()
+        .anyMatch(other -> other != robot && !other.isFit() && isAt(other, point));
+  }
+
+  private double drive(FloorRobot robot, Place point) {
+    return isAt(robot, point) ? 0 : metres(robot, point.position()) / DriveSpeeds.DEFAULT.forward();
+  }
+
+  private double charge(FloorRobot robot) {
+    double battery = robot.battery == null ? UNKNOWN_BATTERY : robot.battery;
+    return Math.max(0, rules.until() - battery) * rules.toFull().toSeconds();
+  }
+
+  private double metres(FloorRobot robot, Vec2 place) {
+    return robot.pose == null
+        ? Double.POSITIVE_INFINITY
+        : distances.from(place).applyAsDouble(robot.pose.position());
+  }
+
+  /** The length of a way, metres; infinite where there is none. */
+  double metres(Vec2 from, Vec2 to) {
+    return distances.from(to).applyAsDouble(from);
+  }
+
+  /** From a place to the charging point nearest to it. */
+  double metresToCharger(Vec2 place) {
+    return state.floor.charging().stream()
+        .mapToDouble(point -> metres(place, point.position()))
+        .min()
+        .orElse(Double.POSITIVE_INFINITY);
+  }
+}

@@ -1,0 +1,76 @@
+package org.toqa.fleet;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.toqa.fleet.Forecast.Delivery;
+import org.toqa.mission.TaskState;
+
+/** Which tasks cannot be delivered by their deadlines. Confined to one agent. */
+final class DeadlineWatch {
+  private final double pace;
+  private final Map<Long, String> late = new HashMap<>();
+
+  /** Tasks of an earlier run of the server, which was told of them already. */
+  private final Set<Long> toldBefore;
+
+  /**
+   * @param pace as in {@link FleetRules}
+   * @param open tasks that are not ended when the server starts
+   */
+  DeadlineWatch(double pace, Set<Long> open) {
+    this.pace = pace;
+    this.toldBefore = new HashSet<>(open);
+  }
+
+  /** Whether somebody waits for it at a time that was said. */
+  static boolean isDue(TaskView task) {
+    return task.task().deadline() != null
+        && !task.state().isEnded()
+        && task.state() != TaskState.RETURNING;
+  }
+
+  /**
+   * @param earliest empty where that cannot be said now
+   * @return a sentence if it has just become clear that the task will be late
+   */
+  Optional<String> look(TaskView task, Optional<Delivery> earliest, Instant now) {
+    Instant deadline = task.task().deadline();
+    if (deadline == null || earliest.isEmpty()) {
+      return Optional.empty();
+    }
+    boolean isNew = !toldBefore.remove(task.id());
+    Delivery delivery = earliest.get();
+    Duration left = Duration.ofMillis(Math.round(delivery.left().toMillis() / pace));
+    Duration after = Duration.between(deadline, now.plus(left));
+    if (!after.isPositive()) {
+      late.remove(task.id());
+      return Optional.empty();
+    }
+    String sentence =
+        "The deadline cannot be met: %s would deliver it %s after it at the earliest."
+            .formatted(delivery.robot(), text(after));
+    return late.putIfAbsent(task.id(), sentence) == null && isNew
+        ? Optional.of(sentence)
+        : Optional.empty();
+  }
+
+  /** The task with what is known of its deadline. */
+  TaskView told(TaskView task) {
+    if (!isDue(task)) {
+      late.remove(task.id());
+      return task;
+    }
+    return task.told(late.get(task.id()));
+  }
+
+  private static String text(Duration duration) {
+    return duration.toMinutes() == 0
+        ? Math.max(1, duration.toSeconds()) + " s"
+        : duration.toMinutes() + " min " + duration.toSecondsPart() + " s";
+  }
+}

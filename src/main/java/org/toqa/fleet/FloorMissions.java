@@ -1,0 +1,220 @@
+package org.toqa.fleet;
+
+import static java.util.stream.Collectors.toSet;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.pattern.StatusReply;
+import org.toqa.fleet.FleetStore.OpenTask;
+import org.toqa.fleet.FloorRobot.Errand;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionCommand;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Objection;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+
+/**
+ * Lets a floor's missions go on: an event makes a step, the step is stored, and only then its
+ * commands become errands of robots.
+ */
+final class FloorMissions {
+  private final FloorState state;
+  private final FloorReports reports;
+  private final RobotWatch robotWatch;
+  private final ActorRef<FloorMessage> self;
+  private final ActorRef<ManagerMessage> manager;
+
+  FloorMissions(
+      FloorState state,
+      FloorReports reports,
+      RobotWatch robotWatch,
+      ActorRef<FloorMessage> self,
+      ActorRef<ManagerMessage> manager) {
+    this.state = state;
+    this.reports = reports;
+    this.robotWatch = robotWatch;
+    this.self = self;
+    this.manager = manager;
+  }
+
+  void begin(FloorMessage.Begin m) {
+    if (m.robots().stream().anyMatch(r -> isEngaged(r) || !isFree(r))) {
+      manager.tell(new ManagerMessage.NotBegun(m.mission()));
+      return;
+    }
+    m.robots().forEach(this::isRetasked);
+    Mission.Step step = m.mission().assign(m.robots(), m.why());
+    Instant at = state.clock.instant();
+    apply(
+        step,
+        at,
+        step.history().stream()
+            .map(
+                text ->
+                    new EventRecord(
+                        at, "task.assigned", m.mission().id(), null, EventRecord.SYSTEM, text))
+            .toList());
+    reports.send(); // first, so that the task is in every picture
+    manager.tell(new ManagerMessage.Begun(m.mission().id()));
+  }
+
+  /** Tasks go to other robots, if all of that is still possible. */
+  void exchange(FloorMessage.Exchange m) {
+    Set<String> givers = m.moves().stream().map(FloorMessage.Move::from).collect(toSet());
+    if (!m.moves().stream().allMatch(move -> isPossible(move, givers))) {
+      return;
+    }
+    for (FloorMessage.Move move : m.moves()) {
+      if (!givers.contains(move.to())) {
+        isRetasked(move.to());
+      }
+    }
+    for (FloorMessage.Move move : m.moves()) {
+      happened(move.task(), new MissionEvent.Exchanged(move.from(), move.to(), move.why()));
+    }
+    reports.send();
+  }
+
+  private boolean isPossible(FloorMessage.Move move, Set<String> givers) {
+    return isFree(move.to())
+        && (givers.contains(move.to()) || !isEngaged(move.to()))
+        && state
+            .missions
+            .get(move.task())
+            .filter(Mission::isExchangeable)
+            .filter(mission -> mission.robots().equals(List.of(move.from())))
+            .isPresent();
+  }
+
+  private void isRetasked(String robot) {
+    state.missions.of(robot).ifPresent(old -> happened(old, new MissionEvent.Retasked(robot)));
+  }
+
+  /** A mission that was under way when the server stopped goes on in the phase it was stored in. */
+  void recover(OpenTask open) {
+    Mission mission = open.mission();
+    state.missions.put(mission, open.changedAt());
+    for (Carrier c : mission.carriers()) {
+      FloorRobot robot = state.robots.get(c.robot());
+      if (c.isDriving() && robot != null && !mission.isStopping()) {
+        robot.errand = Errand.of(mission, c.robot(), state.home(c.robot()));
+      }
+    }
+  }
+
+  /** Whether it works for a mission that it cannot be taken from: it is not on its way home. */
+  private boolean isEngaged(String robot) {
+    return state
+        .missions
+        .of(robot)
+        .flatMap(mission -> mission.carrier(robot))
+        .filter(carrier -> carrier.phase() < 3)
+        .isPresent();
+  }
+
+  private boolean isFree(String robot) {
+    FloorRobot known = state.robots.get(robot);
+    return known != null && known.inService && known.turn == null;
+  }
+
+  void happened(long task, MissionEvent event) {
+    state.missions.get(task).ifPresent(mission -> happened(mission, event));
+  }
+
+  private Mission happened(Mission mission, MissionEvent event) {
+    Mission.Step step = mission.on(event);
+    Instant at = state.clock.instant();
+    apply(step, at, EventRecord.of(step, event, at));
+    return step.mission();
+  }
+
+  /** Stores the step; its commands are carried out when it is safe. */
+  private void apply(Mission.Step step, Instant at, List<EventRecord> events) {
+    if (!step.changed()) {
+      return;
+    }
+    Mission mission = step.mission();
+    state.missions.put(mission, at);
+    state.changed = true;
+    state.writer.write(
+        () -> state.store.saveMission(mission, at, events),
+        () -> self.tell(new FloorMessage.Stored(step)));
+  }
+
+  void stored(Mission.Step step) {
+    step.commands().forEach(command -> carryOut(step, command));
+    Mission mission = step.mission();
+    if (mission.state() == TaskState.QUEUED
+        && state.missions.get(mission.id()).equals(Optional.of(mission))) {
+      state.missions.remove(mission.id());
+      manager.tell(new ManagerMessage.Returned(mission));
+      reports.send();
+    }
+  }
+
+  /** What this floor does not have goes back: perhaps it is in the queue by now. */
+  void wished(FloorMessage.Wished m) {
+    Optional<Mission> known = state.missions.get(m.task());
+    if (known.isEmpty()) {
+      reports.send();
+      manager.tell(new ManagerMessage.Wished(m.task(), m.wish(), m.replyTo()));
+      return;
+    }
+    Optional<Objection> objection = known.get().objectionTo(m.wish());
+    if (objection.isPresent()) {
+      m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));
+      return;
+    }
+    Mission next = happened(known.get(), m.wish());
+    reports.send();
+    TaskView view = reports.view(new OpenMissions.Dated(next, state.clock.instant()));
+    state.writer.write(
+        () -> {}, () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+  }
+
+  private void carryOut(Mission.Step step, MissionCommand command) {
+    FloorRobot robot = state.robots.get(command.robot());
+    if (robot == null) {
+      return;
+    }
+    long task = step.mission().id();
+    switch (command) {
+      case MissionCommand.Drive drive -> {
+        robot.errand = Errand.of(step.mission(), drive.robot(), state.home(drive.robot()));
+        robot.trouble = null;
+        robot.notBefore = Instant.MIN;
+      }
+      case MissionCommand.Stop stop -> drop(robot, task);
+      case MissionCommand.LetGo letGo -> drop(robot, task);
+    }
+    state.changed = true;
+  }
+
+  private static void drop(FloorRobot robot, long task) {
+    if (robot.errand != null && Objects.equals(robot.errand.task(), task)) {
+      robot.errand = null;
+      robot.trouble = null;
+    }
+  }
+
+  /** Tells the robot's mission what it must know of the robot. */
+  void watch(FloorRobot robot) {
+    Optional<Mission> mission = state.missions.of(robot.name());
+    if (mission.isEmpty()) {
+      return;
+    }
+    robotWatch.look(robot, state.now).ifPresent(event -> happened(mission.get(), event));
+    if (mission.get().isStopping() && robot.errand == null && robot.hasStopped()) {
+      TaskPlace place = RobotWatch.place(robot);
+      if (place != null) {
+        happened(mission.get().id(), new MissionEvent.Stopped(robot.name(), place));
+      }
+    }
+  }
+}

@@ -1,0 +1,92 @@
+package org.toqa.fleet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FloorRobot.Errand;
+import org.toqa.grid.CellRuns;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
+import org.toqa.traffic.floor.Route;
+
+/** What a floor tells the manager of itself, its robots and its tasks. */
+final class FloorReports {
+  private final FloorState state;
+  private final FloorWatch watch;
+  private final ActorRef<ManagerMessage> manager;
+
+  FloorReports(FloorState state, FloorWatch watch, ActorRef<ManagerMessage> manager) {
+    this.state = state;
+    this.watch = watch;
+    this.manager = manager;
+  }
+
+  void send() {
+    state.changed = false;
+    String trouble = state.storeTrouble();
+    List<String> alerts =
+        trouble == null ? List.of() : List.of("The database does not answer: " + trouble);
+    manager.tell(
+        new ManagerMessage.FloorReport(
+            floorView(),
+            state.robots.values().stream().map(r -> view(r)).toList(),
+            state.missions.all().stream().map(this::view).toList(),
+            state.missions.takeEnded().stream().map(this::view).toList(),
+            alerts));
+  }
+
+  private FloorView floorView() {
+    Map<String, CellRuns> kept = new TreeMap<>();
+    state.robots.values().stream()
+        .filter(state::isKept)
+        .forEach(r -> kept.put(r.name(), CellRuns.of(state.traffic.held(r.name()))));
+    return watch.view(kept);
+  }
+
+  RobotView view(FloorRobot robot) {
+    Route route =
+        state.traffic.knows(robot.name()) ? state.traffic.route(robot.name()) : Route.NONE;
+    Errand work =
+        state
+            .missions
+            .of(robot.name())
+            .map(m -> Errand.of(m, robot.name(), state.home(robot.name())))
+            .orElse(robot.errand);
+    return robot.view(state.floor.name(), work, route);
+  }
+
+  TaskView view(OpenMissions.Dated dated) {
+    Mission mission = dated.mission();
+    return TaskView.of(
+        mission, mission.state().isEnded() ? null : waitingFor(mission), dated.changedAt());
+  }
+
+  private @Nullable String waitingFor(Mission mission) {
+    List<String> reasons = new ArrayList<>();
+    for (Carrier c : mission.carriers()) {
+      FloorRobot robot = state.robots.get(c.robot());
+      if (c.released() || robot == null) {
+        continue;
+      }
+      switch (robot.state()) {
+        case CONNECTING, LOST -> reasons.add(robot.name() + " is not connected");
+        case NOT_LOCALISED ->
+            reasons.add(robot.name() + " does not know where it is: say it on the robot's page");
+        case ERROR -> reasons.add(robot.name() + " reports an error");
+        case OUT_OF_SERVICE ->
+            reasons.add(robot.name() + " is out of service: put it back in service");
+        case IDLE, DRIVING, HOLDING, CHARGING -> {
+          if (robot.holdReason != null) {
+            reasons.add(robot.holdReason);
+          } else if (robot.trouble != null) {
+            reasons.add(robot.trouble);
+          }
+        }
+      }
+    }
+    return reasons.isEmpty() ? null : String.join("; ", reasons);
+  }
+}

@@ -1,0 +1,92 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FloorWatch.Remark;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.Place;
+import org.toqa.mission.Mission;
+import org.toqa.traffic.floor.FloorTraffic;
+
+/** The floor as it is now, which the parts of its agent share. Confined to that agent. */
+final class FloorState {
+  /** Metres; whoever is so near to a place is there. */
+  private static final double ARRIVED = 0.15;
+
+  final FloorMap floor;
+  final FleetStore store;
+  final StoreWriter writer;
+  final InstantSource clock;
+  final FloorTraffic traffic;
+  final Map<String, FloorRobot> robots = new TreeMap<>();
+  final OpenMissions missions = new OpenMissions();
+
+  /** Of the time that ticks bring. */
+  Instant now;
+
+  /** Whether there is something new to report. */
+  boolean changed = true;
+
+  FloorState(
+      FloorMap floor, FleetStore store, InstantSource clock, FloorTraffic traffic, Instant now) {
+    this.floor = floor;
+    this.store = store;
+    this.writer = new StoreWriter("floor-" + floor.name());
+    this.clock = clock;
+    this.traffic = traffic;
+    this.now = now;
+  }
+
+  /** The robot's parking point. */
+  Optional<Vec2> home(String robot) {
+    return Optional.ofNullable(robots.get(robot))
+        .map(r -> r.record.parking())
+        .flatMap(floor::place)
+        .map(Place::position);
+  }
+
+  boolean isAt(FloorRobot robot, Vec2 place) {
+    Pose pose = robot.pose;
+    return pose != null
+        && (pose.position().distanceTo(place) < ARRIVED
+            || floor.grid().cellAt(pose.position()).equals(floor.grid().cellAt(place)));
+  }
+
+  /** Whether its cells stay reserved though nothing is heard from it. */
+  boolean isKept(FloorRobot robot) {
+    return !robot.isHeard() && traffic.knows(robot.name());
+  }
+
+  /** A line for the history of the robot and of the task that it works for. */
+  EventRecord event(String kind, String robot, String who, String text) {
+    Long task = missions.of(robot).map(Mission::id).orElse(null);
+    return new EventRecord(clock.instant(), kind, task, robot, who, text);
+  }
+
+  void note(EventRecord event) {
+    writer.write(() -> store.addEvents(List.of(event)), () -> {});
+  }
+
+  void note(List<Remark> remarks) {
+    for (Remark remark : remarks) {
+      changed = true;
+      note(event(remark.kind(), remark.robot(), EventRecord.SYSTEM, remark.text()));
+    }
+  }
+
+  static <T> Answer<T> unknown(String robot) {
+    return new Answer.Unknown<>("There is no robot " + robot + " on this floor.");
+  }
+
+  /** Why the store does not answer, or null while it does. */
+  @Nullable String storeTrouble() {
+    return writer.trouble();
+  }
+}

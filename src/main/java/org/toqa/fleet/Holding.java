@@ -1,0 +1,67 @@
+package org.toqa.fleet;
+
+import java.time.Duration;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.mission.Mission;
+
+/** Lets robots hold that shall stand where they are, and go on when nothing keeps them. */
+final class Holding {
+  private static final Duration TOLD_AGAIN_AFTER = Duration.ofSeconds(1);
+  private static final Duration STARTS_WITHIN = Duration.ofSeconds(30);
+
+  private final FloorState state;
+  private @Nullable FleetPause pause;
+
+  Holding(FloorState state, @Nullable FleetPause pause) {
+    this.state = state;
+    this.pause = pause;
+  }
+
+  void pause(@Nullable FleetPause next) {
+    pause = next;
+    state.changed = true;
+    state.robots.values().forEach(this::holdOrGoOn);
+  }
+
+  /** Tells the robot to hold or to go on, until it says that it does. */
+  void holdOrGoOn(FloorRobot robot) {
+    String reason = reason(robot);
+    state.changed |= !Objects.equals(reason, robot.holdReason);
+    robot.holdReason = reason;
+    boolean shall = reason != null;
+    if (shall) {
+      robot.lastHeld = state.now;
+    }
+    boolean does = robot.mode == Mode.ERROR ? robot.toldToHold : robot.mode == Mode.HOLDING;
+    boolean isToldAlready =
+        robot.toldToHold == shall && robot.toldToHoldAt.plus(TOLD_AGAIN_AFTER).isAfter(state.now);
+    if (robot.isHeard() && shall != does && !isToldAlready) {
+      robot.toldToHold = shall;
+      robot.toldToHoldAt = state.now;
+      robot.agent.tell(new RobotMessage.Hold(shall));
+    }
+  }
+
+  private @Nullable String reason(FloorRobot robot) {
+    if (pause != null) {
+      return "All robots are paused by " + pause.user();
+    }
+    if (robot.held) {
+      return "On hold by a person’s word";
+    }
+    return state
+        .missions
+        .of(robot.name())
+        .filter(Mission::held)
+        .map(mission -> "Task " + mission.id() + " is on hold")
+        .orElse(null);
+  }
+
+  /** A robot on hold does not get on, and needs a while when it goes on. */
+  boolean isHeldLately(String name) {
+    FloorRobot robot = state.robots.get(name);
+    return robot != null && robot.lastHeld.plus(STARTS_WITHIN).isAfter(state.now);
+  }
+}

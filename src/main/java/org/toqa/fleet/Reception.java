@@ -1,0 +1,169 @@
+package org.toqa.fleet;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.FloorRobot.Errand;
+import org.toqa.geometry.Pose;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.PhaseEnd;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
+import org.toqa.motion.DriveSpeeds;
+
+/** Takes in what a floor's robots say, and tells the traffic and the missions. */
+final class Reception {
+  private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
+
+  private final FloorState state;
+  private final FloorMissions missions;
+  private final Holding holding;
+  private final FloorWatch watch;
+
+  Reception(FloorState state, FloorMissions missions, Holding holding, FloorWatch watch) {
+    this.state = state;
+    this.missions = missions;
+    this.holding = holding;
+    this.watch = watch;
+  }
+
+  void fromRobot(FloorMessage.FromRobot message) {
+    FloorRobot robot = state.robots.get(message.robot());
+    if (robot == null) {
+      return;
+    }
+    state.changed = true;
+    switch (message) {
+      case FloorMessage.Connected m -> connected(robot, m.hello(), m.drive());
+      case FloorMessage.Disconnected m -> {
+        fallsSilent(robot);
+        robot.connected = false;
+      }
+      case FloorMessage.Silent m -> {
+        fallsSilent(robot);
+        robot.silent = true;
+      }
+      case FloorMessage.HeardAgain m -> {
+        robot.silent = false;
+        disown(robot);
+      }
+      case FloorMessage.Heard m -> heard(robot, m.state());
+      case FloorMessage.PhaseEnded m -> phaseEnded(robot, m.end());
+      case FloorMessage.DriveBegun m -> driveBegun(robot, m.drive());
+      case FloorMessage.DriveTaken m -> driveTaken(robot, m.drive());
+      case FloorMessage.Rejected m -> rejected(robot, m.reason());
+    }
+  }
+
+  private void fallsSilent(FloorRobot robot) {
+    if (robot.isHeard()) {
+      robot.quietSince = state.now;
+    }
+  }
+
+  /** A robot that comes back with a task that it has no more is sent {@code cancel} first. */
+  private void disown(FloorRobot robot) {
+    Long task = robot.reportedTask;
+    if (task != null && state.missions.of(robot.name()).filter(m -> m.id() == task).isEmpty()) {
+      robot.cancelDrive();
+    }
+  }
+
+  /** Compares what the robot says with what was stored, and goes on from there. */
+  private void connected(FloorRobot robot, Hello hello, Optional<StoredDrive> stored) {
+    robot.hear(hello, state.clock.instant());
+    robot.driveUnderway = false;
+    robot.cancelling = false;
+    robot.toldToHold = false;
+    robot.toldToHoldAt = Instant.MIN;
+    robot.told = stored.filter(d -> d.seq() == hello.drive()).orElse(null);
+    if (robot.told != null) {
+      isOnItsWay(robot, robot.told, hello.pose(), hello.segment(), hello.released());
+    } else {
+      state.traffic.stands(robot.name(), hello.pose(), hello.footprint(), state.now);
+    }
+    state.traffic.drivesAt(robot.name(), DriveSpeeds.DEFAULT.atMost(hello.maxSpeed()));
+    if (hello.done() != null) {
+      phaseEnded(robot, hello.done());
+    }
+    disown(robot);
+    holding.holdOrGoOn(robot);
+  }
+
+  private void heard(FloorRobot robot, AgentMessage.State said) {
+    robot.hear(said, state.clock.instant());
+    if (robot.told != null && said.drive() == robot.told.seq()) {
+      robot.driveUnderway = false;
+      if (state.traffic.knows(robot.name())) {
+        state.traffic.moved(robot.name(), said.pose(), said.segment(), state.now);
+      } else {
+        isOnItsWay(robot, robot.told, said.pose(), said.segment(), said.released());
+      }
+    } else if (!robot.driveUnderway && !isBraking(robot)) {
+      if (said.drive() == 0) {
+        robot.told = null;
+        robot.cancelling = false;
+      }
+      state.traffic.stands(robot.name(), said.pose(), robot.footprint, state.now);
+    }
+    if (said.localised()) {
+      state.note(watch.see(robot.name(), said.obstacles(), state.robots.keySet(), state.now));
+    }
+  }
+
+  private static boolean isBraking(FloorRobot robot) {
+    return robot.mode == Mode.DRIVING || (robot.mode == Mode.HOLDING && robot.moving);
+  }
+
+  private void isOnItsWay(
+      FloorRobot robot, StoredDrive drive, Pose pose, int segment, int released) {
+    state.traffic.drives(
+        robot.name(), pose, robot.footprint, drive.way(), segment, released, state.now);
+  }
+
+  private void phaseEnded(FloorRobot robot, PhaseEnd end) {
+    Optional<Mission> mission =
+        Optional.ofNullable(end.task()).flatMap(task -> state.missions.get(task));
+    if (mission.isPresent() && (end.phase() == 3 || isAtItsGoal(robot, mission.get()))) {
+      missions.happened(mission.get().id(), new MissionEvent.PhaseEnded(robot.name(), end.phase()));
+    } // else its way was changed meanwhile, or the task has ended
+    // written in order: acknowledged only when what follows from the flag is safe
+    state.writer.write(() -> {}, () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));
+  }
+
+  private boolean isAtItsGoal(FloorRobot robot, Mission mission) {
+    return state.isAt(robot, Errand.of(mission, robot.name(), state.home(robot.name())).goal());
+  }
+
+  private void driveBegun(FloorRobot robot, StoredDrive drive) {
+    robot.told = drive;
+    if (drive.task() != null) {
+      missions.happened(drive.task(), new MissionEvent.DriveStarted(robot.name(), drive.phase()));
+    }
+  }
+
+  /** A drive may be so short that no state of the robot ever tells of it. */
+  private static void driveTaken(FloorRobot robot, long drive) {
+    if (robot.told != null && robot.told.seq() == drive) {
+      robot.driveUnderway = false;
+      robot.drive = drive;
+    }
+  }
+
+  /** What the robot refused is given up: it stands, and is asked anew a little later. */
+  private void rejected(FloorRobot robot, String reason) {
+    robot.driveUnderway = false;
+    robot.cancelling = false;
+    robot.trouble = robot.name() + " refused a command: " + reason;
+    robot.notBefore = state.now.plus(RETRY_AFTER);
+    if (robot.drive != 0) {
+      robot.cancelDrive();
+    } else if (robot.pose != null) {
+      robot.told = null;
+      state.traffic.stands(robot.name(), robot.pose, robot.footprint, state.now);
+    }
+  }
+}

@@ -1,0 +1,253 @@
+package org.toqa.fleet;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.mission.LoadChoice;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Reply;
+import org.toqa.mission.TaskState;
+
+/**
+ * A fleet at work as text: after remarks ({@code #} and a blank) the map, cells of 1 m, a line a
+ * row: {@code #} a wall, {@code .} free, a small letter a robot at its parking point (it carries 5
+ * kg), a capital a station, a digit a charging point ({@code 1} is C1). Then what happens, one
+ * after the other; {@code expect} waits until it is so.
+ *
+ * <pre>
+ * charges below 5                   percent; 20 where nothing is said, for the whole scenario
+ * charges after 2                   seconds of work; six hours where nothing is said
+ * a has 18                          percent in its battery, from now on
+ * task box A B 2                    kilograms
+ * task late A B 2 within 5          seconds to its deadline; "expect late answered ..." looks at
+ *                                   what the asker was told
+ * cancel box                        also: cancel box here, cancel box back
+ * answer box another robot
+ * a breaks                          also: is mended, falls silent, speaks again, sticks, is let go
+ * restart                           of the server
+ * expect box CARRYING
+ * expect box by a
+ * expect box waits It needs 3 robots
+ * expect box late The deadline cannot be met
+ * expect box asks
+ * expect box told r1 must charge    in its history
+ * expect a does Charges at C1
+ * expect a is IDLE
+ * expect a has 18
+ * expect a at A
+ * </pre>
+ */
+final class FleetScenario {
+  private static final Pattern TASK =
+      Pattern.compile("task (\\w+) ([A-Z]) ([A-Z]) ([0-9.]+)(?: within (\\d+))?");
+  private static final Pattern EXPECT = Pattern.compile("expect (\\w+) (\\S+) ?(.*)");
+  private static final Pattern HAS = Pattern.compile("([a-z]) has (\\d+)");
+  private static final Pattern ROBOT = Pattern.compile("([a-z]) (\\D+)");
+  private static final Pattern CHARGES = Pattern.compile("charges (below|after) (\\d+)");
+  private static final Pattern CANCEL = Pattern.compile("cancel (\\w+) ?(here|back)?");
+  private static final Pattern ANSWER = Pattern.compile("answer (\\w+) (.+)");
+
+  private final List<String> rows = new ArrayList<>();
+  private final List<String> script = new ArrayList<>();
+  private ChargingRules charging = ChargingRules.USUAL;
+  private final Map<String, Long> tasks = new HashMap<>();
+  private final Map<String, TaskView> answered = new HashMap<>();
+
+  FleetScenario(String text) {
+    for (String line : text.lines().toList()) {
+      Matcher threshold = CHARGES.matcher(line);
+      if (threshold.matches()) {
+        charging = charges(threshold.group(1), Integer.parseInt(threshold.group(2)));
+      } else if (!line.isBlank() && !line.startsWith("# ")) {
+        (line.contains(" ") || line.equals("restart") ? script : rows).add(line);
+      }
+    }
+  }
+
+  private static ChargingRules charges(String when, int number) {
+    ChargingRules usual = ChargingRules.USUAL;
+    return when.equals("below")
+        ? new ChargingRules(number / 100.0, usual.until(), usual.work(), usual.toFull())
+        : new ChargingRules(
+            usual.below(), usual.until(), Duration.ofSeconds(number), usual.toFull());
+  }
+
+  /**
+   * Plays it.
+   *
+   * @return the first line that did not come true, and what was so instead; null if all did
+   */
+  @Nullable String fault() throws Exception {
+    try (FleetStage stage = new FleetStage(floor(), charging)) {
+      places('a', 'z').forEach(p -> stage.add(p.name(), p.position(), "P" + p.name()));
+      stage.restart();
+      stage.until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+      for (String line : script) {
+        if (!play(stage, line)) {
+          return line + "\nIt is still so: " + stage.fleet.feed().latest();
+        }
+      }
+      return null;
+    }
+  }
+
+  private boolean play(FleetStage stage, String line) throws Exception {
+    Matcher expect = EXPECT.matcher(line);
+    Matcher task = TASK.matcher(line);
+    Matcher cancel = CANCEL.matcher(line);
+    Matcher answer = ANSWER.matcher(line);
+    Matcher has = HAS.matcher(line);
+    Matcher robot = ROBOT.matcher(line);
+    if (expect.matches()) {
+      return stage.comesTrue(condition(stage, expect.group(1), expect.group(2), expect.group(3)));
+    } else if (task.matches()) {
+      submit(stage, task);
+    } else if (cancel.matches()) {
+      LoadChoice choice =
+          cancel.group(2) == null
+              ? null
+              : LoadChoice.valueOf(cancel.group(2).toUpperCase(Locale.ROOT));
+      accepted(stage.fleet.wish(id(cancel.group(1)), new MissionEvent.Cancel("Max", choice)));
+    } else if (answer.matches()) {
+      Reply reply = Reply.ofWord(answer.group(2)).orElseThrow();
+      accepted(stage.fleet.wish(id(answer.group(1)), new MissionEvent.Answer("Max", reply)));
+    } else if (has.matches()) {
+      stage.played(has.group(1)).has(Integer.parseInt(has.group(2)) / 100.0);
+    } else if (line.equals("restart")) {
+      stage.restart();
+    } else if (robot.matches()) {
+      happens(stage.played(robot.group(1)), robot.group(2));
+    } else {
+      throw new IllegalArgumentException("What is \"" + line + "\"?");
+    }
+    return true;
+  }
+
+  private static void happens(ScriptedRobot robot, String what) {
+    switch (what) {
+      case "breaks" -> robot.breaks("BUMPER");
+      case "is mended" -> robot.isMended();
+      case "falls silent" -> robot.fallSilent();
+      case "speaks again" -> robot.speakAgain();
+      case "sticks" -> robot.sticks(true);
+      case "is let go" -> robot.sticks(false);
+      default -> throw new IllegalArgumentException("What is \"" + what + "\"?");
+    }
+  }
+
+  private void submit(FleetStage stage, Matcher task) throws Exception {
+    Instant deadline =
+        task.group(5) == null
+            ? null
+            : Instant.now().plus(Duration.ofSeconds(Long.parseLong(task.group(5))));
+    TaskOrder order =
+        new TaskOrder(
+            task.group(1),
+            Double.parseDouble(task.group(4)),
+            new Where.Station(task.group(2)),
+            new Where.Station(task.group(3)),
+            null,
+            0,
+            deadline,
+            null);
+    TaskView view = accepted(stage.fleet.submit(order, "Clara"));
+    tasks.put(order.name(), view.id());
+    answered.put(order.name(), view);
+  }
+
+  private Predicate<FleetSnapshot> condition(
+      FleetStage stage, String who, String what, String words) {
+    return switch (what) {
+      case "by" -> view -> task(view, who).robots().equals(List.of(words.split(" ")));
+      case "waits" -> view -> says(task(view, who).waitingFor(), words);
+      case "late" -> view -> says(task(view, who).late(), words);
+      case "asks" -> view -> task(view, who).needs() != null;
+      case "answered" -> view -> says(Objects.requireNonNull(answered.get(who)).late(), words);
+      case "told" ->
+          view -> stage.store.history(id(who)).stream().anyMatch(e -> e.text().contains(words));
+      case "has" ->
+          view -> Objects.equals(robot(view, who).battery(), Integer.parseInt(words) / 100.0);
+      case "does" -> view -> says(robot(view, who).doing(), words);
+      case "is" -> view -> robot(view, who).state() == RobotState.valueOf(words);
+      case "at" ->
+          view -> stage.played(who).position().distanceTo(position(words.charAt(0))) < 1e-6;
+      default -> view -> task(view, who).state() == TaskState.valueOf(what);
+    };
+  }
+
+  private static boolean says(@Nullable String sentence, String words) {
+    return sentence != null && sentence.contains(words);
+  }
+
+  private long id(String task) {
+    return Objects.requireNonNull(tasks.get(task), task);
+  }
+
+  private TaskView task(FleetSnapshot view, String name) {
+    return view.tasks().stream()
+        .filter(t -> t.id() == id(name))
+        .findFirst()
+        .orElse(Objects.requireNonNull(answered.get(name)));
+  }
+
+  private static RobotView robot(FleetSnapshot view, String name) {
+    return view.robots().stream().filter(r -> r.name().equals(name)).findFirst().orElseThrow();
+  }
+
+  private static <T> T accepted(CompletionStage<Answer<T>> wish) throws Exception {
+    Answer<T> answer = wish.toCompletableFuture().get(10, TimeUnit.SECONDS);
+    if (answer instanceof Answer.Accepted<T>(T value)) {
+      return value;
+    }
+    throw new IllegalArgumentException("No: " + answer);
+  }
+
+  // --- the floor --------------------------------------------------------------------------------
+
+  private FloorMap floor() {
+    OccupancyGrid grid =
+        OccupancyGrid.parse(
+            rows.stream().map(row -> row.replaceAll("[^#]", ".")).toArray(String[]::new));
+    List<Place> parking =
+        places('a', 'z').stream().map(p -> new Place("P" + p.name(), p.position())).toList();
+    List<Place> charging =
+        places('0', '9').stream().map(p -> new Place("C" + p.name(), p.position())).toList();
+    return new FloorMap("hall", grid, places('A', 'Z'), parking, charging);
+  }
+
+  private List<Place> places(char from, char to) {
+    List<Place> places = new ArrayList<>();
+    for (char name = from; name <= to; name++) {
+      if (String.join("", rows).indexOf(name) >= 0) {
+        places.add(new Place(String.valueOf(name), position(name)));
+      }
+    }
+    return places;
+  }
+
+  private Vec2 position(char name) {
+    for (int row = 0; row < rows.size(); row++) {
+      int column = rows.get(row).indexOf(name);
+      if (column >= 0) {
+        return new Vec2(column + 0.5, rows.size() - row - 0.5);
+      }
+    }
+    throw new IllegalArgumentException("There is no " + name + " on the map.");
+  }
+}

@@ -1,0 +1,110 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.OptimalAllocator;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.link.RobotLink;
+import org.toqa.link.RobotLinks;
+import org.toqa.store.Database;
+import org.toqa.store.JdbiFleetStore;
+
+/** The agents over a real store, with robots that the test plays, in time that the test brings. */
+final class FleetStage implements AutoCloseable {
+  static final Duration LOST_AFTER = Duration.ofSeconds(30);
+  private static final Duration LIMIT = Duration.ofSeconds(20);
+  private static final double MAX_LOAD = 5;
+
+  private final FloorMap floor;
+  private final ChargingRules charging;
+  private final Map<String, ScriptedRobot> robots = new LinkedHashMap<>();
+  final Database database = Database.inMemory("fleet-" + System.nanoTime());
+  final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+  Instant now = Instant.parse("2026-11-21T08:00:00Z");
+  AgentFleet fleet;
+
+  FleetStage(FloorMap floor) {
+    this(floor, ChargingRules.USUAL);
+  }
+
+  FleetStage(FloorMap floor, ChargingRules charging) {
+    this.floor = floor;
+    this.charging = charging;
+    this.fleet = open();
+  }
+
+  /** The server ends, and starts again with the robots that there are now. */
+  void restart() {
+    fleet.close();
+    fleet = open();
+  }
+
+  /** To be known after the next start. */
+  ScriptedRobot add(String name, Vec2 at, @Nullable String parking) {
+    ScriptedRobot robot = new ScriptedRobot(name, at);
+    robots.put(name, robot);
+    store.saveRobot(new RobotRecord(name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, false));
+    return robot;
+  }
+
+  ScriptedRobot played(String name) {
+    return Objects.requireNonNull(robots.get(name));
+  }
+
+  private AgentFleet open() {
+    RobotLinks links =
+        new RobotLinks() {
+          @Override
+          public RobotLink open(String robot, String host, int port, RobotLink.Listener listener) {
+            return played(robot).link(listener);
+          }
+        };
+    return new AgentFleet(
+        List.of(floor),
+        store,
+        links,
+        new OptimalAllocator(),
+        new FleetRules(LOST_AFTER, charging, 1),
+        InstantSource.system(),
+        now);
+  }
+
+  /** Lets time go on, and the robots drive, until it is so. */
+  void until(Predicate<FleetSnapshot> condition) throws InterruptedException {
+    if (!comesTrue(condition)) {
+      fail("It is still so: " + fleet.feed().latest());
+    }
+  }
+
+  /** Whether it comes to be so while time goes on. */
+  boolean comesTrue(Predicate<FleetSnapshot> condition) throws InterruptedException {
+    long end = System.nanoTime() + LIMIT.toNanos();
+    FleetSnapshot view = fleet.feed().latest();
+    while (view.robots().isEmpty() || !condition.test(view)) {
+      if (System.nanoTime() > end) {
+        return false;
+      }
+      now = now.plusMillis(100);
+      robots.values().forEach(ScriptedRobot::step);
+      fleet.tick(now);
+      view = fleet.feed().awaitNewer(view.version(), Duration.ofMillis(20));
+    }
+    return true;
+  }
+
+  @Override
+  public void close() {
+    fleet.close();
+    database.close();
+  }
+}
