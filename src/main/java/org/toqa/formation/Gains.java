@@ -17,7 +17,7 @@ public record Gains(double place, double heading, double mostSpeed, double mostT
 
   public static final double LARGEST = 5;
 
-  private static final double SMALLEST = 0.1;
+  public static final double SMALLEST = 0.1;
 
   public static final Gains DEFAULT = new Gains(2, 3, 0.1, 0.5);
 

@@ -37,7 +37,7 @@ public final class SimulatedFleet implements AutoCloseable {
 
     @Override
     public boolean isReady(long nanos) {
-      return !daemon.awaitsServer(nanos);
+      return !daemon.awaitsServer(nanos) && !daemon.awaitsLeader(nanos);
     }
 
     @Override
@@ -103,6 +103,7 @@ public final class SimulatedFleet implements AutoCloseable {
             robot.maxLoad(),
             FOOTPRINT,
             LIMITS,
+            AgentConfig.Following.DEFAULT,
             new AgentConfig.Simulated(robot.start(), SLIP, robot.name().hashCode()));
     Inhabitant inhabitant = new Inhabitant(Daemon.open(config, clock, clock.nanos()));
     robots.add(inhabitant);

@@ -53,6 +53,7 @@ final class Rig implements AutoCloseable {
         5,
         0.255,
         LIMITS,
+        AgentConfig.Following.DEFAULT,
         new AgentConfig.Simulated(START, noise, 7));
   }
 
