@@ -29,6 +29,9 @@ public final class FormationWatch {
   /** A follower that was out of tolerance is well again below this share of it. */
   private static final double HEALED = 0.5;
 
+  /** A follower is at its place within this share of the tolerance. */
+  private static final double CALM = 0.1;
+
   /** The pace just below the tolerance. */
   private static final double SLOWEST = 0.1;
 
@@ -83,6 +86,11 @@ public final class FormationWatch {
       strain = Math.max(strain, standing.error / tolerance);
     }
     return new Onward(Math.clamp((1 - strain) / (1 - SLOWING), SLOWEST, 1));
+  }
+
+  /** Whether every follower was at its place when it answered last. */
+  public boolean isCalm() {
+    return followers.values().stream().allMatch(f -> f.heard && f.error <= tolerance * CALM);
   }
 
   private static @Nullable Reason reasonToStop(Standing standing, double now) {

@@ -18,10 +18,13 @@ import org.toqa.link.message.ServerMessage.Lead;
  */
 final class LeaderPart {
 
+  private static final double LONGEST_ARRIVAL_SECONDS = 3;
+
   private final Lead order;
   private final MotionLimits limits;
   private final FormationWatch watch;
   private double reach;
+  private double arrived = Double.NaN;
 
   LeaderPart(Lead order, MotionLimits limits) {
     this.order = order;
@@ -53,6 +56,15 @@ final class LeaderPart {
   PaceLimits paceLimits(double now) {
     PaceLimits gentle = PaceLimits.leading(limits, Math.max(reach, limits.speed()));
     return watch.verdict(now) instanceof Stop ? gentle.braking() : gentle;
+  }
+
+  /**
+   * At the goal the formation ends when each follower has come to its place, or after a while.
+   * Asked at every tick from the arrival on.
+   */
+  boolean mayEnd(double now) {
+    arrived = Double.isNaN(arrived) ? now : arrived;
+    return watch.isCalm() || now - arrived > LONGEST_ARRIVAL_SECONDS;
   }
 
   /** Why the group stands; empty while it may drive. */

@@ -220,7 +220,7 @@ final class RobotControl {
     Twist command = runner.steer(pose(), seconds, onward ? pace : 0);
     if (cancelled) {
       endCancelledWhenItStands(way);
-    } else if (last && runner.isAtEnd()) {
+    } else if (last && runner.isAtEnd() && (leader == null || leader.mayEnd(now))) {
       endPhase();
     } else if (way.completed() != memory().segment()) {
       journal.save(memory().at(way.completed()));

@@ -6,8 +6,10 @@ import java.net.InetAddress;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.ServerMessage.Drive;
@@ -18,7 +20,7 @@ import org.toqa.motion.Segment;
 import org.toqa.sim.Participant;
 import org.toqa.sim.VirtualClock;
 
-/** Three daemons round one load, in one world of ten times real time; the first one leads. */
+/** Three daemons round one load, in one world of five times real time; the first one leads. */
 final class Group implements AutoCloseable {
 
   static final long TASK = 7;
@@ -26,11 +28,12 @@ final class Group implements AutoCloseable {
   static final Pose LEADER = new Pose(5, 5, 0.3);
   static final Shape SHAPE = Shape.around(3, 0.5, 0.4, 0.1275);
 
-  private static final double SPEED = 10;
+  private static final double SPEED = 5;
 
   private final Path folder;
   private final VirtualClock clock = new VirtualClock(Instant.EPOCH, SPEED);
   private final List<Robot> robots = new ArrayList<>();
+  private final Set<Robot> killed = new HashSet<>();
   private final List<GroupServer> servers = new ArrayList<>();
 
   private record Robot(Daemon daemon) implements Participant {
@@ -66,11 +69,6 @@ final class Group implements AutoCloseable {
     return servers;
   }
 
-  /** Milliseconds of the world, as the stamps of its robots' states. */
-  long millis() {
-    return clock.millis();
-  }
-
   void connectServers() {
     servers.clear();
     robots.forEach(robot -> servers.add(new GroupServer(robot.daemon().port())));
@@ -87,17 +85,24 @@ final class Group implements AutoCloseable {
     server(0).accepted(new Drive(2, TASK, 2, LEADER, way, way.size(), true));
   }
 
-  /** The robot's daemon is gone from one tick to the next, as when its power fails. */
-  void kill(int robot) {
+  /**
+   * The robot's daemon is gone from one tick to the next, as when its power fails.
+   *
+   * @return when, milliseconds of the world
+   */
+  long kill(int robot) {
     clock.remove(robots.get(robot));
+    long gone = clock.millis();
+    killed.add(robots.get(robot));
     close(robots.get(robot).daemon());
+    return gone;
   }
 
   @Override
   public void close() {
     servers.forEach(GroupServer::close);
     clock.close();
-    robots.forEach(robot -> close(robot.daemon()));
+    robots.stream().filter(r -> !killed.contains(r)).forEach(r -> close(r.daemon()));
   }
 
   static String name(int robot) {
