@@ -22,7 +22,7 @@ public record PaceLimits(
   private static final double TURN_BRAKING = 6;
 
   /** For a robot alone; the jumps are what motors and tracking swallow. */
-  static PaceLimits alone(MotionLimits limits) {
+  public static PaceLimits alone(MotionLimits limits) {
     return new PaceLimits(limits.acceleration(), limits.turnAcceleration(), 0.15, 0.8);
   }
 

@@ -47,7 +47,7 @@ public final class SegmentRunner {
     trail.add(way.pose());
   }
 
-  Way way() {
+  public Way way() {
     return way;
   }
 
