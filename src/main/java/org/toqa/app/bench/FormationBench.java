@@ -65,7 +65,8 @@ public final class FormationBench implements Callable<Integer> {
       names = "--slip",
       defaultValue = "1",
       paramLabel = "PERCENT",
-      description = "Of a wheel in a step, standard deviation, 0 to 10 (default: ${DEFAULT-VALUE}).")
+      description =
+          "Of a wheel in a step, standard deviation, 0 to 10 (default: ${DEFAULT-VALUE}).")
   private double slip;
 
   @Option(
@@ -109,8 +110,7 @@ public final class FormationBench implements Callable<Integer> {
     return isAsAimed(report) ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
-  private Formation formation(
-      String name, Group group, int delayMs, OccupancyGrid free) {
+  private Formation formation(String name, Group group, int delayMs, OccupancyGrid free) {
     return new Formation(
         name, delayMs, new FormationRun(group, RADIUS, delayMs / 1e3, free, seed).run());
   }
@@ -125,8 +125,7 @@ public final class FormationBench implements Callable<Integer> {
         && report.tracking().endMetres() < AIM_TRACKING;
   }
 
-  private static void mustBeBetween(
-      Arguments arguments, String option, double value, int most) {
+  private static void mustBeBetween(Arguments arguments, String option, double value, int most) {
     if (!(value >= 0 && value <= most)) {
       throw arguments.wrong("%s %s: it must be from 0 to %d".formatted(option, value, most));
     }

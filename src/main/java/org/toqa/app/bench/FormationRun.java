@@ -97,8 +97,7 @@ final class FormationRun {
    * @param delay seconds that each message is under way
    * @param free the map, inflated by the robot's radius
    */
-  FormationRun(
-      Group group, double radius, double delay, OccupancyGrid free, long seed) {
+  FormationRun(Group group, double radius, double delay, OccupancyGrid free, long seed) {
     this.delay = delay;
     this.free = free;
     shape = Shape.around(ROBOTS, LOAD, LOAD, radius);
@@ -112,9 +111,7 @@ final class FormationRun {
                 PaceLimits.leading(LIMITS, shape.reach())));
     leader =
         new SimulatedDrive(
-            START,
-            SimulatedWheels.omni(group.wheels().slip(), group.wheels().sizeError()),
-            seed);
+            START, SimulatedWheels.omni(group.wheels().slip(), group.wheels().sizeError()), seed);
     for (int i = 0; i < shape.followers().size(); i++) {
       followers.add(
           new Member(

@@ -11,10 +11,10 @@ import org.toqa.motion.Odometry;
 import org.toqa.motion.WheelKinematics;
 
 /**
- * The body of a robot on two or three wheels, simulated: motors that follow a command with a lag and a
- * limited acceleration, wheels that slip a little (seeded noise between what turns and what moves),
- * odometry from encoder counts alone, a battery that drains by time and distance. Its state is kept
- * in a file, see {@link SimulatedBodyFile}.
+ * The body of a robot on two or three wheels, simulated: motors that follow a command with a lag
+ * and a limited acceleration, wheels that slip a little (seeded noise between what turns and what
+ * moves), odometry from encoder counts alone, a battery that drains by time and distance. Its state
+ * is kept in a file, see {@link SimulatedBodyFile}.
  */
 public final class SimulatedChassis implements Chassis {
 
