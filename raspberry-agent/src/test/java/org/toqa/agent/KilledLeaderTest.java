@@ -45,7 +45,7 @@ class KilledLeaderTest {
       ofLeader.accepted(new Drive(2, TASK, 2, START, way, 1, true));
       ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.2);
 
-      leader.close();
+      leader.process().destroyForcibly();
       long gone = System.currentTimeMillis();
 
       State lost = ofFollower.awaitState(s -> s.mode() == Mode.HOLDING);
