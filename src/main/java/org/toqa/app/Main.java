@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.util.Set;
 import org.toqa.app.bench.AllocationBench;
 import org.toqa.app.bench.BenchCommand;
+import org.toqa.app.bench.FormationBench;
 import org.toqa.app.plan.PlanCommand;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -47,11 +48,12 @@ public final class Main implements Runnable {
 
   static CommandLine commandLine() {
     CommandLine line = new CommandLine(new Main());
-    // The other benches know nothing of a server; one needs all of it, one its map.
+    // The other benches know nothing of a server; one needs all of it, two its map.
     requireNonNull(line.getSubcommands().get("bench"))
         .addSubcommand(new FleetBench())
-        .addSubcommand(new TaskBench())
-        .addSubcommand(new AllocationBench(Webapp::shippedMap));
+          .addSubcommand(new TaskBench())
+          .addSubcommand(new AllocationBench(Webapp::shippedMap))
+          .addSubcommand(new FormationBench(Webapp::shippedMap));
     return line.setParameterExceptionHandler((e, args) -> complain(e))
         .setExecutionExceptionHandler((e, command, result) -> fail(e, command));
   }

@@ -28,7 +28,7 @@ final class FloorReports {
     state.changed = false;
     String trouble = state.storeTrouble();
     List<String> alerts =
-        trouble == null ? List.of() : List.of("The database does not answer: " + trouble);
+        trouble == null ? List.of() : List.of(StoreWatch.AWAY);
     manager.tell(
         new ManagerMessage.FloorReport(
             floorView(),

@@ -235,6 +235,7 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
         floor.tell(new FloorMessage.Rejected(robot.name(), reject.seq(), reject.reason()));
       }
       case AgentMessage.Hello ignored -> {}
+      case AgentMessage.Keep ignored -> {}
       case AgentMessage.Ack(long acknowledged) -> {
         if (drive.isPresent() && drive.get().seq() == acknowledged) {
           floor.tell(new FloorMessage.DriveTaken(robot.name(), acknowledged));

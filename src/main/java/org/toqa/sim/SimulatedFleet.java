@@ -40,7 +40,7 @@ public final class SimulatedFleet implements AutoCloseable {
 
     @Override
     public boolean isReady(long nanos) {
-      return !daemon.awaitsServer(nanos);
+      return !daemon.awaitsServer(nanos) && !daemon.awaitsLeader(nanos);
     }
 
     @Override
@@ -109,6 +109,7 @@ public final class SimulatedFleet implements AutoCloseable {
             robot.maxLoad(),
             FOOTPRINT,
             LIMITS,
+            AgentConfig.Following.DEFAULT,
             new AgentConfig.Simulated(
                 robot.start(),
                 new SimulatedPower(robot.battery(), chargers),

@@ -10,6 +10,10 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.toqa.agent.chassis.SimulatedPower;
+import org.toqa.formation.FollowerLaw;
+import org.toqa.formation.Gains;
+import org.toqa.formation.NonHolonomicLaw;
+import org.toqa.formation.SingleIntegratorLaw;
 import org.toqa.geometry.Pose;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.Yaml;
@@ -36,6 +40,7 @@ public record AgentConfig(
     double maxLoad,
     double footprint,
     MotionLimits limits,
+    Following following,
     Simulated chassis) {
 
   private static final String[] KEYS = {
@@ -50,6 +55,7 @@ public record AgentConfig(
     "maxTurnRate",
     "acceleration",
     "turnAcceleration",
+    "following",
     "chassis"
   };
 
@@ -66,6 +72,16 @@ public record AgentConfig(
   public record Simulated(
       Pose start, SimulatedPower power, double noise, long seed, double speed) {}
 
+  /**
+   * How it keeps its place beside a leader.
+   *
+   * @param linkDelay seconds that a leader's pose is usually under way
+   */
+  public record Following(FollowerLaw law, double linkDelay) {
+    public static final Following DEFAULT =
+        new Following(new SingleIntegratorLaw(Gains.DEFAULT), 0.02);
+  }
+
   /** Reads a file; a relative data folder lies beside it. */
   public static AgentConfig read(Path file) throws ConfigException {
     ConfigSection top = new ConfigSection(file.toString(), "", keys(file), KEYS);
@@ -77,6 +93,7 @@ public record AgentConfig(
         top.number("maxLoad", 5, 0, 10_000),
         top.number("footprint", 0.255, 0.05, 5),
         limits(top),
+        following(top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
         chassis(
             top.section("chassis", "type", "start", "battery", "chargers", "noise", "seed", "speed")));
   }
@@ -138,6 +155,23 @@ public record AgentConfig(
         top.number("maxTurnRate", 3.5, 0.01, 20),
         top.number("acceleration", 0.5, 0.01, 10),
         top.number("turnAcceleration", 3, 0.01, 50));
+  }
+
+  private static Following following(ConfigSection following) throws ConfigException {
+    Gains usual = Gains.DEFAULT;
+    Gains gains =
+        new Gains(
+            following.number("placeGain", usual.place(), Gains.SMALLEST, Gains.LARGEST),
+            following.number("headingGain", usual.heading(), Gains.SMALLEST, Gains.LARGEST),
+            usual.mostSpeed(),
+            usual.mostTurnRate());
+    double linkDelay = following.number("linkDelay", Following.DEFAULT.linkDelay(), 0, 0.2);
+    String law = following.text("law", "omni");
+    return switch (law) {
+      case "omni" -> new Following(new SingleIntegratorLaw(gains), linkDelay);
+      case "non-holonomic" -> new Following(new NonHolonomicLaw(gains), linkDelay);
+      default -> throw following.wrong("law", law, "omni or non-holonomic");
+    };
   }
 
   private static Simulated chassis(ConfigSection chassis) throws ConfigException {

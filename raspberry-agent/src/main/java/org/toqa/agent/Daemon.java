@@ -3,10 +3,14 @@ package org.toqa.agent;
 import java.io.IOException;
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -21,8 +25,11 @@ import org.toqa.link.message.AgentMessage.Reject;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.MessageReading.Refused;
 import org.toqa.link.message.MessageReading.Understood;
+import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.link.message.ServerMessage.FromLeader;
+import org.toqa.link.message.ServerMessage.Lead;
 
 /**
  * A robot's daemon: the link's end, the control and the body together.
@@ -52,6 +59,9 @@ public final class Daemon implements AutoCloseable {
 
   private static final int INBOX = 1_000;
 
+  /** Connections that have not shown yet whose they are. */
+  private static final int MOST_GUESTS = 8;
+
   private final AgentConfig config;
   private final InstantSource clock;
   private final DataFolder folder;
@@ -61,7 +71,13 @@ public final class Daemon implements AutoCloseable {
   private final ServerDoor door;
 
   private Twist command = Twist.ZERO;
+  private final Deque<ServerConnection> guests = new ArrayDeque<>();
+  private final List<FromLeader> unanswered = new ArrayList<>();
+  private final List<Broadcast> endings = new ArrayList<>();
   private @Nullable ServerConnection server;
+  private @Nullable ServerConnection leader;
+  private @Nullable Broadcast broadcast;
+  private long leaderHeardNanos;
   private long nanos;
   private long heardNanos;
   private long welcomedNanos;
@@ -124,10 +140,24 @@ public final class Daemon implements AutoCloseable {
    * @param now the time of the ticks
    */
   public boolean awaitsServer(long now) {
-    return server != null
-        && server.ended() == null
+    ServerConnection waiting = server == null ? guests.peekLast() : server;
+    return waiting != null
+        && waiting.ended() == null
         && inbox.isEmpty()
         && now - Math.max(heardNanos, welcomedNanos) > SILENCE_NANOS / 2;
+  }
+
+  /**
+   * Whether a leader is connected that should have said by now where it is, and nothing waits to be
+   * heard; likewise.
+   *
+   * @param now the time of the ticks
+   */
+  public boolean awaitsLeader(long now) {
+    return leader != null
+        && leader.ended() == null
+        && inbox.isEmpty()
+        && now - leaderHeardNanos > Broadcast.PERIOD_NANOS + 2 * TICK.toNanos();
   }
 
   /**
@@ -137,18 +167,27 @@ public final class Daemon implements AutoCloseable {
     double seconds = Math.min((now - nanos) / 1e9, LONGEST_STEP_SECONDS);
     nanos = now;
     chassis.carries(control.load());
-    control.sense(chassis.exchange(command, now));
+    control.sense(chassis.exchange(command, now), now / 1e9);
     hear();
+    if (broadcast != null) {
+      broadcast.answers().forEach(control::heard);
+    }
     command = control.drive(seconds, now - heardNanos > SILENCE_NANOS);
+    answerLeader();
+    lead();
     report();
   }
 
   @Override
   public void close() throws IOException {
     door.close();
-    if (server != null) {
-      server.close();
+    if (broadcast != null) {
+      broadcast.close();
     }
+    endings.forEach(Broadcast::close);
+    Stream.concat(guests.stream(), Stream.of(server, leader))
+        .filter(Objects::nonNull)
+        .forEach(ServerConnection::close);
     inbox.forEach(inbound -> inbound.connection().close());
     chassis.exchange(Twist.ZERO, nanos);
     chassis.close();
@@ -159,41 +198,128 @@ public final class Daemon implements AutoCloseable {
   private void hear() {
     for (Inbound inbound = inbox.poll(); inbound != null; inbound = inbox.poll()) {
       switch (inbound) {
-        case Inbound.Opened(ServerConnection connection) -> welcome(connection);
-        case Inbound.Heard(ServerConnection connection, Understood(var message))
-            when connection == server -> {
-          heardNanos = nanos;
-          switch (message) {
-            case AckDone(long drive) -> control.acknowledged(drive);
-            case Command order -> say(control.obey(order));
-          }
-        }
-        case Inbound.Heard(ServerConnection connection, Refused(long seq, String reason))
-            when connection == server -> {
+        case Inbound.Opened(ServerConnection connection) -> greet(connection);
+        case Inbound.Heard(ServerConnection connection, Understood(FromLeader message)) ->
+            hear(connection, message);
+        case Inbound.Heard(ServerConnection connection, Understood(var message)) ->
+            hear(connection, message);
+        case Inbound.Heard(ServerConnection connection, Refused(long seq, String reason)) -> {
           log.warn("{}: refused a line: {}", config.name(), reason);
-          say(new Reject(seq, reason));
+          connection.send(new Reject(seq, reason));
         }
-        case Inbound.Heard _ -> {} // said by a server that was replaced
       }
     }
-    if (server != null && server.ended() != null && inbox.isEmpty()) {
-      log.warn("{}: the connection of the server ended: {}.", config.name(), server.ended());
-      server.close();
-      server = null;
+    dropEnded();
+  }
+
+  /** Whose connection it is shows with its first message: a server commands, a leader tells. */
+  private void greet(ServerConnection connection) {
+    connection.send(control.report().hello());
+    welcomedNanos = nanos;
+    guests.addLast(connection);
+    if (guests.size() > MOST_GUESTS) {
+      guests.removeFirst().close();
     }
   }
 
-  private void welcome(ServerConnection connection) {
+  private void hear(ServerConnection connection, ServerMessage message) {
+    if (guests.remove(connection)) {
+      serve(connection);
+    }
+    if (connection != server) {
+      return; // said by a server that was replaced
+    }
+    heardNanos = nanos;
+    switch (message) {
+      case AckDone(long drive) -> control.acknowledged(drive);
+      case Command order -> say(control.obey(order));
+      case FromLeader _ -> {} // heard elsewhere
+    }
+  }
+
+  private void serve(ServerConnection connection) {
     if (server != null) {
       log.info("{}: a newer connection replaces the older.", config.name());
       server.close();
     }
     server = connection;
-    welcomedNanos = nanos;
     lastState = null;
     lastDone = control.done().orElse(null);
     lastDoneNanos = nanos;
-    say(control.report().hello());
+  }
+
+  private void hear(ServerConnection connection, FromLeader message) {
+    if (guests.remove(connection)) {
+      if (leader != null) {
+        leader.close();
+      }
+      leader = connection;
+      control.leaderConnected();
+    }
+    if (connection == leader) {
+      leaderHeardNanos = nanos;
+      control.heard(message);
+      unanswered.add(message);
+    }
+  }
+
+  private void answerLeader() {
+    if (leader != null) {
+      unanswered.stream()
+          .flatMap(message -> control.answer(message).stream())
+          .forEach(leader::send);
+    }
+    unanswered.clear();
+  }
+
+  private void dropEnded() {
+    if (!inbox.isEmpty()) {
+      return; // their last words
+    }
+    if (server != null && server.ended() != null) {
+      log.warn("{}: the connection of the server ended: {}.", config.name(), server.ended());
+      server.close();
+      server = null;
+    }
+    if (leader != null && leader.ended() != null) {
+      log.info("{}: the connection of the leader ended: {}.", config.name(), leader.ended());
+      leader.close();
+      leader = null;
+    }
+    guests.removeIf(guest -> guest.ended() != null);
+  }
+
+  /** Tells the followers, if there are any, where this leader is, or that the formation ends. */
+  private void lead() {
+    Lead order = control.leading().orElse(null);
+    if (broadcast != null && !broadcast.order().equals(order)) {
+      endBroadcast(broadcast);
+      broadcast = null;
+    }
+    if (broadcast == null && order != null) {
+      broadcast = new Broadcast(config.name(), order, nanos);
+    }
+    if (broadcast != null) {
+      broadcast.tell(control.pose(), control.planned(), control.isBraking(), clock.millis(), nanos);
+    }
+    endings.forEach(ending -> ending.tellEnd(nanos));
+    endings.stream().filter(ending -> ending.isOver(nanos)).forEach(Broadcast::close);
+    endings.removeIf(ending -> ending.isOver(nanos));
+  }
+
+  /** A formation that is not at its goal has no end: its followers stop, and ask their server. */
+  private void endBroadcast(Broadcast over) {
+    boolean isAtGoal =
+        control
+            .done()
+            .filter(done -> done.phase() == 2 && Objects.equals(done.task(), over.order().task()))
+            .isPresent();
+    if (isAtGoal) {
+      over.end(nanos);
+      endings.add(over);
+    } else {
+      over.close();
+    }
   }
 
   private void report() {

@@ -15,16 +15,21 @@ import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.Keep;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.Reject;
+import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
 import org.toqa.link.message.ServerMessage.Follow;
+import org.toqa.link.message.ServerMessage.FormationEnd;
+import org.toqa.link.message.ServerMessage.FromLeader;
 import org.toqa.link.message.ServerMessage.Hold;
 import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.message.ServerMessage.LeaderPose;
 import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
@@ -48,6 +53,9 @@ import org.toqa.link.message.ServerMessage.Resume;
  *       and phase, tells so in its hello, and waits for a new drive from where it is. What moved
  *       while no daemon watched is known by odometry, but nobody has looked whether the way is
  *       still free.
+ *   <li>In a formation the leader's drive is phase 2 of its task, and the followers have none: a
+ *       follower's phase ends with its leader's word. A follower keeps its place while the server
+ *       is silent, since its leader stands when nothing more is released.
  *   <li>A phase 3 whose end is acknowledged ends the task for this robot.
  * </ul>
  */
@@ -58,6 +66,7 @@ final class RobotControl {
 
   private final AgentConfig config;
   private final DriveRules rules;
+  private final FormationRules formationRules;
   private final Journal journal;
   private ChassisReading body;
 
@@ -66,6 +75,9 @@ final class RobotControl {
   private boolean cancelled;
   private boolean silent;
   private @Nullable Fault interrupted;
+  private @Nullable LeaderPart leader;
+  private @Nullable FollowerPart follower;
+  private double now;
 
   /**
    * @throws IOException if the journal cannot be written: such a robot is not started
@@ -73,6 +85,7 @@ final class RobotControl {
   RobotControl(AgentConfig config, Journal journal, ChassisReading body) throws IOException {
     this.config = config;
     this.rules = new DriveRules(config.limits());
+    this.formationRules = new FormationRules(config);
     this.journal = journal;
     this.body = body;
     if (!journal.secure(recovered())) {
@@ -99,8 +112,13 @@ final class RobotControl {
             old.powerCycle() == body.powerCycle() ? old.anchor() : body.placedAt());
   }
 
-  /** Takes in what the body says; to be called first in every tick. */
-  void sense(ChassisReading reading) {
+  /**
+   * Takes in what the body says; to be called first in every tick.
+   *
+   * @param seconds on a monotonic clock
+   */
+  void sense(ChassisReading reading, double seconds) {
+    now = seconds;
     if (reading.powerCycle() != body.powerCycle()) {
       lostPower(reading);
     }
@@ -110,6 +128,8 @@ final class RobotControl {
   private void lostPower(ChassisReading reading) {
     log.warn("{}: the body was powered up anew.", who());
     runner = null;
+    leader = null;
+    follower = null;
     journal.secure(memory().drivenNoMore().anchoredAt(reading.powerCycle(), reading.placedAt()));
   }
 
@@ -126,7 +146,7 @@ final class RobotControl {
   }
 
   /** Map frame; an arbitrary frame while the robot is not localised. */
-  private Pose pose() {
+  Pose pose() {
     Pose anchor = anchor();
     return anchor == null ? body.odometry() : anchor.compose(body.odometry());
   }
@@ -189,15 +209,23 @@ final class RobotControl {
    */
   Twist drive(double seconds, boolean serverSilent) {
     silent = serverSilent;
+    boolean onward = !memory().held() && !cancelled && body.faults().isEmpty();
+    if (follower != null) {
+      Twist command = follower.steer(pose(), now);
+      return onward ? command : Twist.ZERO;
+    }
     if (runner == null) {
       return Twist.ZERO;
     }
     Way way = runner.way();
-    boolean onward = !memory().held() && !cancelled && body.faults().isEmpty();
-    Twist command = runner.steer(pose(), seconds, onward);
+    if (leader != null) {
+      way.limit(leader.paceLimits(now));
+    }
+    double pace = leader == null ? 1 : leader.pace(now);
+    Twist command = runner.steer(pose(), seconds, onward ? pace : 0);
     if (cancelled) {
       endCancelledWhenItStands(way);
-    } else if (last && runner.isAtEnd()) {
+    } else if (last && runner.isAtEnd() && (leader == null || leader.mayEnd(now))) {
       endPhase();
     } else if (way.completed() != memory().segment()) {
       journal.save(memory().at(way.completed()));
@@ -214,13 +242,18 @@ final class RobotControl {
   private void endPhase() {
     if (journal.secure(memory().phaseEnded())) {
       runner = null;
+      leader = null;
+      follower = null;
       log.info("{}: phase {} is done.", who(), memory().phase());
     }
   }
 
   private Optional<String> objectionTo(Command command) {
     return switch (command) {
-      case Drive drive -> objectionToDriving().or(() -> rules.objectionTo(drive, pose()));
+      case Drive drive ->
+          objectionToDriving()
+              .or(() -> objectionAsLeader(drive))
+              .or(() -> rules.objectionTo(drive, pose()));
       case Extend extend ->
           objectionToChanging(extend.drive())
               .or(() -> rules.objectionTo(extend, Objects.requireNonNull(runner).way()));
@@ -228,10 +261,11 @@ final class RobotControl {
           objectionToChanging(release.drive())
               .or(() -> rules.objectionTo(release, Objects.requireNonNull(runner).way()));
       case Locate locate ->
-          runner == null && body.stands()
+          runner == null && follower == null && body.stands()
               ? rules.objectionTo(locate)
               : Optional.of("A robot that drives cannot be told where it is; send cancel first.");
-      case Lead _, Follow _ -> Optional.of("This robot does not drive in formation.");
+      case Lead lead -> objectionToDriving().or(() -> formationRules.objectionTo(lead));
+      case Follow follow -> objectionToDriving().or(() -> formationRules.objectionTo(follow));
       case Hold _, Resume _, Cancel _, Ping _ -> Optional.empty();
     };
   }
@@ -243,6 +277,11 @@ final class RobotControl {
     if (!isLocalised()) {
       return Optional.of("The robot does not know where it is; send locate first.");
     }
+    if (follower != null) {
+      return Optional.of(
+          "The robot follows %s; wait for the formation's end or send cancel."
+              .formatted(follower.order().leader()));
+    }
     if (runner != null && !cancelled) {
       return Optional.of(
           "The robot has not ended drive %d; wait for its end or send cancel."
@@ -251,6 +290,17 @@ final class RobotControl {
     return runner == null && body.stands()
         ? Optional.empty()
         : Optional.of("The robot is still moving; wait until it stands.");
+  }
+
+  private Optional<String> objectionAsLeader(Drive drive) {
+    boolean fits =
+        leader == null
+            || (drive.phase() == 2 && Objects.equals(drive.task(), leader.order().task()));
+    return fits
+        ? Optional.empty()
+        : Optional.of(
+            "The robot leads phase 2 of task %d; send cancel first."
+                .formatted(Objects.requireNonNull(leader).order().task()));
   }
 
   private Optional<String> objectionToChanging(long drive) {
@@ -267,6 +317,7 @@ final class RobotControl {
   private JournalEntry after(Command command) {
     return switch (command) {
       case Drive drive -> memory().driving(drive.seq(), drive.task(), drive.phase(), drive.load());
+      case Follow follow -> memory().driving(follow.seq(), follow.task(), 2, 0);
       case Hold _ -> memory().holding(true);
       case Resume _ -> memory().holding(false);
       case Cancel cancel ->
@@ -276,7 +327,7 @@ final class RobotControl {
           memory()
               .anchoredAt(
                   body.powerCycle(), locate.pose().compose(body.odometry().relative(ORIGIN)));
-      case Extend _, Release _, Lead _, Follow _, Ping _ -> memory();
+      case Extend _, Release _, Lead _, Ping _ -> memory();
     };
   }
 
@@ -290,19 +341,38 @@ final class RobotControl {
         last = extend.last();
       }
       case Release release -> Objects.requireNonNull(runner).way().release(release.released());
-      case Cancel _ -> {
+      case Lead lead -> {
+        leader = new LeaderPart(lead, config.limits());
+        log.info("{}: leads task {}, {} followers.", who(), lead.task(), lead.followers().size());
+      }
+      case Follow follow -> {
+        follower = new FollowerPart(follow, config.following());
+        interrupted = null;
+        log.info("{}: follows {}.", who(), follow.leader());
+      }
+      case Cancel cancel -> {
+        leader = leader != null && isFor(cancel, leader.order().task()) ? null : leader;
+        follower = follower != null && isFor(cancel, follower.order().task()) ? null : follower;
         cancelled = runner != null && memory().drive() == 0;
         interrupted = memory().task() == null ? null : interrupted;
       }
       case Locate _ -> log.info("{}: told to be at {}.", config.name(), pose());
-      case Hold _, Resume _, Lead _, Follow _, Ping _ -> {}
+      case Hold _, Resume _, Ping _ -> {}
     }
+  }
+
+  private static boolean isFor(Cancel cancel, long task) {
+    return Objects.equals(cancel.task(), task);
   }
 
   private void begin(Drive drive) {
     runner =
         new SegmentRunner(
-            new Way(drive.start(), drive.segments(), drive.released(), config.limits()));
+            new Way(
+                drive.start(),
+                drive.segments(),
+                drive.released(),
+                PaceLimits.alone(config.limits())));
     last = drive.last();
     cancelled = false;
     interrupted = null;
@@ -319,9 +389,71 @@ final class RobotControl {
     return memory().task() == null ? config.name() : config.name() + " task " + memory().task();
   }
 
+  /** What this robot leads; empty where it is no leader. */
+  Optional<Lead> leading() {
+    return Optional.ofNullable(leader).map(LeaderPart::order);
+  }
+
+  /** A follower has answered this leader. */
+  void heard(FollowerLink.Answer answer) {
+    if (leader != null) {
+      leader.heard(answer.follower(), answer.keep(), pose(), now);
+    }
+  }
+
+  /** As a leader it stops for a follower's sake, and still moves. */
+  boolean isBraking() {
+    return leader != null && leader.pace(now) == 0 && runner != null && !runner.way().stands();
+  }
+
+  /** How it is about to move, in its own frame. */
+  Twist planned() {
+    return runner == null ? Twist.ZERO : runner.way().twist();
+  }
+
+  /** The leader, or who says so, has connected anew. */
+  void leaderConnected() {
+    if (follower != null) {
+      follower.connected();
+    }
+  }
+
+  /** The leader has spoken. */
+  void heard(FromLeader message) {
+    if (follower == null || follower.order().task() != message.task()) {
+      return;
+    }
+    switch (message) {
+      case LeaderPose pose -> follower.heard(pose, now);
+      case FormationEnd _ -> endPhase();
+    }
+  }
+
+  /** The answer to a leader's message; empty where it is none of this robot's leader. */
+  Optional<Keep> answer(FromLeader message) {
+    return switch (message) {
+      case LeaderPose pose when follower != null && follower.order().task() == pose.task() ->
+          Optional.of(follower.keep(pose(), mode()));
+      case LeaderPose _ -> Optional.empty();
+      case FormationEnd end when follower != null && follower.order().task() == end.task() ->
+          Optional.empty(); // the journal could not be written; the leader says it again
+      case FormationEnd(long task) -> Optional.of(new Keep(task, 0, pose(), 0, mode()));
+    };
+  }
+
+  private Role role() {
+    if (follower != null) {
+      return Role.FOLLOWER;
+    }
+    return leader == null ? Role.ALONE : Role.LEADER;
+  }
+
   private Mode mode() {
     if (!body.faults().isEmpty()) {
       return Mode.ERROR;
+    }
+    if (follower != null) {
+      return memory().held() || follower.isStopped() ? Mode.HOLDING : Mode.FOLLOWING;
     }
     if (memory().held() || isHeldBySilence()) {
       return Mode.HOLDING;
@@ -342,6 +474,12 @@ final class RobotControl {
       errors.add(interrupted);
     }
     journal.fault().ifPresent(errors::add);
+    if (leader != null && runner != null) {
+      leader.fault(now).ifPresent(errors::add);
+    }
+    if (follower != null) {
+      follower.fault().ifPresent(errors::add);
+    }
     if (runner != null && runner.isOffWay()) {
       errors.add(
           new Fault(
@@ -359,6 +497,7 @@ final class RobotControl {
         isLocalised(),
         pose(),
         mode(),
+        role(),
         runner == null || cancelled ? 0 : runner.way().completed(),
         runner == null || cancelled ? 0 : runner.way().released(),
         errors());

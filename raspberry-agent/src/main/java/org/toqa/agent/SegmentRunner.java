@@ -2,6 +2,9 @@ package org.toqa.agent;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import org.toqa.formation.FollowerLaw;
+import org.toqa.formation.Gains;
+import org.toqa.formation.SingleIntegratorLaw;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
@@ -11,7 +14,7 @@ import org.toqa.geometry.Twist;
  * where it stands the robot is drawn onto it until it stands within {@link #SETTLED_METRES}. The
  * reference waits for a robot that falls behind, so that a blocked robot is not left alone by it.
  */
-final class SegmentRunner {
+public final class SegmentRunner {
 
   static final double SETTLED_METRES = 0.001;
   static final double SETTLED_RADIANS = 0.002;
@@ -31,17 +34,20 @@ final class SegmentRunner {
    */
   private static final int RESPONSE_TICKS = 3;
 
+  /** Time constant 1/3 s, well above the 20 ms of a tick and the lag of the motors. */
+  private static final FollowerLaw TRACKING = new SingleIntegratorLaw(new Gains(3, 3, 0.1, 0.5));
+
   private final Way way;
   private final Deque<Pose> trail = new ArrayDeque<>();
   private boolean settled;
   private double error;
 
-  SegmentRunner(Way way) {
+  public SegmentRunner(Way way) {
     this.way = way;
     trail.add(way.pose());
   }
 
-  Way way() {
+  public Way way() {
     return way;
   }
 
@@ -59,22 +65,23 @@ final class SegmentRunner {
     return settled;
   }
 
-  boolean isAtEnd() {
+  public boolean isAtEnd() {
     return settled && way.completed() == way.size();
   }
 
   /**
    * @param actual where the robot is, map frame
    * @param seconds since the last call
-   * @param onward whether the reference may run; if not, it slows down and stands
+   * @param pace at which the reference may run, as a share of the planned speed; at 0 it slows down
+   *     and stands
    * @return the velocity to command, in the robot's frame
    */
-  Twist steer(Pose actual, double seconds, boolean onward) {
+  public Twist steer(Pose actual, double seconds, double pace) {
     error = trail.getFirst().distanceTo(actual);
     double slack = (WAITING_METRES - error) / (WAITING_METRES - SLOWING_METRES);
-    way.advance(seconds, onward ? Math.clamp(slack, 0, 1) : 0);
+    way.advance(seconds, Math.min(pace, Math.clamp(slack, 0, 1)));
     settled = way.stands() && isNear(way.pose(), actual, settled ? HYSTERESIS : 1);
-    return settled ? Twist.ZERO : TrackingLaw.towards(expected(), way.twist(), actual);
+    return settled ? Twist.ZERO : TRACKING.towards(expected(), way.twist(), actual);
   }
 
   private Pose expected() {

@@ -17,12 +17,7 @@ import org.toqa.motion.Segment;
  * as high as P^2 = p^2 + 2 a (T - P tick) allows (the look-ahead of machine-tool controllers, with
  * a junction limit as in grbl).
  */
-final class Way {
-
-  /** Jumps of velocity that the motors and the tracking swallow. */
-  private static final double SPEED_JUMP = 0.15;
-
-  private static final double TURN_RATE_JUMP = 0.8;
+public final class Way {
 
   /** Paces a second at most, also for segments that only wait. */
   private static final double STEEPEST_PACE = 10;
@@ -30,8 +25,8 @@ final class Way {
   /** Seconds; a segment with less than this left is completed. */
   private static final double INSTANT = 1e-6;
 
-  private final MotionLimits limits;
   private final List<Segment> segments = new ArrayList<>();
+  private PaceLimits limits;
   private int released;
   private double paceRate = STEEPEST_PACE;
 
@@ -40,7 +35,7 @@ final class Way {
   private double timeInSegment;
   private double pace;
 
-  Way(Pose start, List<Segment> segments, int released, MotionLimits limits) {
+  public Way(Pose start, List<Segment> segments, int released, PaceLimits limits) {
     this.limits = limits;
     this.segmentStart = start;
     replace(0, segments, released);
@@ -51,6 +46,18 @@ final class Way {
     segments.subList(from, segments.size()).clear();
     segments.addAll(tail);
     released = nowReleased;
+    rate();
+  }
+
+  /** From now on its velocity changes no more abruptly than this. */
+  void limit(PaceLimits newLimits) {
+    if (!limits.equals(newLimits)) {
+      limits = newLimits;
+      rate();
+    }
+  }
+
+  private void rate() {
     paceRate = segments.stream().mapToDouble(this::paceRateOf).min().orElse(STEEPEST_PACE);
   }
 
@@ -58,7 +65,7 @@ final class Way {
     released = count;
   }
 
-  int size() {
+  public int size() {
     return segments.size();
   }
 
@@ -67,24 +74,24 @@ final class Way {
   }
 
   /** How many segments the reference has left behind. */
-  int completed() {
+  public int completed() {
     return completed;
   }
 
   /** The reference stands. */
-  boolean stands() {
+  public boolean stands() {
     return pace == 0;
   }
 
   /** The reference, map frame. */
-  Pose pose() {
+  public Pose pose() {
     return completed == segments.size()
         ? segmentStart
         : segmentStart.advanced(segments.get(completed).twist(), timeInSegment);
   }
 
   /** The reference's velocity, in its own frame. */
-  Twist twist() {
+  public Twist twist() {
     return completed == segments.size() ? Twist.ZERO : segments.get(completed).twist().times(pace);
   }
 
@@ -136,11 +143,11 @@ final class Way {
             limits.turnAcceleration() / Math.abs(segment.w())));
   }
 
-  private static double paceOverJunction(Segment before, Segment after) {
+  private double paceOverJunction(Segment before, Segment after) {
     return Math.min(
         1,
         Math.min(
-            SPEED_JUMP / Math.abs(after.v() - before.v()),
-            TURN_RATE_JUMP / Math.abs(after.w() - before.w())));
+            limits.speedJump() / Math.abs(after.v() - before.v()),
+            limits.turnRateJump() / Math.abs(after.w() - before.w())));
   }
 }

@@ -40,6 +40,8 @@ class AgentConfigTest {
     AgentConfig shipped = AgentConfig.read(Path.of("raspberry-agent", "agent.yaml"));
 
     assertEquals(shipped.limits(), least.limits());
+    assertEquals(shipped.following(), least.following());
+    assertEquals(AgentConfig.Following.DEFAULT, least.following());
     assertEquals(shipped.port(), least.port());
     assertEquals(shipped.address(), least.address());
     assertEquals(shipped.maxLoad(), least.maxLoad());
@@ -56,6 +58,8 @@ class AgentConfigTest {
           {name: r1, dataDir: d, chassis: {type: simulated, nois: 0}} | there is no key "chassis.nois"; did you mean "chassis.noise"?
           {name: r1, dataDir: d, chassis: {type: simulated, start: {X: 1}}} | there is no key "chassis.start.X"; did you mean "chassis.start.x"?
           {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated.
+          {name: r1, dataDir: d, following: {law: fly}} | "following.law" is fly; it must be omni or non-holonomic.
+          {name: r1, dataDir: d, following: {placeGain: 50}} | "following.placeGain" is 50; it must be a number from 0.1 to 5.
           {name: r1, dataDir: d}              | the key "chassis.type" is missing.
           {dataDir: d}                        | the key "name" is missing.
           {name: a b, dataDir: d}             | "name" is a b; it must be 1 to 32 letters, digits, - and _.

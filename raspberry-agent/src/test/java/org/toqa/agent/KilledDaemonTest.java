@@ -5,11 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.Socket;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -40,9 +38,7 @@ class KilledDaemonTest {
   private static final Duration LIMIT = Duration.ofSeconds(20);
 
   @TempDir Path folder;
-  private Process daemon;
-  private BufferedReader output;
-  private int port;
+  private DaemonProcess daemon;
 
   @BeforeEach
   void start() throws IOException {
@@ -54,12 +50,12 @@ class KilledDaemonTest {
         dataDir: data
         chassis: {type: simulated, start: {x: 1, y: 1}}
         """);
-    launch();
+    daemon = new DaemonProcess(folder.resolve("agent.yaml"));
   }
 
   @AfterEach
   void end() {
-    daemon.destroyForcibly();
+    daemon.close();
   }
 
   @Test
@@ -71,9 +67,9 @@ class KilledDaemonTest {
       peer.await(Ack.class, ack -> ack.seq() == 4);
       last = peer.await(State.class, s -> s.pose().x() > 1.2).pose();
     }
-    daemon.destroyForcibly();
-    assertTrue(daemon.waitFor(10, TimeUnit.SECONDS));
-    launch();
+    daemon.close();
+    assertTrue(daemon.process().waitFor(10, TimeUnit.SECONDS));
+    daemon = new DaemonProcess(folder.resolve("agent.yaml"));
 
     try (Peer peer = new Peer()) {
       Hello hello = peer.await(Hello.class, h -> true);
@@ -90,38 +86,16 @@ class KilledDaemonTest {
   void terminatedItEndsCleanly() throws Exception {
     try (Peer peer = new Peer()) {
       peer.await(Hello.class, h -> true);
-      daemon.toHandle().destroy(); // unlike Process.destroy it leaves the output open
+      daemon.process().toHandle().destroy(); // unlike Process.destroy it leaves the output open
 
-      assertTrue(daemon.waitFor(10, TimeUnit.SECONDS));
-      assertEquals(128 + 15, daemon.exitValue()); // ended by SIGTERM, after its shutdown hooks
-      assertTrue(output.lines().toList().getLast().endsWith("r1: ended."));
+      assertTrue(daemon.process().waitFor(10, TimeUnit.SECONDS));
+      assertEquals(128 + 15, daemon.process().exitValue()); // ended by SIGTERM, after its shutdown hooks
+      assertTrue(daemon.output().lines().toList().getLast().endsWith("r1: ended."));
     }
-  }
-
-  /** Starts the process; it listens when this returns. */
-  private void launch() throws IOException {
-    daemon =
-        new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx64m",
-                "-cp",
-                System.getProperty("java.class.path"),
-                "org.toqa.agent.Main",
-                "--config",
-                folder.resolve("agent.yaml").toString())
-            .redirectErrorStream(true)
-            .start();
-    output = daemon.inputReader(StandardCharsets.UTF_8);
-    String line = output.readLine();
-    while (line != null && !line.contains("listening on")) {
-      line = output.readLine();
-    }
-    assertNotNull(line, "the daemon ended");
-    port = Integer.parseInt(line.replaceAll(".* port (\\d+)\\.", "$1"));
   }
 
   private final class Peer implements AutoCloseable {
-    private final Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
+    private final Socket socket = new Socket(InetAddress.getLoopbackAddress(), daemon.port());
     private final LineReader lines = new LineReader(socket.getInputStream());
 
     Peer() throws IOException {

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.motion.Segment;
 
 /** How a daemon treats peers of every kind. */
@@ -121,6 +122,7 @@ class LinkMannersTest {
   @Test
   void newerConnectionReplacesTheOlder() {
     TestServer newer = rig.connect();
+    newer.synchronise();
     server.awaitEnd();
 
     newer.accepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE)));
@@ -143,6 +145,8 @@ class LinkMannersTest {
   @Test
   void serverThatDoesNotListenIsDroppedAndHoldsNothingUp() {
     TestServer deaf = rig.connectDeaf();
+    deaf.say(new Ping(1));
+    rig.listen();
     // 5 states a second fill the socket's buffers and the queue of 300 lines
     rig.live(Duration.ofHours(2));
 

@@ -54,6 +54,7 @@ final class Rig implements AutoCloseable {
         5,
         0.255,
         LIMITS,
+        AgentConfig.Following.DEFAULT,
         new AgentConfig.Simulated(START, SimulatedPower.FULL, noise, 7, 1));
   }
 

@@ -28,7 +28,7 @@ class WayProperties {
       @ForAll("segments") @Size(min = 1, max = 8) List<Segment> segments,
       @ForAll @IntRange(max = 8) int released) {
     int count = Math.min(released, segments.size());
-    Way way = new Way(START, segments, count, LIMITS);
+    Way way = new Way(START, segments, count, PaceLimits.alone(LIMITS));
     runToAStand(way);
 
     Pose end = new Trajectory(START, segments).poseAfter(count);
@@ -39,7 +39,7 @@ class WayProperties {
   @Property(tries = 200)
   void referenceMovesNoFasterThanItsSegmentsAndStopsNoHarderThanItMay(
       @ForAll("segments") @Size(min = 1, max = 8) List<Segment> segments) {
-    Way way = new Way(START, segments, segments.size(), LIMITS);
+    Way way = new Way(START, segments, segments.size(), PaceLimits.alone(LIMITS));
     double fastest = segments.stream().mapToDouble(s -> Math.abs(s.v())).max().orElseThrow();
     for (int i = 0; i < MANY_TICKS && way.completed() < way.size(); i++) {
       Pose before = way.pose();
@@ -58,7 +58,7 @@ class WayProperties {
   @Property(tries = 100)
   void wayReleasedPieceByPieceEndsWhereTheWholeDoes(
       @ForAll("segments") @Size(min = 2, max = 6) List<Segment> segments) {
-    Way way = new Way(START, segments, 0, LIMITS);
+    Way way = new Way(START, segments, 0, PaceLimits.alone(LIMITS));
     for (int count = 1; count <= segments.size(); count++) {
       way.release(count);
       runToAStand(way);
@@ -71,7 +71,7 @@ class WayProperties {
   void heldReferenceStandsAndGoesOn(
       @ForAll("segments") @Size(min = 1, max = 4) List<Segment> segments,
       @ForAll @IntRange(min = 1, max = 400) int ticks) {
-    Way way = new Way(START, segments, segments.size(), LIMITS);
+    Way way = new Way(START, segments, segments.size(), PaceLimits.alone(LIMITS));
     for (int i = 0; i < ticks; i++) {
       way.advance(TICK, 1);
     }

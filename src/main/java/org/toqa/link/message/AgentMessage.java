@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
-/** What a robot says to the server. */
+/** What a robot says to the server, and a follower to its leader. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
 @JsonSubTypes({
   @Type(value = AgentMessage.Hello.class, name = "hello"),
@@ -18,6 +18,7 @@ import org.toqa.geometry.Vec2;
   @Type(value = AgentMessage.Done.class, name = "done"),
   @Type(value = AgentMessage.Ack.class, name = "ack"),
   @Type(value = AgentMessage.Reject.class, name = "reject"),
+  @Type(value = AgentMessage.Keep.class, name = "keep"),
 })
 public sealed interface AgentMessage {
 
@@ -123,4 +124,14 @@ public sealed interface AgentMessage {
    * @param reason a sentence for people
    */
   record Reject(long seq, String reason) implements AgentMessage {}
+
+  /**
+   * A follower's answer to its leader.
+   *
+   * @param seq of the leader's pose; 0 in the answer to the end of the formation
+   * @param pose map frame
+   * @param error metres off its place
+   * @param mode {@code FOLLOWING} if it can keep its place
+   */
+  record Keep(long task, long seq, Pose pose, double error, Mode mode) implements AgentMessage {}
 }

@@ -13,9 +13,10 @@ import org.toqa.geometry.Vec2;
 import org.toqa.motion.Segment;
 
 /**
- * What the server says to a robot. Every message but {@link AckDone} bears a sequence number that
- * rises over the server's whole life; the robot answers it with {@link AgentMessage.Ack} or {@link
- * AgentMessage.Reject}, and a number that is not higher than the last one has no further effect.
+ * What a robot is told: by the server, and in a formation by its leader. Every {@link Command} of
+ * the server bears a sequence number that rises over the server's whole life; the robot answers it
+ * with {@link AgentMessage.Ack} or {@link AgentMessage.Reject}, and a number that is not higher
+ * than the last one has no further effect.
  */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
 @JsonSubTypes({
@@ -30,6 +31,8 @@ import org.toqa.motion.Segment;
   @Type(value = ServerMessage.Locate.class, name = "locate"),
   @Type(value = ServerMessage.Ping.class, name = "ping"),
   @Type(value = ServerMessage.AckDone.class, name = "ack"),
+  @Type(value = ServerMessage.LeaderPose.class, name = "pose"),
+  @Type(value = ServerMessage.FormationEnd.class, name = "formation_end"),
 })
 public sealed interface ServerMessage {
 
@@ -79,8 +82,16 @@ public sealed interface ServerMessage {
    */
   record Release(long seq, long drive, int released) implements Command {}
 
+  /**
+   * Lead these robots with the drive that comes next.
+   *
+   * @param tolerance metres that a follower may be off its place
+   */
   record Lead(long seq, long task, double tolerance, List<Follower> followers) implements Command {}
 
+  /**
+   * @param fingerprint of its certificate; null where the link is not encrypted
+   */
   record Follower(
       String robot,
       String host,
@@ -88,7 +99,11 @@ public sealed interface ServerMessage {
       @JsonSetter(nulls = Nulls.SET) @Nullable String fingerprint) {}
 
   /**
+   * Keep a place beside a leader until its end of the formation.
+   *
+   * @param fingerprint of the leader's certificate; null where the link is not encrypted
    * @param offset in the leader's frame: x forward, y left
+   * @param tolerance metres
    */
   record Follow(
       long seq,
@@ -115,4 +130,22 @@ public sealed interface ServerMessage {
 
   /** The server has stored that the drive is done. */
   record AckDone(long done) implements ServerMessage {}
+
+  /** A message of a leading robot; each is answered with {@link AgentMessage.Keep}. */
+  sealed interface FromLeader extends ServerMessage {
+    long task();
+  }
+
+  /**
+   * Where the leader is: every 200 ms, and more often while it brakes.
+   *
+   * @param seq counted by the leader
+   * @param stamp the leader's own clock, milliseconds since 1970: information only
+   * @param pose map frame
+   */
+  record LeaderPose(long task, long seq, long stamp, Pose pose, AgentMessage.Speed twist)
+      implements FromLeader {}
+
+  /** The leader is at its goal. */
+  record FormationEnd(long task) implements FromLeader {}
 }

@@ -36,6 +36,11 @@ final class SimulatedBodyFile implements AutoCloseable {
     }
   }
 
+  /** A body that nothing of is kept. */
+  SimulatedBodyFile() {
+    memory = arena.allocate(Long.BYTES + 2 * SLOT_BYTES, Long.BYTES);
+  }
+
   Optional<SimulatedBody> read() {
     long count = (long) COUNT.getAcquire(memory, 0L);
     if (count == 0) {

@@ -2,30 +2,31 @@ package org.toqa.agent.chassis;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.motion.Odometry;
-import org.toqa.motion.ThreeWheelKinematics;
+import org.toqa.motion.WheelKinematics;
 
 /**
- * The body of the three-wheeled robot, simulated: motors that follow a command with a lag and a
- * limited acceleration, wheels that slip a little (seeded noise between what turns and what moves),
- * odometry from encoder counts alone, a battery (see {@link SimulatedPower}). Its state is kept in
- * a file, see {@link SimulatedBodyFile}.
+ * The body of a robot on two or three wheels, simulated: motors that follow a command with a lag
+ * and a limited acceleration, wheels that slip a little (seeded noise between what turns and what
+ * moves), odometry from encoder counts alone, a battery (see {@link SimulatedPower}). Its state is
+ * kept in a file, see {@link SimulatedBodyFile}.
  */
 public final class SimulatedChassis implements Chassis {
-
-  private static final ThreeWheelKinematics WHEELS = ThreeWheelKinematics.DEFAULT;
 
   private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
 
   /** 220 turns a minute, as rated. */
   private static final double FASTEST_RATE = 220 / 60.0 * 2 * Math.PI;
 
-  /** Radians a second squared: 1.5 m/s2 at the rim. */
-  private static final double WHEEL_ACCELERATION = 1.5 / WHEELS.wheelRadius();
+  /** Radians a second squared: 1.5 m/s2 at the rim of a wheel of 0.04 m. */
+  private static final double WHEEL_ACCELERATION = 1.5 / 0.04;
+
+  private static final ThreeWheels NO_SLIP = new ThreeWheels(1, 1, 1);
 
   private static final double MOTOR_LAG_SECONDS = 0.04;
 
@@ -36,8 +37,12 @@ public final class SimulatedChassis implements Chassis {
 
   private final SimulatedBodyFile file;
   private final SimulatedPower power;
+  private final WheelKinematics kinematics;
   private final double noise;
+  private final ThreeWheels sizes;
   private final SplittableRandom random;
+  private ThreeWheels grip = NO_SLIP;
+  private boolean frozen;
   private SimulatedBody body;
   private Odometry odometry;
   private boolean started;
@@ -55,9 +60,25 @@ public final class SimulatedChassis implements Chassis {
    */
   public SimulatedChassis(Path file, Pose start, SimulatedPower power, double noise, long seed)
       throws IOException {
-    this.file = new SimulatedBodyFile(file);
+    this(new SimulatedBodyFile(file), start, power, SimulatedWheels.omni(noise, 0), seed);
+  }
+
+  /** A new body that nothing is kept of, with a full battery. */
+  public SimulatedChassis(Pose start, SimulatedWheels wheels, long seed) {
+    this(new SimulatedBodyFile(), start, SimulatedPower.FULL, wheels, seed);
+  }
+
+  private SimulatedChassis(
+      SimulatedBodyFile file,
+      Pose start,
+      SimulatedPower power,
+      SimulatedWheels wheels,
+      long seed) {
+    this.file = file;
     this.power = power;
-    this.noise = noise;
+    this.kinematics = wheels.kinematics();
+    this.noise = wheels.slip();
+    this.sizes = sizes(wheels.sizeError(), seed);
     body = this.file.read().orElseGet(() -> SimulatedBody.placed(start, power.first()));
     random = new SplittableRandom(seed + body.steps());
     odometry = odometryOf(body);
@@ -83,7 +104,7 @@ public final class SimulatedChassis implements Chassis {
         body.powerCycle(),
         body.powerCycle() == 1 ? body.start() : null,
         body.odometry(),
-        WHEELS.twist(body.rates().values()),
+        kinematics.twist(body.rates().values(kinematics.wheels())),
         body.battery(),
         List.of(),
         List.of());
@@ -99,6 +120,23 @@ public final class SimulatedChassis implements Chassis {
     body = body.powerCycled();
     odometry = odometryOf(body);
     file.write(body);
+  }
+
+  /** Fault switch: the wheels stand and obey nothing, and the body does not know why. */
+  public void freeze(boolean freezes) {
+    frozen = freezes;
+  }
+
+  /**
+   * Fault switch: a wheel turns and does not move the body as far.
+   *
+   * @param wheel from 0
+   * @param share of its turning that is lost, 0 to 1
+   */
+  public void slipWheel(int wheel, double share) {
+    double[] grips = NO_SLIP.values(kinematics.wheels());
+    grips[wheel] = 1 - share;
+    grip = ThreeWheels.of(grips);
   }
 
   @Override
@@ -124,7 +162,7 @@ public final class SimulatedChassis implements Chassis {
     double left = seconds;
     while (left > 1e-9) {
       double step = Math.min(left, LONGEST_STEP_SECONDS);
-      move(ThreeWheels.of(WHEELS.rates(command)).limited(FASTEST_RATE), step);
+      move(ThreeWheels.of(kinematics.rates(command)).limited(FASTEST_RATE), step);
       left -= step;
     }
   }
@@ -136,10 +174,14 @@ public final class SimulatedChassis implements Chassis {
             .minus(body.rates())
             .times(1 - Math.exp(-dt / MOTOR_LAG_SECONDS))
             .limited(WHEEL_ACCELERATION * dt);
-    ThreeWheels rates = body.rates().plus(change);
-    ThreeWheels turns = body.rates().plus(rates).times(dt / 2);
+    ThreeWheels rates = frozen ? ThreeWheels.ZERO : body.rates().plus(change);
+    ThreeWheels turns = frozen ? ThreeWheels.ZERO : body.rates().plus(rates).times(dt / 2);
     ThreeWheels turned = body.turned().plus(turns);
-    Twist moves = WHEELS.twist(slip(turns.one()), slip(turns.two()), slip(turns.three()));
+    ThreeWheels rolled =
+        new ThreeWheels(slip(turns.one()), slip(turns.two()), slip(turns.three()))
+            .times(sizes)
+            .times(grip);
+    Twist moves = kinematics.twist(rolled.values(kinematics.wheels()));
     double metres = Math.hypot(moves.vx(), moves.vy());
     boolean isCharged = rates.largest() < STANDS && power.isDocked(body.truth());
     body =
@@ -161,14 +203,24 @@ public final class SimulatedChassis implements Chassis {
     return turns * (1 + noise * random.nextGaussian());
   }
 
-  private static Odometry odometryOf(SimulatedBody body) {
+  private static ThreeWheels sizes(double error, long seed) {
+    SplittableRandom random = new SplittableRandom(~seed);
+    return new ThreeWheels(
+        1 + error * random.nextGaussian(),
+        1 + error * random.nextGaussian(),
+        1 + error * random.nextGaussian());
+  }
+
+  private Odometry odometryOf(SimulatedBody body) {
     return new Odometry(
-        WHEELS, Odometry.COUNTS_PER_WHEEL_TURN, body.odometry(), counts(body.turned()));
+        kinematics, Odometry.COUNTS_PER_WHEEL_TURN, body.odometry(), counts(body.turned()));
   }
 
   /** Whole counts; the counters wrap around like the 32-bit registers that they stand for. */
-  private static int[] counts(ThreeWheels turned) {
-    return new int[] {count(turned.one()), count(turned.two()), count(turned.three())};
+  private int[] counts(ThreeWheels turned) {
+    return Arrays.stream(turned.values(kinematics.wheels()))
+        .mapToInt(SimulatedChassis::count)
+        .toArray();
   }
 
   private static int count(double turned) {

@@ -157,6 +157,20 @@ class SimulatedChassisTest {
   }
 
   @Test
+  void bodyOnTwoWheelsDrivesItsArcAndKnowsIt() {
+    try (SimulatedChassis body =
+        new SimulatedChassis(START, SimulatedWheels.differential(0, 0), 1)) {
+      Twist arc = new Twist(0.2, 0, 0.4);
+      run(body, arc, 2 * SECOND);
+      ChassisReading then = body.exchange(arc, nanos);
+      ChassisReading now = run(body, arc, 5 * SECOND);
+
+      assertEquals(0, then.odometry().advanced(arc, 5).distanceTo(now.odometry()), 0.002);
+      assertEquals(0, START.compose(now.odometry()).distanceTo(body.truth()), 0.002);
+    }
+  }
+
+  @Test
   void aBodyThatStandsAtAChargerIsCharged() throws IOException {
     SimulatedPower power = new SimulatedPower(0.5, List.of(START.position()));
     Path file = folder.resolve("docked");
@@ -166,6 +180,43 @@ class SimulatedChassisTest {
 
       double gone = run(body, new Twist(0.25, 0, 0), 4 * SECOND).battery();
       assertTrue(run(body, Twist.ZERO, 60 * SECOND).battery() < gone, "a metre away");
+    }
+  }
+
+  @Test
+  void wheelsOfOtherSizesTakeOdometryAwayFromTheTruth() {
+    try (SimulatedChassis body = new SimulatedChassis(START, SimulatedWheels.omni(0, 0.01), 2)) {
+      ChassisReading now = run(body, new Twist(0.25, 0, 0), 40 * SECOND);
+
+      // 10 m on wheels that are about 1 % too large or too small
+      double away = START.compose(now.odometry()).distanceTo(body.truth());
+      assertTrue(away > 0.01 && away < 2, "away by " + away);
+    }
+  }
+
+  @Test
+  void frozenBodyStandsUntilItThaws() {
+    try (SimulatedChassis body = new SimulatedChassis(START, SimulatedWheels.omni(0, 0), 1)) {
+      Twist ahead = new Twist(0.25, 0, 0);
+      run(body, ahead, SECOND);
+      body.freeze(true);
+      Pose frozen = run(body, ahead, 1).odometry();
+      assertEquals(frozen, run(body, ahead, SECOND).odometry());
+
+      body.freeze(false);
+      assertTrue(frozen.distanceTo(run(body, ahead, SECOND).odometry()) > 0.1);
+    }
+  }
+
+  @Test
+  void slippingWheelIsUnseenByTheEncoders() {
+    try (SimulatedChassis body = new SimulatedChassis(START, SimulatedWheels.omni(0, 0), 1)) {
+      body.slipWheel(0, 0.5);
+      ChassisReading now = run(body, new Twist(0.25, 0, 0), 4 * SECOND);
+
+      assertEquals(1, now.odometry().x(), 0.05);
+      assertEquals(0, now.odometry().theta(), 0.01);
+      assertTrue(START.compose(now.odometry()).distanceTo(body.truth()) > 0.1);
     }
   }
 

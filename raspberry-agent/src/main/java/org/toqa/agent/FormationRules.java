@@ -1,0 +1,70 @@
+package org.toqa.agent;
+
+import com.google.errorprone.annotations.FormatMethod;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.toqa.formation.Shape;
+import org.toqa.link.message.ServerMessage.Follow;
+import org.toqa.link.message.ServerMessage.Follower;
+import org.toqa.link.message.ServerMessage.Lead;
+
+/**
+ * In which formations a robot takes no part. Each rule answers with the sentence that goes back to
+ * the server, or with nothing.
+ */
+final class FormationRules {
+
+  private static final double LARGEST_TOLERANCE = 0.5;
+  private static final double LARGEST_OFFSET = 50;
+  private static final int MOST_FOLLOWERS = Shape.MOST_ROBOTS - 1;
+  private static final int LARGEST_PORT = 65_535;
+
+  private final AgentConfig config;
+
+  FormationRules(AgentConfig config) {
+    this.config = config;
+  }
+
+  Optional<String> objectionTo(Lead lead) {
+    List<String> names = lead.followers().stream().map(Follower::robot).toList();
+    if (names.isEmpty() || names.size() > MOST_FOLLOWERS) {
+      return no("A leader has 1 to %d followers, not %d.", MOST_FOLLOWERS, names.size());
+    }
+    if (names.stream().distinct().count() < names.size() || names.contains(config.name())) {
+      return no("The followers must be other robots than %s, each named once.", config.name());
+    }
+    for (Follower follower : lead.followers()) {
+      if (follower.port() < 1 || follower.port() > LARGEST_PORT) {
+        return no("The port of %s is from 1 to %d.", follower.robot(), LARGEST_PORT);
+      }
+    }
+    return objectionToTolerance(lead.tolerance());
+  }
+
+  Optional<String> objectionTo(Follow follow) {
+    if (follow.leader().equals(config.name())) {
+      return no("%s cannot follow itself.", config.name());
+    }
+    double away = follow.offset().norm();
+    if (!(away >= config.footprint() / 2 && away <= LARGEST_OFFSET)) {
+      return no(
+          "The place is %.2f m from the leader; it must be from %.2f to %.0f m.",
+          away, config.footprint() / 2, LARGEST_OFFSET);
+    }
+    return objectionToTolerance(follow.tolerance());
+  }
+
+  private static Optional<String> objectionToTolerance(double tolerance) {
+    return tolerance > 0 && tolerance <= LARGEST_TOLERANCE
+        ? Optional.empty()
+        : no(
+            "The tolerance must be more than 0 and at most %.1f m, not %.3f.",
+            LARGEST_TOLERANCE, tolerance);
+  }
+
+  @FormatMethod
+  private static Optional<String> no(String sentence, Object... values) {
+    return Optional.of(String.format(Locale.ROOT, sentence, values));
+  }
+}

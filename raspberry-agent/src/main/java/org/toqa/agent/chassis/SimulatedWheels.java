@@ -1,0 +1,26 @@
+package org.toqa.agent.chassis;
+
+import org.toqa.motion.DifferentialKinematics;
+import org.toqa.motion.ThreeWheelKinematics;
+import org.toqa.motion.WheelKinematics;
+
+/**
+ * The wheels of a simulated body, and what its encoders do not see of them.
+ *
+ * @param slip standard deviation of what a wheel slips in a step, as a share of what it turns
+ * @param sizeError standard deviation of a wheel's constant error in size, as a share of it
+ */
+public record SimulatedWheels(WheelKinematics kinematics, double slip, double sizeError) {
+
+  private static final WheelKinematics TWO_WHEELS = new DifferentialKinematics(0.04, 0.20);
+
+  /** Three omnidirectional wheels. */
+  public static SimulatedWheels omni(double slip, double sizeError) {
+    return new SimulatedWheels(ThreeWheelKinematics.DEFAULT, slip, sizeError);
+  }
+
+  /** Two wheels on one axle, as far apart and as large as the three. */
+  public static SimulatedWheels differential(double slip, double sizeError) {
+    return new SimulatedWheels(TWO_WHEELS, slip, sizeError);
+  }
+}

@@ -1,0 +1,180 @@
+package org.toqa.agent;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Done;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.ServerMessage.Cancel;
+import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.message.ServerMessage.Follow;
+import org.toqa.link.message.ServerMessage.Hold;
+import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.message.ServerMessage.Resume;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/** Three daemons that carry one load, over real sockets, seen from their server. */
+class FormationTest {
+
+  private static final Segment STRAIGHT = new Segment(0.25, 0, 8);
+  private static final Segment LEFT = new Segment(0.2, 0.25, Math.PI / 2 / 0.25); // radius 0.8 m
+
+  /** What the contract gives a group to come to a stand, milliseconds. */
+  private static final long STAND_MILLIS = 800;
+
+  @TempDir Path folder;
+  private Group group;
+
+  @BeforeEach
+  void open() {
+    group = new Group(folder);
+  }
+
+  @AfterEach
+  void close() {
+    group.close();
+  }
+
+  @Test
+  void groupDrivesTheLeadersWayInShapeAndEachFlags() {
+    List<Segment> way = List.of(STRAIGHT, LEFT, STRAIGHT);
+    group.begin(way);
+    State onTheWay = group.server(1).awaitState(s -> s.twist().v() > 0.2);
+    assertEquals(Role.FOLLOWER, onTheWay.role());
+    assertEquals(Mode.FOLLOWING, onTheWay.mode());
+    assertEquals(Role.LEADER, group.server(0).awaitState(s -> true).role());
+
+    // each of the followers' flags bears the number of its order to follow
+    assertEquals(new Done(Group.TASK, 2, 2), group.server(0).awaitFlag());
+    assertEquals(new Done(Group.TASK, 2, 1), group.server(1).awaitFlag());
+    assertEquals(new Done(Group.TASK, 2, 1), group.server(2).awaitFlag());
+
+    Pose goal = new Trajectory(Group.LEADER, way).end();
+    assertNear(goal, standing(0));
+    assertNear(Group.SHAPE.followersAt(goal).get(0), standing(1));
+    assertNear(Group.SHAPE.followersAt(goal).get(1), standing(2));
+  }
+
+  @Test
+  void followerThatIsHeldStopsTheGroupUntilItIsLetGoOn() {
+    group.begin(List.of(STRAIGHT));
+    group.server(0).awaitState(s -> s.twist().v() > 0.2);
+    group.server(2).accepted(new Hold(5));
+    State stopped = group.server(0).awaitState(s -> hasFault(s, "FORMATION_STOPPED"));
+    assertTrue(stopped.errors().getFirst().text().contains("r3"), stopped.errors().toString());
+    group.server(0).awaitState(s -> s.twist().v() < 0.01);
+    group.server(1).awaitState(s -> s.twist().v() < 0.01);
+
+    group.server(2).accepted(new Resume(6));
+    group.server(0).awaitState(s -> s.errors().isEmpty() && s.twist().v() > 0.2);
+    assertEquals(new Done(Group.TASK, 2, 2), group.server(0).awaitFlag());
+  }
+
+  @Test
+  void groupStandsInTimeWhenAFollowerIsGone() {
+    group.begin(List.of(STRAIGHT, LEFT));
+    group.server(0).awaitState(s -> s.twist().v() > 0.2);
+    long gone = group.kill(2);
+
+    State leader = group.server(0).awaitState(s -> hasFault(s, "FORMATION_STOPPED"));
+    assertEquals("The group stands: r3 does not answer.", leader.errors().getFirst().text());
+    assertStandsSince(gone + STAND_MILLIS, 0);
+    assertStandsSince(gone + STAND_MILLIS, 1);
+  }
+
+  @Test
+  void followersStandInTimeWhenTheirLeaderIsGone() {
+    group.begin(List.of(STRAIGHT, LEFT));
+    group.server(1).awaitState(s -> s.twist().v() > 0.2);
+    long gone = group.kill(0);
+
+    State lost = group.server(1).awaitState(s -> hasFault(s, "LEADER_LOST"));
+    assertEquals(Mode.HOLDING, lost.mode());
+    assertEquals(Group.TASK, lost.task());
+    assertStandsSince(gone + STAND_MILLIS, 1);
+    assertStandsSince(gone + STAND_MILLIS, 2);
+  }
+
+  @Test
+  void groupDrivesOnWhileItsServerIsAway() {
+    group.begin(List.of(STRAIGHT, LEFT));
+    State before = group.server(1).awaitState(s -> s.twist().v() > 0.2);
+    group.servers().forEach(GroupServer::close);
+    group.connectServers();
+
+    State after = group.server(1).awaitState(s -> s.stamp() > before.stamp() + 2_000);
+    assertEquals(Mode.FOLLOWING, after.mode());
+    assertTrue(after.pose().distanceTo(before.pose()) > 0.3, "it drove on");
+    assertEquals(new Done(Group.TASK, 2, 1), group.server(1).awaitFlag());
+  }
+
+  @Test
+  void cancelOfTheLeaderIsNoEndOfTheFormation() {
+    group.begin(List.of(STRAIGHT, LEFT));
+    group.server(1).awaitState(s -> s.twist().v() > 0.2);
+    group.server(0).accepted(new Cancel(9, Group.TASK));
+
+    group.server(1).awaitState(s -> hasFault(s, "LEADER_LOST"));
+    assertEquals(List.of(), group.server(1).flags());
+    group.server(1).accepted(new Cancel(9, Group.TASK));
+    State free = group.server(1).awaitState(s -> s.mode() == Mode.IDLE);
+    assertEquals(Role.ALONE, free.role());
+  }
+
+  @Test
+  void ordersThatCannotBeRightAreRefused() {
+    GroupServer server = group.server(1);
+    Vec2 beside = new Vec2(-0.5, 0);
+
+    assertEquals(
+        "r2 cannot follow itself.", server.refused(new Follow(1, 7, "r2", null, beside, 0.05)));
+    assertEquals(
+        "The place is 0.05 m from the leader; it must be from 0.13 to 50 m.",
+        server.refused(new Follow(2, 7, "r1", null, new Vec2(0.05, 0), 0.05)));
+    assertEquals(
+        "The tolerance must be more than 0 and at most 0.5 m, not 0.000.",
+        server.refused(new Follow(3, 7, "r1", null, beside, 0)));
+    assertEquals(
+        "A leader has 1 to 11 followers, not 0.", server.refused(new Lead(4, 7, 0.05, List.of())));
+    server.accepted(new Follow(5, 7, "r1", null, beside, 0.05));
+    assertEquals(
+        "The robot follows r1; wait for the formation's end or send cancel.",
+        server.refused(new Drive(6, 7L, 2, Group.LEADER, List.of(STRAIGHT), 1, true)));
+  }
+
+  private Pose standing(int robot) {
+    return group.server(robot).awaitState(s -> s.mode() == Mode.IDLE).pose();
+  }
+
+  /** It is heard for a while longer, and in that time no more than settles. */
+  private void assertStandsSince(long millis, int robot) {
+    group.server(robot).awaitState(s -> s.stamp() > millis + 1_000);
+    List<State> later =
+        group.server(robot).states().stream().filter(s -> s.stamp() >= millis).toList();
+    Pose stood = later.getFirst().pose();
+    for (State state : later) {
+      assertEquals(0, state.twist().v(), 0.03, () -> "at " + state);
+      assertEquals(0, stood.distanceTo(state.pose()), 0.02, () -> "at " + state);
+    }
+  }
+
+  private static boolean hasFault(State state, String code) {
+    return state.errors().stream().map(Fault::code).anyMatch(code::equals);
+  }
+
+  private static void assertNear(Pose expected, Pose actual) {
+    assertTrue(expected.distanceTo(actual) < 0.01, actual + " is not near " + expected);
+  }
+}

@@ -1,0 +1,70 @@
+package org.toqa.agent;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.message.ServerMessage.Follow;
+import org.toqa.link.message.ServerMessage.Follower;
+import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.motion.Segment;
+
+/** Two daemons as processes of their own, in real time; the leader is killed without a warning. */
+@Timeout(60)
+class KilledLeaderTest {
+
+  private static final long TASK = 5;
+  private static final Pose START = new Pose(2, 1, 0);
+
+  /** 800 ms, and as much again for a machine that is busy with other things. */
+  private static final long STAND_MILLIS = 1_600;
+
+  @TempDir Path folder;
+
+  @Test
+  void followerOfAKilledLeaderStandsAndSaysWhy() throws Exception {
+    try (DaemonProcess leader = new DaemonProcess(configuration("r1", 2));
+        DaemonProcess follower = new DaemonProcess(configuration("r2", 1));
+        GroupServer ofLeader = new GroupServer(leader.port());
+        GroupServer ofFollower = new GroupServer(follower.port())) {
+      ofFollower.accepted(new Follow(1, TASK, "r1", null, new Vec2(-1, 0), 0.05));
+      ofLeader.accepted(
+          new Lead(
+              1, TASK, 0.05, List.of(new Follower("r2", "127.0.0.1", follower.port(), null))));
+      List<Segment> way = List.of(new Segment(0.25, 0, 60));
+      ofLeader.accepted(new Drive(2, TASK, 2, START, way, 1, true));
+      ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.2);
+
+      leader.process().destroyForcibly();
+      long gone = System.currentTimeMillis();
+
+      State lost = ofFollower.awaitState(s -> s.mode() == Mode.HOLDING);
+      assertEquals("LEADER_LOST", lost.errors().getFirst().code());
+      Pose stood = ofFollower.awaitState(s -> s.stamp() > gone + STAND_MILLIS).pose();
+      State later = ofFollower.awaitState(s -> s.stamp() > gone + STAND_MILLIS + 1_000);
+      assertEquals(0, stood.distanceTo(later.pose()), 0.005);
+    }
+  }
+
+  private Path configuration(String name, double x) throws IOException {
+    return Files.writeString(
+        folder.resolve(name + ".yaml"),
+        """
+        name: %s
+        port: 0
+        dataDir: %s
+        chassis: {type: simulated, start: {x: %s, y: 1}}
+        """
+            .formatted(name, name, x));
+  }
+}

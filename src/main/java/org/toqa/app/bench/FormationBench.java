@@ -1,0 +1,133 @@
+package org.toqa.app.bench;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.function.Supplier;
+import org.toqa.agent.chassis.SimulatedWheels;
+import org.toqa.app.bench.FormationRun.Group;
+import org.toqa.app.command.Arguments;
+import org.toqa.formation.Gains;
+import org.toqa.formation.NonHolonomicLaw;
+import org.toqa.formation.SingleIntegratorLaw;
+import org.toqa.grid.Inflation;
+import org.toqa.grid.OccupancyGrid;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import tools.jackson.databind.json.JsonMapper;
+
+/** {@code toqa bench formation}: how well robots keep their places under one load. */
+@Command(
+    name = "formation",
+    description = "Measures formations on the shipped map, and the tracking of a way.",
+    footer = {
+      "",
+      "JSON. formations: three robots carry a load of 0.4 m x 0.4 m along the hall",
+      "and through a door, by each law and with each delay of the robots' links:",
+      "rmsMetres and maxMetres (a follower from its place, by all odometries),",
+      "trueRmsMetres and trueMaxMetres (as it really is, after slip and wheels of",
+      "other sizes), seconds, arrived, free (on free ground, by all odometries).",
+      "tracking: one robot after a way of so many metres: endMetres from the way's",
+      "end by its odometry, trueEndMetres as it really is.",
+      "",
+      "Robots that cannot go sideways (law non-holonomic) take corners 2.5 times as",
+      "wide, at 0.12 m/s in place of 0.25.",
+      "",
+      "Exits 1 where the omni law is worse than its aim: RMS 0.01 m and maximum",
+      "0.03 m at 20 ms, maximum 0.05 m at 100 ms, tracking 0.01 m."
+    })
+public final class FormationBench implements Callable<Integer> {
+  /** The robot's, metres (Tanta). */
+  private static final double RADIUS = 0.1275;
+
+  private static final int[] DELAYS_MS = {20, 100};
+  private static final double AIM_RMS = 0.01;
+  private static final double AIM_MAX = 0.03;
+  private static final double AIM_MAX_LATE = 0.05;
+  private static final double AIM_TRACKING = 0.01;
+
+  private final Supplier<Path> shippedMap;
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Option(
+      names = "--seed",
+      defaultValue = "1",
+      paramLabel = "S",
+      description = "Of slip and sizes of wheels (default: ${DEFAULT-VALUE}).")
+  private long seed;
+
+  @Option(
+      names = "--slip",
+      defaultValue = "1",
+      paramLabel = "PERCENT",
+      description =
+          "Of a wheel in a step, standard deviation, 0 to 10 (default: ${DEFAULT-VALUE}).")
+  private double slip;
+
+  @Option(
+      names = "--wheel-size-error",
+      defaultValue = "0.1",
+      paramLabel = "PERCENT",
+      description = "Of each wheel, standard deviation, 0 to 5 (default: ${DEFAULT-VALUE}).")
+  private double sizeError;
+
+  record Report(long seed, List<Formation> formations, TrackingRun.Report tracking) {}
+
+  record Formation(String law, int delayMs, FormationRun.Report error) {}
+
+  /**
+   * @param shippedMap on which the way lies
+   */
+  public FormationBench(Supplier<Path> shippedMap) {
+    this.shippedMap = shippedMap;
+  }
+
+  @Override
+  public Integer call() {
+    Arguments arguments = new Arguments(spec);
+    mustBeBetween(arguments, "--slip", slip, 10);
+    mustBeBetween(arguments, "--wheel-size-error", sizeError, 5);
+    OccupancyGrid free = Inflation.of(arguments.map(shippedMap.get()), RADIUS);
+    SimulatedWheels three = SimulatedWheels.omni(slip / 100, sizeError / 100);
+    SimulatedWheels two = SimulatedWheels.differential(slip / 100, sizeError / 100);
+    Group omni = new Group(new SingleIntegratorLaw(Gains.DEFAULT), three, 0.05, 0.25, 1);
+    // On an arc these must face across the leader's heading, the more the tighter it is.
+    Group wheeled = new Group(new NonHolonomicLaw(Gains.DEFAULT), two, 0.1, 0.12, 2.5);
+    List<Formation> formations = new ArrayList<>();
+    for (int delay : DELAYS_MS) {
+      formations.add(formation("omni", omni, delay, free));
+    }
+    for (int delay : DELAYS_MS) {
+      formations.add(formation("non-holonomic", wheeled, delay, free));
+    }
+    Report report = new Report(seed, formations, new TrackingRun(three, seed).run());
+    spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+    return isAsAimed(report) ? ExitCode.OK : ExitCode.SOFTWARE;
+  }
+
+  private Formation formation(String name, Group group, int delayMs, OccupancyGrid free) {
+    return new Formation(
+        name, delayMs, new FormationRun(group, RADIUS, delayMs / 1e3, free, seed).run());
+  }
+
+  private static boolean isAsAimed(Report report) {
+    FormationRun.Report soon = report.formations().get(0).error();
+    FormationRun.Report late = report.formations().get(1).error();
+    return report.formations().stream().allMatch(f -> f.error().free() && f.error().arrived())
+        && soon.rmsMetres() < AIM_RMS
+        && soon.maxMetres() < AIM_MAX
+        && late.maxMetres() < AIM_MAX_LATE
+        && report.tracking().endMetres() < AIM_TRACKING;
+  }
+
+  private static void mustBeBetween(Arguments arguments, String option, double value, int most) {
+    if (!(value >= 0 && value <= most)) {
+      throw arguments.wrong("%s %s: it must be from 0 to %d".formatted(option, value, most));
+    }
+  }
+}

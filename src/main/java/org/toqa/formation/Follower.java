@@ -1,0 +1,105 @@
+package org.toqa.formation;
+
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+import org.toqa.geometry.Vec2;
+
+/**
+ * A robot that keeps its place beside a leader.
+ *
+ * <ol>
+ *   <li>{@link #hear} whenever the leader has told where it is.
+ *   <li>{@link #steer} at every tick; between two messages the leader is taken to move on as it
+ *       did.
+ * </ol>
+ *
+ * Times are seconds on one monotonic clock of the follower's.
+ */
+public final class Follower {
+
+  /** A leader that is silent for longer is lost, and the follower stops (Tanta, level 2). */
+  public static final double LOST_SECONDS = 0.6;
+
+  /** Metres off its place from which a robot does not drive there by itself. */
+  public static final double TOO_FAR = 0.5;
+
+  /** Out of tolerance until the error is below this share of it. */
+  private static final double HEALED = 0.5;
+
+  /** Why a follower does not keep its place. */
+  public enum Trouble {
+    NO_LEADER_YET,
+    LEADER_LOST,
+    OUT_OF_PLACE,
+    TOO_FAR
+  }
+
+  private final FollowerLaw law;
+  private final Vec2 offset;
+  private final double tolerance;
+  private final double linkDelay;
+  private @Nullable LeaderSighting leader;
+  private @Nullable Trouble trouble = Trouble.NO_LEADER_YET;
+  private double heard;
+  private double error;
+
+  /**
+   * @param offset of its place, in the leader's frame, metres
+   * @param tolerance metres off its place from which the group must stop
+   * @param linkDelay seconds that a message is usually under way
+   */
+  public Follower(FollowerLaw law, Vec2 offset, double tolerance, double linkDelay) {
+    this.law = law;
+    this.offset = offset;
+    this.tolerance = tolerance;
+    this.linkDelay = linkDelay;
+  }
+
+  /**
+   * @param pose map frame
+   * @param twist in the leader's frame
+   */
+  public void hear(Pose pose, Twist twist, double now) {
+    leader = new LeaderSighting(pose, twist, now - linkDelay);
+    heard = now;
+  }
+
+  /**
+   * @param actual where the robot is, map frame
+   * @return the velocity to command, in the robot's frame
+   */
+  public Twist steer(Pose actual, double now) {
+    if (leader == null) {
+      return Twist.ZERO;
+    }
+    Pose place = leader.at(now).compose(new Pose(offset.x(), offset.y(), 0));
+    error = place.distanceTo(actual);
+    trouble = troubleAt(now);
+    return trouble == Trouble.LEADER_LOST || trouble == Trouble.TOO_FAR
+        ? Twist.ZERO
+        : law.towards(place, RigidMotion.at(offset, leader.twist()), actual);
+  }
+
+  private @Nullable Trouble troubleAt(double now) {
+    if (now - heard > LOST_SECONDS) {
+      return Trouble.LEADER_LOST;
+    }
+    if (error > TOO_FAR) {
+      return Trouble.TOO_FAR;
+    }
+    boolean wasOut = trouble != null && trouble != Trouble.NO_LEADER_YET;
+    return error > tolerance * (wasOut ? HEALED : 1) ? Trouble.OUT_OF_PLACE : null;
+  }
+
+  /** Metres between the robot and its place; 0 before the first message. */
+  public double error() {
+    return error;
+  }
+
+  /** Why it does not keep its place; empty while it does. */
+  public Optional<Trouble> trouble() {
+    return Optional.ofNullable(trouble);
+  }
+}

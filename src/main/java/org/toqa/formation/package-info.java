@@ -1,0 +1,5 @@
+/** Robots that carry one load together: shapes, followers' laws, and when a group must stop. */
+@NullMarked
+package org.toqa.formation;
+
+import org.jspecify.annotations.NullMarked;
