@@ -51,9 +51,9 @@ public final class Main implements Runnable {
     // The other benches know nothing of a server; one needs all of it, two its map.
     requireNonNull(line.getSubcommands().get("bench"))
         .addSubcommand(new FleetBench())
-          .addSubcommand(new TaskBench())
-          .addSubcommand(new AllocationBench(Webapp::shippedMap))
-          .addSubcommand(new FormationBench(Webapp::shippedMap));
+        .addSubcommand(new TaskBench())
+        .addSubcommand(new AllocationBench(Webapp::shippedMap))
+        .addSubcommand(new FormationBench(Webapp::shippedMap));
     return line.setParameterExceptionHandler((e, args) -> complain(e))
         .setExecutionExceptionHandler((e, command, result) -> fail(e, command));
   }

@@ -27,8 +27,7 @@ final class FloorReports {
   void send() {
     state.changed = false;
     String trouble = state.storeTrouble();
-    List<String> alerts =
-        trouble == null ? List.of() : List.of(StoreWatch.AWAY);
+    List<String> alerts = trouble == null ? List.of() : List.of(StoreWatch.AWAY);
     manager.tell(
         new ManagerMessage.FloorReport(
             floorView(),

@@ -120,7 +120,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public List<ChargeRecord> charges() {
-    return in(
+    return sql.in(
         h ->
             h.createQuery("select name, worked_s, charger, charger_since from robots order by id")
                 .map(
@@ -130,14 +130,14 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                             Duration.ofMillis(Math.round(1000 * rs.getDouble("worked_s"))),
                             rs.getString("charger") == null
                                 ? null
-                                : new Turn(rs.getString("charger"), instant(rs, "charger_since"))))
+                                : new Turn(rs.getString("charger"), Rows.instant(rs, "charger_since"))))
                 .list());
   }
 
   @Override
   public void saveCharge(ChargeRecord record, List<EventRecord> events) {
     Turn turn = record.turn();
-    inTransaction(
+    sql.inTransaction(
         h -> {
           h.createUpdate(
                   """
@@ -146,10 +146,10 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                   """)
               .bind("worked", record.worked().toMillis() / 1000.0)
               .bind("charger", turn == null ? null : turn.point())
-              .bind("since", turn == null ? null : utc(turn.since()))
+              .bind("since", turn == null ? null : Sql.utc(turn.since()))
               .bind("id", robotId(h, record.robot()))
               .execute();
-          addEvents(h, events);
+          Events.add(h, events);
           return null;
         });
   }

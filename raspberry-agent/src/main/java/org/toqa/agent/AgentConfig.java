@@ -95,7 +95,8 @@ public record AgentConfig(
         limits(top),
         following(top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
         chassis(
-            top.section("chassis", "type", "start", "battery", "chargers", "noise", "seed", "speed")));
+            top.section(
+                "chassis", "type", "start", "battery", "chargers", "noise", "seed", "speed")));
   }
 
   private static Map<?, ?> keys(Path file) throws ConfigException {

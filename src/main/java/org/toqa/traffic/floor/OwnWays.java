@@ -198,7 +198,8 @@ final class OwnWays {
     for (int i = touched.nextSetBit(0); i >= 0; i = touched.nextSetBit(i + 1)) {
       gap = Math.min(gap, Disc.gap(grid, pose.position(), grid.cell(i)));
     }
-    return isOffAll(way, others) && isOffAll(pose, way, Math.max(gap - ROUNDING, ROUNDING), touched);
+    return isOffAll(way, others)
+        && isOffAll(pose, way, Math.max(gap - ROUNDING, ROUNDING), touched);
   }
 
   /** Whether a disc of some radius on that way, which begins at a pose, touches no such cell. */

@@ -69,11 +69,7 @@ public final class SimulatedChassis implements Chassis {
   }
 
   private SimulatedChassis(
-      SimulatedBodyFile file,
-      Pose start,
-      SimulatedPower power,
-      SimulatedWheels wheels,
-      long seed) {
+      SimulatedBodyFile file, Pose start, SimulatedPower power, SimulatedWheels wheels, long seed) {
     this.file = file;
     this.power = power;
     this.kinematics = wheels.kinematics();
