@@ -66,7 +66,7 @@
             <button><fmt:message key="robot.${robot.held ? 'resume' : 'hold'}"/></button>
           </form>
         </c:if>
-        <c:if test="${empty robot.task and not empty robot.parking}">
+        <c:if test="${empty robot.task and empty robot.charger and not empty robot.parking}">
           <c:url value="/robots/${robot.name}/home" var="home"/>
           <form method="post" action="<c:out value="${home}"/>">
             <t:csrf/>

@@ -68,7 +68,7 @@ final class Charging {
     for (FloorRobot robot : state.robots.values()) {
       countWork(robot, passed);
       if (robot.turn == null) {
-        whyItMust(robot).ifPresentOrElse(why -> begin(robot, why), () -> robot.chargingSays = null);
+        whyItMust(robot).ifPresentOrElse(why -> begin(robot, why), () -> says(robot, null));
       } else if (robot.turnStored) {
         goOn(robot, robot.turn);
       }
@@ -296,8 +296,8 @@ final class Charging {
     return state.event(kind, robot.name(), EventRecord.SYSTEM, text);
   }
 
-  private void says(FloorRobot robot, String sentence) {
-    if (!sentence.equals(robot.chargingSays)) {
+  private void says(FloorRobot robot, @Nullable String sentence) {
+    if (!Objects.equals(sentence, robot.chargingSays)) {
       robot.chargingSays = sentence;
       state.changed = true;
     }

@@ -33,7 +33,7 @@ final class ChargingQueues {
         new FloorDistances(Inflation.of(state.floor.grid(), OrderCheck.SMALLEST_RADIUS));
   }
 
-  /** Where the robot can charge soonest; empty where it reaches no charging point. */
+  /** The point at which the robot can charge soonest; empty where it reaches no charging point. */
   Optional<Choice> soonest(FloorRobot robot) {
     return state.floor.charging().stream()
         .map(point -> new Choice(point, seconds(robot, point)))
@@ -66,7 +66,6 @@ final class ChargingQueues {
     return robot.turn().filter(turn -> turn.point().equals(point.name())).isPresent();
   }
 
-  /** Joules are not asked here: only where the robot is. */
   boolean isAt(FloorRobot robot, Place point) {
     return state.isAt(robot, point.position());
   }

@@ -54,6 +54,9 @@ import org.toqa.mission.TaskState;
  * </pre>
  */
 final class FleetScenario {
+  /** What is expected is seen a few steps later; nothing is to be over by then. */
+  private static final int STEPS_A_SEGMENT = 5;
+
   private static final Pattern TASK =
       Pattern.compile("task (\\w+) ([A-Z]) ([A-Z]) ([0-9.]+)(?: within (\\d+))?");
   private static final Pattern EXPECT = Pattern.compile("expect (\\w+) (\\S+) ?(.*)");
@@ -95,7 +98,9 @@ final class FleetScenario {
    */
   @Nullable String fault() throws Exception {
     try (FleetStage stage = new FleetStage(floor(), charging)) {
-      places('a', 'z').forEach(p -> stage.add(p.name(), p.position(), "P" + p.name()));
+      for (Place place : places('a', 'z')) {
+        stage.add(place.name(), place.position(), "P" + place.name()).isSlow(STEPS_A_SEGMENT);
+      }
       stage.restart();
       stage.until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
       for (String line : script) {

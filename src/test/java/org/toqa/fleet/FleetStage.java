@@ -22,7 +22,7 @@ import org.toqa.store.JdbiFleetStore;
 /** The agents over a real store, with robots that the test plays, in time that the test brings. */
 final class FleetStage implements AutoCloseable {
   static final Duration LOST_AFTER = Duration.ofSeconds(30);
-  private static final Duration LIMIT = Duration.ofSeconds(20);
+  private static final Duration LIMIT = Duration.ofSeconds(40);
   private static final double MAX_LOAD = 5;
 
   private final FloorMap floor;

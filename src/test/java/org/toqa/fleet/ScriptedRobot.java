@@ -39,6 +39,8 @@ final class ScriptedRobot {
   private Pose pose;
   private List<Vec2> obstacles = List.of();
   private double battery = 0.8;
+  private int stepsASegment = 1;
+  private int steps;
   private boolean mute;
   private boolean stuck;
   private boolean held;
@@ -71,6 +73,11 @@ final class ScriptedRobot {
    */
   synchronized void has(double share) {
     battery = share;
+  }
+
+  /** It drives a segment only after so many steps. */
+  synchronized void isSlow(int stepsForOne) {
+    stepsASegment = stepsForOne;
   }
 
   /** From now on it says nothing, and drives nothing. */
@@ -150,7 +157,9 @@ final class ScriptedRobot {
       listener.connected(hello());
       return;
     }
-    if (way != null && segment < released && !stuck && !held && fault == null) {
+    steps++;
+    boolean mayMove = !stuck && !held && fault == null && steps % stepsASegment == 0;
+    if (way != null && segment < released && mayMove) {
       segment++;
       pose = way.poseAfter(segment);
     }
