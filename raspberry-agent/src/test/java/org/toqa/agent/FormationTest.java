@@ -151,7 +151,7 @@ class FormationTest {
     server.accepted(new Follow(5, 7, "r1", null, beside, 0.05));
     assertEquals(
         "The robot follows r1; wait for the formation's end or send cancel.",
-        server.refused(new Drive(6, 7L, 2, Group.LEADER, List.of(STRAIGHT), 1, true)));
+        server.refused(new Drive(6, 7L, 2, Group.LEADER, List.of(STRAIGHT), 1, true, 0)));
   }
 
   private Pose standing(int robot) {

@@ -10,6 +10,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.ServerMessage.Drive;
@@ -82,7 +83,7 @@ final class Group implements AutoCloseable {
       server(i).accepted(new Follow(1, TASK, name(0), null, SHAPE.offsets().get(i - 1), TOLERANCE));
     }
     server(0).accepted(new Lead(1, TASK, TOLERANCE, followers));
-    server(0).accepted(new Drive(2, TASK, 2, LEADER, way, way.size(), true));
+    server(0).accepted(new Drive(2, TASK, 2, LEADER, way, way.size(), true, 0));
   }
 
   /**
@@ -122,7 +123,7 @@ final class Group implements AutoCloseable {
                   0.255,
                   Rig.LIMITS,
                   AgentConfig.Following.DEFAULT,
-                  new AgentConfig.Simulated(start, 0.01, robot)),
+                  new AgentConfig.Simulated(start, SimulatedPower.FULL, 0.01, robot, 1)),
               clock,
               clock.nanos()));
     } catch (IOException e) {

@@ -41,7 +41,7 @@ class KilledLeaderTest {
       ofLeader.accepted(
           new Lead(1, TASK, 0.05, List.of(new Follower("r2", "127.0.0.1", follower.port(), null))));
       List<Segment> way = List.of(new Segment(0.25, 0, 60));
-      ofLeader.accepted(new Drive(2, TASK, 2, START, way, 1, true));
+      ofLeader.accepted(new Drive(2, TASK, 2, START, way, 1, true, 0));
       ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.2);
 
       leader.process().destroyForcibly();
