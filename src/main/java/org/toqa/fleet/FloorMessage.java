@@ -112,5 +112,8 @@ sealed interface FloorMessage {
   /** The robot has taken this drive: what it says from now on, it says with it or after it. */
   record DriveTaken(String robot, long drive) implements FromRobot {}
 
-  record Rejected(String robot, long seq, String reason) implements FromRobot {}
+  /**
+   * @param changing the drive that the refused command was to change, if it was such a one
+   */
+  record Rejected(String robot, @Nullable Long changing, String reason) implements FromRobot {}
 }

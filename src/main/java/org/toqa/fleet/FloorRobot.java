@@ -79,6 +79,9 @@ final class FloorRobot {
 
   boolean cancelling;
 
+  /** A change of its drive that it refused, until its state tells whether it still drives that. */
+  FloorMessage.@Nullable Rejected refusedChange;
+
   /** How long it has worked since it last charged. */
   Duration worked = Duration.ZERO;
 

@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Objects;
 import java.util.Optional;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.FloorRobot.Errand;
@@ -54,7 +55,7 @@ final class Reception {
       case FloorMessage.PhaseEnded m -> phaseEnded(robot, m.end());
       case FloorMessage.DriveBegun m -> driveBegun(robot, m.drive());
       case FloorMessage.DriveTaken m -> driveTaken(robot, m.drive());
-      case FloorMessage.Rejected m -> rejected(robot, m.reason());
+      case FloorMessage.Rejected m -> rejected(robot, m);
     }
   }
 
@@ -79,6 +80,7 @@ final class Reception {
     robot.cancelling = false;
     robot.toldToHold = false;
     robot.toldToHoldAt = Instant.MIN;
+    robot.refusedChange = null;
     robot.told = stored.filter(d -> d.seq() == hello.drive()).orElse(null);
     if (robot.told != null) {
       isOnItsWay(robot, robot.told, hello.pose(), hello.segment(), hello.released());
@@ -95,6 +97,11 @@ final class Reception {
 
   private void heard(FloorRobot robot, AgentMessage.State said) {
     robot.hear(said, state.clock.instant());
+    FloorMessage.Rejected refusal = robot.refusedChange;
+    robot.refusedChange = null;
+    if (refusal != null && Objects.equals(refusal.changing(), said.drive())) {
+      refused(robot, refusal.reason());
+    } // else the change and the end of the drive had crossed
     if (robot.told != null && said.drive() == robot.told.seq()) {
       robot.driveUnderway = false;
       if (state.traffic.knows(robot.name())) {
@@ -153,8 +160,17 @@ final class Reception {
     }
   }
 
+  /** A drive may have ended while a change of it was on its way; its next state tells. */
+  private void rejected(FloorRobot robot, FloorMessage.Rejected m) {
+    if (m.changing() == null) {
+      refused(robot, m.reason());
+    } else {
+      robot.refusedChange = m;
+    }
+  }
+
   /** What the robot refused is given up: it stands, and is asked anew a little later. */
-  private void rejected(FloorRobot robot, String reason) {
+  private void refused(FloorRobot robot, String reason) {
     robot.driveUnderway = false;
     robot.cancelling = false;
     robot.trouble = robot.name() + " refused a command: " + reason;

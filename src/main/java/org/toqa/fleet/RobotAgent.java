@@ -3,7 +3,9 @@ package org.toqa.fleet;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
@@ -59,6 +61,10 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private boolean silent;
   private Instant now;
+
+  /** The drives that commands on their way are to change, by the commands' numbers. */
+  private final Map<Long, Long> changing = new HashMap<>();
+
   private Instant lastHeard;
   private Instant lastPing = Instant.MIN;
 
@@ -194,6 +200,7 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
         said.phase());
     hello = said;
     connection++;
+    changing.clear();
     lastHeard = now;
     silent = false;
     seq = Math.max(seq, said.lastSeq());
@@ -231,12 +238,15 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
                   robot.name(),
                   new AgentMessage.PhaseEnd(done.task(), done.phase(), done.drive())));
       case AgentMessage.Reject reject -> {
-        log.warn("{}: refused command {}: {}", robot.name(), reject.seq(), reject.reason());
-        floor.tell(new FloorMessage.Rejected(robot.name(), reject.seq(), reject.reason()));
+        log.info("{}: refused command {}: {}", robot.name(), reject.seq(), reject.reason());
+        floor.tell(
+            new FloorMessage.Rejected(
+                robot.name(), changing.remove(reject.seq()), reject.reason()));
       }
       case AgentMessage.Hello ignored -> {}
       case AgentMessage.Keep ignored -> {}
       case AgentMessage.Ack(long acknowledged) -> {
+        changing.remove(acknowledged);
         if (drive.isPresent() && drive.get().seq() == acknowledged) {
           floor.tell(new FloorMessage.DriveTaken(robot.name(), acknowledged));
         }
@@ -271,6 +281,11 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private void send(ServerMessage message) {
     if (hello != null) {
+      switch (message) {
+        case ServerMessage.Extend extend -> changing.put(extend.seq(), extend.drive());
+        case ServerMessage.Release release -> changing.put(release.seq(), release.drive());
+        default -> {}
+      }
       link.send(message);
       sent = message instanceof Command command ? command.seq() : sent;
     }

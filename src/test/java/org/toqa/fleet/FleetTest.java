@@ -1,6 +1,7 @@
 package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -329,6 +330,20 @@ class FleetTest {
     until(view -> task(view, task).state() == TaskState.DONE);
     assertTrue(
         stage.store.history(task).stream().anyMatch(e -> e.kind().equals("traffic.standstill")));
+  }
+
+  @Test
+  void aChangeThatCrossesTheEndOfADriveIsNoTrouble() throws Exception {
+    long task = submit("West", "East");
+    until(view -> task(view, task).state() == TaskState.CARRYING && played("r1").isDriving());
+
+    played("r1").endsBeforeItHearsAChange();
+    until(
+        view -> {
+          String doing = String.valueOf(robot(view, "r1").doing());
+          assertFalse(doing.contains("refused"), doing);
+          return !played("r1").hasYetToHearAChange() && task(view, task).state() == TaskState.DONE;
+        });
   }
 
   // --- cancel, hold, pause, failures ------------------------------------------------------------

@@ -13,6 +13,7 @@ import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.Reject;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
@@ -44,6 +45,7 @@ final class ScriptedRobot {
   private boolean mute;
   private boolean stuck;
   private boolean held;
+  private boolean endsFirst;
   private @Nullable Fault fault;
   private final List<Command> obeyed = new ArrayList<>();
   private RobotLink.@Nullable Listener listener;
@@ -92,6 +94,15 @@ final class ScriptedRobot {
   /** It speaks, and does not move though it may. */
   synchronized void sticks(boolean stuck) {
     this.stuck = stuck;
+  }
+
+  /** Its drive is at an end a moment before it hears the next change of that. */
+  synchronized void endsBeforeItHearsAChange() {
+    endsFirst = true;
+  }
+
+  synchronized boolean hasYetToHearAChange() {
+    return endsFirst;
   }
 
   /** From now on its body cannot drive. */
@@ -185,6 +196,14 @@ final class ScriptedRobot {
       }
     } else if (message instanceof Command command && command.seq() > lastSeq) {
       lastSeq = command.seq();
+      boolean isChange = command instanceof Extend || command instanceof Release;
+      if (isChange && endsFirst) {
+        endsFirst = false;
+        way = null;
+        drive = 0;
+        say(new Reject(command.seq(), "There is no such drive any more; the robot has none."));
+        return;
+      }
       obey(command);
       say(new Ack(command.seq()));
     }
