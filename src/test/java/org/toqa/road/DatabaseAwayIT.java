@@ -49,9 +49,7 @@ class DatabaseAwayIT {
         }
         awaitHealth(server.root(), 503);
         Optional<JsonNode> refused =
-            server
-                .api()
-                .tryToPost("tasks", RunningServer.order("refused", "Mill", "Assembly"));
+            server.api().tryToPost("tasks", RunningServer.order("refused", "Mill", "Assembly"));
         assertEquals(Optional.empty(), refused);
         awaitStandingRobots(server);
         cable.mend();
