@@ -25,8 +25,9 @@ public final class PacedWork implements AutoCloseable {
   public PacedWork(String name, Duration pause, Runnable work) {
     this.name = name;
     thread = Executors.newSingleThreadScheduledExecutor(Thread.ofVirtual().name(name).factory());
-    thread.scheduleWithFixedDelay(
-        () -> once(work), pause.toNanos(), pause.toNanos(), TimeUnit.NANOSECONDS);
+    var _ =
+        thread.scheduleWithFixedDelay(
+            () -> once(work), pause.toNanos(), pause.toNanos(), TimeUnit.NANOSECONDS);
   }
 
   /** A surprise does not end it. */
