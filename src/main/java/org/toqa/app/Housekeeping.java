@@ -6,9 +6,10 @@ import java.time.InstantSource;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.PacedWork;
 import org.toqa.store.Pruning;
 
-/** Prunes the store at the start and every hour, on a thread of its own. */
+/** Prunes the store every hour, on a thread of its own. */
 final class Housekeeping implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Housekeeping.class);
   private static final Duration PACE = Duration.ofHours(1);
@@ -17,25 +18,14 @@ final class Housekeeping implements AutoCloseable {
   private final Duration keepTracks;
   private final Duration keepHistory;
   private final InstantSource clock;
-  private final Thread thread;
+  private final PacedWork work;
 
   Housekeeping(Pruning pruning, Duration keepTracks, Duration keepHistory, InstantSource clock) {
     this.pruning = pruning;
     this.keepTracks = keepTracks;
     this.keepHistory = keepHistory;
     this.clock = clock;
-    thread = Thread.ofVirtual().name("housekeeping").start(this::run);
-  }
-
-  private void run() {
-    try {
-      while (true) {
-        prune();
-        Thread.sleep(PACE);
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    work = new PacedWork("housekeeping", PACE, this::prune);
   }
 
   private void prune() {
@@ -53,6 +43,6 @@ final class Housekeeping implements AutoCloseable {
 
   @Override
   public void close() {
-    thread.interrupt();
+    work.close();
   }
 }

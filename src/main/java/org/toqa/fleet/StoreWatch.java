@@ -18,7 +18,7 @@ final class StoreWatch implements AutoCloseable {
 
   private final FleetStore store;
   private final Consumer<Boolean> changed;
-  private final Thread thread;
+  private final PacedWork work;
   private volatile boolean answers = true;
 
   /**
@@ -27,23 +27,12 @@ final class StoreWatch implements AutoCloseable {
   StoreWatch(FleetStore store, Consumer<Boolean> changed) {
     this.store = store;
     this.changed = changed;
-    thread = Thread.ofVirtual().name("store-watch").start(this::run);
+    work = new PacedWork("store-watch", PACE, this::look);
   }
 
   /** Whether it did when it was asked last; at first it is taken to. */
   boolean answers() {
     return answers;
-  }
-
-  private void run() {
-    try {
-      while (true) {
-        Thread.sleep(PACE);
-        look();
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
   }
 
   private void look() {
@@ -63,6 +52,6 @@ final class StoreWatch implements AutoCloseable {
 
   @Override
   public void close() {
-    thread.interrupt();
+    work.close();
   }
 }

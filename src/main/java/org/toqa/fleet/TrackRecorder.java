@@ -23,30 +23,20 @@ public final class TrackRecorder implements AutoCloseable {
   private final TrackStore store;
   private final Map<String, TrackThinner> thinners = new HashMap<>();
   private final List<TrackPoint> waiting = new ArrayList<>();
-  private final Thread thread;
+  private final PacedWork work;
+  private long written = System.nanoTime();
 
   public TrackRecorder(SnapshotFeed feed, TrackStore store) {
     this.feed = feed;
     this.store = store;
-    thread = Thread.ofVirtual().name("tracks").start(this::run);
+    work = new PacedWork("tracks", LOOK_EVERY, this::look);
   }
 
-  private void run() {
-    long written = System.nanoTime();
-    long version = -1;
-    try {
-      while (true) {
-        FleetSnapshot snapshot = feed.awaitNewer(version, WRITE_EVERY);
-        version = snapshot.version();
-        snapshot.robots().forEach(this::look);
-        if (System.nanoTime() - written > WRITE_EVERY.toNanos()) {
-          write();
-          written = System.nanoTime();
-        }
-        Thread.sleep(LOOK_EVERY);
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
+  private void look() {
+    feed.latest().robots().forEach(this::look);
+    if (System.nanoTime() - written > WRITE_EVERY.toNanos()) {
+      write();
+      written = System.nanoTime();
     }
   }
 
@@ -76,6 +66,6 @@ public final class TrackRecorder implements AutoCloseable {
 
   @Override
   public void close() {
-    thread.interrupt();
+    work.close();
   }
 }
