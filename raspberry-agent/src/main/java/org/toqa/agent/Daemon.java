@@ -242,7 +242,7 @@ public final class Daemon implements AutoCloseable {
       server.close();
     }
     server = connection;
-    lastState = null;
+    tellState(control.report().state(clock.millis()));
     lastDone = control.done().orElse(null);
     lastDoneNanos = nanos;
   }
@@ -324,9 +324,7 @@ public final class Daemon implements AutoCloseable {
   private void report() {
     State state = control.report().state(clock.millis());
     if (nanos - lastStateNanos >= STATE_NANOS || isChange(state)) {
-      say(state);
-      lastState = state;
-      lastStateNanos = nanos;
+      tellState(state);
     }
     PhaseEnd done = control.done().orElse(null);
     if (done != null && (!done.equals(lastDone) || nanos - lastDoneNanos >= DONE_NANOS)) {
@@ -334,6 +332,12 @@ public final class Daemon implements AutoCloseable {
       lastDoneNanos = nanos;
     }
     lastDone = done;
+  }
+
+  private void tellState(State state) {
+    say(state);
+    lastState = state;
+    lastStateNanos = nanos;
   }
 
   private boolean isChange(State state) {

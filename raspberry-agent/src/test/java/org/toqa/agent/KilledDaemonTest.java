@@ -89,7 +89,8 @@ class KilledDaemonTest {
       daemon.process().toHandle().destroy(); // unlike Process.destroy it leaves the output open
 
       assertTrue(daemon.process().waitFor(10, TimeUnit.SECONDS));
-      assertEquals(128 + 15, daemon.process().exitValue()); // ended by SIGTERM, after its shutdown hooks
+      assertEquals(
+          128 + 15, daemon.process().exitValue()); // ended by SIGTERM, after its shutdown hooks
       assertTrue(daemon.output().lines().toList().getLast().endsWith("r1: ended."));
     }
   }

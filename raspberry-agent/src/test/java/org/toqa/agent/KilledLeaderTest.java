@@ -39,8 +39,7 @@ class KilledLeaderTest {
         GroupServer ofFollower = new GroupServer(follower.port())) {
       ofFollower.accepted(new Follow(1, TASK, "r1", null, new Vec2(-1, 0), 0.05));
       ofLeader.accepted(
-          new Lead(
-              1, TASK, 0.05, List.of(new Follower("r2", "127.0.0.1", follower.port(), null))));
+          new Lead(1, TASK, 0.05, List.of(new Follower("r2", "127.0.0.1", follower.port(), null))));
       List<Segment> way = List.of(new Segment(0.25, 0, 60));
       ofLeader.accepted(new Drive(2, TASK, 2, START, way, 1, true));
       ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.2);
