@@ -243,7 +243,7 @@ public final class Daemon implements AutoCloseable {
       server.close();
     }
     server = connection;
-    lastState = null;
+    tellState(control.report().state(clock.millis()));
     lastDone = control.done().orElse(null);
     lastDoneNanos = nanos;
   }
@@ -325,9 +325,7 @@ public final class Daemon implements AutoCloseable {
   private void report() {
     State state = control.report().state(clock.millis());
     if (nanos - lastStateNanos >= STATE_NANOS || isChange(state)) {
-      say(state);
-      lastState = state;
-      lastStateNanos = nanos;
+      tellState(state);
     }
     PhaseEnd done = control.done().orElse(null);
     if (done != null && (!done.equals(lastDone) || nanos - lastDoneNanos >= DONE_NANOS)) {
@@ -335,6 +333,12 @@ public final class Daemon implements AutoCloseable {
       lastDoneNanos = nanos;
     }
     lastDone = done;
+  }
+
+  private void tellState(State state) {
+    say(state);
+    lastState = state;
+    lastStateNanos = nanos;
   }
 
   private boolean isChange(State state) {

@@ -16,14 +16,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.geometry.Pose;
-import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
-import org.toqa.link.message.ServerMessage.Follow;
-import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.motion.Segment;
@@ -220,15 +217,6 @@ class DriveCommandsTest {
 
     assertPose(new Pose(7, 8, 1.5), server.pose());
     server.accepted(TestServer.drive(2, 5L, 1, new Pose(7, 8, 1.5), List.of(METRE)));
-  }
-
-  @Test
-  void formationsAreNotDrivenAlone() {
-    assertEquals(
-        "This robot does not drive in formation.", server.refused(new Lead(1, 5, 0.05, List.of())));
-    assertEquals(
-        "This robot does not drive in formation.",
-        server.refused(new Follow(2, 5, "r2", null, new Vec2(1, 0), 0.05)));
   }
 
   @Test

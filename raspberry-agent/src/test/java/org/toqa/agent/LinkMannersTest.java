@@ -121,6 +121,7 @@ class LinkMannersTest {
 
   @Test
   void newerConnectionReplacesTheOlder() {
+    server.synchronise();
     TestServer newer = rig.connect();
     newer.synchronise();
     server.awaitEnd();
