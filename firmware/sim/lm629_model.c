@@ -9,7 +9,7 @@ enum { BUSY_LOOKS = 8 };
 
 /* Of the motor with its gear: 220 turns a minute without load, and how fast it gets there. */
 static const double FASTEST_RATE = 220 / 60.0 * 2808;
-static const double MOTOR_SECONDS = 0.06;
+static const double MOTOR_SECONDS = 0.04;
 
 /* The share of the full voltage that friction takes. */
 static const double FRICTION = 0.02;

@@ -13,11 +13,13 @@ enum {
     /* A command takes the LM629 100 us at most; a look at its status takes 2 us or more. */
     MOST_LOOKS = 200,
 
-    PROPORTIONAL = 200,
-    DERIVATIVE = 1600,
-    DERIVATIVE_INTERVAL = 10,      /* samples, less 1 */
-    MOST_POSITION_ERROR = 2808,    /* counts: a turn; then the LM629 stops by itself */
-    ACCELERATION_COUNTS_S2 = 34000, /* 3 m/s2 at the rim; what is told is slewed already */
+    PROPORTIONAL = 400,
+    DERIVATIVE = 4000,
+    DERIVATIVE_INTERVAL = 10, /* samples, less 1 */
+    MOST_POSITION_ERROR = 2808, /* counts: a turn; then the LM629 stops by itself */
+    
+    /* 20 m/s2 at the rim, to brake with; what else is told is slewed already. */
+    ACCELERATION_COUNTS_S2 = 223000,
 };
 
 /* Counts a sample times 2^16, for a rate of 1 (counts a second times 2^8); times 2^24. */
@@ -171,19 +173,26 @@ bool drive_turn(const struct wheel_rates *rates)
     return is_good;
 }
 
-static bool stop(uint8_t axis)
+bool drive_stop(void)
+{
+    static const struct wheel_rates still = {{0, 0, 0}};
+
+    return drive_turn(&still);
+}
+
+static bool hold(uint8_t axis)
 {
     return command(axis, LM629_LOAD_TRAJECTORY) &&
            write_word(axis, LM629_VELOCITY_MODE | LM629_STOP_ABRUPTLY) &&
            command(axis, LM629_START) && is_ready(axis) && is_faultless(axis);
 }
 
-bool drive_stop(void)
+bool drive_hold(void)
 {
     bool is_good = true;
 
     for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
-        is_good = stop(axis) && is_good;
+        is_good = hold(axis) && is_good;
     }
     return is_good;
 }

@@ -17,6 +17,7 @@ static bool is_stopped(const struct robot *robot)
 
 static void brake(struct robot *robot)
 {
+    robot->is_held = false;
     robot->is_by_velocity = false;
     robot->twist = STILL;
     memset(&robot->rates, 0, sizeof robot->rates);
@@ -75,7 +76,7 @@ static enum answer halt(struct robot *robot)
 static enum answer clear(struct robot *robot, uint16_t reasons, bool by_person)
 {
     if ((reasons & STOP_DRIVE) != 0) {
-        stop_cause(&robot->stop, STOP_DRIVE, !drive_stop());
+        stop_cause(&robot->stop, STOP_DRIVE, !drive_hold());
     }
     return stop_clear(&robot->stop, reasons, by_person) ? ANSWER_DONE : ANSWER_NOT_CLEARED;
 }
@@ -193,8 +194,9 @@ void robot_drive(struct robot *robot)
 
     if (!is_stopped(robot)) {
         turn_wheels(robot);
-    } else if (moves) {
-        brake(robot); /* again, so that the wheels are held where they are by now */
+    } else if (!moves && !robot->is_held && (robot->stop.reasons & STOP_STALL) != 0) {
+        robot->is_held = drive_hold();
+        stop_cause(&robot->stop, STOP_DRIVE, !robot->is_held);
     }
 }
 
