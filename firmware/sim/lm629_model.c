@@ -7,26 +7,16 @@
 
 enum { BUSY_LOOKS = 8 };
 
-/* Of the motor with its gear: 220 turns a minute without load, and how fast it gets there. */
-static const double FASTEST_RATE = 220 / 60.0 * 2808;
-static const double MOTOR_SECONDS = 0.04;
-
-/* The share of the full voltage that friction takes. */
-static const double FRICTION = 0.02;
-
 void lm629_model_reset(struct lm629_model *model)
 {
-    double angle = model->angle - floor(model->angle);
-    double rate = model->rate;
-    bool is_blocked = model->is_blocked;
+    struct motor motor = model->motor;
     bool is_dead = model->is_dead;
     uint32_t rudenesses = model->rudenesses;
 
     memset(model, 0, sizeof *model);
     model->status = LM629_MOTOR_OFF | LM629_COMPLETE;
-    model->angle = angle;
-    model->rate = rate;
-    model->is_blocked = is_blocked;
+    model->motor = motor;
+    model->motor.angle -= floor(motor.angle);
     model->is_dead = is_dead;
     model->rudenesses = rudenesses;
     model->most_error = 0x7FFF;
@@ -43,7 +33,7 @@ static bool is_rude(struct lm629_model *model)
 
 static int32_t position(const struct lm629_model *model)
 {
-    return (int32_t)(int64_t)floor(model->angle);
+    return (int32_t)(int64_t)floor(model->motor.angle);
 }
 
 static uint16_t word_at(const struct lm629_model *model, uint8_t at)
@@ -276,18 +266,6 @@ static double pid(struct lm629_model *model, int32_t error)
     return floor(fmax(-128, fmin(127, output))) / 128;
 }
 
-static void turn_motor(struct lm629_model *model)
-{
-    double driven = model->duty * FASTEST_RATE;
-    double friction = FRICTION * FASTEST_RATE * tanh(model->rate / 50);
-
-    model->rate += (driven - friction - model->rate) * LM629_MODEL_SAMPLE / MOTOR_SECONDS;
-    if (model->is_blocked) {
-        model->rate = 0;
-    }
-    model->angle += model->rate * LM629_MODEL_SAMPLE;
-}
-
 void lm629_model_sample(struct lm629_model *model)
 {
     model->duty = 0;
@@ -304,5 +282,5 @@ void lm629_model_sample(struct lm629_model *model)
             model->is_driving = false;
         }
     }
-    turn_motor(model);
+    motor_turn(&model->motor, model->duty, LM629_MODEL_SAMPLE);
 }

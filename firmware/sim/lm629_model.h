@@ -9,6 +9,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "motor.h"
+
 /* Seconds: 2048 clocks at 6 MHz. */
 #define LM629_MODEL_SAMPLE (2048 / 6e6)
 
@@ -50,11 +52,8 @@ struct lm629_model {
     int32_t derivative;
     uint8_t derivative_age; /* samples */
 
-    /* motor */
-    double duty;  /* -1 to 1 */
-    double rate;  /* counts a second */
-    double angle; /* counts */
-    bool is_blocked;
+    double duty; /* -1 to 1 */
+    struct motor motor;
 };
 
 void lm629_model_reset(struct lm629_model *model);

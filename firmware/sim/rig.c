@@ -29,10 +29,10 @@ void rig_sample(struct rig *rig)
     double moved[RIG_WHEELS];
 
     for (int i = 0; i < RIG_WHEELS; i++) {
-        double before = rig->wheels[i].angle;
+        double before = rig->wheels[i].motor.angle;
 
         lm629_model_sample(&rig->wheels[i]);
-        moved[i] = metres(rig->wheels[i].angle - before);
+        moved[i] = metres(rig->wheels[i].motor.angle - before);
     }
     carry(rig, moved);
 }
@@ -42,7 +42,7 @@ double rig_fastest_rim(const struct rig *rig)
     double fastest = 0;
 
     for (int i = 0; i < RIG_WHEELS; i++) {
-        fastest = fmax(fastest, fabs(metres(rig->wheels[i].rate)));
+        fastest = fmax(fastest, fabs(metres(rig->wheels[i].motor.rate)));
     }
     return fastest;
 }

@@ -1,6 +1,6 @@
 /*
  * Binary angles: 2^32 is a turn, counter-clockwise, so that they wrap around by themselves. Sine
- * and cosine are off by at most 5e-5.
+ * and cosine are off by at most 6e-5.
  */
 #ifndef ANGLE_H
 #define ANGLE_H

@@ -4,14 +4,12 @@
 
 #include "tracking.h"
 
-enum {
-    /* From this error on the reference slows down; at the second it waits. */
-    SLOWING_UM = 50000,
-    WAITING_UM = 150000,
+/* From this error on the reference slows down; at the second it waits. */
+static const int32_t SLOWING_UM = 50000;
+static const int32_t WAITING_UM = 150000;
 
-    SETTLED_UM = 1000,
-    SETTLED_URAD = 2000,
-};
+static const int32_t SETTLED_UM = 1000;
+static const int32_t SETTLED_URAD = 2000;
 
 static const uint16_t AS_PLANNED_Q15 = UINT16_C(1) << 15;
 

@@ -6,8 +6,9 @@
 #include "lm629_bus.h"
 #include "lm629_codes.h"
 
+#define CLOCK_HZ 6000000
+
 enum {
-    CLOCK_HZ = 6000000,
     CLOCKS_A_SAMPLE = 2048,
 
     /* A command takes the LM629 100 us at most; a look at its status takes 2 us or more. */
@@ -18,13 +19,14 @@ enum {
     DERIVATIVE_INTERVAL = 10, /* samples, less 1 */
     MOST_POSITION_ERROR = 2808, /* counts: a turn; then the LM629 stops by itself */
     
-    /* 20 m/s2 at the rim, to brake with; what else is told is slewed already. */
-    ACCELERATION_COUNTS_S2 = 223000,
 };
 
 /* Counts a sample times 2^16, for a rate of 1 (counts a second times 2^8); times 2^24. */
 static const int64_t VELOCITY_Q24 =
     (INT64_C(1) << (24 + 16 - 8)) * CLOCKS_A_SAMPLE / CLOCK_HZ;
+
+/* 20 m/s2 at the rim, to brake with; what else is told is slewed already. */
+#define ACCELERATION_COUNTS_S2 223000
 
 /* Counts a sample squared, times 2^16. */
 static const int32_t ACCELERATION =
@@ -154,7 +156,7 @@ static bool turn(uint8_t axis, int32_t rate_q8)
 {
     uint16_t direction = rate_q8 < 0 ? 0 : LM629_FORWARD;
     int64_t speed_q8 = rate_q8 < 0 ? -(int64_t)rate_q8 : rate_q8;
-    uint32_t velocity = (uint32_t)((speed_q8 * VELOCITY_Q24 + (1 << 23)) >> 24);
+    uint32_t velocity = (uint32_t)((speed_q8 * VELOCITY_Q24 + (INT64_C(1) << 23)) >> 24);
 
     return command(axis, LM629_LOAD_TRAJECTORY) &&
            write_word(axis,

@@ -12,10 +12,11 @@
 enum {
     RANGE_SENSORS = 3,
     RANGE_NOTHING_MM = 800, /* nothing within the sensors' reach */
-    RANGE_SILENT_MM = UINT16_MAX,
     RANGE_TIME_OUT_MS = 250,
     RANGE_MESSAGE_LENGTH = 8,
 };
+
+#define RANGE_SILENT_MM UINT16_MAX
 
 struct range {
     uint8_t message[RANGE_MESSAGE_LENGTH];

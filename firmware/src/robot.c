@@ -200,7 +200,7 @@ void robot_drive(struct robot *robot)
     }
 }
 
-static enum robot_state state(const struct robot *robot)
+enum robot_state robot_state(const struct robot *robot)
 {
     if (is_stopped(robot)) {
         return ROBOT_STOPPED;
@@ -218,7 +218,7 @@ void robot_tell(const struct robot *robot, struct status *status)
     memset(status, 0, sizeof *status);
     status->sequence = robot->sequence;
     status->answer = robot->answer;
-    status->state = state(robot);
+    status->state = robot_state(robot);
     status->stop_reasons = robot->stop.reasons;
     status->power_cycle = robot->power_cycle;
     status->stamp_ms = robot->now_ms;

@@ -56,6 +56,8 @@ void robot_watch(struct robot *robot, const struct robot_inputs *inputs, uint32_
 /* Every DRIVE_PERIOD_MS: odometry and wheels. */
 void robot_drive(struct robot *robot);
 
+enum robot_state robot_state(const struct robot *robot);
+
 /* All but the counts of bad frames and lost bytes, which others keep. */
 void robot_tell(const struct robot *robot, struct status *status);
 

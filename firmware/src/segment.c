@@ -4,22 +4,20 @@
 
 #include "root.h"
 
-enum {
-    ONE_Q15 = 1 << 15,
+/* What the wheels can follow. */
+static const uint32_t ACCELERATION_UM_S2 = 500000;
+static const uint32_t TURN_ACCELERATION_URAD_S2 = 3000000;
 
-    /* What the wheels can follow. */
-    ACCELERATION_UM_S2 = 500000,
-    TURN_ACCELERATION_URAD_S2 = 3000000,
+/* Jumps of velocity that the motors swallow. */
+static const uint32_t SPEED_JUMP_UM_S = 100000;
+static const uint32_t TURN_JUMP_URAD_S = 800000;
 
-    /* Jumps of velocity that the motors swallow. */
-    SPEED_JUMP_UM_S = 100000,
-    TURN_JUMP_URAD_S = 800000,
+static const uint32_t STEEPEST_PACE_A_SECOND = 10;
 
-    STEEPEST_PACE_A_SECOND = 10,
+/* A segment with less than this left is driven. */
+static const uint32_t INSTANT_US = 100;
 
-    INSTANT_US = 100, /* a segment with less than this left is driven */
-};
-
+static const uint16_t ONE_Q15 = UINT16_C(1) << 15;
 static const uint32_t ONE_Q30 = UINT32_C(1) << 30;
 
 static uint8_t index_of(const struct segment_queue *queue, uint8_t place)
@@ -45,18 +43,19 @@ static uint32_t least(uint32_t a, uint32_t b)
 /* limit / |value|, at most `most`; all times 2^15. */
 static uint32_t share_q15(uint32_t limit, uint32_t value, uint32_t most)
 {
+    uint64_t share;
+
     if (value == 0) {
         return most;
     }
-    return (uint32_t)((uint64_t)limit * ONE_Q15 / value) < most
-               ? (uint32_t)((uint64_t)limit * ONE_Q15 / value)
-               : most;
+    share = (uint64_t)limit * ONE_Q15 / value;
+    return share < most ? (uint32_t)share : most;
 }
 
 /* How much the pace may change in a second, times 2^15. */
 static uint32_t pace_rate_q15(const struct segment *segment)
 {
-    const uint32_t steepest = (uint32_t)STEEPEST_PACE_A_SECOND * ONE_Q15;
+    const uint32_t steepest = STEEPEST_PACE_A_SECOND * ONE_Q15;
 
     return least(share_q15(ACCELERATION_UM_S2, magnitude(segment->v_um_s), steepest),
                  share_q15(TURN_ACCELERATION_URAD_S2, magnitude(segment->w_urad_s), steepest));

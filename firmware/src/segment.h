@@ -14,10 +14,8 @@
 #include "pose.h"
 #include "twist.h"
 
-enum {
-    SEGMENT_QUEUE_LENGTH = 16,
-    SEGMENT_LONGEST_MS = 600000,
-};
+#define SEGMENT_QUEUE_LENGTH 16
+#define SEGMENT_LONGEST_MS UINT32_C(600000)
 
 struct segment {
     int32_t v_um_s; /* forward */

@@ -1,9 +1,8 @@
 #include "slew.h"
 
-enum {
-    ACCELERATION_UM_S2 = 1500000,
-    TURN_ACCELERATION_URAD_S2 = 15000000,
-};
+/* 1.5 m/s2 and 15 rad/s2. */
+static const int32_t ACCELERATION_UM_S_MS = 1500;
+static const int32_t TURN_ACCELERATION_URAD_S_MS = 15000;
 
 static int32_t approached(int32_t value, int32_t wanted, int32_t change)
 {
@@ -15,8 +14,8 @@ static int32_t approached(int32_t value, int32_t wanted, int32_t change)
 
 void slew_towards(struct twist *twist, const struct twist *wanted, uint16_t ms)
 {
-    int32_t change_um_s = ACCELERATION_UM_S2 / 1000 * (int32_t)ms;
-    int32_t change_urad_s = TURN_ACCELERATION_URAD_S2 / 1000 * (int32_t)ms;
+    int32_t change_um_s = ACCELERATION_UM_S_MS * ms;
+    int32_t change_urad_s = TURN_ACCELERATION_URAD_S_MS * ms;
 
     twist->vx_um_s = approached(twist->vx_um_s, wanted->vx_um_s, change_um_s);
     twist->vy_um_s = approached(twist->vy_um_s, wanted->vy_um_s, change_um_s);

@@ -2,13 +2,11 @@
 
 #include "angle.h"
 
-enum {
-    GAIN_A_SECOND = 3,
+enum { GAIN_A_SECOND = 3 };
 
-    /* No error, however large, makes the robot leap. */
-    CORRECTION_UM_S = 100000,
-    TURN_CORRECTION_URAD_S = 500000,
-};
+/* No error, however large, makes the robot leap. */
+static const int32_t CORRECTION_UM_S = 100000;
+static const int32_t TURN_CORRECTION_URAD_S = 500000;
 
 static int32_t clamped(int64_t value, int32_t limit)
 {

@@ -4,10 +4,8 @@
 
 #include <stdint.h>
 
-enum {
-    TWIST_SPEED_LIMIT_UM_S = 1000000,
-    TWIST_TURN_LIMIT_URAD_S = 10000000,
-};
+#define TWIST_SPEED_LIMIT_UM_S INT32_C(1000000)
+#define TWIST_TURN_LIMIT_URAD_S INT32_C(10000000)
 
 struct twist {
     int32_t vx_um_s;

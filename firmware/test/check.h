@@ -8,6 +8,9 @@
 extern unsigned check_count;
 extern unsigned check_failures;
 
+/* Says how many checks failed. Returns the exit code. */
+int check_result(void);
+
 #define CHECK(condition)                                                          \
     do {                                                                          \
         check_count++;                                                            \

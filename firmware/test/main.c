@@ -1,9 +1,6 @@
 #include "check.h"
 #include "tests.h"
 
-unsigned check_count;
-unsigned check_failures;
-
 int main(int count, char **arguments)
 {
     if (count != 2) {
@@ -15,6 +12,5 @@ int main(int count, char **arguments)
     kinematics_tests();
     part_tests();
     robot_tests();
-    printf("%u checks, %u failures\n", check_count, check_failures);
-    return check_failures == 0 && check_count > 0 ? 0 : 1;
+    return check_result();
 }

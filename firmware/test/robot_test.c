@@ -42,7 +42,7 @@ static void follows_a_velocity(void)
         bench_live(&bench, 20);
     }
     /* v2 = vy + R w = -0.1 + 0.1 * 0.5 = -0.05 m/s; 2808 counts for 0.2513 m */
-    CHECK_NEAR(-0.05 * 2808 / (2 * M_PI * 0.04), bench.rig.wheels[1].rate, 30);
+    CHECK_NEAR(-0.05 * 2808 / (2 * M_PI * 0.04), bench.rig.wheels[1].motor.rate, 30);
     CHECK_EQUAL(ROBOT_DRIVES, bench_status(&bench).state);
 }
 
@@ -131,7 +131,7 @@ static void blocked_wheel_is_a_stall(void)
     struct bench bench;
 
     drive_fast(&bench);
-    bench.rig.wheels[2].is_blocked = true;
+    bench.rig.wheels[2].motor.is_blocked = true;
     for (int i = 0; i < 70; i++) {
         bench_velocity(&bench, 300000, 0, 0);
         bench_live(&bench, 10);
