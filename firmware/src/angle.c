@@ -22,8 +22,8 @@ static int16_t interpolated(uint32_t quarter)
     uint8_t step = (uint8_t)(quarter >> QUARTER_STEP_BITS);
     uint32_t low = SINE[step];
     uint32_t high = SINE[step == QUARTER_STEPS ? step : step + 1];
-    uint32_t share = (quarter >> (QUARTER_STEP_BITS - 8)) & 0xFFU;
-    uint32_t sine = low + (((high - low) * share + 0x80U) >> 8);
+    uint32_t share = (quarter >> (QUARTER_STEP_BITS - 15)) & 0x7FFFU;
+    uint32_t sine = low + (((high - low) * share + 0x4000U) >> 15);
 
     return (int16_t)(sine > INT16_MAX ? INT16_MAX : sine);
 }

@@ -22,7 +22,7 @@ bool drive_begin(void);
 bool drive_read_counts(int32_t counts[BODY_WHEELS]);
 bool drive_turn(const struct wheel_rates *rates);
 
-/* Brakes as hard as the motors can. */
+/* Brakes as hard as the motors can; to be called in every period while the wheels shall stand. */
 bool drive_stop(void);
 
 /* For wheels that stand: holds them where they are, and pushes no longer against what blocks them. */

@@ -10,12 +10,17 @@
 /* PWM steps a count, times 2^8: with 0.35 the wheel follows with a time constant of 70 ms. */
 static const int32_t GAIN_Q8 = 90;
 
+/* PWM steps for a count a period, times 2^8, that brake. */
+static const int32_t BRAKING_Q8 = 2L * 256 * PWM_FULL * 1000 / DRIVE_PERIOD_MS /
+                                  (WHEEL_RATED_Q8 / 256);
+
 /* A blocked wheel's wanted position runs away no further than what full voltage answers. */
 static const int32_t MOST_ERROR_Q8 = INT32_C(728) * 256;
 
 static int32_t wanted[BODY_WHEELS];   /* counts */
 static int32_t wanted_q8[BODY_WHEELS]; /* and the part of a count beyond it, times 2^8 */
 static int32_t counts_now[BODY_WHEELS];
+static int32_t moved[BODY_WHEELS]; /* counts in the last period */
 
 bool drive_begin(void)
 {
@@ -23,13 +28,17 @@ bool drive_begin(void)
     memset(wanted, 0, sizeof wanted);
     memset(wanted_q8, 0, sizeof wanted_q8);
     memset(counts_now, 0, sizeof counts_now);
+    memset(moved, 0, sizeof moved);
     return true;
 }
 
 bool drive_read_counts(int32_t counts[BODY_WHEELS])
 {
-    pwm_bus_counts(counts_now);
-    memcpy(counts, counts_now, sizeof counts_now);
+    pwm_bus_counts(counts);
+    for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
+        moved[wheel] = counts[wheel] - counts_now[wheel];
+        counts_now[wheel] = counts[wheel];
+    }
     return true;
 }
 
@@ -64,19 +73,20 @@ bool drive_turn(const struct wheel_rates *rates)
     return true;
 }
 
+/* Against the motion, twice as strongly as what would keep it up. */
 bool drive_stop(void)
 {
-    static const struct wheel_rates still = {{0, 0, 0}};
+    for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
+        int32_t against = -moved[wheel] * BRAKING_Q8 / 256;
 
-    return drive_turn(&still);
+        wanted[wheel] = counts_now[wheel];
+        wanted_q8[wheel] = 0;
+        pwm_bus_drive(wheel, (int16_t)clamped(against, PWM_FULL));
+    }
+    return true;
 }
 
 bool drive_hold(void)
 {
-    for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
-        wanted[wheel] = counts_now[wheel];
-        wanted_q8[wheel] = 0;
-        pwm_bus_drive(wheel, 0);
-    }
-    return true;
+    return drive_stop();
 }

@@ -17,7 +17,6 @@ static bool is_stopped(const struct robot *robot)
 
 static void brake(struct robot *robot)
 {
-    robot->is_held = false;
     robot->is_by_velocity = false;
     robot->twist = STILL;
     memset(&robot->rates, 0, sizeof robot->rates);
@@ -73,14 +72,6 @@ static enum answer halt(struct robot *robot)
     return ANSWER_DONE;
 }
 
-static enum answer clear(struct robot *robot, uint16_t reasons, bool by_person)
-{
-    if ((reasons & STOP_DRIVE) != 0) {
-        stop_cause(&robot->stop, STOP_DRIVE, !drive_hold());
-    }
-    return stop_clear(&robot->stop, reasons, by_person) ? ANSWER_DONE : ANSWER_NOT_CLEARED;
-}
-
 static enum answer obey(struct robot *robot, const struct command *command)
 {
     switch (command->kind) {
@@ -91,7 +82,9 @@ static enum answer obey(struct robot *robot, const struct command *command)
     case COMMAND_HALT:
         return halt(robot);
     case COMMAND_CLEAR:
-        return clear(robot, command->as.clear.reasons, command->as.clear.by_person);
+        return stop_clear(&robot->stop, command->as.clear.reasons, command->as.clear.by_person)
+                   ? ANSWER_DONE
+                   : ANSWER_NOT_CLEARED;
     case COMMAND_CAPTION:
         memcpy(robot->caption, command->as.caption, CAPTION_LENGTH);
         return ANSWER_DONE;
@@ -144,18 +137,19 @@ void robot_watch(struct robot *robot, const struct robot_inputs *inputs, uint32_
     }
 }
 
+/* Returns whether a wheel has turned. */
 static bool read_odometer(struct robot *robot)
 {
     int32_t counts[BODY_WHEELS];
-    int32_t before[BODY_WHEELS];
+    bool has_turned;
 
-    memcpy(before, robot->odometer.counts, sizeof before);
     if (!drive_read_counts(counts)) {
         stop_cause(&robot->stop, STOP_DRIVE, true);
         return false;
     }
+    has_turned = memcmp(robot->odometer.counts, counts, sizeof counts) != 0;
     odometer_update(&robot->odometer, counts);
-    return memcmp(before, counts, sizeof before) != 0;
+    return has_turned;
 }
 
 static struct twist wanted_twist(struct robot *robot)
@@ -190,13 +184,14 @@ static void turn_wheels(struct robot *robot)
 
 void robot_drive(struct robot *robot)
 {
-    bool moves = read_odometer(robot);
+    bool has_turned = read_odometer(robot);
 
     if (!is_stopped(robot)) {
         turn_wheels(robot);
-    } else if (!moves && !robot->is_held && (robot->stop.reasons & STOP_STALL) != 0) {
-        robot->is_held = drive_hold();
-        stop_cause(&robot->stop, STOP_DRIVE, !robot->is_held);
+    } else if (!has_turned && (robot->stop.reasons & STOP_STALL) != 0) {
+        stop_cause(&robot->stop, STOP_DRIVE, !drive_hold());
+    } else {
+        stop_cause(&robot->stop, STOP_DRIVE, !drive_stop());
     }
 }
 

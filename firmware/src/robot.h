@@ -35,7 +35,6 @@ struct robot {
     bool is_by_velocity;   /* else by segments */
     struct twist twist;    /* that is driven */
     struct wheel_rates rates;
-    bool is_held;              /* stopped wheels that came to a stand */
     uint8_t floor_gone;
     uint32_t now_ms;
     uint32_t heard_ms; /* the last good frame */

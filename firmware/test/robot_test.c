@@ -152,6 +152,7 @@ static void dead_controller_is_told(void)
     CHECK_EQUAL(STOP_DRIVE, bench_status(&bench).stop_reasons);
     CHECK_EQUAL(ANSWER_NOT_CLEARED, bench_clear(&bench, STOP_DRIVE, true));
     bench.rig.wheels[1].is_dead = false;
+    bench_live_polled(&bench, 20);
     CHECK_EQUAL(ANSWER_DONE, bench_clear(&bench, STOP_DRIVE, true));
 }
 
