@@ -15,8 +15,8 @@ enum {
     MOST_LOOKS = 200,
 
     PROPORTIONAL = 400,
-    DERIVATIVE = 4000,
-    DERIVATIVE_INTERVAL = 10, /* samples, less 1 */
+    DERIVATIVE = 4400,
+    DERIVATIVE_INTERVAL = 9, /* samples, less 1 */
     MOST_POSITION_ERROR = 2808, /* counts: a turn; then the LM629 stops by itself */
     
 };
@@ -25,8 +25,8 @@ enum {
 static const int64_t VELOCITY_Q24 =
     (INT64_C(1) << (24 + 16 - 8)) * CLOCKS_A_SAMPLE / CLOCK_HZ;
 
-/* 20 m/s2 at the rim, to brake with; what else is told is slewed already. */
-#define ACCELERATION_COUNTS_S2 223000
+/* 33 m/s2 at the rim, to brake with; what else is told is slewed already. */
+#define ACCELERATION_COUNTS_S2 366600
 
 /* Counts a sample squared, times 2^16. */
 static const int32_t ACCELERATION =
