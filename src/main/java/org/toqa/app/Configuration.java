@@ -24,6 +24,8 @@ import org.toqa.allocation.Policy;
  * @param map the floor's map
  * @param allocator who decides which robots carry what
  * @param simulate how many simulated robots
+ * @param firmware the folder of the built firmware that drives the first simulated robot, in a
+ *     simulated microcontroller; null: every body is simulated as a whole
  * @param lostAfter how long a robot is silent until its task goes to another
  * @param speed how many times faster than real time the simulated robots live
  * @param manager the manager to make while there is none
@@ -37,6 +39,7 @@ public record Configuration(
     Database database,
     Policy allocator,
     int simulate,
+    @Nullable Path firmware,
     Duration lostAfter,
     double speed,
     @Nullable FirstManager manager,
@@ -88,6 +91,7 @@ public record Configuration(
           database(data),
           policy(),
           simulate,
+          firmware(simulate),
           lostAfter,
           speed,
           manager(),
@@ -141,6 +145,20 @@ public record Configuration(
       }
       if (!Files.isWritable(present)) {
         throw refused(setting, "nothing can be written to " + present + "; name another folder.");
+      }
+      return folder;
+    }
+
+    private @Nullable Path firmware(int simulate) throws ConfigurationException {
+      if (text(Setting.FIRMWARE).isEmpty()) {
+        return null;
+      }
+      if (simulate == 0) {
+        throw refused(Setting.FIRMWARE, "only simulated robots need it: set simulate as well.");
+      }
+      Path folder = path(Setting.FIRMWARE);
+      if (!Files.isExecutable(folder.resolve("toqa-sim"))) {
+        throw outside(Setting.FIRMWARE);
       }
       return folder;
     }

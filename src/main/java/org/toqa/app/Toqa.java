@@ -2,6 +2,7 @@ package org.toqa.app;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
@@ -138,7 +139,8 @@ final class Toqa implements AutoCloseable {
     List<SimulatedRobot> robots = new ArrayList<>();
     for (int i = 0; i < configuration.simulate(); i++) {
       Pose start = new Pose(places.get(i).position().x(), places.get(i).position().y(), 0);
-      robots.add(new SimulatedRobot("r" + (i + 1), start, SIMULATED_LOAD));
+      Path firmware = i == 0 ? configuration.firmware() : null;
+      robots.add(new SimulatedRobot("r" + (i + 1), start, SIMULATED_LOAD, firmware));
     }
     SimulatedFleet simulated =
         SimulatedFleet.open(configuration.data().resolve("robots"), robots, clock);

@@ -2,12 +2,14 @@ package org.toqa.sim;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.AgentConfig;
+import org.toqa.agent.Body;
 import org.toqa.agent.Daemon;
 import org.toqa.agent.MotionLimits;
 
@@ -27,6 +29,7 @@ public final class SimulatedFleet implements AutoCloseable {
 
   private final VirtualClock clock;
   private final List<Inhabitant> robots = new ArrayList<>();
+  private final List<SimulatedMicrocontroller> microcontrollers = new ArrayList<>();
 
   /** A daemon in the world. */
   private record Inhabitant(Daemon daemon) implements Participant {
@@ -91,6 +94,20 @@ public final class SimulatedFleet implements AutoCloseable {
       }
     }
     robots.clear();
+    microcontrollers.forEach(SimulatedMicrocontroller::close);
+    microcontrollers.clear();
+  }
+
+  private Body body(Path folder, SimulatedRobot robot) throws IOException {
+    Path firmware = robot.firmware();
+    if (firmware == null) {
+      return new Body.Simulated(robot.start(), SLIP, robot.name().hashCode());
+    }
+    Files.createDirectories(folder);
+    SimulatedMicrocontroller microcontroller =
+        SimulatedMicrocontroller.start(firmware, folder.resolve("spi.sock"));
+    microcontrollers.add(microcontroller);
+    return new Body.SimulatedFirmware(microcontroller.socket(), robot.start());
   }
 
   private void add(Path folder, SimulatedRobot robot) throws IOException {
@@ -103,7 +120,7 @@ public final class SimulatedFleet implements AutoCloseable {
             robot.maxLoad(),
             FOOTPRINT,
             LIMITS,
-            new AgentConfig.Simulated(robot.start(), SLIP, robot.name().hashCode()));
+            body(folder, robot));
     Inhabitant inhabitant = new Inhabitant(Daemon.open(config, clock, clock.nanos()));
     robots.add(inhabitant);
     clock.add(inhabitant, Daemon.TICK);

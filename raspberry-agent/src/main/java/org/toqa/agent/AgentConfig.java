@@ -9,7 +9,6 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.regex.Pattern;
-import org.toqa.geometry.Pose;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.Yaml;
 import org.yaml.snakeyaml.constructor.SafeConstructor;
@@ -35,7 +34,7 @@ public record AgentConfig(
     double maxLoad,
     double footprint,
     MotionLimits limits,
-    Simulated chassis) {
+    Body chassis) {
 
   private static final String[] KEYS = {
     "name",
@@ -54,14 +53,6 @@ public record AgentConfig(
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_-]{0,31}");
 
-  /**
-   * A simulated body.
-   *
-   * @param start where a new body is put, map frame
-   * @param noise standard deviation of a wheel's slip, as a share of what it turns
-   */
-  public record Simulated(Pose start, double noise, long seed) {}
-
   /** Reads a file; a relative data folder lies beside it. */
   public static AgentConfig read(Path file) throws ConfigException {
     ConfigSection top = new ConfigSection(file.toString(), "", keys(file), KEYS);
@@ -73,7 +64,7 @@ public record AgentConfig(
         top.number("maxLoad", 5, 0, 10_000),
         top.number("footprint", 0.255, 0.05, 5),
         limits(top),
-        chassis(top.section("chassis", "type", "start", "noise", "seed")));
+        Body.read(file, top));
   }
 
   private static Map<?, ?> keys(Path file) throws ConfigException {
@@ -133,22 +124,5 @@ public record AgentConfig(
         top.number("maxTurnRate", 3.5, 0.01, 20),
         top.number("acceleration", 0.5, 0.01, 10),
         top.number("turnAcceleration", 3, 0.01, 50));
-  }
-
-  private static Simulated chassis(ConfigSection chassis) throws ConfigException {
-    String type = chassis.text("type");
-    if (!type.equals("simulated")) {
-      throw chassis.wrong("type", type, "simulated");
-    }
-    ConfigSection start = chassis.section("start", "x", "y", "heading");
-    Pose pose =
-        new Pose(
-            start.number("x", 0, -100_000, 100_000),
-            start.number("y", 0, -100_000, 100_000),
-            Math.toRadians(start.number("heading", 0, -360, 360)));
-    return new Simulated(
-        pose,
-        chassis.number("noise", 0.01, 0, 1),
-        chassis.whole("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE));
   }
 }

@@ -12,6 +12,10 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.SimulatedChassis;
+import org.toqa.agent.spi.FirmwareChassis;
+import org.toqa.agent.spi.FrameTransport;
+import org.toqa.agent.spi.SimulatorTransport;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Done;
@@ -23,6 +27,7 @@ import org.toqa.link.message.MessageReading.Refused;
 import org.toqa.link.message.MessageReading.Understood;
 import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.link.message.ServerMessage.Resume;
 
 /**
  * A robot's daemon: the link's end, the control and the body together.
@@ -79,15 +84,43 @@ public final class Daemon implements AutoCloseable {
   public static Daemon open(AgentConfig config, InstantSource clock, long nanos)
       throws IOException {
     DataFolder folder = new DataFolder(config.dataDir());
-    AgentConfig.Simulated body = config.chassis();
-    Chassis chassis =
-        new SimulatedChassis(
-            folder.path().resolve("body"), body.start(), body.noise(), body.seed());
+    try {
+      return open(config, clock, nanos, folder, chassis(config, folder, nanos));
+    } catch (IOException e) {
+      folder.close();
+      throw e;
+    }
+  }
+
+  private static Daemon open(
+      AgentConfig config, InstantSource clock, long nanos, DataFolder folder, Chassis chassis)
+      throws IOException {
     try {
       return new Daemon(config, clock, nanos, folder, chassis);
     } catch (IOException e) {
       chassis.close();
-      folder.close();
+      throw e;
+    }
+  }
+
+  private static Chassis chassis(AgentConfig config, DataFolder folder, long nanos)
+      throws IOException {
+    return switch (config.chassis()) {
+      case Body.Simulated(var start, double noise, long seed) ->
+          new SimulatedChassis(folder.path().resolve("body"), start, noise, seed);
+      case Body.SimulatedFirmware(var socket, var start) ->
+          firmware(config, new SimulatorTransport(socket), start, nanos);
+    };
+  }
+
+  private static Chassis firmware(
+      AgentConfig config, FrameTransport transport, @Nullable Pose start, long nanos)
+      throws IOException {
+    String caption = config.name() + " " + config.address().getHostAddress();
+    try {
+      return new FirmwareChassis(transport, caption, start, nanos);
+    } catch (IOException e) {
+      transport.close();
       throw e;
     }
   }
@@ -164,7 +197,7 @@ public final class Daemon implements AutoCloseable {
           heardNanos = nanos;
           switch (message) {
             case AckDone(long drive) -> control.acknowledged(drive);
-            case Command order -> say(control.obey(order));
+            case Command order -> obey(order);
           }
         }
         case Inbound.Heard(ServerConnection connection, Refused(long seq, String reason))
@@ -179,6 +212,13 @@ public final class Daemon implements AutoCloseable {
       log.warn("{}: the connection of the server ended: {}.", config.name(), server.ended());
       server.close();
       server = null;
+    }
+  }
+
+  private void obey(Command order) {
+    say(control.obey(order));
+    if (order instanceof Resume) {
+      chassis.clearFaults();
     }
   }
 

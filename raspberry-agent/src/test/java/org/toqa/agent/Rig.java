@@ -53,7 +53,7 @@ final class Rig implements AutoCloseable {
         5,
         0.255,
         LIMITS,
-        new AgentConfig.Simulated(START, noise, 7));
+        new Body.Simulated(START, noise, 7));
   }
 
   /** A server that was greeted and has said nothing yet. */

@@ -21,6 +21,12 @@ public interface Chassis extends AutoCloseable {
    */
   ChassisReading exchange(Twist command, long nanos);
 
+  /**
+   * A person says that the robot may drive again: faults that wait for that, and whose cause has
+   * gone, are over.
+   */
+  default void clearFaults() {}
+
   @Override
   void close();
 }

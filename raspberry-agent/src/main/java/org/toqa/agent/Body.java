@@ -1,0 +1,55 @@
+package org.toqa.agent;
+
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+
+/** The body under a daemon, as its configuration names it. */
+public sealed interface Body {
+
+  /**
+   * A body that is simulated as a whole.
+   *
+   * @param start where a new body is put, map frame
+   * @param noise standard deviation of a wheel's slip, as a share of what it turns
+   */
+  record Simulated(Pose start, double noise, long seed) implements Body {}
+
+  /**
+   * The real firmware in a simulated microcontroller.
+   *
+   * @param socket where that one listens
+   * @param start where the body stood when it was switched on for the first time, map frame; null
+   *     where nobody knows
+   */
+  record SimulatedFirmware(Path socket, @Nullable Pose start) implements Body {}
+
+  /**
+   * @param file of the configuration; a relative path in it counts from there
+   * @param top its whole content
+   */
+  static Body read(Path file, ConfigSection top) throws ConfigException {
+    ConfigSection body = top.section("chassis", "type", "start", "noise", "seed", "socket");
+    String type = body.text("type");
+    return switch (type) {
+      case "simulated" ->
+          new Simulated(
+              start(body),
+              body.number("noise", 0.01, 0, 1),
+              body.whole("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE));
+      case "simulated-firmware" ->
+          new SimulatedFirmware(
+              file.toAbsolutePath().resolveSibling(body.text("socket")).normalize(),
+              body.has("start") ? start(body) : null);
+      default -> throw body.wrong("type", type, "simulated or simulated-firmware");
+    };
+  }
+
+  private static Pose start(ConfigSection body) throws ConfigException {
+    ConfigSection start = body.section("start", "x", "y", "heading");
+    return new Pose(
+        start.number("x", 0, -100_000, 100_000),
+        start.number("y", 0, -100_000, 100_000),
+        Math.toRadians(start.number("heading", 0, -360, 360)));
+  }
+}
