@@ -8,7 +8,7 @@
 #include "board.h"
 
 enum {
-    RING = 128, /* two frames; a power of two */
+    RING = 256, /* four frames; indices wrap around by themselves */
     PAUSE_MS = 2,
 };
 
@@ -48,7 +48,7 @@ bool spi_slave_take(uint8_t *byte)
         return false;
     }
     *byte = ring[at];
-    tail = (uint8_t)((at + 1U) % RING);
+    tail = (uint8_t)(at + 1U);
     return true;
 }
 
@@ -111,7 +111,7 @@ ISR(SPI_STC_vect)
     uint8_t byte = SPDR;
     uint8_t next = position;
     uint8_t at = head;
-    uint8_t after = (uint8_t)((at + 1U) % RING);
+    uint8_t after = (uint8_t)(at + 1U);
 
     if (next == 1 && is_offered) {
         sent ^= 1U;

@@ -31,7 +31,18 @@ class AgentConfigTest {
     assertEquals("r1", config.name());
     assertEquals(7275, config.port());
     assertEquals(new MotionLimits(0.5, 3.5, 0.5, 3), config.limits());
-    assertEquals(new Pose(1, 1, 0), config.chassis().start());
+    assertEquals(new Body.Simulated(new Pose(1, 1, 0), 0.01, 1), config.chassis());
+  }
+
+  @Test
+  void simulatedMicrocontrollerIsFoundBesideTheFile() throws ConfigException, IOException {
+    AgentConfig config =
+        AgentConfig.read(
+            file(
+                "{name: r1, dataDir: d, chassis: {type: simulated-firmware, socket: spi.sock}}"));
+
+    assertEquals(
+        new Body.SimulatedFirmware(folder.resolve("spi.sock"), null), config.chassis());
   }
 
   @Test
@@ -55,7 +66,8 @@ class AgentConfigTest {
           {name: r1, dataDir: d, maxSped: 1}  | there is no key "maxSped"; did you mean "maxSpeed"?
           {name: r1, dataDir: d, chassis: {type: simulated, nois: 0}} | there is no key "chassis.nois"; did you mean "chassis.noise"?
           {name: r1, dataDir: d, chassis: {type: simulated, start: {X: 1}}} | there is no key "chassis.start.X"; did you mean "chassis.start.x"?
-          {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated.
+          {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated or simulated-firmware.
+          {name: r1, dataDir: d, chassis: {type: simulated-firmware}} | the key "chassis.socket" is missing.
           {name: r1, dataDir: d}              | the key "chassis.type" is missing.
           {dataDir: d}                        | the key "name" is missing.
           {name: a b, dataDir: d}             | "name" is a b; it must be 1 to 32 letters, digits, - and _.

@@ -1,34 +1,21 @@
 package org.toqa.agent;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.Socket;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
-import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.geometry.Pose;
-import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.State;
-import org.toqa.link.message.LineReader;
-import org.toqa.link.message.LinkCodec;
-import org.toqa.link.message.MessageReading.Understood;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.motion.Segment;
 
@@ -37,12 +24,9 @@ import org.toqa.motion.Segment;
 class KilledDaemonTest {
 
   private static final Pose START = new Pose(1, 1, 0);
-  private static final Duration LIMIT = Duration.ofSeconds(20);
 
   @TempDir Path folder;
-  private Process daemon;
-  private BufferedReader output;
-  private int port;
+  private DaemonProcess daemon;
 
   @BeforeEach
   void start() throws IOException {
@@ -54,28 +38,27 @@ class KilledDaemonTest {
         dataDir: data
         chassis: {type: simulated, start: {x: 1, y: 1}}
         """);
-    launch();
+    daemon = DaemonProcess.launch(folder.resolve("agent.yaml"));
   }
 
   @AfterEach
   void end() {
-    daemon.destroyForcibly();
+    daemon.close();
   }
 
   @Test
   void killedInTheMiddleOfADriveItKnowsItsTaskAndItsPlace() throws Exception {
     Pose last;
-    try (Peer peer = new Peer()) {
+    try (DaemonProcess.Peer peer = daemon.connect()) {
       assertEquals(START, peer.await(Hello.class, h -> true).pose());
       peer.say(new Drive(4, 5L, 2, START, List.of(new Segment(0.5, 0, 60)), 1, true));
       peer.await(Ack.class, ack -> ack.seq() == 4);
       last = peer.await(State.class, s -> s.pose().x() > 1.2).pose();
     }
-    daemon.destroyForcibly();
-    assertTrue(daemon.waitFor(10, TimeUnit.SECONDS));
-    launch();
+    daemon.kill();
+    daemon = DaemonProcess.launch(folder.resolve("agent.yaml"));
 
-    try (Peer peer = new Peer()) {
+    try (DaemonProcess.Peer peer = daemon.connect()) {
       Hello hello = peer.await(Hello.class, h -> true);
       assertEquals(5L, hello.task());
       assertEquals(2, hello.phase());
@@ -88,64 +71,12 @@ class KilledDaemonTest {
 
   @Test
   void terminatedItEndsCleanly() throws Exception {
-    try (Peer peer = new Peer()) {
+    try (DaemonProcess.Peer peer = daemon.connect()) {
       peer.await(Hello.class, h -> true);
-      daemon.toHandle().destroy(); // unlike Process.destroy it leaves the output open
+      daemon.terminate();
 
-      assertTrue(daemon.waitFor(10, TimeUnit.SECONDS));
-      assertEquals(128 + 15, daemon.exitValue()); // ended by SIGTERM, after its shutdown hooks
-      assertTrue(output.lines().toList().getLast().endsWith("r1: ended."));
-    }
-  }
-
-  /** Starts the process; it listens when this returns. */
-  private void launch() throws IOException {
-    daemon =
-        new ProcessBuilder(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx64m",
-                "-cp",
-                System.getProperty("java.class.path"),
-                "org.toqa.agent.Main",
-                "--config",
-                folder.resolve("agent.yaml").toString())
-            .redirectErrorStream(true)
-            .start();
-    output = daemon.inputReader(StandardCharsets.UTF_8);
-    String line = output.readLine();
-    while (line != null && !line.contains("listening on")) {
-      line = output.readLine();
-    }
-    assertNotNull(line, "the daemon ended");
-    port = Integer.parseInt(line.replaceAll(".* port (\\d+)\\.", "$1"));
-  }
-
-  private final class Peer implements AutoCloseable {
-    private final Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
-    private final LineReader lines = new LineReader(socket.getInputStream());
-
-    Peer() throws IOException {
-      socket.setSoTimeout((int) LIMIT.toMillis());
-    }
-
-    void say(Drive drive) throws IOException {
-      socket.getOutputStream().write(LinkCodec.line(drive));
-    }
-
-    <M extends AgentMessage> M await(Class<M> type, Predicate<M> wished) throws IOException {
-      while (true) {
-        LineReader.Line line = lines.next();
-        assertNotNull(line, "the daemon hung up");
-        Object message = assertInstanceOf(Understood.class, LinkCodec.agentMessage(line)).message();
-        if (type.isInstance(message) && wished.test(type.cast(message))) {
-          return type.cast(message);
-        }
-      }
-    }
-
-    @Override
-    public void close() throws IOException {
-      socket.close();
+      assertEquals(128 + 15, daemon.exitCode()); // ended by SIGTERM, after its shutdown hooks
+      assertTrue(daemon.output().lines().toList().getLast().endsWith("r1: ended."));
     }
   }
 }

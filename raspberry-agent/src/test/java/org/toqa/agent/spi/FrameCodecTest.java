@@ -101,8 +101,7 @@ class FrameCodecTest {
           default -> throw new IllegalArgumentException("What is a " + golden.kind() + "?");
         };
 
-    assertArrayEquals(
-        golden.frame(), FrameCodec.encode(command, (int) golden.number("sequence")));
+    assertArrayEquals(golden.frame(), FrameCodec.encode(command, (int) golden.number("sequence")));
   }
 
   @ParameterizedTest
@@ -121,10 +120,7 @@ class FrameCodecTest {
     }
     assertEquals(golden.millionths("x_um"), status.odometry().x(), 1e-9);
     assertEquals(golden.millionths("y_um"), status.odometry().y(), 1e-9);
-    assertEquals(
-        0,
-        Math.sin(golden.millionths("heading_urad") - status.odometry().theta()),
-        1e-9);
+    assertEquals(0, Math.sin(golden.millionths("heading_urad") - status.odometry().theta()), 1e-9);
     assertEquals(golden.number("battery_mv") / 1e3, status.batteryVolts(), 1e-9);
     assertEquals(golden.number("floor"), status.floorGone());
     assertEquals(golden.number("queue_free"), status.queueFree());
