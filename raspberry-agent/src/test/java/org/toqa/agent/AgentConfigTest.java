@@ -38,11 +38,9 @@ class AgentConfigTest {
   void simulatedMicrocontrollerIsFoundBesideTheFile() throws ConfigException, IOException {
     AgentConfig config =
         AgentConfig.read(
-            file(
-                "{name: r1, dataDir: d, chassis: {type: simulated-firmware, socket: spi.sock}}"));
+            file("{name: r1, dataDir: d, chassis: {type: simulated-firmware, socket: spi.sock}}"));
 
-    assertEquals(
-        new Body.SimulatedFirmware(folder.resolve("spi.sock"), null), config.chassis());
+    assertEquals(new Body.SimulatedFirmware(folder.resolve("spi.sock"), null), config.chassis());
   }
 
   @Test

@@ -98,8 +98,7 @@ public final class DaemonProcess implements AutoCloseable {
       socket.getOutputStream().write(LinkCodec.line(drive));
     }
 
-    public <M extends AgentMessage> M await(Class<M> type, Predicate<M> wished)
-        throws IOException {
+    public <M extends AgentMessage> M await(Class<M> type, Predicate<M> wished) throws IOException {
       while (true) {
         LineReader.Line line = lines.next();
         assertNotNull(line, "the daemon hung up");

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -32,19 +33,23 @@ class FrameCodecTest {
   record Golden(String kind, Map<String, String> values, byte[] frame) {
 
     static Golden of(String line) {
-      String[] parts = line.split(" \\| ");
-      String[] words = parts[0].split(" ");
+      int bar = line.indexOf(" | ");
+      List<String> words = List.of(line.substring(0, bar).split(" ", -1));
       return new Golden(
-          words[0],
-          Stream.of(words)
+          words.getFirst(),
+          words.stream()
               .skip(1)
               .map(word -> word.split("=", 2))
               .collect(Collectors.toMap(pair -> pair[0], pair -> pair[1])),
-          HexFormat.of().parseHex(parts[1]));
+          HexFormat.of().parseHex(line.substring(bar + 3)));
+    }
+
+    String text(String key) {
+      return Objects.requireNonNull(values.get(key), key);
     }
 
     long number(String key) {
-      return Long.parseLong(values.get(key));
+      return Long.parseLong(text(key));
     }
 
     double millionths(String key) {
@@ -97,7 +102,7 @@ class FrameCodecTest {
           case "clear" ->
               new Clear(
                   StopReason.ofBits((int) golden.number("reasons")), golden.number("by") == 1);
-          case "caption" -> new Caption(golden.values().get("text"));
+          case "caption" -> new Caption(golden.text("text"));
           default -> throw new IllegalArgumentException("What is a " + golden.kind() + "?");
         };
 

@@ -106,8 +106,7 @@ class SimulatedFirmwareIT {
       assertTrue(stood.rolledOn().compareTo(STAND_LIMIT) <= 0, stood.toString());
       assertEquals("STOPPED: LINK       ", stood.text("lcd2"));
       nanos += TICK;
-      assertEquals(
-          List.of("STOP_LINK"), codes(chassis.exchange(new Twist(0.25, 0, 0), nanos)));
+      assertEquals(List.of("STOP_LINK"), codes(chassis.exchange(new Twist(0.25, 0, 0), nanos)));
       assertEquals(0.25, run(chassis, new Twist(0.25, 0, 0), SECOND).twist().vx(), 0.01);
     }
   }
@@ -202,8 +201,9 @@ class SimulatedFirmwareIT {
   }
 
   private ChassisReading run(Chassis chassis, Twist wanted, int ticks) {
-    ChassisReading last = null;
-    for (int i = 0; i < ticks; i++) {
+    nanos += TICK;
+    ChassisReading last = chassis.exchange(wanted, nanos);
+    for (int i = 1; i < ticks; i++) {
       nanos += TICK;
       last = chassis.exchange(wanted, nanos);
     }

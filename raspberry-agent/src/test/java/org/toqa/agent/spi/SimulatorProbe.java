@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 
@@ -85,15 +86,15 @@ final class SimulatorProbe implements AutoCloseable {
   record Truth(Map<String, String> values) {
 
     long number(String name) {
-      return Long.parseLong(values.get(name));
+      return Long.parseLong(text(name));
     }
 
     double decimal(String name) {
-      return Double.parseDouble(values.get(name));
+      return Double.parseDouble(text(name));
     }
 
     String text(String name) {
-      return values.get(name);
+      return Objects.requireNonNull(values.get(name), name);
     }
 
     /** From the last exchange until the wheels stood. */
