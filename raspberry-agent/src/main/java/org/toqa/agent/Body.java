@@ -25,11 +25,20 @@ public sealed interface Body {
   record SimulatedFirmware(Path socket, @Nullable Pose start) implements Body {}
 
   /**
+   * The robot's microcontroller on the SPI bus.
+   *
+   * @param device such as {@code /dev/spidev0.0}
+   * @param hertz of the bus's clock
+   * @param wordDelayMicros pause after each byte
+   */
+  record Spi(Path device, int hertz, int wordDelayMicros) implements Body {}
+
+  /**
    * @param file of the configuration; a relative path in it counts from there
    * @param top its whole content
    */
   static Body read(Path file, ConfigSection top) throws ConfigException {
-    ConfigSection body = top.section("chassis", "type", "start", "noise", "seed", "socket");
+    ConfigSection body = top.section("chassis", "type", "start", "noise", "seed", "socket", "device", "clock", "wordDelay");
     String type = body.text("type");
     return switch (type) {
       case "simulated" ->
@@ -41,7 +50,12 @@ public sealed interface Body {
           new SimulatedFirmware(
               file.toAbsolutePath().resolveSibling(body.text("socket")).normalize(),
               body.has("start") ? start(body) : null);
-      default -> throw body.wrong("type", type, "simulated or simulated-firmware");
+      case "spi" ->
+          new Spi(
+              Path.of(body.text("device", "/dev/spidev0.0")),
+              (int) body.whole("clock", 1_000_000, 10_000, 4_000_000),
+              (int) body.whole("wordDelay", 8, 0, 255));
+      default -> throw body.wrong("type", type, "simulated, simulated-firmware or spi");
     };
   }
 

@@ -15,6 +15,7 @@ import org.toqa.agent.chassis.SimulatedChassis;
 import org.toqa.agent.spi.FirmwareChassis;
 import org.toqa.agent.spi.FrameTransport;
 import org.toqa.agent.spi.SimulatorTransport;
+import org.toqa.agent.spi.SpidevTransport;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
@@ -110,6 +111,8 @@ public final class Daemon implements AutoCloseable {
           new SimulatedChassis(folder.path().resolve("body"), start, noise, seed);
       case Body.SimulatedFirmware(var socket, var start) ->
           firmware(config, new SimulatorTransport(socket), start, nanos);
+      case Body.Spi(var device, int hertz, int wordDelay) ->
+          firmware(config, new SpidevTransport(device, hertz, wordDelay), null, nanos);
     };
   }
 

@@ -44,6 +44,14 @@ class AgentConfigTest {
   }
 
   @Test
+  void spiBusHasTheClockThatTheFirmwareCanFollow() throws ConfigException, IOException {
+    AgentConfig config =
+        AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: spi}}"));
+
+    assertEquals(new Body.Spi(Path.of("/dev/spidev0.0"), 1_000_000, 8), config.chassis());
+  }
+
+  @Test
   void leftOutKeysHaveTheDefaultsOfTheShippedFile() throws ConfigException, IOException {
     AgentConfig least = AgentConfig.read(file(LEAST));
     AgentConfig shipped = AgentConfig.read(Path.of("raspberry-agent", "agent.yaml"));
@@ -64,7 +72,7 @@ class AgentConfigTest {
           {name: r1, dataDir: d, maxSped: 1}  | there is no key "maxSped"; did you mean "maxSpeed"?
           {name: r1, dataDir: d, chassis: {type: simulated, nois: 0}} | there is no key "chassis.nois"; did you mean "chassis.noise"?
           {name: r1, dataDir: d, chassis: {type: simulated, start: {X: 1}}} | there is no key "chassis.start.X"; did you mean "chassis.start.x"?
-          {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated or simulated-firmware.
+          {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated, simulated-firmware or spi.
           {name: r1, dataDir: d, chassis: {type: simulated-firmware}} | the key "chassis.socket" is missing.
           {name: r1, dataDir: d}              | the key "chassis.type" is missing.
           {dataDir: d}                        | the key "name" is missing.

@@ -17,7 +17,7 @@ final class Rig implements AutoCloseable {
   static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
 
   private final Path folder;
-  private final double noise;
+  private final Body body;
   private final List<TestServer> servers = new ArrayList<>();
   private long nanos;
   private Daemon daemon;
@@ -27,8 +27,12 @@ final class Rig implements AutoCloseable {
   }
 
   Rig(Path folder, double noise) {
+    this(folder, new Body.Simulated(START, noise, 7));
+  }
+
+  Rig(Path folder, Body body) {
     this.folder = folder;
-    this.noise = noise;
+    this.body = body;
     daemon = open();
   }
 
@@ -53,7 +57,7 @@ final class Rig implements AutoCloseable {
         5,
         0.255,
         LIMITS,
-        new Body.Simulated(START, noise, 7));
+        body);
   }
 
   /** A server that was greeted and has said nothing yet. */

@@ -17,10 +17,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.toqa.agent.DaemonProcess;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.ChassisReading;
-import org.toqa.agent.chassis.SimulatedChassis;
 import org.toqa.agent.spi.FirmwareCommand.Velocity;
 import org.toqa.agent.spi.SimulatorProbe.Truth;
-import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
@@ -56,27 +54,6 @@ class SimulatedFirmwareIT {
   void end() throws IOException {
     probe.close();
     microcontroller.close();
-  }
-
-  @Test
-  void arcStraightAndStopEndWhereTheSimulatedChassisEnds() throws IOException {
-    Pose simulated;
-    try (Chassis chassis = new SimulatedChassis(folder.resolve("body"), START, 0, 1)) {
-      simulated = driveScenario(chassis);
-    }
-    nanos = 0;
-    Pose byFirmware;
-    try (Chassis chassis = chassis()) {
-      byFirmware = driveScenario(chassis);
-    }
-    Truth truth = probe.truth();
-    Pose really = new Pose(truth.decimal("x"), truth.decimal("y"), truth.decimal("theta"));
-
-    assertNear(simulated, byFirmware);
-    assertNear(simulated, really);
-    // 0.25 m/s at pi/3 rad/s for 1.5 s: radius 0.75/pi to the left; then 1 m
-    Pose planned = new Pose(0.75 / Math.PI, 0.75 / Math.PI + 1, Math.PI / 2);
-    assertEquals(0, planned.distanceTo(really), 0.03);
   }
 
   @Test
@@ -130,7 +107,7 @@ class SimulatedFirmwareIT {
     try (Chassis chassis = chassis()) {
       run(chassis, new Twist(0.25, 0, 0), SECOND);
       probe.change("program hung");
-      run(chassis, Twist.ZERO, 5);
+      run(chassis, Twist.ZERO, 20); // 400 ms; the watchdog's are 250
       probe.change("program well");
       ChassisReading now = run(chassis, new Twist(0.25, 0, 0), 2 * SECOND);
 
@@ -192,14 +169,6 @@ class SimulatedFirmwareIT {
         new SimulatorTransport(microcontroller.socket()), "r1 127.0.0.1", START, nanos);
   }
 
-  /** A quarter circle, a straight of 1 m, a stop: where it ends, seen from where it began. */
-  private Pose driveScenario(Chassis chassis) {
-    run(chassis, Twist.ZERO, SECOND);
-    run(chassis, new Twist(0.25, 0, Math.PI / 3), 3 * SECOND / 2);
-    run(chassis, new Twist(0.25, 0, 0), 4 * SECOND);
-    return run(chassis, Twist.ZERO, SECOND).odometry();
-  }
-
   private ChassisReading run(Chassis chassis, Twist wanted, int ticks) {
     nanos += TICK;
     ChassisReading last = chassis.exchange(wanted, nanos);
@@ -208,12 +177,6 @@ class SimulatedFirmwareIT {
       last = chassis.exchange(wanted, nanos);
     }
     return last;
-  }
-
-  private static void assertNear(Pose expected, Pose actual) {
-    String both = expected + " and " + actual;
-    assertEquals(0, expected.distanceTo(actual), 0.005, both);
-    assertEquals(0, Angles.difference(expected.theta(), actual.theta()), 0.01, both);
   }
 
   private static void assertInBudget(Truth truth, String interrupt) {

@@ -21,14 +21,14 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 
 /** Looks at the simulated microcontroller from outside: what no robot knows of itself. */
-final class SimulatorProbe implements AutoCloseable {
+public final class SimulatorProbe implements AutoCloseable {
 
   private static final Pattern PAIR = Pattern.compile("(\\w+)=(\"[^\"]*\"|\\S+)");
 
   private final SocketChannel channel;
   private final BufferedReader answers;
 
-  SimulatorProbe(Path socket) throws IOException {
+  public SimulatorProbe(Path socket) throws IOException {
     channel = SocketChannel.open(StandardProtocolFamily.UNIX);
     channel.connect(UnixDomainSocketAddress.of(socket));
     answers =
@@ -37,7 +37,7 @@ final class SimulatorProbe implements AutoCloseable {
   }
 
   /** All that the simulator tells, by name. */
-  Truth truth() throws IOException {
+  public Truth truth() throws IOException {
     say("Q");
     Map<String, String> values = new HashMap<>();
     for (MatchResult pair : PAIR.matcher(answers.readLine()).results().toList()) {
@@ -83,13 +83,13 @@ final class SimulatorProbe implements AutoCloseable {
   }
 
   /** The simulated world at one instant. */
-  record Truth(Map<String, String> values) {
+  public record Truth(Map<String, String> values) {
 
     long number(String name) {
       return Long.parseLong(text(name));
     }
 
-    double decimal(String name) {
+    public double decimal(String name) {
       return Double.parseDouble(text(name));
     }
 
