@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "board_model.h"
+#include "eeprom_file.h"
 
 enum {
     SPSR_ADDRESS = 0x2E,
@@ -118,7 +119,7 @@ static bool load(const char *hex_file)
     return true;
 }
 
-bool chip_begin(const char *hex_file, uint32_t hertz)
+bool chip_begin(const char *hex_file, const char *eeprom_file, uint32_t hertz)
 {
     avr_global_logger_set(say_errors_only);
     avr = avr_make_mcu_by_name("atmega128");
@@ -130,7 +131,7 @@ bool chip_begin(const char *hex_file, uint32_t hertz)
     avr->frequency = hertz;
     avr->vcc = avr->avcc = avr->aref = SUPPLY_MV;
     avr->sleep = do_not_sleep;
-    if (!load(hex_file)) {
+    if (!load(hex_file) || !eeprom_file_begin(avr, eeprom_file)) {
         return false;
     }
     surroundings = (struct surroundings){.range_mm = {800, 800, 800}, .battery_mv = 16000};
@@ -193,6 +194,7 @@ static void run_until(avr_cycle_count_t cycle)
 void chip_run_us(uint32_t us)
 {
     run_until(avr->cycle + avr_usec_to_cycles(avr, us));
+    eeprom_file_keep();
 }
 
 static avr_cycle_count_t send_byte(avr_t *chip, avr_cycle_count_t when, void *parameter)

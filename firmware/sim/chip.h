@@ -33,8 +33,11 @@ struct surroundings {
     bool is_hung; /* the program does nothing any more */
 };
 
-/* Returns false, after a line on standard error, when the hex file cannot be used. */
-bool chip_begin(const char *hex_file, uint32_t hertz);
+/*
+ * The chip is switched on. Returns false, after a line on standard error, when a file cannot be
+ * used; eeprom_file: is made where there is none.
+ */
+bool chip_begin(const char *hex_file, const char *eeprom_file, uint32_t hertz);
 
 struct surroundings *chip_surroundings(void);
 struct rig *chip_rig(void);

@@ -10,13 +10,13 @@ enum { WRONG_ARGUMENTS = 2 };
 
 int main(int count, char **arguments)
 {
-    unsigned long hertz = count == 4 ? strtoul(arguments[3], NULL, 10) : 16000000;
+    unsigned long hertz = count == 5 ? strtoul(arguments[4], NULL, 10) : 16000000;
 
-    if (count < 3 || count > 4 || hertz < 1000000 || hertz > 20000000) {
-        fprintf(stderr, "usage: toqa-sim HEX SOCKET [F_CPU]\n");
+    if (count < 4 || count > 5 || hertz < 1000000 || hertz > 20000000) {
+        fprintf(stderr, "usage: toqa-sim HEX SOCKET EEPROM [F_CPU]\n");
         return WRONG_ARGUMENTS;
     }
-    if (!chip_begin(arguments[1], (uint32_t)hertz)) {
+    if (!chip_begin(arguments[1], arguments[3], (uint32_t)hertz)) {
         return 1;
     }
     return server_run(arguments[2]);

@@ -105,7 +105,7 @@ public final class SimulatedFleet implements AutoCloseable {
     }
     Files.createDirectories(folder);
     SimulatedMicrocontroller microcontroller =
-        SimulatedMicrocontroller.start(firmware, folder.resolve("spi.sock"));
+        SimulatedMicrocontroller.start(firmware, folder);
     microcontrollers.add(microcontroller);
     return new Body.SimulatedFirmware(microcontroller.socket(), robot.start());
   }

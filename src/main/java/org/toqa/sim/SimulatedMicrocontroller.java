@@ -14,6 +14,8 @@ public final class SimulatedMicrocontroller implements AutoCloseable {
 
   private static final String PROGRAM = "toqa-sim";
   private static final String HEX = "toqa.hex";
+  private static final String SOCKET = "spi.sock";
+  private static final String EEPROM = "eeprom";
   private static final long END_SECONDS = 2;
 
   private final Process process;
@@ -26,9 +28,10 @@ public final class SimulatedMicrocontroller implements AutoCloseable {
 
   /**
    * @param firmware the folder of the built firmware
-   * @param socket where it is to listen
+   * @param folder where its socket is made, and its EEPROM is kept: one that is found there was
+   *     switched off, and is switched on again
    */
-  public static SimulatedMicrocontroller start(Path firmware, Path socket) throws IOException {
+  public static SimulatedMicrocontroller start(Path firmware, Path folder) throws IOException {
     Path program = firmware.resolve(PROGRAM);
     Path hex = firmware.resolve(HEX);
     if (!Files.isExecutable(program) || !Files.isReadable(hex)) {
@@ -36,10 +39,14 @@ public final class SimulatedMicrocontroller implements AutoCloseable {
           "The firmware is not built in " + firmware + ": run make -C firmware hex sim.");
     }
     Process process =
-        new ProcessBuilder(program.toString(), hex.toString(), socket.toString())
+        new ProcessBuilder(
+                program.toString(),
+                hex.toString(),
+                folder.resolve(SOCKET).toString(),
+                folder.resolve(EEPROM).toString())
             .redirectError(ProcessBuilder.Redirect.INHERIT)
             .start();
-    SimulatedMicrocontroller started = new SimulatedMicrocontroller(process, socket);
+    SimulatedMicrocontroller started = new SimulatedMicrocontroller(process, folder.resolve(SOCKET));
     started.awaitListening();
     return started;
   }

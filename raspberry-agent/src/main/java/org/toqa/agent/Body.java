@@ -38,7 +38,9 @@ public sealed interface Body {
    * @param top its whole content
    */
   static Body read(Path file, ConfigSection top) throws ConfigException {
-    ConfigSection body = top.section("chassis", "type", "start", "noise", "seed", "socket", "device", "clock", "wordDelay");
+    ConfigSection body =
+        top.section(
+            "chassis", "type", "start", "noise", "seed", "socket", "device", "clock", "wordDelay");
     String type = body.text("type");
     return switch (type) {
       case "simulated" ->

@@ -45,8 +45,7 @@ class AgentConfigTest {
 
   @Test
   void spiBusHasTheClockThatTheFirmwareCanFollow() throws ConfigException, IOException {
-    AgentConfig config =
-        AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: spi}}"));
+    AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: spi}}"));
 
     assertEquals(new Body.Spi(Path.of("/dev/spidev0.0"), 1_000_000, 8), config.chassis());
   }

@@ -35,7 +35,7 @@ class FirmwareScenarioIT {
     Pose byFirmware;
     Pose really;
     try (SimulatedMicrocontroller microcontroller =
-            SimulatedMicrocontroller.start(FIRMWARE, folder.resolve("spi.sock"));
+            SimulatedMicrocontroller.start(FIRMWARE, folder);
         SimulatorProbe probe = new SimulatorProbe(microcontroller.socket())) {
       Body body = new Body.SimulatedFirmware(microcontroller.socket(), Rig.START);
       byFirmware = drive(body, folder.resolve("firmware"));

@@ -50,14 +50,7 @@ final class Rig implements AutoCloseable {
 
   AgentConfig config(Path data, int port) {
     return new AgentConfig(
-        "r1",
-        InetAddress.getLoopbackAddress(),
-        port,
-        data,
-        5,
-        0.255,
-        LIMITS,
-        body);
+        "r1", InetAddress.getLoopbackAddress(), port, data, 5, 0.255, LIMITS, body);
   }
 
   /** A server that was greeted and has said nothing yet. */

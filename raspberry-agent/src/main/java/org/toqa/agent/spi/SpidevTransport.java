@@ -6,7 +6,6 @@ import java.lang.foreign.FunctionDescriptor;
 import java.lang.foreign.Linker;
 import java.lang.foreign.MemoryLayout;
 import java.lang.foreign.MemorySegment;
-import java.lang.foreign.SymbolLookup;
 import java.lang.foreign.ValueLayout;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.VarHandle;
@@ -44,12 +43,15 @@ public final class SpidevTransport implements FrameTransport {
   private static final VarHandle ERRNO_OF_CALL =
       CALL_STATE.varHandle(MemoryLayout.PathElement.groupElement("errno"));
 
+  /** Open and ioctl are variadic in C. */
+  private static final Linker.Option AFTER_TWO = Linker.Option.firstVariadicArg(2);
+
   private static final MethodHandle OPEN =
       function(
           "open",
-          FunctionDescriptor.of(
-              ValueLayout.JAVA_INT, ValueLayout.ADDRESS, ValueLayout.JAVA_INT),
-          2);
+          FunctionDescriptor.of(ValueLayout.JAVA_INT, ValueLayout.ADDRESS, ValueLayout.JAVA_INT),
+          ERRNO,
+          AFTER_TWO);
   private static final MethodHandle IOCTL =
       function(
           "ioctl",
@@ -58,12 +60,10 @@ public final class SpidevTransport implements FrameTransport {
               ValueLayout.JAVA_INT,
               ValueLayout.JAVA_LONG,
               ValueLayout.ADDRESS),
-          2);
+          ERRNO,
+          AFTER_TWO);
   private static final MethodHandle CLOSE =
-      LINKER.downcallHandle(
-          symbol("close"),
-          FunctionDescriptor.of(ValueLayout.JAVA_INT, ValueLayout.JAVA_INT),
-          ERRNO);
+      function("close", FunctionDescriptor.of(ValueLayout.JAVA_INT, ValueLayout.JAVA_INT), ERRNO);
 
   private final Arena arena = Arena.ofConfined();
   private final MemorySegment callState = arena.allocate(CALL_STATE);
@@ -124,16 +124,13 @@ public final class SpidevTransport implements FrameTransport {
         "%s %s (errno %d).".formatted(device, what, (int) ERRNO_OF_CALL.get(callState, 0L)));
   }
 
-  /** Both are variadic in C. */
-  private static MethodHandle function(String name, FunctionDescriptor type, int fixed) {
-    return LINKER.downcallHandle(
-        symbol(name), type, ERRNO, Linker.Option.firstVariadicArg(fixed));
-  }
-
-  private static MemorySegment symbol(String name) {
-    SymbolLookup system = LINKER.defaultLookup();
-    return system
+  @SuppressWarnings("restricted") // the manifest allows native access
+  private static MethodHandle function(
+      String name, FunctionDescriptor type, Linker.Option... options) {
+    return LINKER
+        .defaultLookup()
         .find(name)
+        .map(symbol -> LINKER.downcallHandle(symbol, type, options))
         .orElseThrow(() -> new UnsatisfiedLinkError("This system has no function " + name + "."));
   }
 

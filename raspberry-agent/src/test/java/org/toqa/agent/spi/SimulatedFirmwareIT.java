@@ -1,6 +1,7 @@
 package org.toqa.agent.spi;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -46,7 +47,7 @@ class SimulatedFirmwareIT {
 
   @BeforeEach
   void start() throws IOException {
-    microcontroller = SimulatedMicrocontroller.start(FIRMWARE, folder.resolve("spi.sock"));
+    microcontroller = SimulatedMicrocontroller.start(FIRMWARE, folder);
     probe = new SimulatorProbe(microcontroller.socket());
   }
 
@@ -99,6 +100,19 @@ class SimulatedFirmwareIT {
       assertEquals(List.of("STOP_EDGE"), codes(run(chassis, Twist.ZERO, SECOND)));
       chassis.clearFaults();
       assertEquals(List.of(), codes(run(chassis, Twist.ZERO, SECOND)));
+    }
+  }
+
+  @Test
+  void switchedOffAndOnAgainItDoesNotClaimToKnowItsPlace() throws IOException {
+    chassis().close();
+    end();
+    start();
+    try (Chassis chassis = chassis()) {
+      ChassisReading now = run(chassis, Twist.ZERO, 5);
+
+      assertEquals(2, now.powerCycle());
+      assertNull(now.placedAt());
     }
   }
 
