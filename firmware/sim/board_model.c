@@ -142,8 +142,12 @@ void board_model_wire(struct board_model *board)
     avr_irq_register_notify(port(board, 'C', IOPORT_IRQ_REG_PORT), on_lm629_lines, board);
     avr_irq_register_notify(port(board, 'G', IOPORT_IRQ_REG_PORT), on_lcd_lines, board);
     silence_uart(board);
-    avr_cycle_timer_register_usec(board->avr, RANGE_PERIOD_US, send_range, board);
     board_model_feel(board);
+}
+
+void board_model_begin_timers(struct board_model *board)
+{
+    avr_cycle_timer_register_usec(board->avr, RANGE_PERIOD_US, send_range, board);
 }
 
 static void measure(struct board_model *board, int channel, uint32_t mv)

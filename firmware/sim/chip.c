@@ -19,6 +19,7 @@ enum {
     SPI_VECTOR = 17,
     SUPPLY_MV = 5000,
     FEEL_PERIOD_US = 1000,
+    HANG_LENGTH = 2,
 };
 
 static const double STANDS = 0.010; /* metres a second at the rim */
@@ -40,6 +41,12 @@ static struct {
     uint8_t answer;
     uint32_t overruns;
 } spi;
+
+static struct {
+    bool is_hung;
+    avr_flashaddr_t at;
+    uint8_t instruction[HANG_LENGTH]; /* that is there else */
+} hung;
 
 static struct {
     avr_cycle_count_t begun;
@@ -85,6 +92,14 @@ static avr_cycle_count_t feel(avr_t *chip, avr_cycle_count_t when, void *paramet
     (void)parameter;
     board_model_feel(&board);
     return when + avr_usec_to_cycles(chip, FEEL_PERIOD_US);
+}
+
+/* simavr forgets all timers when the chip is reset. */
+static void begin_timers(void)
+{
+    avr_cycle_timer_register(avr, 1, sample_rig, NULL);
+    avr_cycle_timer_register_usec(avr, FEEL_PERIOD_US, feel, NULL);
+    board_model_begin_timers(&board);
 }
 
 /* Else simavr would let real time pass while the program sleeps. */
@@ -149,8 +164,7 @@ bool chip_begin(const char *hex_file, const char *eeprom_file, uint32_t hertz)
                                     (void *)(uintptr_t)vector);
         }
     }
-    avr_cycle_timer_register(avr, 1, sample_rig, NULL);
-    avr_cycle_timer_register_usec(avr, FEEL_PERIOD_US, feel, NULL);
+    begin_timers();
     return true;
 }
 
@@ -174,19 +188,44 @@ uint64_t chip_us(void)
     return (uint64_t)((double)avr->cycle * 1e6 / avr->frequency);
 }
 
+/* Puts "jump to here" where the program is, until the watchdog resets the chip. */
+static void hang(void)
+{
+    static const uint8_t jump_to_here[HANG_LENGTH] = {0xFF, 0xCF};
+
+    if (hung.is_hung || avr->state != cpu_Running) {
+        return;
+    }
+    hung.is_hung = true;
+    hung.at = avr->pc;
+    memcpy(hung.instruction, avr->flash + hung.at, HANG_LENGTH);
+    memcpy(avr->flash + hung.at, jump_to_here, HANG_LENGTH);
+    avr->sreg[S_I] = 0;
+}
+
+static void on_reset(void)
+{
+    begin_timers();
+    if (hung.is_hung) {
+        memcpy(avr->flash + hung.at, hung.instruction, HANG_LENGTH);
+        hung.is_hung = false;
+        surroundings.is_hung = false;
+    }
+}
+
 static void run_until(avr_cycle_count_t cycle)
 {
     while (avr->cycle < cycle) {
-        avr_flashaddr_t hung_at = avr->pc;
         int state = avr_run(avr);
 
         if (state == cpu_Done || state == cpu_Crashed) {
             fprintf(stderr, "toqa-sim: the program ended at %#x.\n", avr->pc);
             exit(1);
         }
-        if (surroundings.is_hung && avr->pc != 0) {
-            avr->pc = hung_at;
-            avr->sreg[S_I] = 0;
+        if (avr->pc == 0) {
+            on_reset();
+        } else if (surroundings.is_hung) {
+            hang();
         }
     }
 }

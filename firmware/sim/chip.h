@@ -30,7 +30,7 @@ struct surroundings {
     uint16_t battery_mv;
     bool is_hot;
     bool is_stop_pressed;
-    bool is_hung; /* the program does nothing any more */
+    bool is_hung; /* the program does nothing any more, until the watchdog resets the chip */
 };
 
 /*

@@ -21,6 +21,7 @@ static struct robot_inputs inputs;
 static struct frame_parser parser;
 static struct panel panel;
 
+/* To be called before the watchdog is set up: the flag that it resets may hold its time short. */
 static enum stop_reason reason_of_start(void)
 {
     bool was_hung = (MCUCSR & _BV(WDRF)) != 0;
@@ -80,13 +81,14 @@ static void live(uint32_t now_ms)
 static void begin(void)
 {
     uint8_t first[FRAME_LENGTH];
+    enum stop_reason reason = reason_of_start();
 
     wdt_enable(WDTO_250MS);
     lcd_begin();
     sensors_begin(&inputs);
     psd_uart_begin();
     frame_parser_begin(&parser);
-    robot_begin(&robot, reason_of_start(), power_cycle_count());
+    robot_begin(&robot, reason, power_cycle_count());
     panel_write(&panel, &robot);
     write_status(first);
     spi_slave_begin(first);

@@ -121,8 +121,6 @@ class SimulatedFirmwareIT {
     try (Chassis chassis = chassis()) {
       run(chassis, new Twist(0.25, 0, 0), SECOND);
       probe.change("program hung");
-      run(chassis, Twist.ZERO, 20); // 400 ms; the watchdog's are 250
-      probe.change("program well");
       ChassisReading now = run(chassis, new Twist(0.25, 0, 0), 2 * SECOND);
 
       assertEquals(2, now.powerCycle());
