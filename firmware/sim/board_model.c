@@ -142,11 +142,15 @@ void board_model_wire(struct board_model *board)
     avr_irq_register_notify(port(board, 'C', IOPORT_IRQ_REG_PORT), on_lm629_lines, board);
     avr_irq_register_notify(port(board, 'G', IOPORT_IRQ_REG_PORT), on_lcd_lines, board);
     silence_uart(board);
-    board_model_feel(board);
+    board_model_restart(board);
 }
 
-void board_model_begin_timers(struct board_model *board)
+void board_model_restart(struct board_model *board)
 {
+    /* simavr passes on what changes, and the chip has just forgotten its pins */
+    avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + HEAT_PIN), 0);
+    avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + SWITCH_PIN), 0);
+    board_model_feel(board);
     avr_cycle_timer_register_usec(board->avr, RANGE_PERIOD_US, send_range, board);
 }
 

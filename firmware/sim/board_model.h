@@ -20,8 +20,8 @@ struct board_model {
 /* Begins to wire; board must last as long as the chip. */
 void board_model_wire(struct board_model *board);
 
-/* What goes on by itself, again after every reset of the chip. */
-void board_model_begin_timers(struct board_model *board);
+/* After every reset of the chip. */
+void board_model_restart(struct board_model *board);
 
 /* Puts the surroundings on the pins. */
 void board_model_feel(struct board_model *board);

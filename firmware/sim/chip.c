@@ -99,7 +99,6 @@ static void begin_timers(void)
 {
     avr_cycle_timer_register(avr, 1, sample_rig, NULL);
     avr_cycle_timer_register_usec(avr, FEEL_PERIOD_US, feel, NULL);
-    board_model_begin_timers(&board);
 }
 
 /* Else simavr would let real time pass while the program sleeps. */
@@ -206,6 +205,7 @@ static void hang(void)
 static void on_reset(void)
 {
     begin_timers();
+    board_model_restart(&board);
     if (hung.is_hung) {
         memcpy(avr->flash + hung.at, hung.instruction, HANG_LENGTH);
         hung.is_hung = false;

@@ -84,6 +84,7 @@ static void begin(void)
     enum stop_reason reason = reason_of_start();
 
     wdt_enable(WDTO_250MS);
+    wdt_reset();
     lcd_begin();
     sensors_begin(&inputs);
     psd_uart_begin();
