@@ -104,8 +104,7 @@ public final class SimulatedFleet implements AutoCloseable {
       return new Body.Simulated(robot.start(), SLIP, robot.name().hashCode());
     }
     Files.createDirectories(folder);
-    SimulatedMicrocontroller microcontroller =
-        SimulatedMicrocontroller.start(firmware, folder);
+    SimulatedMicrocontroller microcontroller = SimulatedMicrocontroller.start(firmware, folder);
     microcontrollers.add(microcontroller);
     return new Body.SimulatedFirmware(microcontroller.socket(), robot.start());
   }

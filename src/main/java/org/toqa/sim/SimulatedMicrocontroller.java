@@ -46,7 +46,8 @@ public final class SimulatedMicrocontroller implements AutoCloseable {
                 folder.resolve(EEPROM).toString())
             .redirectError(ProcessBuilder.Redirect.INHERIT)
             .start();
-    SimulatedMicrocontroller started = new SimulatedMicrocontroller(process, folder.resolve(SOCKET));
+    SimulatedMicrocontroller started =
+        new SimulatedMicrocontroller(process, folder.resolve(SOCKET));
     started.awaitListening();
     return started;
   }

@@ -11,7 +11,7 @@ import java.nio.file.Path;
 
 /**
  * To the simulated microcontroller of {@code firmware/sim} over its Unix socket. Before each
- * exchange the microcontroller lives for as long as the daemon did since the last one.
+ * exchange the microcontroller lives for as long as the daemon did since the last one, or less.
  */
 public final class SimulatorTransport implements FrameTransport {
 
@@ -21,14 +21,19 @@ public final class SimulatorTransport implements FrameTransport {
   /** The pause between exchanges that the microcontroller needs to answer in the next one. */
   private static final long PAUSE_MICROS = 5_000;
 
-  private static final long MOST_MICROS = 60_000_000;
+  /**
+   * The microcontroller lives no longer in one stretch, which is less than what makes it miss its
+   * daemon: a machine that is too slow slows the simulated world and trips no timer of it.
+   */
+  private static final long MOST_MICROS = 100_000;
+
   private static final int HEADER = 7;
 
   private final SocketChannel channel;
   private boolean started;
   private long lastNanos;
 
-  /** Micros that the microcontroller still has to live, or, below 0, is ahead. */
+  /** Micros until the microcontroller is as old as the daemon; below 0 it is ahead. */
   private long due;
 
   public SimulatorTransport(Path socket) throws IOException {
@@ -51,7 +56,7 @@ public final class SimulatorTransport implements FrameTransport {
     started = true;
     lastNanos = nanos;
     long micros = Math.clamp(due - EXCHANGE_MICROS, PAUSE_MICROS, MOST_MICROS);
-    due = Math.max(-MOST_MICROS, due - micros - EXCHANGE_MICROS);
+    due = Math.min(0, due - micros - EXCHANGE_MICROS);
     ByteBuffer request =
         ByteBuffer.allocate(HEADER + frame.length)
             .order(ByteOrder.LITTLE_ENDIAN)

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.Timeout.ThreadMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.agent.DaemonProcess;
 import org.toqa.agent.chassis.Chassis;
@@ -31,7 +32,7 @@ import org.toqa.sim.SimulatedMicrocontroller;
 
 /** The very hex file in a simulated ATmega128, with modelled motors, under the daemon's chassis. */
 @Tag("full")
-@Timeout(180)
+@Timeout(value = 180, threadMode = ThreadMode.SEPARATE_THREAD)
 class SimulatedFirmwareIT {
 
   private static final Path FIRMWARE = Path.of("firmware/build").toAbsolutePath();
