@@ -4,7 +4,16 @@ cache=${XDG_CACHE_HOME:-$HOME/.cache}/toqa/services
 
 # require COMMAND PACKAGE: installs the package where the command is missing, or names it.
 require() {
-  command -v "$1" >/dev/null && return
+  command -v "$1" >/dev/null || install "$1" "$2"
+}
+
+# require_file FILE PACKAGE: the same for a package that brings no command.
+require_file() {
+  [ -f "$1" ] || install "$1" "$2"
+}
+
+# install WHAT PACKAGE
+install() {
   if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
     say "installing $2"
     apt-get -q update >&2

@@ -17,8 +17,8 @@ usage() {
   cat <<'END'
 Usage: ./toqa test
 
-Runs the full test suite. On Debian it brings what it needs: Chromium (installed when you are
-root, named when not) and a private MySQL server (unpacked into ~/.cache/toqa, not installed).
+Runs the full test suite. On Debian it brings what it needs: Chromium and the compilers of the
+firmware (installed when you are root, named when not) and a private MySQL server (unpacked into ~/.cache/toqa, not installed).
 TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours instead; its user must be allowed to
 create databases.
 END
@@ -46,9 +46,18 @@ trap 'exit 130' INT
 trap 'exit 143' TERM
 
 require chromium chromium
-start_database
+require make make
+require cc gcc
+require avr-gcc gcc-avr
+require_file /usr/lib/avr/include/avr/io.h avr-libc
+require_file /usr/include/simavr/sim_avr.h libsimavr-dev
+require cppcheck cppcheck
 
 cd "$root"
+say "testing the firmware"
+make -s -C firmware test sim
+start_database
+
 ./mvnw -B -ntp verify -Pfull -Dtoqa.mysql.url="$database_url" &
 maven=$!
 status=0

@@ -28,6 +28,8 @@ import org.toqa.fleet.ChargingRules;
  * @param simulate how many simulated robots
  * @param simulateBatteries what the batteries of new simulated robots have, 0 to 1, robot by robot;
  *     the last one counts for all others
+ * @param firmware the folder of the built firmware that drives the first simulated robot, in a
+ *     simulated microcontroller; null: every body is simulated as a whole
  * @param lostAfter how long a robot is silent until its task goes to another
  * @param charging when robots charge
  * @param speed how many times faster than real time the simulated robots live
@@ -45,6 +47,7 @@ public record Configuration(
     Policy allocator,
     int simulate,
     List<Double> simulateBatteries,
+    @Nullable Path firmware,
     Duration lostAfter,
     ChargingRules charging,
     double speed,
@@ -100,6 +103,7 @@ public record Configuration(
           policy(),
           simulate,
           batteries(),
+          firmware(simulate),
           lostAfter,
           charging(),
           speed,
@@ -185,6 +189,20 @@ public record Configuration(
       }
       if (!Files.isWritable(present)) {
         throw refused(setting, "nothing can be written to " + present + "; name another folder.");
+      }
+      return folder;
+    }
+
+    private @Nullable Path firmware(int simulate) throws ConfigurationException {
+      if (text(Setting.FIRMWARE).isEmpty()) {
+        return null;
+      }
+      if (simulate == 0) {
+        throw refused(Setting.FIRMWARE, "only simulated robots need it: set simulate as well.");
+      }
+      Path folder = path(Setting.FIRMWARE);
+      if (!Files.isExecutable(folder.resolve("toqa-sim"))) {
+        throw outside(Setting.FIRMWARE);
       }
       return folder;
     }

@@ -23,6 +23,9 @@ final class DemoCommand implements Callable<Integer> {
 
   private static final String PASSWORD = "demo-robots";
 
+  /** Set by the launcher, which builds the firmware. */
+  private static final String FIRMWARE_FOLDER = "toqa.firmware";
+
   @Option(names = "--once", description = "Runs the demo tasks, prints a table, and ends.")
   private boolean once;
 
@@ -32,6 +35,11 @@ final class DemoCommand implements Callable<Integer> {
       paramLabel = "N",
       description = "How many, 1 to " + DemoTasks.MOST_ROBOTS + " (default: ${DEFAULT-VALUE}).")
   private int robots;
+
+  @Option(
+      names = "--firmware",
+      description = "Drives the first robot by the real firmware in a simulated microcontroller.")
+  private boolean firmware;
 
   @Option(
       names = "--speed",
@@ -55,6 +63,7 @@ final class DemoCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     checkRobots();
     checkReport();
+    checkFirmware();
     Path webapp = Webapp.folder();
     try (StopSignal stop = new StopSignal();
         TemporaryFolder data = TemporaryFolder.create("toqa-demo")) {
@@ -93,6 +102,7 @@ final class DemoCommand implements Callable<Integer> {
     options.put(Setting.MANAGER, USER + ":" + PASSWORD);
     options.put(Setting.LOG_LEVEL, "WARN");
     options.put(Setting.DATA, data.toString());
+    options.put(Setting.FIRMWARE, firmware ? System.getProperty(FIRMWARE_FOLDER) : null);
     options.put(Setting.SPEED, speed);
     options.put(Setting.PORT, port);
     return Layer.ofCommandLine(options);
@@ -106,6 +116,13 @@ final class DemoCommand implements Callable<Integer> {
               + "\": it must be a whole number from 1 to "
               + DemoTasks.MOST_ROBOTS
               + ".");
+    }
+  }
+
+  private void checkFirmware() throws ConfigurationException {
+    if (firmware && System.getProperty(FIRMWARE_FOLDER) == null) {
+      throw new ConfigurationException(
+          "--firmware needs the firmware built: start the demo by ./toqa demo --firmware.");
     }
   }
 

@@ -14,6 +14,7 @@ enum Setting {
   DATABASE_USER("database.user", "", "a user of the database"),
   DATABASE_PASSWORD("database.password", "", "that user's password"),
   ALLOCATOR("allocator", "optimal", "zones, contract-net or optimal"),
+  FIRMWARE("firmware", "", "the folder of the built firmware, with toqa.hex and toqa-sim"),
   SIMULATE("simulate", "0", "a whole number from 0 to 500"),
   SIMULATE_BATTERIES(
       "simulateBatteries",

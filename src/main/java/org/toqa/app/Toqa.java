@@ -2,6 +2,7 @@ package org.toqa.app;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
@@ -161,8 +162,10 @@ final class Toqa implements AutoCloseable {
     List<SimulatedRobot> robots = new ArrayList<>();
     for (int i = 0; i < configuration.simulate(); i++) {
       Pose start = new Pose(places.get(i).position().x(), places.get(i).position().y(), 0);
+      Path firmware = i == 0 ? configuration.firmware() : null;
       robots.add(
-          new SimulatedRobot("r" + (i + 1), start, SIMULATED_LOAD, battery(configuration, i)));
+          new SimulatedRobot(
+              "r" + (i + 1), start, SIMULATED_LOAD, battery(configuration, i), firmware));
     }
     SimulatedFleet simulated =
         SimulatedFleet.open(

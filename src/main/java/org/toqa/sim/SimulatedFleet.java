@@ -2,12 +2,14 @@ package org.toqa.sim;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.AgentConfig;
+import org.toqa.agent.Body;
 import org.toqa.agent.Daemon;
 import org.toqa.agent.MotionLimits;
 import org.toqa.agent.chassis.SimulatedPower;
@@ -30,6 +32,7 @@ public final class SimulatedFleet implements AutoCloseable {
   private final List<Vec2> chargers;
   private final VirtualClock clock;
   private final List<Inhabitant> robots = new ArrayList<>();
+  private final List<SimulatedMicrocontroller> microcontrollers = new ArrayList<>();
 
   /** A daemon in the world. */
   private record Inhabitant(Daemon daemon) implements Participant {
@@ -97,6 +100,24 @@ public final class SimulatedFleet implements AutoCloseable {
       }
     }
     robots.clear();
+    microcontrollers.forEach(SimulatedMicrocontroller::close);
+    microcontrollers.clear();
+  }
+
+  private Body body(Path folder, SimulatedRobot robot) throws IOException {
+    Path firmware = robot.firmware();
+    if (firmware == null) {
+      return new Body.Simulated(
+          robot.start(),
+          new SimulatedPower(robot.battery(), chargers),
+          SLIP,
+          robot.name().hashCode(),
+          1);
+    }
+    Files.createDirectories(folder);
+    SimulatedMicrocontroller microcontroller = SimulatedMicrocontroller.start(firmware, folder);
+    microcontrollers.add(microcontroller);
+    return new Body.SimulatedFirmware(microcontroller.socket(), robot.start());
   }
 
   private void add(Path folder, SimulatedRobot robot) throws IOException {
@@ -110,12 +131,7 @@ public final class SimulatedFleet implements AutoCloseable {
             FOOTPRINT,
             LIMITS,
             AgentConfig.Following.DEFAULT,
-            new AgentConfig.Simulated(
-                robot.start(),
-                new SimulatedPower(robot.battery(), chargers),
-                SLIP,
-                robot.name().hashCode(),
-                1));
+            body(folder, robot));
     Inhabitant inhabitant = new Inhabitant(Daemon.open(config, clock, clock.nanos()));
     robots.add(inhabitant);
     clock.add(inhabitant, Daemon.TICK);

@@ -1,5 +1,7 @@
 package org.toqa.sim;
 
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 
 /**
@@ -8,5 +10,13 @@ import org.toqa.geometry.Pose;
  * @param start where its body is put if it is new, map frame
  * @param maxLoad kilograms
  * @param battery what a new one has, 0 to 1
+ * @param firmware the folder of the built firmware that is to drive it, in a simulated
+ *     microcontroller; null: its body is simulated as a whole
  */
-public record SimulatedRobot(String name, Pose start, double maxLoad, double battery) {}
+public record SimulatedRobot(
+    String name, Pose start, double maxLoad, double battery, @Nullable Path firmware) {
+
+  public SimulatedRobot(String name, Pose start, double maxLoad, double battery) {
+    this(name, start, maxLoad, battery, null);
+  }
+}

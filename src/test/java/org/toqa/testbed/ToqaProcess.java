@@ -69,7 +69,12 @@ public final class ToqaProcess implements AutoCloseable {
 
   /** Its exit code; an {@link AssertionError} where it does not end. */
   public int exitCode() throws InterruptedException {
-    if (!process.waitFor(LIMIT.toSeconds(), TimeUnit.SECONDS)) {
+    return exitCode(LIMIT);
+  }
+
+  /** Waits for longer than other commands take. */
+  public int exitCode(Duration limit) throws InterruptedException {
+    if (!process.waitFor(limit.toSeconds(), TimeUnit.SECONDS)) {
       throw new AssertionError("still running; it said: " + err.all());
     }
     return process.exitValue();

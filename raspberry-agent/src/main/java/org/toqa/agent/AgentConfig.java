@@ -9,12 +9,10 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.regex.Pattern;
-import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.formation.FollowerLaw;
 import org.toqa.formation.Gains;
 import org.toqa.formation.NonHolonomicLaw;
 import org.toqa.formation.SingleIntegratorLaw;
-import org.toqa.geometry.Pose;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.Yaml;
 import org.yaml.snakeyaml.constructor.SafeConstructor;
@@ -41,7 +39,7 @@ public record AgentConfig(
     double footprint,
     MotionLimits limits,
     Following following,
-    Simulated chassis) {
+    Body chassis) {
 
   private static final String[] KEYS = {
     "name",
@@ -60,17 +58,6 @@ public record AgentConfig(
   };
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_-]{0,31}");
-
-  /**
-   * A simulated body.
-   *
-   * @param start where a new body is put, map frame
-   * @param power its battery, and where it is charged
-   * @param noise standard deviation of a wheel's slip, as a share of what it turns
-   * @param speed how many times faster than real time it and its daemon live
-   */
-  public record Simulated(
-      Pose start, SimulatedPower power, double noise, long seed, double speed) {}
 
   /**
    * How it keeps its place beside a leader.
@@ -94,9 +81,7 @@ public record AgentConfig(
         top.number("footprint", 0.255, 0.05, 5),
         limits(top),
         following(top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
-        chassis(
-            top.section(
-                "chassis", "type", "start", "battery", "chargers", "noise", "seed", "speed")));
+        Body.read(file, top));
   }
 
   private static Map<?, ?> keys(Path file) throws ConfigException {
@@ -173,24 +158,5 @@ public record AgentConfig(
       case "non-holonomic" -> new Following(new NonHolonomicLaw(gains), linkDelay);
       default -> throw following.wrong("law", law, "omni or non-holonomic");
     };
-  }
-
-  private static Simulated chassis(ConfigSection chassis) throws ConfigException {
-    String type = chassis.text("type");
-    if (!type.equals("simulated")) {
-      throw chassis.wrong("type", type, "simulated");
-    }
-    ConfigSection start = chassis.section("start", "x", "y", "heading");
-    Pose pose =
-        new Pose(
-            start.number("x", 0, -100_000, 100_000),
-            start.number("y", 0, -100_000, 100_000),
-            Math.toRadians(start.number("heading", 0, -360, 360)));
-    return new Simulated(
-        pose,
-        new SimulatedPower(chassis.number("battery", 1, 0, 1), chassis.points("chargers")),
-        chassis.number("noise", 0.01, 0, 1),
-        chassis.whole("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE),
-        chassis.number("speed", 1, 0.1, 100));
   }
 }

@@ -45,6 +45,10 @@ final class ConfigSection {
     throw wrong(key, value, "keys of its own, indented below it");
   }
 
+  boolean has(String key) {
+    return values.get(key) != null;
+  }
+
   String text(String key) throws ConfigException {
     Object value = values.get(key);
     if (value == null) {

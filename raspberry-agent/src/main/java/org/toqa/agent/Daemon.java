@@ -16,6 +16,11 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.SimulatedChassis;
+import org.toqa.agent.spi.FirmwareChassis;
+import org.toqa.agent.spi.FrameTransport;
+import org.toqa.agent.spi.SimulatorTransport;
+import org.toqa.agent.spi.SpidevTransport;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Done;
@@ -30,6 +35,7 @@ import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.FromLeader;
 import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.message.ServerMessage.Resume;
 
 /**
  * A robot's daemon: the link's end, the control and the body together.
@@ -95,15 +101,45 @@ public final class Daemon implements AutoCloseable {
   public static Daemon open(AgentConfig config, InstantSource clock, long nanos)
       throws IOException {
     DataFolder folder = new DataFolder(config.dataDir());
-    AgentConfig.Simulated body = config.chassis();
-    Chassis chassis =
-        new SimulatedChassis(
-            folder.path().resolve("body"), body.start(), body.power(), body.noise(), body.seed());
+    try {
+      return open(config, clock, nanos, folder, chassis(config, folder, nanos));
+    } catch (IOException e) {
+      folder.close();
+      throw e;
+    }
+  }
+
+  private static Daemon open(
+      AgentConfig config, InstantSource clock, long nanos, DataFolder folder, Chassis chassis)
+      throws IOException {
     try {
       return new Daemon(config, clock, nanos, folder, chassis);
     } catch (IOException e) {
       chassis.close();
-      folder.close();
+      throw e;
+    }
+  }
+
+  private static Chassis chassis(AgentConfig config, DataFolder folder, long nanos)
+      throws IOException {
+    return switch (config.chassis()) {
+      case Body.Simulated(var start, var power, double noise, long seed, double _) ->
+          new SimulatedChassis(folder.path().resolve("body"), start, power, noise, seed);
+      case Body.SimulatedFirmware(var socket, var start) ->
+          firmware(config, new SimulatorTransport(socket), start, nanos);
+      case Body.Spi(var device, int hertz, int wordDelay) ->
+          firmware(config, new SpidevTransport(device, hertz, wordDelay), null, nanos);
+    };
+  }
+
+  private static Chassis firmware(
+      AgentConfig config, FrameTransport transport, @Nullable Pose start, long nanos)
+      throws IOException {
+    String caption = config.name() + " " + config.address().getHostAddress();
+    try {
+      return new FirmwareChassis(transport, caption, start, nanos);
+    } catch (IOException e) {
+      transport.close();
       throw e;
     }
   }
@@ -232,8 +268,15 @@ public final class Daemon implements AutoCloseable {
     heardNanos = nanos;
     switch (message) {
       case AckDone(long drive) -> control.acknowledged(drive);
-      case Command order -> say(control.obey(order));
+      case Command order -> obey(order);
       case FromLeader _ -> {} // heard elsewhere
+    }
+  }
+
+  private void obey(Command order) {
+    say(control.obey(order));
+    if (order instanceof Resume) {
+      chassis.clearFaults();
     }
   }
 

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.geometry.Pose;
 import picocli.CommandLine;
 
@@ -31,7 +32,23 @@ class AgentConfigTest {
     assertEquals("r1", config.name());
     assertEquals(7275, config.port());
     assertEquals(new MotionLimits(0.5, 3.5, 0.5, 3), config.limits());
-    assertEquals(new Pose(1, 1, 0), config.chassis().start());
+    assertEquals(new Body.Simulated(new Pose(1, 1, 0), SimulatedPower.FULL, 0.01, 1, 1), config.chassis());
+  }
+
+  @Test
+  void simulatedMicrocontrollerIsFoundBesideTheFile() throws ConfigException, IOException {
+    AgentConfig config =
+        AgentConfig.read(
+            file("{name: r1, dataDir: d, chassis: {type: simulated-firmware, socket: spi.sock}}"));
+
+    assertEquals(new Body.SimulatedFirmware(folder.resolve("spi.sock"), null), config.chassis());
+  }
+
+  @Test
+  void spiBusHasTheClockThatTheFirmwareCanFollow() throws ConfigException, IOException {
+    AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: spi}}"));
+
+    assertEquals(new Body.Spi(Path.of("/dev/spidev0.0"), 1_000_000, 8), config.chassis());
   }
 
   @Test
@@ -57,7 +74,8 @@ class AgentConfigTest {
           {name: r1, dataDir: d, maxSped: 1}  | there is no key "maxSped"; did you mean "maxSpeed"?
           {name: r1, dataDir: d, chassis: {type: simulated, nois: 0}} | there is no key "chassis.nois"; did you mean "chassis.noise"?
           {name: r1, dataDir: d, chassis: {type: simulated, start: {X: 1}}} | there is no key "chassis.start.X"; did you mean "chassis.start.x"?
-          {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated.
+          {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated, simulated-firmware or spi.
+          {name: r1, dataDir: d, chassis: {type: simulated-firmware}} | the key "chassis.socket" is missing.
           {name: r1, dataDir: d, following: {law: fly}} | "following.law" is fly; it must be omni or non-holonomic.
           {name: r1, dataDir: d, following: {placeGain: 50}} | "following.placeGain" is 50; it must be a number from 0.1 to 5.
           {name: r1, dataDir: d}              | the key "chassis.type" is missing.

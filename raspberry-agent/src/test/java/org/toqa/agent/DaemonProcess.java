@@ -1,22 +1,42 @@
 package org.toqa.agent;
 
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.LineReader;
+import org.toqa.link.message.LinkCodec;
+import org.toqa.link.message.MessageReading.Understood;
+import org.toqa.link.message.ServerMessage.Drive;
 
-/** A daemon as a process of its own. */
-final class DaemonProcess implements AutoCloseable {
+/** A daemon as a process of its own, in real time, to be killed. */
+public final class DaemonProcess implements AutoCloseable {
+
+  private static final Duration LIMIT = Duration.ofSeconds(20);
 
   private final Process process;
   private final BufferedReader output;
   private final int port;
 
-  /** Starts it; it listens when this returns. */
-  DaemonProcess(Path config) throws IOException {
-    process =
+  private DaemonProcess(Process process, BufferedReader output, int port) {
+    this.process = process;
+    this.output = output;
+    this.port = port;
+  }
+
+  /** Starts the process; it listens when this returns. */
+  public static DaemonProcess launch(Path config) throws IOException {
+    Process process =
         new ProcessBuilder(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx64m",
@@ -27,31 +47,79 @@ final class DaemonProcess implements AutoCloseable {
                 config.toString())
             .redirectErrorStream(true)
             .start();
-    output = process.inputReader(StandardCharsets.UTF_8);
+    BufferedReader output = process.inputReader(StandardCharsets.UTF_8);
     String line = output.readLine();
     while (line != null && !line.contains("listening on")) {
       line = output.readLine();
     }
     assertNotNull(line, "the daemon ended");
-    port = Integer.parseInt(line.replaceAll(".* port (\\d+)\\.", "$1"));
+    return new DaemonProcess(
+        process, output, Integer.parseInt(line.replaceAll(".* port (\\d+)\\.", "$1")));
+  }
+
+  /** What it writes from now on. */
+  BufferedReader output() {
+    return output;
   }
 
   Process process() {
     return process;
   }
 
-  /** What it says after it listens. */
-  BufferedReader output() {
-    return output;
-  }
-
   int port() {
     return port;
   }
 
-  /** Kills it without a warning. */
+  public Peer connect() throws IOException {
+    return new Peer();
+  }
+
+  void terminate() throws InterruptedException {
+    process.toHandle().destroy(); // unlike Process.destroy it leaves the output open
+    assertTrue(process.waitFor(10, TimeUnit.SECONDS));
+  }
+
+  public void kill() throws InterruptedException {
+    process.destroyForcibly();
+    assertTrue(process.waitFor(10, TimeUnit.SECONDS));
+  }
+
+  int exitCode() {
+    return process.exitValue();
+  }
+
   @Override
   public void close() {
     process.destroyForcibly();
+  }
+
+  /** A server of the daemon. */
+  public final class Peer implements AutoCloseable {
+    private final Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
+    private final LineReader lines = new LineReader(socket.getInputStream());
+
+    Peer() throws IOException {
+      socket.setSoTimeout((int) LIMIT.toMillis());
+    }
+
+    public void say(Drive drive) throws IOException {
+      socket.getOutputStream().write(LinkCodec.line(drive));
+    }
+
+    public <M extends AgentMessage> M await(Class<M> type, Predicate<M> wished) throws IOException {
+      while (true) {
+        LineReader.Line line = lines.next();
+        assertNotNull(line, "the daemon hung up");
+        Object message = assertInstanceOf(Understood.class, LinkCodec.agentMessage(line)).message();
+        if (type.isInstance(message) && wished.test(type.cast(message))) {
+          return type.cast(message);
+        }
+      }
+    }
+
+    @Override
+    public void close() throws IOException {
+      socket.close();
+    }
   }
 }

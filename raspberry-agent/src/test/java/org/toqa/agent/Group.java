@@ -123,7 +123,7 @@ final class Group implements AutoCloseable {
                   0.255,
                   Rig.LIMITS,
                   AgentConfig.Following.DEFAULT,
-                  new AgentConfig.Simulated(start, SimulatedPower.FULL, 0.01, robot, 1)),
+                  new Body.Simulated(start, SimulatedPower.FULL, 0.01, robot, 1)),
               clock,
               clock.nanos()));
     } catch (IOException e) {

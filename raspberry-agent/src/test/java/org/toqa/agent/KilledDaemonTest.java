@@ -1,32 +1,21 @@
 package org.toqa.agent;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
-import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.geometry.Pose;
-import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.State;
-import org.toqa.link.message.LineReader;
-import org.toqa.link.message.LinkCodec;
-import org.toqa.link.message.MessageReading.Understood;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.motion.Segment;
 
@@ -35,7 +24,6 @@ import org.toqa.motion.Segment;
 class KilledDaemonTest {
 
   private static final Pose START = new Pose(1, 1, 0);
-  private static final Duration LIMIT = Duration.ofSeconds(20);
 
   @TempDir Path folder;
   private DaemonProcess daemon;
@@ -50,7 +38,7 @@ class KilledDaemonTest {
         dataDir: data
         chassis: {type: simulated, start: {x: 1, y: 1}}
         """);
-    daemon = new DaemonProcess(folder.resolve("agent.yaml"));
+    daemon = DaemonProcess.launch(folder.resolve("agent.yaml"));
   }
 
   @AfterEach
@@ -61,17 +49,16 @@ class KilledDaemonTest {
   @Test
   void killedInTheMiddleOfADriveItKnowsItsTaskAndItsPlace() throws Exception {
     Pose last;
-    try (Peer peer = new Peer()) {
+    try (DaemonProcess.Peer peer = daemon.connect()) {
       assertEquals(START, peer.await(Hello.class, h -> true).pose());
       peer.say(new Drive(4, 5L, 2, START, List.of(new Segment(0.5, 0, 60)), 1, true, 0));
       peer.await(Ack.class, ack -> ack.seq() == 4);
       last = peer.await(State.class, s -> s.pose().x() > 1.2).pose();
     }
-    daemon.close();
-    assertTrue(daemon.process().waitFor(10, TimeUnit.SECONDS));
-    daemon = new DaemonProcess(folder.resolve("agent.yaml"));
+    daemon.kill();
+    daemon = DaemonProcess.launch(folder.resolve("agent.yaml"));
 
-    try (Peer peer = new Peer()) {
+    try (DaemonProcess.Peer peer = daemon.connect()) {
       Hello hello = peer.await(Hello.class, h -> true);
       assertEquals(5L, hello.task());
       assertEquals(2, hello.phase());
@@ -84,43 +71,12 @@ class KilledDaemonTest {
 
   @Test
   void terminatedItEndsCleanly() throws Exception {
-    try (Peer peer = new Peer()) {
+    try (DaemonProcess.Peer peer = daemon.connect()) {
       peer.await(Hello.class, h -> true);
-      daemon.process().toHandle().destroy(); // unlike Process.destroy it leaves the output open
+      daemon.terminate();
 
-      assertTrue(daemon.process().waitFor(10, TimeUnit.SECONDS));
-      assertEquals(
-          128 + 15, daemon.process().exitValue()); // ended by SIGTERM, after its shutdown hooks
+      assertEquals(128 + 15, daemon.exitCode()); // ended by SIGTERM, after its shutdown hooks
       assertTrue(daemon.output().lines().toList().getLast().endsWith("r1: ended."));
-    }
-  }
-
-  private final class Peer implements AutoCloseable {
-    private final Socket socket = new Socket(InetAddress.getLoopbackAddress(), daemon.port());
-    private final LineReader lines = new LineReader(socket.getInputStream());
-
-    Peer() throws IOException {
-      socket.setSoTimeout((int) LIMIT.toMillis());
-    }
-
-    void say(Drive drive) throws IOException {
-      socket.getOutputStream().write(LinkCodec.line(drive));
-    }
-
-    <M extends AgentMessage> M await(Class<M> type, Predicate<M> wished) throws IOException {
-      while (true) {
-        LineReader.Line line = lines.next();
-        assertNotNull(line, "the daemon hung up");
-        Object message = assertInstanceOf(Understood.class, LinkCodec.agentMessage(line)).message();
-        if (type.isInstance(message) && wished.test(type.cast(message))) {
-          return type.cast(message);
-        }
-      }
-    }
-
-    @Override
-    public void close() throws IOException {
-      socket.close();
     }
   }
 }

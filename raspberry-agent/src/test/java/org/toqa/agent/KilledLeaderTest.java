@@ -33,8 +33,8 @@ class KilledLeaderTest {
 
   @Test
   void followerOfAKilledLeaderStandsAndSaysWhy() throws Exception {
-    try (DaemonProcess leader = new DaemonProcess(configuration("r1", 2));
-        DaemonProcess follower = new DaemonProcess(configuration("r2", 1));
+    try (DaemonProcess leader = DaemonProcess.launch(configuration("r1", 2));
+        DaemonProcess follower = DaemonProcess.launch(configuration("r2", 1));
         GroupServer ofLeader = new GroupServer(leader.port());
         GroupServer ofFollower = new GroupServer(follower.port())) {
       ofFollower.accepted(new Follow(1, TASK, "r1", null, new Vec2(-1, 0), 0.05));

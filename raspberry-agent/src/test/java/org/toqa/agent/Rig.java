@@ -18,7 +18,7 @@ final class Rig implements AutoCloseable {
   static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
 
   private final Path folder;
-  private final double noise;
+  private final Body body;
   private final List<TestServer> servers = new ArrayList<>();
   private long nanos;
   private Daemon daemon;
@@ -28,8 +28,12 @@ final class Rig implements AutoCloseable {
   }
 
   Rig(Path folder, double noise) {
+    this(folder, new Body.Simulated(START, SimulatedPower.FULL, noise, 7, 1));
+  }
+
+  Rig(Path folder, Body body) {
     this.folder = folder;
-    this.noise = noise;
+    this.body = body;
     daemon = open();
   }
 
@@ -55,7 +59,7 @@ final class Rig implements AutoCloseable {
         0.255,
         LIMITS,
         AgentConfig.Following.DEFAULT,
-        new AgentConfig.Simulated(START, SimulatedPower.FULL, noise, 7, 1));
+        body);
   }
 
   /** A server that was greeted and has said nothing yet. */

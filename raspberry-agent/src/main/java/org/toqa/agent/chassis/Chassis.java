@@ -26,7 +26,13 @@ public interface Chassis extends AutoCloseable {
    *
    * @param kilograms 0 for nothing
    */
-  void carries(double kilograms);
+  default void carries(double kilograms) {}
+
+  /**
+   * A person says that the robot may drive again: faults that wait for that, and whose cause has
+   * gone, are over.
+   */
+  default void clearFaults() {}
 
   @Override
   void close();

@@ -1,0 +1,283 @@
+#include "chip.h"
+
+#include <math.h>
+#include <simavr/avr_spi.h>
+#include <simavr/sim_avr.h>
+#include <simavr/sim_time.h>
+#include <simavr/sim_hex.h>
+#include <simavr/sim_interrupts.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "board_model.h"
+#include "eeprom_file.h"
+
+enum {
+    SPSR_ADDRESS = 0x2E,
+    SPIF = 0x80,
+    SPI_VECTOR = 17,
+    SUPPLY_MV = 5000,
+    FEEL_PERIOD_US = 1000,
+    HANG_LENGTH = 2,
+};
+
+static const double STANDS = 0.010; /* metres a second at the rim */
+
+static avr_t *avr;
+static struct rig rig;
+static struct lcd_model lcd;
+static struct surroundings surroundings;
+static struct board_model board;
+
+static uint64_t samples; /* of the motor controllers */
+static uint64_t exchanged_us;
+static uint64_t moved_us;
+
+static struct {
+    uint8_t *bytes;
+    uint16_t length;
+    uint16_t sent;
+    uint8_t answer;
+    uint32_t overruns;
+} spi;
+
+static struct {
+    bool is_hung;
+    avr_flashaddr_t at;
+    uint8_t instruction[HANG_LENGTH]; /* that is there else */
+} hung;
+
+static struct {
+    avr_cycle_count_t begun;
+    uint32_t longest;
+    bool is_running;
+} interrupts[CHIP_VECTORS];
+
+static void on_interrupt(avr_irq_t *irq, uint32_t is_running, void *parameter)
+{
+    uint8_t vector = (uint8_t)(uintptr_t)parameter;
+
+    (void)irq;
+    interrupts[vector].is_running = is_running != 0;
+    if (is_running != 0) {
+        interrupts[vector].begun = avr->cycle;
+    } else if (avr->cycle - interrupts[vector].begun > interrupts[vector].longest) {
+        interrupts[vector].longest = (uint32_t)(avr->cycle - interrupts[vector].begun);
+    }
+}
+
+static void on_spi_answer(avr_irq_t *irq, uint32_t value, void *parameter)
+{
+    (void)irq;
+    (void)parameter;
+    spi.answer = (uint8_t)value;
+}
+
+static avr_cycle_count_t sample_rig(avr_t *chip, avr_cycle_count_t when, void *parameter)
+{
+    (void)when;
+    (void)parameter;
+    samples++;
+    rig_sample(&rig);
+    if (rig_fastest_rim(&rig) > STANDS) {
+        moved_us = chip_us();
+    }
+    return (avr_cycle_count_t)llround((double)(samples + 1) * LM629_MODEL_SAMPLE *
+                                      chip->frequency);
+}
+
+static avr_cycle_count_t feel(avr_t *chip, avr_cycle_count_t when, void *parameter)
+{
+    (void)parameter;
+    board_model_feel(&board);
+    return when + avr_usec_to_cycles(chip, FEEL_PERIOD_US);
+}
+
+/* simavr forgets all timers when the chip is reset. */
+static void begin_timers(void)
+{
+    avr_cycle_timer_register(avr, 1, sample_rig, NULL);
+    avr_cycle_timer_register_usec(avr, FEEL_PERIOD_US, feel, NULL);
+}
+
+/* Else simavr would let real time pass while the program sleeps. */
+static void do_not_sleep(avr_t *chip, avr_cycle_count_t cycles)
+{
+    (void)chip;
+    (void)cycles;
+}
+
+/* simavr tells what it thinks of the program; only errors are for people. */
+static void say_errors_only(avr_t *chip, const int level, const char *format, va_list arguments)
+{
+    (void)chip;
+    if (level == LOG_ERROR) {
+        vfprintf(stderr, format, arguments);
+    }
+}
+
+static bool load(const char *hex_file)
+{
+    uint32_t size = 0;
+    uint32_t base = 0;
+    uint8_t *code = read_ihex_file(hex_file, &size, &base);
+
+    if (code == NULL || size == 0) {
+        fprintf(stderr, "toqa-sim: %s is no hex file that can be read.\n", hex_file);
+        return false;
+    }
+    avr_loadcode(avr, code, size, base);
+    avr->codeend = avr->flashend;
+    free(code);
+    return true;
+}
+
+bool chip_begin(const char *hex_file, const char *eeprom_file, uint32_t hertz)
+{
+    avr_global_logger_set(say_errors_only);
+    avr = avr_make_mcu_by_name("atmega128");
+    if (avr == NULL) {
+        fprintf(stderr, "toqa-sim: simavr knows no ATmega128.\n");
+        return false;
+    }
+    avr_init(avr);
+    avr->frequency = hertz;
+    avr->vcc = avr->avcc = avr->aref = SUPPLY_MV;
+    avr->sleep = do_not_sleep;
+    if (!load(hex_file) || !eeprom_file_begin(avr, eeprom_file)) {
+        return false;
+    }
+    surroundings = (struct surroundings){.range_mm = {800, 800, 800}, .battery_mv = 16000};
+    lcd_model_begin(&lcd);
+    board = (struct board_model){
+        .avr = avr, .rig = &rig, .lcd = &lcd, .surroundings = &surroundings};
+    board_model_wire(&board);
+    avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_SPI_GETIRQ(0), SPI_IRQ_OUTPUT),
+                            on_spi_answer, NULL);
+    for (uint8_t vector = 1; vector < CHIP_VECTORS; vector++) {
+        avr_irq_t *irq = avr_get_interrupt_irq(avr, vector);
+
+        if (irq != NULL) {
+            avr_irq_register_notify(irq + AVR_INT_IRQ_RUNNING, on_interrupt,
+                                    (void *)(uintptr_t)vector);
+        }
+    }
+    begin_timers();
+    return true;
+}
+
+struct surroundings *chip_surroundings(void)
+{
+    return &surroundings;
+}
+
+struct rig *chip_rig(void)
+{
+    return &rig;
+}
+
+const struct lcd_model *chip_lcd(void)
+{
+    return &lcd;
+}
+
+uint64_t chip_us(void)
+{
+    return (uint64_t)((double)avr->cycle * 1e6 / avr->frequency);
+}
+
+/* Puts "jump to here" where the program is, until the watchdog resets the chip. */
+static void hang(void)
+{
+    static const uint8_t jump_to_here[HANG_LENGTH] = {0xFF, 0xCF};
+
+    if (hung.is_hung || avr->state != cpu_Running) {
+        return;
+    }
+    hung.is_hung = true;
+    hung.at = avr->pc;
+    memcpy(hung.instruction, avr->flash + hung.at, HANG_LENGTH);
+    memcpy(avr->flash + hung.at, jump_to_here, HANG_LENGTH);
+    avr->sreg[S_I] = 0;
+}
+
+static void on_reset(void)
+{
+    begin_timers();
+    board_model_restart(&board);
+    if (hung.is_hung) {
+        memcpy(avr->flash + hung.at, hung.instruction, HANG_LENGTH);
+        hung.is_hung = false;
+        surroundings.is_hung = false;
+    }
+}
+
+static void run_until(avr_cycle_count_t cycle)
+{
+    while (avr->cycle < cycle) {
+        int state = avr_run(avr);
+
+        if (state == cpu_Done || state == cpu_Crashed) {
+            fprintf(stderr, "toqa-sim: the program ended at %#x.\n", avr->pc);
+            exit(1);
+        }
+        if (avr->pc == 0) {
+            on_reset();
+        } else if (surroundings.is_hung) {
+            hang();
+        }
+    }
+}
+
+void chip_run_us(uint32_t us)
+{
+    run_until(avr->cycle + avr_usec_to_cycles(avr, us));
+    eeprom_file_keep();
+}
+
+static avr_cycle_count_t send_byte(avr_t *chip, avr_cycle_count_t when, void *parameter)
+{
+    bool is_unread = (chip->data[SPSR_ADDRESS] & SPIF) != 0 || interrupts[SPI_VECTOR].is_running;
+
+    (void)parameter;
+    spi.overruns += is_unread;
+    spi.answer = 0xFF;
+    avr_raise_irq(avr_io_getirq(chip, AVR_IOCTL_SPI_GETIRQ(0), SPI_IRQ_INPUT),
+                  spi.bytes[spi.sent]);
+    spi.bytes[spi.sent] = spi.answer;
+    spi.sent++;
+    return spi.sent == spi.length ? 0 : when + CHIP_CYCLES_A_BYTE;
+}
+
+void chip_exchange(uint8_t *bytes, uint16_t length)
+{
+    avr_cycle_count_t end = avr->cycle + (avr_cycle_count_t)length * CHIP_CYCLES_A_BYTE;
+
+    spi.bytes = bytes;
+    spi.length = length;
+    spi.sent = 0;
+    avr_cycle_timer_register(avr, CHIP_CYCLES_A_BYTE, send_byte, NULL);
+    run_until(end + 1);
+    exchanged_us = chip_us();
+}
+
+uint64_t chip_exchanged_us(void)
+{
+    return exchanged_us;
+}
+
+uint64_t chip_moved_us(void)
+{
+    return moved_us;
+}
+
+uint32_t chip_overrun_bytes(void)
+{
+    return spi.overruns;
+}
+
+uint32_t chip_longest_interrupt(uint8_t vector)
+{
+    return interrupts[vector].longest;
+}

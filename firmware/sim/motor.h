@@ -1,0 +1,16 @@
+/* A 12 V motor with its 1:27 gear, wheel and encoder. */
+#ifndef MOTOR_H
+#define MOTOR_H
+
+#include <stdbool.h>
+
+struct motor {
+    double rate;  /* counts a second */
+    double angle; /* counts */
+    bool is_blocked;
+};
+
+/* duty: -1 to 1, held for so many seconds; they must be few against the motor's 0.04 s. */
+void motor_turn(struct motor *motor, double duty, double seconds);
+
+#endif

@@ -1,0 +1,12 @@
+/* The millisecond, by timer 0. */
+#ifndef CLOCK_H
+#define CLOCK_H
+
+#include <stdint.h>
+
+void clock_begin(void);
+
+/* Milliseconds since the start. */
+uint32_t clock_ms(void);
+
+#endif

@@ -1,0 +1,16 @@
+/* The robot's measures: what is not in the data sheets is to be measured on the robot. */
+#ifndef BODY_H
+#define BODY_H
+
+#define BODY_WHEEL_RADIUS_UM 40000
+#define BODY_CENTRE_TO_WHEEL_UM 100000
+
+/* Gear 1:27, 26 pulses a motor turn, quadrature times 4. */
+#define BODY_COUNTS_A_TURN (27 * 26 * 4)
+
+/* The motors' rated speed, in wheel turns a minute. */
+#define BODY_RATED_RPM 220
+
+#define BODY_WHEELS 3
+
+#endif

@@ -1,0 +1,227 @@
+#include "segment.h"
+
+#include <string.h>
+
+#include "root.h"
+
+/* What the wheels can follow. */
+static const uint32_t ACCELERATION_UM_S2 = 500000;
+static const uint32_t TURN_ACCELERATION_URAD_S2 = 3000000;
+
+/* Jumps of velocity that the motors swallow. */
+static const uint32_t SPEED_JUMP_UM_S = 100000;
+static const uint32_t TURN_JUMP_URAD_S = 800000;
+
+static const uint32_t STEEPEST_PACE_A_SECOND = 10;
+
+/* A segment with less than this left is driven. */
+static const uint32_t INSTANT_US = 100;
+
+static const uint16_t ONE_Q15 = UINT16_C(1) << 15;
+static const uint32_t ONE_Q30 = UINT32_C(1) << 30;
+
+static uint8_t index_of(const struct segment_queue *queue, uint8_t place)
+{
+    return (uint8_t)((queue->first + place) % SEGMENT_QUEUE_LENGTH);
+}
+
+static const struct segment *at(const struct segment_queue *queue, uint8_t place)
+{
+    return &queue->segments[index_of(queue, place)];
+}
+
+static uint32_t magnitude(int32_t value)
+{
+    return value < 0 ? 0 - (uint32_t)value : (uint32_t)value;
+}
+
+static uint32_t least(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+/* limit / |value|, at most `most`; all times 2^15. */
+static uint32_t share_q15(uint32_t limit, uint32_t value, uint32_t most)
+{
+    uint64_t share;
+
+    if (value == 0) {
+        return most;
+    }
+    share = (uint64_t)limit * ONE_Q15 / value;
+    return share < most ? (uint32_t)share : most;
+}
+
+/* How much the pace may change in a second, times 2^15. */
+static uint32_t pace_rate_q15(const struct segment *segment)
+{
+    const uint32_t steepest = STEEPEST_PACE_A_SECOND * ONE_Q15;
+
+    return least(share_q15(ACCELERATION_UM_S2, magnitude(segment->v_um_s), steepest),
+                 share_q15(TURN_ACCELERATION_URAD_S2, magnitude(segment->w_urad_s), steepest));
+}
+
+static uint16_t junction_pace_q15(const struct segment *before, const struct segment *after)
+{
+    uint32_t speed_jump = magnitude(after->v_um_s - before->v_um_s);
+    uint32_t turn_jump = magnitude(after->w_urad_s - before->w_urad_s);
+
+    return (uint16_t)least(share_q15(SPEED_JUMP_UM_S, speed_jump, ONE_Q15),
+                           share_q15(TURN_JUMP_URAD_S, turn_jump, ONE_Q15));
+}
+
+/* The square of the pace that can be braked to the exit pace in so much planned time. */
+static uint64_t braking_square_q30(uint16_t exit_q15, uint32_t rate_q15, uint32_t left_us)
+{
+    /* P^2 = p^2 + 2 a T */
+    return (uint64_t)exit_q15 * exit_q15 +
+           2 * (uint64_t)rate_q15 * left_us / 1000000 * ONE_Q15;
+}
+
+static uint16_t root_q15(uint64_t square_q30)
+{
+    return square_q30 >= ONE_Q30 ? ONE_Q15 : root((uint32_t)square_q30);
+}
+
+static uint32_t duration_us(const struct segment *segment)
+{
+    return segment->duration_ms * 1000;
+}
+
+/* The backward pass: from a stand at the end of the queue. */
+static void plan(struct segment_queue *queue)
+{
+    uint16_t exit_q15 = 0;
+
+    for (uint8_t place = queue->count; place-- > 0;) {
+        const struct segment *segment = at(queue, place);
+        uint16_t entry_q15;
+
+        queue->exit_pace_q15[index_of(queue, place)] = exit_q15;
+        if (place == 0) {
+            break;
+        }
+        entry_q15 = root_q15(
+            braking_square_q30(exit_q15, pace_rate_q15(segment), duration_us(segment)));
+        exit_q15 = (uint16_t)least(entry_q15, junction_pace_q15(at(queue, (uint8_t)(place - 1)),
+                                                                segment));
+    }
+}
+
+void segment_queue_begin(struct segment_queue *queue)
+{
+    memset(queue, 0, sizeof *queue);
+}
+
+bool segment_queue_add(struct segment_queue *queue, const struct segment *segment)
+{
+    if (queue->count == SEGMENT_QUEUE_LENGTH) {
+        return false;
+    }
+    queue->segments[index_of(queue, queue->count)] = *segment;
+    queue->count++;
+    plan(queue);
+    return true;
+}
+
+void segment_queue_place(struct segment_queue *queue, const struct pose *here)
+{
+    queue->count = 0;
+    queue->covered_us = 0;
+    queue->pace_q15 = 0;
+    queue->reference = *here;
+}
+
+/* The step of a reference that covers so much planned time. */
+static struct step step_of(const struct segment *segment, uint32_t us)
+{
+    /* 2^16 / 10^6, times 2^24 */
+    static const int64_t UM_Q16_A_US_Q24 = 1099512;
+    /* 2^32 / (2 pi 10^12), times 2^34 */
+    static const int64_t TURN_A_US_Q34 = 11743562;
+    struct step step = {0, 0, 0};
+
+    step.x_um_q16 = ((int64_t)segment->v_um_s * us * UM_Q16_A_US_Q24) >> 24;
+    step.turn = (int32_t)(((int64_t)segment->w_urad_s * us * TURN_A_US_Q34) >> 34);
+    return step;
+}
+
+static void move_reference(struct segment_queue *queue, uint32_t us)
+{
+    struct step step = step_of(at(queue, 0), us);
+
+    pose_advance(&queue->reference, &step);
+    queue->covered_us += us;
+}
+
+static void drop_first(struct segment_queue *queue)
+{
+    queue->first = index_of(queue, 1);
+    queue->count--;
+    queue->driven++;
+    queue->covered_us = 0;
+}
+
+/*
+ * The highest pace of a tick that changes the pace by `change`, so that braking can begin with the
+ * next one: P^2 = p^2 + 2 a (T - P tick).
+ */
+static uint16_t allowed_pace_q15(const struct segment_queue *queue, uint32_t change_q15)
+{
+    uint32_t left_us = duration_us(at(queue, 0)) - queue->covered_us;
+    uint64_t square_q30 = braking_square_q30(queue->exit_pace_q15[queue->first],
+                                             pace_rate_q15(at(queue, 0)), left_us) +
+                          (uint64_t)change_q15 * change_q15;
+
+    return (uint16_t)(root((uint32_t)(square_q30 > UINT32_MAX ? UINT32_MAX : square_q30)) -
+                      change_q15);
+}
+
+static uint16_t next_pace_q15(const struct segment_queue *queue, uint16_t wanted_q15, uint16_t ms)
+{
+    uint32_t change_q15 = pace_rate_q15(at(queue, 0)) * ms / 1000;
+    uint32_t slowest_q15 = queue->pace_q15 > change_q15 ? queue->pace_q15 - change_q15 : 0;
+    uint32_t reachable_q15 = least(queue->pace_q15 + change_q15, wanted_q15);
+
+    if (reachable_q15 < slowest_q15) {
+        reachable_q15 = slowest_q15;
+    }
+    return (uint16_t)least(reachable_q15, allowed_pace_q15(queue, change_q15));
+}
+
+void segment_queue_advance(struct segment_queue *queue, uint16_t wanted_pace_q15, uint16_t ms)
+{
+    uint32_t time_us;
+
+    if (queue->count == 0) {
+        queue->pace_q15 = 0;
+        return;
+    }
+    queue->pace_q15 = next_pace_q15(queue, wanted_pace_q15, ms);
+    time_us = ((uint32_t)queue->pace_q15 * ms * 1000) >> 15;
+    while (queue->count != 0 && queue->covered_us + time_us + INSTANT_US >= duration_us(at(queue, 0))) {
+        uint32_t left_us = duration_us(at(queue, 0)) - queue->covered_us;
+
+        move_reference(queue, left_us);
+        time_us -= least(time_us, left_us);
+        drop_first(queue);
+    }
+    if (queue->count == 0) {
+        queue->pace_q15 = 0;
+    } else {
+        move_reference(queue, time_us);
+    }
+}
+
+struct twist segment_queue_twist(const struct segment_queue *queue)
+{
+    struct twist twist = {0, 0, 0};
+
+    if (queue->count != 0) {
+        const struct segment *segment = at(queue, 0);
+
+        twist.vx_um_s = (int32_t)(((int64_t)segment->v_um_s * queue->pace_q15) >> 15);
+        twist.w_urad_s = (int32_t)(((int64_t)segment->w_urad_s * queue->pace_q15) >> 15);
+    }
+    return twist;
+}

@@ -1,0 +1,23 @@
+/* A wheel that is told to turn and does not: over 300 ms less than a quarter of its counts. */
+#ifndef STALL_H
+#define STALL_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "body.h"
+#include "wheel.h"
+
+struct stall {
+    uint16_t watched_ms;
+    uint32_t told_q8[BODY_WHEELS]; /* counts times 2^8 */
+    int32_t from[BODY_WHEELS];     /* counts where the watch began */
+};
+
+void stall_begin(struct stall *stall, const int32_t counts[BODY_WHEELS]);
+
+/* rates: what the wheels were told in the last ms. Returns whether one of them is stalled. */
+bool stall_watch(struct stall *stall, const struct wheel_rates *rates,
+                 const int32_t counts[BODY_WHEELS], uint16_t ms);
+
+#endif

@@ -1,0 +1,31 @@
+#include "status.h"
+
+#include <string.h>
+
+#include "bytes.h"
+
+void status_write(const struct status *status, uint8_t frame[FRAME_LENGTH])
+{
+    memset(frame, 0, FRAME_LENGTH);
+    frame[4] = (uint8_t)status->answer;
+    frame[5] = (uint8_t)status->state;
+    put_u16(frame + 6, status->stop_reasons);
+    put_u16(frame + 8, status->power_cycle);
+    put_u32(frame + 10, status->stamp_ms);
+    for (uint8_t i = 0; i < BODY_WHEELS; i++) {
+        put_i32(frame + 14 + 4 * i, status->counts[i]);
+    }
+    put_i32(frame + 26, status->x_um);
+    put_i32(frame + 30, status->y_um);
+    put_i32(frame + 34, status->heading_urad);
+    for (uint8_t i = 0; i < RANGE_SENSORS; i++) {
+        put_u16(frame + 38 + 2 * i, status->range_mm[i]);
+    }
+    put_u16(frame + 44, status->battery_mv);
+    frame[46] = status->floor;
+    frame[47] = status->queue_free;
+    put_u16(frame + 48, status->segments_driven);
+    put_u16(frame + 50, status->bad_frames);
+    put_u16(frame + 52, status->lost_bytes);
+    frame_seal(frame, STATUS_KIND, status->sequence);
+}

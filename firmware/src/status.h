@@ -1,0 +1,38 @@
+/* What the robot tells of itself: the status frame of docs/spi-frame.md as a value. */
+#ifndef STATUS_H
+#define STATUS_H
+
+#include <stdint.h>
+
+#include "body.h"
+#include "command.h"
+#include "frame.h"
+#include "range.h"
+
+enum { STATUS_KIND = 0x80 };
+
+enum robot_state { ROBOT_STOPPED = 0, ROBOT_STANDS = 1, ROBOT_DRIVES = 2 };
+
+struct status {
+    uint8_t sequence;
+    enum answer answer;
+    enum robot_state state;
+    uint16_t stop_reasons;
+    uint16_t power_cycle;
+    uint32_t stamp_ms;
+    int32_t counts[BODY_WHEELS];
+    int32_t x_um;
+    int32_t y_um;
+    int32_t heading_urad;
+    uint16_t range_mm[RANGE_SENSORS];
+    uint16_t battery_mv;
+    uint8_t floor;
+    uint8_t queue_free;
+    uint16_t segments_driven;
+    uint16_t bad_frames;
+    uint16_t lost_bytes;
+};
+
+void status_write(const struct status *status, uint8_t frame[FRAME_LENGTH]);
+
+#endif

@@ -1,0 +1,32 @@
+/*
+ * Kinematics of three omnidirectional wheels, 120 degrees apart; wheel 2's axle lies on the x axis
+ * (Tanta, "Kinematics of the three-wheeled omni robot"):
+ *
+ *   v1 =  sqrt(3)/2 vx - 1/2 vy + R w
+ *   v2 =                     vy + R w
+ *   v3 = -sqrt(3)/2 vx - 1/2 vy + R w
+ *
+ * A wheel rate is in counts a second times 2^8. Rates are off by at most 1 of these units, 0.4 um/s
+ * at the rim, plus 2e-7 of their value.
+ */
+#ifndef WHEEL_H
+#define WHEEL_H
+
+#include <stdint.h>
+
+#include "body.h"
+#include "twist.h"
+
+/* 220 turns a minute. */
+#define WHEEL_RATED_Q8 ((int32_t)BODY_COUNTS_A_TURN * 256 * BODY_RATED_RPM / 60)
+
+struct wheel_rates {
+    int32_t q8[BODY_WHEELS]; /* counts a second times 2^8 */
+};
+
+void wheel_rates_of(const struct twist *twist, struct wheel_rates *rates);
+
+/* Slows all wheels alike until none turns faster than rated: the curve stays. */
+void wheel_rates_limit(struct wheel_rates *rates);
+
+#endif

@@ -1,0 +1,122 @@
+#include "bench.h"
+
+#include <string.h>
+
+#include "bytes.h"
+#include "drive.h"
+#include "lm629_bus.h"
+
+/* The bus leads to the wheels of the bench that was begun last. */
+static struct rig *on_bus;
+
+void lm629_bus_reset(void)
+{
+    for (int i = 0; i < RIG_WHEELS; i++) {
+        lm629_model_reset(&on_bus->wheels[i]);
+    }
+}
+
+void lm629_bus_command(uint8_t axis, uint8_t command)
+{
+    lm629_model_command(&on_bus->wheels[axis], command);
+}
+
+void lm629_bus_write(uint8_t axis, uint8_t data)
+{
+    lm629_model_write(&on_bus->wheels[axis], data);
+}
+
+uint8_t lm629_bus_status(uint8_t axis)
+{
+    return lm629_model_status(&on_bus->wheels[axis]);
+}
+
+uint8_t lm629_bus_read(uint8_t axis)
+{
+    return lm629_model_read(&on_bus->wheels[axis]);
+}
+
+void bench_begin(struct bench *bench)
+{
+    memset(bench, 0, sizeof *bench);
+    on_bus = &bench->rig;
+    bench->inputs.battery_mv = 16000;
+    robot_begin(&bench->robot, STOP_POWER_UP, 1);
+}
+
+void bench_live(struct bench *bench, uint32_t ms)
+{
+    for (uint32_t i = 0; i < ms; i++) {
+        bench->now_ms++;
+        while (bench->rig_seconds < bench->now_ms / 1000.0) {
+            rig_sample(&bench->rig);
+            bench->rig_seconds += LM629_MODEL_SAMPLE;
+        }
+        robot_watch(&bench->robot, &bench->inputs, bench->now_ms);
+        if (bench->now_ms % DRIVE_PERIOD_MS == 0) {
+            robot_drive(&bench->robot);
+        }
+    }
+}
+
+static enum answer say(struct bench *bench, uint8_t frame[FRAME_LENGTH], enum command_kind kind)
+{
+    frame_seal(frame, (uint8_t)kind, ++bench->sequence);
+    robot_hear(&bench->robot, frame);
+    return bench_status(bench).answer;
+}
+
+void bench_live_polled(struct bench *bench, uint32_t ms)
+{
+    for (uint32_t i = 0; i < ms; i += 20) {
+        uint8_t frame[FRAME_LENGTH] = {0};
+
+        frame_seal(frame, COMMAND_POLL, 0);
+        robot_hear(&bench->robot, frame);
+        bench_live(bench, 20);
+    }
+}
+
+enum answer bench_velocity(struct bench *bench, int32_t vx, int32_t vy, int32_t w)
+{
+    uint8_t frame[FRAME_LENGTH] = {0};
+
+    put_i32(frame + 4, vx);
+    put_i32(frame + 8, vy);
+    put_i32(frame + 12, w);
+    return say(bench, frame, COMMAND_VELOCITY);
+}
+
+enum answer bench_segment(struct bench *bench, int32_t v, int32_t w, uint32_t ms)
+{
+    uint8_t frame[FRAME_LENGTH] = {0};
+
+    put_i32(frame + 4, v);
+    put_i32(frame + 8, w);
+    put_u32(frame + 12, ms);
+    return say(bench, frame, COMMAND_SEGMENT);
+}
+
+enum answer bench_halt(struct bench *bench)
+{
+    uint8_t frame[FRAME_LENGTH] = {0};
+
+    return say(bench, frame, COMMAND_HALT);
+}
+
+enum answer bench_clear(struct bench *bench, uint16_t reasons, bool by_person)
+{
+    uint8_t frame[FRAME_LENGTH] = {0};
+
+    put_u16(frame + 4, reasons);
+    frame[6] = by_person;
+    return say(bench, frame, COMMAND_CLEAR);
+}
+
+struct status bench_status(const struct bench *bench)
+{
+    struct status status;
+
+    robot_tell(&bench->robot, &status);
+    return status;
+}

@@ -1,0 +1,31 @@
+/* A robot on the bench: its program over modelled hardware, driven by frames. */
+#ifndef BENCH_H
+#define BENCH_H
+
+#include "rig.h"
+#include "robot.h"
+
+struct bench {
+    struct rig rig;
+    struct robot robot;
+    struct robot_inputs inputs;
+    uint8_t sequence;
+    uint32_t now_ms;
+    double rig_seconds;
+};
+
+void bench_begin(struct bench *bench);
+
+/* Time passes and nobody says anything. */
+void bench_live(struct bench *bench, uint32_t ms);
+
+/* Time passes with a poll every 20 ms. */
+void bench_live_polled(struct bench *bench, uint32_t ms);
+
+enum answer bench_velocity(struct bench *bench, int32_t vx, int32_t vy, int32_t w);
+enum answer bench_segment(struct bench *bench, int32_t v, int32_t w, uint32_t ms);
+enum answer bench_halt(struct bench *bench);
+enum answer bench_clear(struct bench *bench, uint16_t reasons, bool by_person);
+struct status bench_status(const struct bench *bench);
+
+#endif

@@ -1,0 +1,156 @@
+/* The golden frames, which the daemon's tests read too. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "command.h"
+#include "status.h"
+#include "tests.h"
+
+struct golden {
+    char text[640];
+    uint8_t frame[FRAME_LENGTH];
+};
+
+static int64_t value(const struct golden *golden, const char *key)
+{
+    char pattern[32];
+    const char *at;
+
+    snprintf(pattern, sizeof pattern, " %s=", key);
+    at = strstr(golden->text, pattern);
+    CHECK(at != NULL);
+    return at == NULL ? 0 : strtoll(at + strlen(pattern), NULL, 10);
+}
+
+static bool is_kind(const struct golden *golden, const char *kind)
+{
+    return strncmp(golden->text, kind, strlen(kind)) == 0 && golden->text[strlen(kind)] == ' ';
+}
+
+static bool is_taken(const struct golden *golden)
+{
+    struct frame_parser parser;
+    unsigned frames = 0;
+
+    frame_parser_begin(&parser);
+    for (unsigned i = 0; i < FRAME_LENGTH; i++) {
+        frames += frame_parser_take(&parser, golden->frame[i]);
+    }
+    return frames == 1;
+}
+
+static void check_command(const struct golden *golden)
+{
+    struct command command;
+
+    CHECK_EQUAL(ANSWER_DONE, command_read(&command, golden->frame));
+    CHECK_EQUAL(value(golden, "sequence"), command.sequence);
+    switch (command.kind) {
+    case COMMAND_POLL:
+        CHECK(is_kind(golden, "poll"));
+        break;
+    case COMMAND_VELOCITY:
+        CHECK(is_kind(golden, "velocity"));
+        CHECK_EQUAL(value(golden, "vx_um_s"), command.as.velocity.vx_um_s);
+        CHECK_EQUAL(value(golden, "vy_um_s"), command.as.velocity.vy_um_s);
+        CHECK_EQUAL(value(golden, "w_urad_s"), command.as.velocity.w_urad_s);
+        break;
+    case COMMAND_SEGMENT:
+        CHECK(is_kind(golden, "segment"));
+        CHECK_EQUAL(value(golden, "v_um_s"), command.as.segment.v_um_s);
+        CHECK_EQUAL(value(golden, "w_urad_s"), command.as.segment.w_urad_s);
+        CHECK_EQUAL(value(golden, "duration_ms"), command.as.segment.duration_ms);
+        break;
+    case COMMAND_HALT:
+        CHECK(is_kind(golden, "halt"));
+        break;
+    case COMMAND_CLEAR:
+        CHECK(is_kind(golden, "clear"));
+        CHECK_EQUAL(value(golden, "reasons"), command.as.clear.reasons);
+        CHECK_EQUAL(value(golden, "by"), command.as.clear.by_person);
+        break;
+    case COMMAND_CAPTION:
+        CHECK(is_kind(golden, "caption"));
+        CHECK(memcmp(strstr(golden->text, "text=") + 5, command.as.caption, CAPTION_LENGTH) == 0);
+        break;
+    }
+}
+
+static void check_status(const struct golden *golden)
+{
+    uint8_t frame[FRAME_LENGTH];
+    struct status status = {
+        .sequence = (uint8_t)value(golden, "sequence"),
+        .answer = (enum answer)value(golden, "answer"),
+        .state = (enum robot_state)value(golden, "state"),
+        .stop_reasons = (uint16_t)value(golden, "reasons"),
+        .power_cycle = (uint16_t)value(golden, "power_cycle"),
+        .stamp_ms = (uint32_t)value(golden, "stamp_ms"),
+        .counts = {(int32_t)value(golden, "count1"), (int32_t)value(golden, "count2"),
+                   (int32_t)value(golden, "count3")},
+        .x_um = (int32_t)value(golden, "x_um"),
+        .y_um = (int32_t)value(golden, "y_um"),
+        .heading_urad = (int32_t)value(golden, "heading_urad"),
+        .range_mm = {(uint16_t)value(golden, "range1_mm"), (uint16_t)value(golden, "range2_mm"),
+                     (uint16_t)value(golden, "range3_mm")},
+        .battery_mv = (uint16_t)value(golden, "battery_mv"),
+        .floor = (uint8_t)value(golden, "floor"),
+        .queue_free = (uint8_t)value(golden, "queue_free"),
+        .segments_driven = (uint16_t)value(golden, "segments"),
+        .bad_frames = (uint16_t)value(golden, "bad"),
+        .lost_bytes = (uint16_t)value(golden, "lost"),
+    };
+
+    status_write(&status, frame);
+    for (unsigned i = 0; i < FRAME_LENGTH; i++) {
+        CHECK_EQUAL(golden->frame[i], frame[i]);
+    }
+}
+
+static bool read_golden(struct golden *golden, const char *line)
+{
+    const char *bar = strchr(line, '|');
+    size_t length;
+
+    if (line[0] == '#' || bar == NULL) {
+        return false;
+    }
+    length = (size_t)(bar - line);
+    memcpy(golden->text, line, length);
+    golden->text[length] = '\0';
+    for (unsigned i = 0; i < FRAME_LENGTH; i++) {
+        unsigned byte;
+
+        CHECK_EQUAL(1, sscanf(bar + 2 + 2 * i, "%2x", &byte));
+        golden->frame[i] = (uint8_t)byte;
+    }
+    return true;
+}
+
+void golden_tests(const char *file)
+{
+    char line[1024];
+    unsigned found = 0;
+    FILE *stream = fopen(file, "r");
+
+    CHECK(stream != NULL);
+    while (stream != NULL && fgets(line, sizeof line, stream) != NULL) {
+        struct golden golden;
+
+        if (!read_golden(&golden, line)) {
+            continue;
+        }
+        found++;
+        CHECK_EQUAL(!is_kind(&golden, "bad"), is_taken(&golden));
+        if (is_kind(&golden, "status")) {
+            check_status(&golden);
+        } else if (!is_kind(&golden, "bad")) {
+            check_command(&golden);
+        }
+    }
+    CHECK(found > 10);
+    if (stream != NULL) {
+        fclose(stream);
+    }
+}

@@ -1,0 +1,147 @@
+/* Range sensors, battery, display, segments: the small parts. */
+#include <math.h>
+#include <string.h>
+
+#include "angle.h"
+#include "battery.h"
+#include "check.h"
+#include "panel.h"
+#include "range.h"
+#include "segment.h"
+#include "tests.h"
+
+static void take(struct range *range, const uint8_t *bytes, unsigned length)
+{
+    for (unsigned i = 0; i < length; i++) {
+        range_take(range, bytes[i]);
+    }
+}
+
+/* 250, 800, 1000 mm: 250 = 1 * 128 + 122, 800 = 6 * 128 + 32, 1000 = 7 * 128 + 104 */
+static const uint8_t MESSAGE[] = {0xFF, 1, 122, 6, 32, 7, 104, (1 + 122 + 6 + 32 + 7 + 104) & 0x7F};
+
+static void ranges_are_read(void)
+{
+    struct range range;
+
+    range_begin(&range);
+    CHECK_EQUAL(RANGE_SILENT_MM, range.mm[0]);
+    take(&range, MESSAGE, sizeof MESSAGE);
+    CHECK_EQUAL(250, range.mm[0]);
+    CHECK_EQUAL(800, range.mm[1]);
+    CHECK_EQUAL(RANGE_NOTHING_MM, range.mm[2]);
+}
+
+static void damaged_message_changes_nothing(void)
+{
+    struct range range;
+
+    range_begin(&range);
+    take(&range, MESSAGE, sizeof MESSAGE);
+    for (unsigned i = 0; i < sizeof MESSAGE; i++) {
+        uint8_t damaged[sizeof MESSAGE];
+
+        memcpy(damaged, MESSAGE, sizeof MESSAGE);
+        damaged[i] ^= 0x11;
+        take(&range, damaged, sizeof damaged);
+        CHECK_EQUAL(250, range.mm[0]);
+        CHECK_EQUAL(800, range.mm[1]);
+    }
+    take(&range, MESSAGE, sizeof MESSAGE);
+    CHECK_EQUAL(250, range.mm[0]);
+}
+
+static void silence_is_told(void)
+{
+    struct range range;
+
+    range_begin(&range);
+    take(&range, MESSAGE, sizeof MESSAGE);
+    for (int ms = 0; ms < RANGE_TIME_OUT_MS; ms++) {
+        range_wait(&range, 1);
+    }
+    CHECK_EQUAL(250, range.mm[0]);
+    range_wait(&range, 1);
+    CHECK_EQUAL(RANGE_SILENT_MM, range.mm[0]);
+}
+
+static void battery_is_low_after_a_second(void)
+{
+    struct battery battery;
+
+    battery_begin(&battery);
+    battery_measure(&battery, 16000, 1);
+    CHECK_EQUAL(16000, battery_mv(&battery));
+    for (int ms = 0; ms < 500; ms++) {
+        battery_measure(&battery, 12000, 1);
+    }
+    CHECK(!battery_is_low(&battery));
+    for (int ms = 0; ms < 600; ms++) {
+        battery_measure(&battery, 12000, 1);
+    }
+    CHECK(battery_is_low(&battery));
+}
+
+static void panel_shows_state_and_error(void)
+{
+    static struct robot robot;
+    struct panel panel;
+
+    memset(&robot, 0, sizeof robot);
+    memcpy(robot.caption, "r1 127.0.0.1:7275   ", CAPTION_LENGTH);
+    robot.stop.reasons = STOP_LINK | STOP_EDGE;
+    panel_write(&panel, &robot);
+    CHECK(memcmp(panel.lines[0], "r1 127.0.0.1:7275   ", PANEL_COLUMNS) == 0);
+    CHECK(memcmp(panel.lines[1], "STOPPED: EDGE       ", PANEL_COLUMNS) == 0);
+    robot.stop.reasons = STOP_WATCHDOG;
+    panel_write(&panel, &robot);
+    CHECK(memcmp(panel.lines[1], "STOPPED: WATCHDOG   ", PANEL_COLUMNS) == 0);
+    robot.stop.reasons = 0;
+    robot.follower.is_settled = true;
+    panel_write(&panel, &robot);
+    CHECK(memcmp(panel.lines[1], "READY               ", PANEL_COLUMNS) == 0);
+}
+
+static double speed(const struct segment_queue *queue)
+{
+    return segment_queue_twist(queue).vx_um_s * 1e-6;
+}
+
+static void reference_covers_its_segments_within_the_limits(void)
+{
+    static const struct segment ways[] = {
+        {250000, 0, 2000}, {250000, 1000000, 1571}, {500000, 0, 1000}, {0, -1500000, 1047}};
+    struct segment_queue queue;
+    double before = 0;
+    int ticks = 0;
+
+    segment_queue_begin(&queue);
+    for (unsigned i = 0; i < 4; i++) {
+        CHECK(segment_queue_add(&queue, &ways[i]));
+    }
+    while (queue.count != 0 && ticks < 2000) {
+        segment_queue_advance(&queue, 1U << 15, 10);
+        /* 0.5 m/s2, and a jump of 0.1 m/s at a corner */
+        CHECK(fabs(speed(&queue) - before) <= 0.5 * 0.010 + 0.1 + 1e-3);
+        before = speed(&queue);
+        ticks++;
+    }
+    /* planned 5.618 s; time stretches */
+    CHECK(ticks > 562 && ticks < 1000);
+    CHECK(segment_queue_stands(&queue));
+    CHECK_EQUAL(4, queue.driven);
+    /* 0.5 m, the quarter circle of 0.25 m, 0.5 m to the left */
+    CHECK_NEAR(0.75, pose_um(queue.reference.x_um_q16) * 1e-6, 0.001);
+    CHECK_NEAR(0.75, pose_um(queue.reference.y_um_q16) * 1e-6, 0.001);
+    CHECK_NEAR((M_PI / 2 - 1.5 * 1.047) * 1e6, angle_urad(queue.reference.heading), 1000);
+}
+
+void part_tests(void)
+{
+    ranges_are_read();
+    damaged_message_changes_nothing();
+    silence_is_told();
+    battery_is_low_after_a_second();
+    panel_shows_state_and_error();
+    reference_covers_its_segments_within_the_limits();
+}

@@ -1,0 +1,228 @@
+/* The whole robot over modelled LM629, motors and encoders, in time that only the test moves. */
+#include <math.h>
+#include <string.h>
+
+#include "bench.h"
+#include "check.h"
+#include "tests.h"
+
+static const double METRE = 1e6;   /* um */
+static const double STANDS = 0.010; /* metres a second at the rim, as the daemon takes it */
+
+static void drives_arc_straight_and_stop(void)
+{
+    struct bench bench;
+
+    bench_begin(&bench);
+    bench_clear(&bench, STOP_POWER_UP, false);
+    /* a quarter circle to the left, radius 0.25 m: pi/2 at 1 rad/s */
+    CHECK_EQUAL(ANSWER_DONE, bench_segment(&bench, 250000, 1000000, 1571));
+    CHECK_EQUAL(ANSWER_DONE, bench_segment(&bench, 250000, 0, 4000));
+    bench_live_polled(&bench, 9000);
+
+    CHECK_EQUAL(ROBOT_STANDS, bench_status(&bench).state);
+    CHECK_NEAR(0.25, bench.rig.x, 0.005);
+    CHECK_NEAR(0.25 + 1.0, bench.rig.y, 0.005);
+    CHECK_NEAR(M_PI / 2, bench.rig.theta, 0.01);
+    CHECK_NEAR(bench.rig.x * METRE, bench_status(&bench).x_um, 2000);
+    CHECK_NEAR(bench.rig.y * METRE, bench_status(&bench).y_um, 2000);
+    CHECK_NEAR(bench.rig.theta * METRE, bench_status(&bench).heading_urad, 1000);
+    CHECK_EQUAL(2, bench_status(&bench).segments_driven);
+    CHECK_EQUAL(0, bench.rig.wheels[0].rudenesses);
+}
+
+static void follows_a_velocity(void)
+{
+    struct bench bench;
+
+    bench_begin(&bench);
+    bench_clear(&bench, STOP_POWER_UP, false);
+    for (int i = 0; i < 100; i++) {
+        bench_velocity(&bench, 200000, -100000, 500000);
+        bench_live(&bench, 20);
+    }
+    /* v2 = vy + R w = -0.1 + 0.1 * 0.5 = -0.05 m/s; 2808 counts for 0.2513 m */
+    CHECK_NEAR(-0.05 * 2808 / (2 * M_PI * 0.04), bench.rig.wheels[1].motor.rate, 30);
+    CHECK_EQUAL(ROBOT_DRIVES, bench_status(&bench).state);
+}
+
+static double seconds_to_stand(struct bench *bench, uint16_t ms)
+{
+    double last_motion = 0;
+
+    for (uint16_t i = 0; i < ms; i++) {
+        bench_live(bench, 1);
+        if (rig_fastest_rim(&bench->rig) > STANDS) {
+            last_motion = (i + 1) / 1000.0;
+        }
+    }
+    return last_motion;
+}
+
+static void drive_fast(struct bench *bench)
+{
+    bench_begin(bench);
+    bench_clear(bench, STOP_POWER_UP, false);
+    for (int i = 0; i < 100; i++) {
+        bench_velocity(bench, 500000, 0, 0);
+        bench_live(bench, 10);
+    }
+    CHECK(rig_fastest_rim(&bench->rig) > 0.4);
+}
+
+static void silence_stops_the_wheels_in_250_ms(void)
+{
+    struct bench bench;
+
+    drive_fast(&bench);
+    /* 10 ms have passed since the last frame */
+    CHECK(seconds_to_stand(&bench, 1000) <= 0.240);
+    CHECK_EQUAL(STOP_LINK, bench_status(&bench).stop_reasons);
+    CHECK_EQUAL(ANSWER_DONE, bench_clear(&bench, STOP_LINK, false));
+    CHECK_EQUAL(0, bench_status(&bench).stop_reasons);
+}
+
+static void edge_stops_in_50_ms_until_a_person_says_otherwise(void)
+{
+    struct bench bench;
+
+    drive_fast(&bench);
+    bench.inputs.floor_gone = 0x04;
+    CHECK(seconds_to_stand(&bench, 150) <= 0.050);
+    CHECK_EQUAL(STOP_EDGE, bench_status(&bench).stop_reasons);
+    CHECK_EQUAL(ANSWER_NOT_CLEARED, bench_clear(&bench, STOP_EDGE, true));
+    bench.inputs.floor_gone = 0;
+    bench_live_polled(&bench, 20);
+    CHECK_EQUAL(ANSWER_NOT_CLEARED, bench_clear(&bench, STOP_EDGE, false));
+    CHECK_EQUAL(STOP_EDGE, bench_status(&bench).stop_reasons);
+    CHECK_EQUAL(ANSWER_DONE, bench_clear(&bench, STOP_EDGE, true));
+    CHECK_EQUAL(0, bench_status(&bench).stop_reasons);
+}
+
+static void heat_and_switch_stop_in_50_ms(void)
+{
+    struct bench bench;
+
+    drive_fast(&bench);
+    bench.inputs.is_hot = true;
+    CHECK(seconds_to_stand(&bench, 150) <= 0.050);
+    CHECK_EQUAL(STOP_HEAT, bench_status(&bench).stop_reasons);
+    drive_fast(&bench);
+    bench.inputs.is_stop_pressed = true;
+    CHECK(seconds_to_stand(&bench, 150) <= 0.050);
+    CHECK_EQUAL(STOP_SWITCH, bench_status(&bench).stop_reasons);
+}
+
+static void low_battery_stops(void)
+{
+    struct bench bench;
+
+    bench_begin(&bench);
+    bench_clear(&bench, STOP_POWER_UP, false);
+    bench.inputs.battery_mv = 13000;
+    bench_live_polled(&bench, 900);
+    CHECK_EQUAL(0, bench_status(&bench).stop_reasons);
+    bench_live_polled(&bench, 300);
+    CHECK_EQUAL(STOP_BATTERY, bench_status(&bench).stop_reasons);
+}
+
+static void blocked_wheel_is_a_stall(void)
+{
+    struct bench bench;
+
+    drive_fast(&bench);
+    bench.rig.wheels[2].motor.is_blocked = true;
+    for (int i = 0; i < 70; i++) {
+        bench_velocity(&bench, 300000, 0, 0);
+        bench_live(&bench, 10);
+    }
+    CHECK_EQUAL(STOP_STALL, bench_status(&bench).stop_reasons & STOP_STALL);
+    CHECK(rig_fastest_rim(&bench.rig) < STANDS);
+    CHECK_EQUAL(ANSWER_STOPPED, bench_velocity(&bench, 300000, 0, 0));
+}
+
+static void dead_controller_is_told(void)
+{
+    struct bench bench;
+
+    bench_begin(&bench);
+    bench_clear(&bench, STOP_POWER_UP, false);
+    bench.rig.wheels[1].is_dead = true;
+    bench_live_polled(&bench, 30);
+    CHECK_EQUAL(STOP_DRIVE, bench_status(&bench).stop_reasons);
+    CHECK_EQUAL(ANSWER_NOT_CLEARED, bench_clear(&bench, STOP_DRIVE, true));
+    bench.rig.wheels[1].is_dead = false;
+    bench_live_polled(&bench, 20);
+    CHECK_EQUAL(ANSWER_DONE, bench_clear(&bench, STOP_DRIVE, true));
+}
+
+static void nothing_is_driven_after_power_up(void)
+{
+    struct bench bench;
+
+    bench_begin(&bench);
+    CHECK_EQUAL(ANSWER_STOPPED, bench_velocity(&bench, 100000, 0, 0));
+    CHECK_EQUAL(ANSWER_STOPPED, bench_segment(&bench, 100000, 0, 1000));
+    bench_live_polled(&bench, 300);
+    CHECK_EQUAL(0, bench_status(&bench).counts[0]);
+    CHECK_EQUAL(ROBOT_STOPPED, bench_status(&bench).state);
+}
+
+static void command_that_comes_again_is_done_once(void)
+{
+    struct bench bench;
+
+    bench_begin(&bench);
+    bench_clear(&bench, STOP_POWER_UP, false);
+    bench_segment(&bench, 100000, 0, 500);
+    bench.sequence--;
+    bench_segment(&bench, 100000, 0, 500);
+    CHECK_EQUAL(15, bench_status(&bench).queue_free);
+}
+
+static void queue_takes_sixteen_segments(void)
+{
+    struct bench bench;
+
+    bench_begin(&bench);
+    bench_clear(&bench, STOP_POWER_UP, false);
+    for (int i = 0; i < 16; i++) {
+        CHECK_EQUAL(ANSWER_DONE, bench_segment(&bench, 100000, 0, 500));
+    }
+    CHECK_EQUAL(ANSWER_QUEUE_FULL, bench_segment(&bench, 100000, 0, 500));
+    bench_live_polled(&bench, 10000);
+    /* 16 segments of 0.05 m */
+    CHECK_NEAR(0.8, bench.rig.x, 0.005);
+    CHECK_EQUAL(16, bench_status(&bench).segments_driven);
+}
+
+static void halt_stands_and_forgets(void)
+{
+    struct bench bench;
+
+    bench_begin(&bench);
+    bench_clear(&bench, STOP_POWER_UP, false);
+    bench_segment(&bench, 250000, 0, 8000);
+    bench_live_polled(&bench, 2000);
+    bench_halt(&bench);
+    bench_live_polled(&bench, 1000);
+    CHECK_EQUAL(ROBOT_STANDS, bench_status(&bench).state);
+    CHECK_EQUAL(16, bench_status(&bench).queue_free);
+    CHECK(rig_fastest_rim(&bench.rig) < STANDS);
+}
+
+void robot_tests(void)
+{
+    drives_arc_straight_and_stop();
+    follows_a_velocity();
+    silence_stops_the_wheels_in_250_ms();
+    edge_stops_in_50_ms_until_a_person_says_otherwise();
+    heat_and_switch_stop_in_50_ms();
+    low_battery_stops();
+    blocked_wheel_is_a_stall();
+    dead_controller_is_told();
+    nothing_is_driven_after_power_up();
+    command_that_comes_again_is_done_once();
+    queue_takes_sixteen_segments();
+    halt_stands_and_forgets();
+}

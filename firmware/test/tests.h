@@ -1,0 +1,10 @@
+#ifndef TESTS_H
+#define TESTS_H
+
+void frame_tests(void);
+void golden_tests(const char *file);
+void kinematics_tests(void);
+void part_tests(void);
+void robot_tests(void);
+
+#endif

@@ -1,0 +1,92 @@
+package org.toqa.agent.spi;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.net.StandardProtocolFamily;
+import java.net.UnixDomainSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.SocketChannel;
+import java.nio.file.Path;
+
+/**
+ * To the simulated microcontroller of {@code firmware/sim} over its Unix socket. Before each
+ * exchange the microcontroller lives for as long as the daemon did since the last one, or less.
+ */
+public final class SimulatorTransport implements FrameTransport {
+
+  /** 64 bytes of 256 cycles at 16 MHz. */
+  private static final long EXCHANGE_MICROS = 1_024;
+
+  /** The pause between exchanges that the microcontroller needs to answer in the next one. */
+  private static final long PAUSE_MICROS = 5_000;
+
+  /**
+   * The microcontroller lives no longer in one stretch, which is less than what makes it miss its
+   * daemon: a machine that is too slow slows the simulated world and trips no timer of it.
+   */
+  private static final long MOST_MICROS = 100_000;
+
+  private static final int HEADER = 7;
+
+  private final SocketChannel channel;
+  private boolean started;
+  private long lastNanos;
+
+  /** Micros until the microcontroller is as old as the daemon; below 0 it is ahead. */
+  private long due;
+
+  public SimulatorTransport(Path socket) throws IOException {
+    try {
+      channel = SocketChannel.open(StandardProtocolFamily.UNIX);
+    } catch (UnsupportedOperationException e) {
+      throw new IOException("This system has no Unix sockets.", e);
+    }
+    try {
+      channel.connect(UnixDomainSocketAddress.of(socket));
+    } catch (IOException e) {
+      channel.close();
+      throw new IOException("No simulated microcontroller listens at " + socket + ".", e);
+    }
+  }
+
+  @Override
+  public byte[] exchange(byte[] frame, long nanos) throws IOException {
+    due += started ? (nanos - lastNanos) / 1_000 : 0;
+    started = true;
+    lastNanos = nanos;
+    long micros = Math.clamp(due - EXCHANGE_MICROS, PAUSE_MICROS, MOST_MICROS);
+    due = Math.min(0, due - micros - EXCHANGE_MICROS);
+    ByteBuffer request =
+        ByteBuffer.allocate(HEADER + frame.length)
+            .order(ByteOrder.LITTLE_ENDIAN)
+            .put((byte) 'X')
+            .putInt((int) micros)
+            .putShort((short) frame.length)
+            .put(frame)
+            .flip();
+    while (request.hasRemaining()) {
+      channel.write(request);
+    }
+    return read(frame.length);
+  }
+
+  private byte[] read(int length) throws IOException {
+    ByteBuffer answer = ByteBuffer.allocate(length);
+    while (answer.hasRemaining()) {
+      if (channel.read(answer) < 0) {
+        throw new EOFException("The simulated microcontroller has ended.");
+      }
+    }
+    return answer.array();
+  }
+
+  @Override
+  public void close() {
+    try {
+      channel.close();
+    } catch (IOException e) {
+      // nothing of it is used any more
+    }
+  }
+}
