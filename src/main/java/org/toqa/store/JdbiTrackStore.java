@@ -56,7 +56,7 @@ public final class JdbiTrackStore implements TrackStore {
                         new TrackPoint(
                             robot,
                             Instant.ofEpochMilli(rs.getLong("at")),
-                            new Vec2(rs.getInt("x"), rs.getInt("y")).times(1 / MILLIMETRES)))
+                            new Vec2(rs.getInt("x") / MILLIMETRES, rs.getInt("y") / MILLIMETRES)))
                 .list());
   }
 }
