@@ -15,16 +15,13 @@ static uint32_t magnitude(int32_t value)
 void stall_begin(struct stall *stall, const int32_t counts[BODY_WHEELS])
 {
     memset(stall, 0, sizeof *stall);
-    memcpy(stall->from, counts, sizeof stall->from);
+    memcpy(stall->last, counts, sizeof stall->last);
 }
 
-static bool is_stalled(const struct stall *stall, const int32_t counts[BODY_WHEELS])
+static bool is_stalled(const struct stall *stall)
 {
     for (uint8_t i = 0; i < BODY_WHEELS; i++) {
-        uint32_t turned =
-            magnitude((int32_t)((uint32_t)counts[i] - (uint32_t)stall->from[i]));
-
-        if (stall->told_q8[i] > SLOW_Q8 && turned < (stall->told_q8[i] >> 10)) {
+        if (stall->told_q8[i] > SLOW_Q8 && stall->turned[i] < stall->told_q8[i] >> 10) {
             return true;
         }
     }
@@ -37,13 +34,17 @@ bool stall_watch(struct stall *stall, const struct wheel_rates *rates,
     bool stalled;
 
     for (uint8_t i = 0; i < BODY_WHEELS; i++) {
+        int32_t moved = (int32_t)((uint32_t)counts[i] - (uint32_t)stall->last[i]);
+
         stall->told_q8[i] += magnitude(rates->q8[i]) * ms / 1000;
+        stall->turned[i] += magnitude(moved);
+        stall->last[i] = counts[i];
     }
     stall->watched_ms = (uint16_t)(stall->watched_ms + ms);
     if (stall->watched_ms < WATCH_MS) {
         return false;
     }
-    stalled = is_stalled(stall, counts);
+    stalled = is_stalled(stall);
     stall_begin(stall, counts);
     return stalled;
 }

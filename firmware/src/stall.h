@@ -1,4 +1,7 @@
-/* A wheel that is told to turn and does not: over 300 ms less than a quarter of its counts. */
+/*
+ * A wheel that is told to turn and does not: over 300 ms less than a quarter of its counts. Both
+ * directions count alike, since a wheel that is reversed lags behind.
+ */
 #ifndef STALL_H
 #define STALL_H
 
@@ -10,8 +13,9 @@
 
 struct stall {
     uint16_t watched_ms;
-    uint32_t told_q8[BODY_WHEELS]; /* counts times 2^8 */
-    int32_t from[BODY_WHEELS];     /* counts where the watch began */
+    uint32_t told_q8[BODY_WHEELS]; /* counts times 2^8, forwards and backwards */
+    uint32_t turned[BODY_WHEELS];  /* counts, forwards and backwards */
+    int32_t last[BODY_WHEELS];     /* what the encoders said at the last look */
 };
 
 void stall_begin(struct stall *stall, const int32_t counts[BODY_WHEELS]);

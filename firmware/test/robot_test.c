@@ -141,6 +141,20 @@ static void blocked_wheel_is_a_stall(void)
     CHECK_EQUAL(ANSWER_STOPPED, bench_velocity(&bench, 300000, 0, 0));
 }
 
+static void reversed_wheel_is_no_stall(void)
+{
+    struct bench bench;
+
+    bench_begin(&bench);
+    bench_clear(&bench, STOP_POWER_UP, false);
+    for (int i = 0; i < 300; i++) {
+        /* there and back in two thirds of a watch, with every phase to it */
+        bench_velocity(&bench, 0, 0, i / 7 % 2 == 0 ? 1500000 : -1500000);
+        bench_live(&bench, 14);
+    }
+    CHECK_EQUAL(0, bench_status(&bench).stop_reasons);
+}
+
 static void dead_controller_is_told(void)
 {
     struct bench bench;
@@ -220,6 +234,7 @@ void robot_tests(void)
     heat_and_switch_stop_in_50_ms();
     low_battery_stops();
     blocked_wheel_is_a_stall();
+    reversed_wheel_is_no_stall();
     dead_controller_is_told();
     nothing_is_driven_after_power_up();
     command_that_comes_again_is_done_once();
