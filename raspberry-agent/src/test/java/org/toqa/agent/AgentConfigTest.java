@@ -32,7 +32,8 @@ class AgentConfigTest {
     assertEquals("r1", config.name());
     assertEquals(7275, config.port());
     assertEquals(new MotionLimits(0.5, 3.5, 0.5, 3), config.limits());
-    assertEquals(new Body.Simulated(new Pose(1, 1, 0), SimulatedPower.FULL, 0.01, 1, 1), config.chassis());
+    assertEquals(
+        new Body.Simulated(new Pose(1, 1, 0), SimulatedPower.FULL, 0.01, 1, 1), config.chassis());
   }
 
   @Test

@@ -32,7 +32,10 @@ class FirmwareScenarioIT {
   @Test
   void arcStraightAndStopEndAtTheSamePlace() throws IOException {
     Pose planned = Rig.START.compose(new Pose(0.25, 1.25, Math.PI / 2));
-    Pose simulated = drive(new Body.Simulated(Rig.START, SimulatedPower.FULL, 0, 1, 1), folder.resolve("simulated"));
+    Pose simulated =
+        drive(
+            new Body.Simulated(Rig.START, SimulatedPower.FULL, 0, 1, 1),
+            folder.resolve("simulated"));
     Pose byFirmware;
     Pose really;
     try (SimulatedMicrocontroller microcontroller =
