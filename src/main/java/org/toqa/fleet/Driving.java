@@ -38,7 +38,8 @@ final class Driving {
     if (isStray) {
       cancelWhenAllStand(robot);
     }
-    boolean isWaiting = robot.notBefore.isAfter(state.now) || isAwaitingFollowers(robot);
+    boolean isWaiting =
+        robot.notBefore.isAfter(state.now) || isAwaitingFollowers(robot) || isOver(robot, errand);
     state.traffic.isFixed(
         robot.name(), !robot.isFit() || robot.holdReason != null || isStray || isWaiting);
     state.traffic.wants(
@@ -63,6 +64,18 @@ final class Driving {
     if (!robot.driveUnderway && robot.drive != 0 && !tearsAtLoad) {
       robot.cancelDrive();
     }
+  }
+
+  /** What followed from the end of this errand is being stored, and brings another one. */
+  private boolean isOver(FloorRobot robot, @Nullable Errand errand) {
+    Long task = errand == null ? null : errand.task();
+    return task != null
+        && state
+            .missions
+            .get(task)
+            .flatMap(mission -> mission.carrier(robot.name()))
+            .filter(c -> !c.released() && c.phase() == errand.phase())
+            .isEmpty();
   }
 
   /** A leader that stands and would begin. */

@@ -44,7 +44,11 @@ final class Formations {
         new Key(mission.id(), object, robots),
         key ->
             places.round(
-                object, robots.size(), mission.task().size(), largestRadius(mission)));
+                object,
+                mission.task().goal().position(),
+                robots.size(),
+                mission.task().size(),
+                largestRadius(mission)));
   }
 
   private double largestRadius(Mission mission) {

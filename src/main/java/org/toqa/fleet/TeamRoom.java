@@ -1,12 +1,10 @@
 package org.toqa.fleet;
 
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
-import org.toqa.mission.TaskPlace;
 
-/** Whether robots find places round a load where it is picked up, and where it is set down. */
+/** Whether a floor has room for robots that carry a load together, all the way. */
 final class TeamRoom {
   private final FormationPlaces places;
 
@@ -16,22 +14,21 @@ final class TeamRoom {
 
   /** Why so many robots cannot carry it, a sentence; empty if they can, or one does. */
   Optional<String> objection(Mission mission, int robots) {
-    if (robots < 2) {
-      return Optional.empty();
-    }
-    return Stream.of(mission.object(), mission.task().goal())
-        .filter(place -> !hasRoom(mission, place, robots))
-        .findFirst()
-        .map(
-            place ->
-                "It needs %d robots that carry it together, and round it at %s is no room for them."
-                    .formatted(robots, place.text()));
-  }
-
-  private boolean hasRoom(Mission mission, TaskPlace place, int robots) {
-    return places
-        .round(
-            place.position(), robots, mission.task().size(), FloorRobot.UNKNOWN_FOOTPRINT / 2)
-        .isPresent();
+    boolean isPossible =
+        robots < 2
+            || places
+                .round(
+                    mission.object().position(),
+                    mission.task().goal().position(),
+                    robots,
+                    mission.task().size(),
+                    FloorRobot.UNKNOWN_FOOTPRINT / 2)
+                .isPresent();
+    return isPossible
+        ? Optional.empty()
+        : Optional.of(
+            "It needs %d robots that carry it together, and there is no room for them round it at %s or no way for them to %s."
+                .formatted(
+                    robots, mission.object().text(), mission.task().goal().text()));
   }
 }
