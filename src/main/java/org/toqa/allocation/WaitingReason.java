@@ -72,12 +72,14 @@ public final class WaitingReason {
   /** Says the true number of robots that the load needs, and how many are there. */
   private String tooHeavyForOne(Job job) {
     Optional<Integer> needed = TeamSize.of(job.load(), robots);
-    if (needed.isEmpty()) {
+    double together = robots.stream().mapToDouble(Candidate::maxLoad).sum();
+    if (job.load() > together) {
       return "The load weighs %s kg, and all %d robots together carry %s kg."
-          .formatted(
-              kilograms(job.load()),
-              robots.size(),
-              kilograms(robots.stream().mapToDouble(Candidate::maxLoad).sum()));
+          .formatted(kilograms(job.load()), robots.size(), kilograms(together));
+    }
+    if (needed.isEmpty()) {
+      return "The load weighs %s kg, and no robots carry it in even shares."
+          .formatted(kilograms(job.load()));
     }
     long free = robots.stream().filter(Candidate::isFree).count();
     return "It needs %d robots that carry it together, and %d of %d %s free."

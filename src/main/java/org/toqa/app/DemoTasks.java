@@ -33,6 +33,7 @@ final class DemoTasks {
           order("Parts to assembly", 2.5, "Store A", "Assembly"),
           order("Finished unit to packing", 3, "Assembly", "Packing 1"),
           order("Parcel to goods-out", 1.5, "Packing 2", "Goods-out"),
+          order("Gearbox to packing", 12, "Goods-in 2", "Packing 2"), // three robots together
           order("Tools back to the store", 2, "Workbench 1", "Store C"),
           order("Castings to the test bench", 3.5, "Goods-in 2", "Test bench"),
           order("Bar stock to the store", 5, "Goods-in 1", "Store B"),
@@ -127,12 +128,14 @@ final class DemoTasks {
 
   private static String sentence(TaskView task) {
     String robots = String.join(", ", task.robots());
+    String drive = task.robots().size() == 1 ? " drives" : " drive";
+    String carry = task.robots().size() == 1 ? " carries it to " : " carry it together to ";
     return switch (task.state()) {
       case QUEUED -> "waits for a robot";
       case ASSIGNED -> "is given to " + robots;
-      case TO_OBJECT -> robots + " drives to " + task.task().start().text();
-      case CARRYING -> robots + " carries it to " + task.task().goal().text();
-      case RETURNING -> "is delivered, " + robots + " drives home";
+      case TO_OBJECT -> robots + drive + " to " + task.task().start().text();
+      case CARRYING -> robots + carry + task.task().goal().text();
+      case RETURNING -> "is delivered, " + robots + drive + " home";
       case DONE -> "is done";
       case FAILED -> "failed";
       case CANCELLED -> "was cancelled";
