@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
@@ -33,13 +34,16 @@ final class DemoTasks {
           order("Parts to assembly", 2.5, "Store A", "Assembly"),
           order("Finished unit to packing", 3, "Assembly", "Packing 1"),
           order("Parcel to goods-out", 1.5, "Packing 2", "Goods-out"),
-          order("Gearbox to packing", 12, "Goods-in 2", "Packing 2"), // three robots together
           order("Tools back to the store", 2, "Workbench 1", "Store C"),
           order("Castings to the test bench", 3.5, "Goods-in 2", "Test bench"),
           order("Bar stock to the store", 5, "Goods-in 1", "Store B"),
           order("Tested unit to packing", 3, "Test bench", "Packing 2"),
           order("Turned parts to goods-out", 2, "Mill", "Goods-out"),
           order("Spare parts to packing", 1, "Store C", "Packing 1"));
+
+  /** First, while every battery lasts for it. */
+  private static final TaskOrder FOR_THREE_ROBOTS =
+      order("Gearbox to packing", 12, "Goods-in 2", "Packing 2");
 
   /** More tasks than robots: some have to wait for a robot. */
   private static final int QUEUED_AT_FIRST = 2;
@@ -79,7 +83,8 @@ final class DemoTasks {
    * @param robots 1 to {@link #MOST_ROBOTS}
    */
   static List<TaskOrder> orders(int robots) {
-    return ORDERS.subList(0, robots + QUEUED_AT_FIRST);
+    Stream<TaskOrder> together = robots < 3 ? Stream.empty() : Stream.of(FOR_THREE_ROBOTS);
+    return Stream.concat(together, ORDERS.stream()).limit(robots + QUEUED_AT_FIRST).toList();
   }
 
   void submit(List<TaskOrder> orders, String user) throws Exception {

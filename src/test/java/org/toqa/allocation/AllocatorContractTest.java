@@ -203,7 +203,8 @@ class AllocatorContractTest {
         "It needs 3 robots that carry it together, and 2 of 3 are free.",
         why(allocator, 9, robots));
     assertEquals(
-        "The load weighs 10 kg, and no robots carry it in even shares.", why(allocator, 10, robots));
+        "The load weighs 10 kg, and no robots carry it in even shares.",
+        why(allocator, 10, robots));
     assertEquals(
         "The load weighs 12.5 kg, and all 3 robots together carry 12 kg.",
         why(allocator, 12.5, robots));

@@ -23,6 +23,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.link.TcpRobotLinks;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.TaskState;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.SimulatedRobot;
@@ -74,13 +75,22 @@ class CarryTogetherTest {
     untilDone(task);
   }
 
-  /** No two discs meet meanwhile. */
+  /** No two discs meet meanwhile, and no follower is off its place by more than the tolerance. */
   private void untilDone(long task) throws Exception {
     until(
         view -> {
           assertApart(view);
+          assertEquals(List.of(), outOfPlace(view));
           return is(view, task, TaskState.DONE);
         });
+  }
+
+  private static List<String> outOfPlace(FleetSnapshot view) {
+    return view.robots().stream()
+        .flatMap(r -> r.errors().stream())
+        .filter(fault -> fault.code().equals("OUT_OF_PLACE"))
+        .map(Fault::text)
+        .toList();
   }
 
   private static void assertApart(FleetSnapshot view) {
@@ -89,8 +99,7 @@ class CarryTogetherTest {
       for (int j = 0; j < i; j++) {
         Pose a = robots.get(i).pose();
         Pose b = robots.get(j).pose();
-        double gap =
-            a.distanceTo(b) - (robots.get(i).footprint() + robots.get(j).footprint()) / 2;
+        double gap = a.distanceTo(b) - (robots.get(i).footprint() + robots.get(j).footprint()) / 2;
         assertTrue(gap > 0, robots.get(i) + " meets " + robots.get(j));
       }
     }
