@@ -11,10 +11,10 @@ public enum Policy {
   public Allocator allocator() {
     return new Teams(
         switch (this) {
-      case ZONES -> new ZoneAllocator();
-      case CONTRACT_NET -> new ContractNet();
-      case OPTIMAL -> new OptimalAllocator();
-    });
+          case ZONES -> new ZoneAllocator();
+          case CONTRACT_NET -> new ContractNet();
+          case OPTIMAL -> new OptimalAllocator();
+        });
   }
 
   /** As it is written, such as {@code contract-net}. */

@@ -1,7 +1,6 @@
 package org.toqa.allocation;
 
 import static java.util.Comparator.comparingDouble;
-import static java.util.stream.Collectors.toMap;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -12,9 +11,9 @@ import java.util.Optional;
 import org.toqa.allocation.Costs.Cost;
 
 /**
- * Gives loads that are too heavy for one robot to several, and leaves the rest to another allocator.
- * The team is the smallest whose robots can each carry an even share; of those that are free the
- * ones nearest to the load, the nearest of all as the leader.
+ * Gives loads that are too heavy for one robot to several, and leaves the rest to another
+ * allocator. The team is the smallest whose robots can each carry an even share; of those that are
+ * free the ones nearest to the load, the nearest of all as the leader.
  *
  * <p>Robots seldom become free together. When such a load has waited longer than every other task,
  * robots that are free are kept for it, so that it does not wait for ever.
@@ -74,6 +73,8 @@ public final class Teams implements Allocator {
     };
   }
 
+  private record Priced(Candidate robot, Cost cost) {}
+
   /** The nearest of those that are free; fewer than are needed where not enough are. */
   private static List<Candidate> team(
       Job job, List<Candidate> free, List<Candidate> robots, Costs costs) {
@@ -82,11 +83,11 @@ public final class Teams implements Allocator {
       return List.of();
     }
     Job share = share(job, size.get());
-    Map<Candidate, Cost> prices =
-        free.stream().collect(toMap(r -> r, r -> costs.of(share, r)));
     return free.stream()
-        .filter(r -> prices.get(r).isPossible())
-        .sorted(comparingDouble(r -> prices.get(r).approach()))
+        .map(r -> new Priced(r, costs.of(share, r)))
+        .filter(p -> p.cost().isPossible())
+        .sorted(comparingDouble(p -> p.cost().approach()))
+        .map(Priced::robot)
         .limit(size.get())
         .toList();
   }

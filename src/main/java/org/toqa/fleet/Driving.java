@@ -43,7 +43,8 @@ final class Driving {
     state.traffic.isFixed(
         robot.name(), !robot.isFit() || robot.holdReason != null || isStray || isWaiting);
     state.traffic.wants(
-        robot.name(), errand == null || isOnOtherWay ? null : errand.goal(),
+        robot.name(),
+        errand == null || isOnOtherWay ? null : errand.goal(),
         errand == null ? null : errand.heading(),
         state.now);
     if (errand != null
@@ -60,7 +61,8 @@ final class Driving {
 
   /** Nobody wants its drive any more, as when a returning robot is needed elsewhere. */
   private void cancelWhenAllStand(FloorRobot robot) {
-    boolean tearsAtLoad = state.formations.carrying(robot.name()).filter(state.formations::isMoving).isPresent();
+    boolean tearsAtLoad =
+        state.formations.carrying(robot.name()).filter(state.formations::isMoving).isPresent();
     if (!robot.driveUnderway && robot.drive != 0 && !tearsAtLoad) {
       robot.cancelDrive();
     }
@@ -68,7 +70,10 @@ final class Driving {
 
   /** What followed from the end of this errand is being stored, and brings another one. */
   private boolean isOver(FloorRobot robot, @Nullable Errand errand) {
-    Long task = errand == null ? null : errand.task();
+    if (errand == null) {
+      return false;
+    }
+    Long task = errand.task();
     return task != null
         && state
             .missions
@@ -85,8 +90,7 @@ final class Driving {
             .formations
             .carrying(robot.name())
             .filter(
-                mission ->
-                    !state.formations.allFollow(mission) || hasEnded(robot.name(), mission))
+                mission -> !state.formations.allFollow(mission) || hasEnded(robot.name(), mission))
             .isPresent();
   }
 

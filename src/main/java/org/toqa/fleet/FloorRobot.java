@@ -126,8 +126,7 @@ final class FloorRobot {
    * @param heading how it shall face there, radians, map frame; null: in any way
    * @param load kilograms that it has on board
    */
-  record Errand(
-      @Nullable Long task, int phase, Vec2 goal, @Nullable Double heading, double load) {
+  record Errand(@Nullable Long task, int phase, Vec2 goal, @Nullable Double heading, double load) {
     static Errand home(Vec2 parking) {
       return new Errand(null, 0, parking, null, 0);
     }

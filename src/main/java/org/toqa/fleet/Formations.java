@@ -99,9 +99,7 @@ final class Formations {
 
   /** The formation that this robot leads now, its followers at their places or on the way. */
   Optional<Formation> led(String robot) {
-    return carrying(robot)
-        .filter(m -> leader(m).equals(robot) && isTogether(m))
-        .flatMap(this::of);
+    return carrying(robot).filter(m -> leader(m).equals(robot) && isTogether(m)).flatMap(this::of);
   }
 
   /** Whether the group's cells are its leader's, so that this one has none of its own. */
@@ -211,8 +209,8 @@ final class Formations {
   }
 
   /**
-   * Why the whole group shall come to a stand before it is told otherwise, a sentence; null: it need
-   * not. Robots that are stopped one by one would tear at the load.
+   * Why the whole group shall come to a stand before it is told otherwise, a sentence; null: it
+   * need not. Robots that are stopped one by one would tear at the load.
    */
   @Nullable String reasonToStand(Mission mission) {
     if (!isGroup(mission) || mission.state() != TaskState.CARRYING) {

@@ -539,7 +539,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             floor.name(),
             job ->
                 job.load() <= strongest
-                    || (isAnyFree && job.load() > strongestOfAll && !roomless.containsKey(job.id())),
+                    || (isAnyFree
+                        && job.load() > strongestOfAll
+                        && !roomless.containsKey(job.id())),
             LOOKED_AT);
     if (jobs.isEmpty()) {
       reasons.remove(floor.name());

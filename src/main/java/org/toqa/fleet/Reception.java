@@ -133,7 +133,8 @@ final class Reception {
   private void phaseEnded(FloorRobot robot, PhaseEnd end) {
     Optional<Mission> mission =
         Optional.ofNullable(end.task()).flatMap(task -> state.missions.get(task));
-    if (mission.isPresent() && (end.phase() == 3 || state.formations.isAtGoal(mission.get(), robot))) {
+    if (mission.isPresent()
+        && (end.phase() == 3 || state.formations.isAtGoal(mission.get(), robot))) {
       missions.happened(mission.get().id(), new MissionEvent.PhaseEnded(robot.name(), end.phase()));
     } // else its way was changed meanwhile, or the task has ended
     // written in order: acknowledged only when what follows from the flag is safe

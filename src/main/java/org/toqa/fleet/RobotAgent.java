@@ -144,8 +144,7 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   /** What it drives then is its leader's affair, so its own way is empty. */
   private void follow(RobotMessage.Follow m) {
-    StoredDrive next =
-        new StoredDrive(++seq, m.task(), 2, new Trajectory(m.stands(), List.of()));
+    StoredDrive next = new StoredDrive(++seq, m.task(), 2, new Trajectory(m.stands(), List.of()));
     storeThenSend(
         next,
         new ServerMessage.Follow(

@@ -53,8 +53,7 @@ final class RobotWatch {
   private Optional<OfRobot> lost(FloorRobot robot, @Nullable TaskPlace place, Instant now) {
     Duration silence = Duration.between(robot.quietSince, now);
     if (silence.compareTo(lostAfter) >= 0) {
-      return Optional.of(
-          new MissionEvent.RobotFailed(robot.name(), "is not heard of", place));
+      return Optional.of(new MissionEvent.RobotFailed(robot.name(), "is not heard of", place));
     }
     return silence.compareTo(ASK_AFTER) >= 0
         ? Optional.of(new MissionEvent.RobotLost(robot.name(), place))

@@ -28,7 +28,6 @@ final class TeamRoom {
         ? Optional.empty()
         : Optional.of(
             "It needs %d robots that carry it together, and there is no room for them round it at %s or no way for them to %s."
-                .formatted(
-                    robots, mission.object().text(), mission.task().goal().text()));
+                .formatted(robots, mission.object().text(), mission.task().goal().text()));
   }
 }

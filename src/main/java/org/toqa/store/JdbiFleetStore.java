@@ -130,7 +130,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                             Duration.ofMillis(Math.round(1000 * rs.getDouble("worked_s"))),
                             rs.getString("charger") == null
                                 ? null
-                                : new Turn(rs.getString("charger"), Rows.instant(rs, "charger_since"))))
+                                : new Turn(
+                                    rs.getString("charger"), Rows.instant(rs, "charger_since"))))
                 .list());
   }
 

@@ -22,8 +22,8 @@ final class Clearance {
 
   /**
    * Whether a robot can drive a stretch beside one that stands: the two share no cell but those
-   * under the robot now, and it does not come nearer than it is. Groups
-   * have no single disc: they share no cell with anybody.
+   * under the robot now, and it does not come nearer than it is. Groups have no single disc: they
+   * share no cell with anybody.
    *
    * @param from where the stretch begins
    */

@@ -182,8 +182,7 @@ public final class FloorTraffic {
    * @param goal null: it wants nothing, and may be asked to step aside
    * @param heading how it shall face there, radians, map frame; null: in any way
    */
-  public void wants(
-      String robot, @Nullable Vec2 goal, @Nullable Double heading, Instant now) {
+  public void wants(String robot, @Nullable Vec2 goal, @Nullable Double heading, Instant now) {
     Mover m = mover(robot);
     if (!Objects.equals(m.goal, goal) || !Objects.equals(m.heading, heading)) {
       m.goal = goal;

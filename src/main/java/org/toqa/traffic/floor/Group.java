@@ -109,10 +109,7 @@ public final class Group {
     int lastColumn = (int) Math.floor(column + reach);
     int firstRow = (int) Math.floor(row - reach);
     int lastRow = (int) Math.floor(row + reach);
-    if (firstColumn < 0
-        || firstRow < 0
-        || lastColumn >= grid.width()
-        || lastRow >= grid.height()) {
+    if (firstColumn < 0 || firstRow < 0 || lastColumn >= grid.width() || lastRow >= grid.height()) {
       return false;
     }
     for (int r = firstRow; r <= lastRow; r++) {

@@ -203,9 +203,7 @@ final class GroupWays {
       int pieces = Math.max(3, (int) Math.ceil(radius * EIGHTH / step));
       for (int i = 0; i < pieces; i++) {
         double angle = turn / pieces;
-        pose =
-            pose.advanced(
-                new Twist(radius * Math.abs(angle), 0, angle), 1);
+        pose = pose.advanced(new Twist(radius * Math.abs(angle), 0, angle), 1);
         if (!group.isOff(grid, pose, MARGIN, closed)) {
           return false;
         }
@@ -243,10 +241,9 @@ final class GroupWays {
 
     private Pose pose(int state) {
       int point = state >> 3;
-      return new Pose(
-          first.x() + point % columns * step,
-          first.y() + point / columns * step,
-          (state & 7) * EIGHTH);
+      int column = point % columns;
+      int row = point / columns;
+      return new Pose(first.x() + column * step, first.y() + row * step, (state & 7) * EIGHTH);
     }
 
     /** The ways onto the lattice: straight ahead, one corner, and straight again. */
@@ -281,9 +278,7 @@ final class GroupWays {
       double u = seen.y() / Math.sin(angle);
       double s = seen.x() - u * Math.cos(angle);
       if (s >= tangent(angle) && u >= tangent(angle)) {
-        enter(
-            state,
-            List.of(start.compose(new Pose(s, 0, 0)).position(), to.position()));
+        enter(state, List.of(start.compose(new Pose(s, 0, 0)).position(), to.position()));
       }
     }
 
@@ -324,8 +319,7 @@ final class GroupWays {
       for (int i = 0; i < points.size(); i++) {
         Vec2 here = points.get(i);
         boolean isLast = i == points.size() - 1;
-        boolean isStraight =
-            !isLast && here.distanceToLine(from, points.get(i + 1)) < ROUNDING;
+        boolean isStraight = !isLast && here.distanceToLine(from, points.get(i + 1)) < ROUNDING;
         if (here.distanceTo(from) > ROUNDING && !isStraight) {
           way.add(new Waypoint(here, false));
           from = here;

@@ -109,7 +109,8 @@ final class Mover {
 
   void isAt(Pose now, double itsRadius) {
     boolean isSame =
-        itsRadius == radius && (group == null ? now.position().equals(pose.position()) : now.equals(pose));
+        itsRadius == radius
+            && (group == null ? now.position().equals(pose.position()) : now.equals(pose));
     pose = now;
     radius = itsRadius;
     if (!isSame) {

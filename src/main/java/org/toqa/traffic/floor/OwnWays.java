@@ -120,8 +120,7 @@ final class OwnWays {
   Optional<List<Stretch>> outOf(Mover m, Collection<Mover> others, BitSet claimed, BitSet left) {
     return m.group() != null
         ? Optional.empty()
-        : among(
-            m, others, claimed, (free, start) -> nearestOutside(free, start, m.radius, left));
+        : among(m, others, claimed, (free, start) -> nearestOutside(free, start, m.radius, left));
   }
 
   /** Where to go on a floor, if anywhere. */
