@@ -39,9 +39,12 @@ export function drawRobots(context, viewport, colours, robots, tasks, poseOf) {
   for (const [robot, pose] of seen) {
     drawRoute(context, viewport, colours, robot, pose);
   }
+  for (const task of tasks.filter(({state, robots: team}) => state === 'CARRYING' && team.length > 1)) {
+    drawGroup(context, viewport, colours, task, task.robots.map(poseOf).filter((pose) => pose));
+  }
   for (const [robot, pose] of seen) {
     const carried = tasks.find((task) => task.id === robot.task && task.state === 'CARRYING');
-    if (carried?.robots[0] === robot.name) {
+    if (carried?.robots.length === 1) {
       const at = viewport.toScreen(pose.x, pose.y);
       drawLoad(context, at, -pose.theta, loadHalf(viewport, carried, robot), colours);
     }
@@ -108,6 +111,25 @@ function drawRobot(context, viewport, colours, robot, pose) {
   context.textBaseline = 'middle';
   context.fillText(text(`robot.letter.${robot.state}`), x, y + 0.05 * r);
   drawLabel(context, colours, robot.name, x, y - 1.75 * r, 'bottom');
+}
+
+/** A load in the midst of the robots that carry it together; it faces as their leader does. */
+function drawGroup(context, viewport, colours, task, poses) {
+  if (poses.length < task.robots.length) {
+    return;
+  }
+  const leader = viewport.toScreen(poses[0].x, poses[0].y);
+  context.strokeStyle = colours['map-load-line'];
+  context.lineWidth = 2;
+  for (const follower of poses.slice(1)) {
+    context.beginPath();
+    context.moveTo(...leader);
+    context.lineTo(...viewport.toScreen(follower.x, follower.y));
+    context.stroke();
+  }
+  const middle = (side) => poses.reduce((sum, pose) => sum + pose[side], 0) / poses.length;
+  const at = viewport.toScreen(middle('x'), middle('y'));
+  drawLoad(context, at, -poses[0].theta, loadHalf(viewport, task), colours);
 }
 
 /** Half of the load's length and width in pixels. */

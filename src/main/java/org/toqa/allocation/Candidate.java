@@ -21,6 +21,10 @@ public record Candidate(
     Standing standing,
     @Nullable Long task) {
 
+  Candidate busyWith(long job) {
+    return new Candidate(robot, maxLoad, position, parking, battery, Standing.BUSY, job);
+  }
+
   boolean isFree() {
     return standing == Standing.FREE;
   }

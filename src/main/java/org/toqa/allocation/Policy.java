@@ -9,11 +9,12 @@ public enum Policy {
   OPTIMAL;
 
   public Allocator allocator() {
-    return switch (this) {
-      case ZONES -> new ZoneAllocator();
-      case CONTRACT_NET -> new ContractNet();
-      case OPTIMAL -> new OptimalAllocator();
-    };
+    return new Teams(
+        switch (this) {
+          case ZONES -> new ZoneAllocator();
+          case CONTRACT_NET -> new ContractNet();
+          case OPTIMAL -> new OptimalAllocator();
+        });
   }
 
   /** As it is written, such as {@code contract-net}. */

@@ -4,11 +4,11 @@ import static java.util.stream.Collectors.counting;
 import static java.util.stream.Collectors.groupingBy;
 import static java.util.stream.Collectors.joining;
 
-import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.toqa.allocation.Costs.Obstacle;
 import org.toqa.geometry.Vec2;
@@ -71,32 +71,19 @@ public final class WaitingReason {
 
   /** Says the true number of robots that the load needs, and how many are there. */
   private String tooHeavyForOne(Job job) {
-    int needed = smallestSet(job.load());
-    if (needed > robots.size()) {
+    Optional<Integer> needed = TeamSize.of(job.load(), robots);
+    double together = robots.stream().mapToDouble(Candidate::maxLoad).sum();
+    if (job.load() > together) {
       return "The load weighs %s kg, and all %d robots together carry %s kg."
-          .formatted(
-              kilograms(job.load()),
-              robots.size(),
-              kilograms(robots.stream().mapToDouble(Candidate::maxLoad).sum()));
+          .formatted(kilograms(job.load()), robots.size(), kilograms(together));
+    }
+    if (needed.isEmpty()) {
+      return "The load weighs %s kg, and no robots carry it in even shares."
+          .formatted(kilograms(job.load()));
     }
     long free = robots.stream().filter(Candidate::isFree).count();
-    return ("It needs %d robots that carry it together, and %d of %d %s free;"
-            + " robots cannot carry together yet.")
-        .formatted(needed, free, robots.size(), free == 1 ? "is" : "are");
-  }
-
-  /** The least number of robots whose loads add up; one more than there are if all do not. */
-  private int smallestSet(double load) {
-    List<Double> strongestFirst =
-        robots.stream().map(Candidate::maxLoad).sorted(Comparator.reverseOrder()).toList();
-    double sum = 0;
-    for (int i = 0; i < strongestFirst.size(); i++) {
-      sum += strongestFirst.get(i);
-      if (sum >= load) {
-        return i + 1;
-      }
-    }
-    return robots.size() + 1;
+    return "It needs %d robots that carry it together, and %d of %d %s free."
+        .formatted(needed.get(), free, robots.size(), free == 1 ? "is" : "are");
   }
 
   private String keeps(Job job, Candidate robot) {

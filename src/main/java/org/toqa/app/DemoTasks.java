@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
@@ -39,6 +40,10 @@ final class DemoTasks {
           order("Tested unit to packing", 3, "Test bench", "Packing 2"),
           order("Turned parts to goods-out", 2, "Mill", "Goods-out"),
           order("Spare parts to packing", 1, "Store C", "Packing 1"));
+
+  /** First, while every battery lasts for it. */
+  private static final TaskOrder FOR_THREE_ROBOTS =
+      order("Gearbox to packing", 12, "Goods-in 2", "Packing 2");
 
   /** More tasks than robots: some have to wait for a robot. */
   private static final int QUEUED_AT_FIRST = 2;
@@ -78,7 +83,8 @@ final class DemoTasks {
    * @param robots 1 to {@link #MOST_ROBOTS}
    */
   static List<TaskOrder> orders(int robots) {
-    return ORDERS.subList(0, robots + QUEUED_AT_FIRST);
+    Stream<TaskOrder> together = robots < 3 ? Stream.empty() : Stream.of(FOR_THREE_ROBOTS);
+    return Stream.concat(together, ORDERS.stream()).limit(robots + QUEUED_AT_FIRST).toList();
   }
 
   void submit(List<TaskOrder> orders, String user) throws Exception {
@@ -127,12 +133,14 @@ final class DemoTasks {
 
   private static String sentence(TaskView task) {
     String robots = String.join(", ", task.robots());
+    String drive = task.robots().size() == 1 ? " drives" : " drive";
+    String carry = task.robots().size() == 1 ? " carries it to " : " carry it together to ";
     return switch (task.state()) {
       case QUEUED -> "waits for a robot";
       case ASSIGNED -> "is given to " + robots;
-      case TO_OBJECT -> robots + " drives to " + task.task().start().text();
-      case CARRYING -> robots + " carries it to " + task.task().goal().text();
-      case RETURNING -> "is delivered, " + robots + " drives home";
+      case TO_OBJECT -> robots + drive + " to " + task.task().start().text();
+      case CARRYING -> robots + carry + task.task().goal().text();
+      case RETURNING -> "is delivered, " + robots + drive + " home";
       case DONE -> "is done";
       case FAILED -> "failed";
       case CANCELLED -> "was cancelled";

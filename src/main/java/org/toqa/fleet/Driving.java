@@ -1,8 +1,12 @@
 package org.toqa.fleet;
 
+import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorRobot.Errand;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.traffic.floor.Decision;
 
@@ -18,23 +22,33 @@ final class Driving {
 
   /** Tells the traffic whether the robot can be moved, and where it wants to go. */
   void direct(FloorRobot robot) {
+    Optional<Mission> followed = state.formations.following(robot.name());
+    if (followed.isPresent() && robot.duty() != null) {
+      keepInFormation(robot, followed.get());
+      return;
+    }
     if (!state.traffic.knows(robot.name())) {
+      cancelWhenAllStand(robot);
       return;
     }
     Errand errand = robot.duty();
     boolean isOnOtherWay = !robot.isStanding() && (errand == null || !robot.isOnTheWayOf(errand));
     boolean mayEnd = robot.told != null && robot.told.task() == null && robot.toldGoal == null;
     boolean isStray = isOnOtherWay && !(robot.inService && mayEnd);
-    if (isStray && !robot.driveUnderway && robot.drive != 0) {
-      robot
-          .cancelDrive(); // nobody wants it any more, as when a returning robot is needed elsewhere
+    if (isStray) {
+      cancelWhenAllStand(robot);
     }
-    boolean isWaiting = robot.notBefore.isAfter(state.now);
+    boolean isWaiting =
+        robot.notBefore.isAfter(state.now) || isAwaitingFollowers(robot) || isOver(robot, errand);
     state.traffic.isFixed(
         robot.name(), !robot.isFit() || robot.holdReason != null || isStray || isWaiting);
     state.traffic.wants(
-        robot.name(), errand == null || isOnOtherWay ? null : errand.goal(), state.now);
+        robot.name(),
+        errand == null || isOnOtherWay ? null : errand.goal(),
+        errand == null ? null : errand.heading(),
+        state.now);
     if (errand != null
+        && !isWaiting
         && robot.isStanding()
         && robot.isFit()
         && state.traffic.isAtGoal(robot.name())) {
@@ -45,6 +59,63 @@ final class Driving {
     }
   }
 
+  /** Nobody wants its drive any more, as when a returning robot is needed elsewhere. */
+  private void cancelWhenAllStand(FloorRobot robot) {
+    boolean tearsAtLoad =
+        state.formations.carrying(robot.name()).filter(state.formations::isMoving).isPresent();
+    if (!robot.driveUnderway && robot.drive != 0 && !tearsAtLoad) {
+      robot.cancelDrive();
+    }
+  }
+
+  /** What followed from the end of this errand is being stored, and brings another one. */
+  private boolean isOver(FloorRobot robot, @Nullable Errand errand) {
+    if (errand == null) {
+      return false;
+    }
+    Long task = errand.task();
+    return task != null
+        && state
+            .missions
+            .get(task)
+            .flatMap(mission -> mission.carrier(robot.name()))
+            .filter(c -> !c.released() && c.phase() == errand.phase())
+            .isEmpty();
+  }
+
+  /** A leader that stands and would begin. */
+  private boolean isAwaitingFollowers(FloorRobot robot) {
+    return robot.isStanding()
+        && state
+            .formations
+            .carrying(robot.name())
+            .filter(
+                mission -> !state.formations.allFollow(mission) || hasEnded(robot.name(), mission))
+            .isPresent();
+  }
+
+  /** A follower has no way of its own: it is told its place, and its leader does the rest. */
+  private void keepInFormation(FloorRobot robot, Mission mission) {
+    boolean isWaiting = robot.notBefore.isAfter(state.now);
+    if (state.traffic.knows(robot.name())) {
+      state.traffic.wants(robot.name(), null, state.now);
+      state.traffic.isFixed(robot.name(), true);
+    }
+    if (hasEnded(robot.name(), mission) || isWaiting || robot.holdReason != null) {
+      return;
+    }
+    if (robot.isStanding() && robot.isFit()) {
+      robot.driveUnderway = true;
+      robot.toldGoal = null;
+      robot.agent.tell(state.formations.follow(mission, robot));
+    }
+    note(robot, null);
+  }
+
+  private static boolean hasEnded(String robot, Mission mission) {
+    return mission.carrier(robot).filter(Carrier::isDriving).isEmpty();
+  }
+
   private void arrived(FloorRobot robot, Errand errand) {
     if (errand.task() == null) {
       if (robot.turn == null) { // else it stays while it charges
@@ -52,7 +123,15 @@ final class Driving {
         state.changed = true;
       }
     } else {
-      missions.happened(errand.task(), new MissionEvent.PhaseEnded(robot.name(), errand.phase()));
+      long task = errand.task();
+      List<String> together =
+          state
+              .formations
+              .carrying(robot.name())
+              .map(mission -> mission.carriers().stream().map(Carrier::robot).toList())
+              .orElse(List.of(robot.name()));
+      together.forEach(
+          r -> missions.happened(task, new MissionEvent.PhaseEnded(r, errand.phase())));
     }
   }
 
@@ -74,12 +153,16 @@ final class Driving {
     }
   }
 
-  private static void tell(FloorRobot robot, Decision decision) {
+  private void tell(FloorRobot robot, Decision decision) {
     switch (decision) {
       case Decision.Begin begin -> {
         Errand errand = robot.errand;
         robot.driveUnderway = true;
         robot.toldGoal = errand == null ? null : errand.goal();
+        state
+            .formations
+            .carrying(robot.name())
+            .ifPresent(mission -> robot.agent.tell(state.formations.lead(mission)));
         robot.agent.tell(
             new RobotMessage.Drive(
                 errand == null ? null : errand.task(),

@@ -138,6 +138,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     state.now = time;
     state.robots.values().forEach(r -> r.agent.tell(new RobotMessage.Tick(time)));
     charging.look();
+    state.formations.tellTraffic();
     for (FloorRobot robot : state.robots.values()) {
       missions.watch(robot);
       holding.holdOrGoOn(robot);

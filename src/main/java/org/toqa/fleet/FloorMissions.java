@@ -10,7 +10,6 @@ import java.util.Set;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.toqa.fleet.FleetStore.OpenTask;
-import org.toqa.fleet.FloorRobot.Errand;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionCommand;
@@ -103,7 +102,7 @@ final class FloorMissions {
     for (Carrier c : mission.carriers()) {
       FloorRobot robot = state.robots.get(c.robot());
       if (c.isDriving() && robot != null && !mission.isStopping()) {
-        robot.errand = Errand.of(mission, c.robot(), state.home(c.robot()));
+        robot.errand = state.formations.errand(mission, c.robot());
       }
     }
   }
@@ -186,7 +185,7 @@ final class FloorMissions {
     long task = step.mission().id();
     switch (command) {
       case MissionCommand.Drive drive -> {
-        robot.errand = Errand.of(step.mission(), drive.robot(), state.home(drive.robot()));
+        robot.errand = state.formations.errand(step.mission(), drive.robot());
         robot.trouble = null;
         robot.notBefore = Instant.MIN;
       }
@@ -209,9 +208,11 @@ final class FloorMissions {
     if (mission.isEmpty()) {
       return;
     }
-    robotWatch.look(robot, state.now).ifPresent(event -> happened(mission.get(), event));
+    robotWatch
+        .look(robot, state.formations.loadPlace(mission.get(), robot), state.now)
+        .ifPresent(event -> happened(mission.get(), event));
     if (mission.get().isStopping() && robot.errand == null && robot.hasStopped()) {
-      TaskPlace place = RobotWatch.place(robot);
+      TaskPlace place = state.formations.loadPlace(mission.get(), robot);
       if (place != null) {
         happened(mission.get().id(), new MissionEvent.Stopped(robot.name(), place));
       }

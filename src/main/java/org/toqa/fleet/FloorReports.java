@@ -8,6 +8,7 @@ import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorRobot.Errand;
 import org.toqa.grid.CellRuns;
+import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.traffic.floor.Route;
@@ -52,7 +53,7 @@ final class FloorReports {
         state
             .missions
             .of(robot.name())
-            .map(m -> Errand.of(m, robot.name(), state.home(robot.name())))
+            .map(m -> state.formations.errand(m, robot.name()))
             .orElse(robot.errand);
     return robot.view(state.floor.name(), work, route);
   }
@@ -82,6 +83,8 @@ final class FloorReports {
             reasons.add(robot.holdReason);
           } else if (robot.trouble != null) {
             reasons.add(robot.trouble);
+          } else if (robot.role != Role.ALONE && !robot.errors.isEmpty()) {
+            reasons.add(robot.errors.getFirst().text());
           }
         }
       }

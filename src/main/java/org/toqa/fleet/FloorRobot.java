@@ -17,6 +17,7 @@ import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.traffic.floor.Route;
@@ -31,7 +32,7 @@ final class FloorRobot {
   private static final Logger log = LoggerFactory.getLogger(FloorRobot.class);
 
   /** The diameter assumed of a robot that was never heard of: the smallest of ours, metres. */
-  private static final double UNKNOWN_FOOTPRINT = 0.255;
+  static final double UNKNOWN_FOOTPRINT = 0.255;
 
   /** Metres and radians a second that a standing robot may still report. */
   private static final double STANDING_SPEED = 0.02;
@@ -54,6 +55,7 @@ final class FloorRobot {
   double footprint = UNKNOWN_FOOTPRINT;
   double maxLoad;
   Mode mode = Mode.IDLE;
+  Role role = Role.ALONE;
   boolean moving;
   long drive;
   int segment;
@@ -124,15 +126,16 @@ final class FloorRobot {
    * A phase that the robot shall drive.
    *
    * @param task null when it drives home or to a charger, in phase 0
+   * @param heading how it shall face there, radians, map frame; null: in any way
    * @param load kilograms that it has on board
    */
-  record Errand(@Nullable Long task, int phase, Vec2 goal, double load) {
+  record Errand(@Nullable Long task, int phase, Vec2 goal, @Nullable Double heading, double load) {
     static Errand home(Vec2 parking) {
-      return new Errand(null, 0, parking, 0);
+      return new Errand(null, 0, parking, null, 0);
     }
 
     static Errand charge(Vec2 point) {
-      return new Errand(null, 0, point, 0);
+      return new Errand(null, 0, point, null, 0);
     }
 
     /**
@@ -149,7 +152,7 @@ final class FloorRobot {
             default -> home.orElse(mission.task().goal().position());
           };
       double load = phase == 2 ? mission.task().load() / mission.carriers().size() : 0;
-      return new Errand(mission.id(), phase, goal, load);
+      return new Errand(mission.id(), phase, goal, null, load);
     }
   }
 
@@ -172,6 +175,7 @@ final class FloorRobot {
     footprint = hello.footprint();
     maxLoad = Math.min(record.maxLoad(), hello.maxLoad());
     mode = hello.mode();
+    role = hello.role();
     drive = hello.drive();
     reportedTask = hello.task();
     segment = hello.segment();
@@ -184,6 +188,7 @@ final class FloorRobot {
     pose = state.pose();
     battery = state.battery();
     mode = state.mode();
+    role = state.role();
     drive = state.drive();
     reportedTask = state.task();
     segment = state.segment();

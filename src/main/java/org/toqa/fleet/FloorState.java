@@ -18,7 +18,7 @@ import org.toqa.traffic.floor.FloorTraffic;
 /** The floor as it is now, which the parts of its agent share. Confined to that agent. */
 final class FloorState {
   /** Metres; whoever is so near to a place is there. */
-  private static final double ARRIVED = 0.15;
+  static final double ARRIVED = 0.15;
 
   final FloorMap floor;
   final FleetStore store;
@@ -27,6 +27,7 @@ final class FloorState {
   final FloorTraffic traffic;
   final Map<String, FloorRobot> robots = new TreeMap<>();
   final OpenMissions missions = new OpenMissions();
+  final Formations formations;
 
   /** Of the time that ticks bring. */
   Instant now;
@@ -42,6 +43,7 @@ final class FloorState {
     this.clock = clock;
     this.traffic = traffic;
     this.now = now;
+    this.formations = new Formations(this);
   }
 
   /** The robot's parking point. */

@@ -51,12 +51,13 @@ final class Holding {
     if (robot.held) {
       return "On hold by a person’s word";
     }
-    return state
-        .missions
-        .of(robot.name())
-        .filter(Mission::held)
-        .map(mission -> "Task " + mission.id() + " is on hold")
-        .orElse(null);
+    return state.missions.of(robot.name()).map(this::reason).orElse(null);
+  }
+
+  private @Nullable String reason(Mission mission) {
+    return mission.held()
+        ? "Task " + mission.id() + " is on hold"
+        : state.formations.reasonToStand(mission);
   }
 
   /** A robot on hold does not get on, and needs a while when it goes on. */

@@ -97,6 +97,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   /** By floor and task: what the last round said of those that wait. */
   private final Map<String, Map<Long, String>> reasons = new HashMap<>();
 
+  /** Tasks for several robots that have no room round the load, and why. */
+  private final Map<Long, String> roomless = new HashMap<>();
+
   /** Floors whose robots or tasks have changed since the last round began. */
   private final Set<String> due = new HashSet<>();
 
@@ -529,7 +532,17 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     List<Given> given =
         exchanges.given(missions(floor.name()), robotViews(floor.name()), clock.instant());
     double strongest = strongest(robotsHere, given);
-    List<Job> jobs = queue.first(floor.name(), job -> job.load() <= strongest, LOOKED_AT);
+    double strongestOfAll = robotsHere.stream().mapToDouble(Candidate::maxLoad).max().orElse(0);
+    boolean isAnyFree = strongest > 0;
+    List<Job> jobs =
+        queue.first(
+            floor.name(),
+            job ->
+                job.load() <= strongest
+                    || (isAnyFree
+                        && job.load() > strongestOfAll
+                        && !roomless.containsKey(job.id())),
+            LOOKED_AT);
     if (jobs.isEmpty()) {
       reasons.remove(floor.name());
       changed = true;
@@ -601,7 +614,11 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     for (Decision decision : m.decisions()) {
       switch (decision) {
         case Decision.Assigned(long id, List<String> chosen, String why) -> {
-          if (free.containsAll(chosen)) {
+          Optional<String> objection = objection(id, chosen.size(), m.floor());
+          if (objection.isPresent()) {
+            roomless.put(id, objection.get());
+            due.add(m.floor());
+          } else if (free.containsAll(chosen)) {
             mayBegin(id).ifPresent(mission -> handOver(mission, chosen, why));
           } else if (queue.get(id).isPresent()) {
             due.add(m.floor());
@@ -615,7 +632,13 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         }
       }
     }
+    roomless.keySet().removeIf(task -> queue.get(task).isEmpty());
     reasons.put(m.floor(), waiting);
+  }
+
+  private Optional<String> objection(long task, int robots, String floor) {
+    TeamRoom room = new TeamRoom(requireNonNull(maps.get(floor)).grid());
+    return queue.get(task).flatMap(queued -> room.objection(queued.mission(), robots));
   }
 
   /**
@@ -737,6 +760,10 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   /** What the last round said; of a task that it did not look at, what is plain without one. */
   private String reason(TaskQueue.Queued queued, @Nullable WaitingReason plain) {
+    String noRoom = roomless.get(queued.task().id());
+    if (noRoom != null) {
+      return noRoom;
+    }
     String said = reasons.getOrDefault(queued.task().floor(), Map.of()).get(queued.task().id());
     if (said != null) {
       return said;

@@ -5,12 +5,12 @@ import java.time.Instant;
 import java.util.Objects;
 import java.util.Optional;
 import org.toqa.fleet.FleetStore.StoredDrive;
-import org.toqa.fleet.FloorRobot.Errand;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
+import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.motion.DriveSpeeds;
@@ -82,12 +82,14 @@ final class Reception {
     robot.toldToHoldAt = Instant.MIN;
     robot.refusedChange = null;
     robot.told = stored.filter(d -> d.seq() == hello.drive()).orElse(null);
-    if (robot.told != null) {
-      isOnItsWay(robot, robot.told, hello.pose(), hello.segment(), hello.released());
-    } else {
+    if (!state.formations.isCovered(robot.name())) {
       state.traffic.stands(robot.name(), hello.pose(), hello.footprint(), state.now);
+      state.traffic.drivesAt(robot.name(), DriveSpeeds.DEFAULT.atMost(hello.maxSpeed()));
+      state.formations.tellTraffic();
+      if (robot.told != null && robot.role != Role.FOLLOWER) {
+        isOnItsWay(robot, robot.told, hello.pose(), hello.segment(), hello.released());
+      }
     }
-    state.traffic.drivesAt(robot.name(), DriveSpeeds.DEFAULT.atMost(hello.maxSpeed()));
     if (hello.done() != null) {
       phaseEnded(robot, hello.done());
     }
@@ -102,7 +104,11 @@ final class Reception {
     if (refusal != null && Objects.equals(refusal.changing(), said.drive())) {
       refused(robot, refusal.reason());
     } // else the change and the end of the drive had crossed
-    if (robot.told != null && said.drive() == robot.told.seq()) {
+    if (state.formations.isCovered(robot.name())) {
+      boolean isTold = robot.told != null && said.drive() == robot.told.seq();
+      robot.driveUnderway &= !isTold;
+      robot.cancelling &= said.drive() != 0;
+    } else if (robot.told != null && said.drive() == robot.told.seq()) {
       robot.driveUnderway = false;
       if (state.traffic.knows(robot.name())) {
         state.traffic.moved(robot.name(), said.pose(), said.segment(), state.now);
@@ -134,15 +140,12 @@ final class Reception {
   private void phaseEnded(FloorRobot robot, PhaseEnd end) {
     Optional<Mission> mission =
         Optional.ofNullable(end.task()).flatMap(task -> state.missions.get(task));
-    if (mission.isPresent() && (end.phase() == 3 || isAtItsGoal(robot, mission.get()))) {
+    if (mission.isPresent()
+        && (end.phase() == 3 || state.formations.isAtGoal(mission.get(), robot))) {
       missions.happened(mission.get().id(), new MissionEvent.PhaseEnded(robot.name(), end.phase()));
     } // else its way was changed meanwhile, or the task has ended
     // written in order: acknowledged only when what follows from the flag is safe
     state.writer.write(() -> {}, () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));
-  }
-
-  private boolean isAtItsGoal(FloorRobot robot, Mission mission) {
-    return state.isAt(robot, Errand.of(mission, robot.name(), state.home(robot.name())).goal());
   }
 
   private void driveBegun(FloorRobot robot, StoredDrive drive) {

@@ -109,6 +109,9 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private Behavior<RobotMessage> on(RobotMessage message) {
     switch (message) {
       case RobotMessage.Drive m -> begin(m);
+      case RobotMessage.Lead m ->
+          sendInOrder(new ServerMessage.Lead(++seq, m.task(), m.tolerance(), m.followers()));
+      case RobotMessage.Follow m -> follow(m);
       case RobotMessage.Extend m -> extend(m);
       case RobotMessage.Release m -> release(m.released());
       case RobotMessage.DriveStored m -> stored(m);
@@ -142,6 +145,16 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
             m.released(),
             m.last(),
             m.load()));
+    floor.tell(new FloorMessage.DriveBegun(robot.name(), next));
+  }
+
+  /** What it drives then is its leader's affair, so its own way is empty. */
+  private void follow(RobotMessage.Follow m) {
+    StoredDrive next = new StoredDrive(++seq, m.task(), 2, new Trajectory(m.stands(), List.of()));
+    storeThenSend(
+        next,
+        new ServerMessage.Follow(
+            next.seq(), m.task(), m.leader(), null, m.offset(), m.tolerance()));
     floor.tell(new FloorMessage.DriveBegun(robot.name(), next));
   }
 

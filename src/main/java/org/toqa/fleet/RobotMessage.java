@@ -6,9 +6,11 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
@@ -28,6 +30,19 @@ sealed interface RobotMessage {
 
   /** Drive other segments from {@code from} on. */
   record Extend(int from, List<Segment> segments, int released, boolean last)
+      implements RobotMessage {}
+
+  /** Lead these robots with the drive that comes next. */
+  record Lead(long task, double tolerance, List<Follower> followers) implements RobotMessage {}
+
+  /**
+   * Keep a place beside a leader.
+   *
+   * @param offset in the leader's frame, metres
+   * @param tolerance metres
+   * @param stands where the robot is now, map frame
+   */
+  record Follow(long task, String leader, Vec2 offset, double tolerance, Pose stands)
       implements RobotMessage {}
 
   record Release(int released) implements RobotMessage {}

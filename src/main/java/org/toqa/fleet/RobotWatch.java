@@ -25,34 +25,38 @@ final class RobotWatch {
     this.lostAfter = lostAfter;
   }
 
-  /** The same condition may be told again and again. */
-  Optional<OfRobot> look(FloorRobot robot, Instant now) {
+  /**
+   * The same condition may be told again and again.
+   *
+   * @param place where the robot is, or the load that it carries with others; null where nobody
+   *     knows
+   */
+  Optional<OfRobot> look(FloorRobot robot, @Nullable TaskPlace place, Instant now) {
     if (!robot.inService) {
       if (robot.isHeard() && !robot.hasStopped()) {
         return Optional.empty(); // where it will stand is not known yet
       }
-      return Optional.of(new MissionEvent.RobotWithdrawn(robot.name(), place(robot)));
+      return Optional.of(new MissionEvent.RobotWithdrawn(robot.name(), place));
     }
     if (!robot.isHeard()) {
-      return lost(robot, now);
+      return lost(robot, place, now);
     }
     if (robot.mode == Mode.ERROR) {
       if (robot.moving) {
         return Optional.empty();
       }
-      return Optional.of(new MissionEvent.RobotFailed(robot.name(), error(robot), place(robot)));
+      return Optional.of(new MissionEvent.RobotFailed(robot.name(), error(robot), place));
     }
     return robot.isFit() ? Optional.of(new MissionEvent.RobotBack(robot.name())) : Optional.empty();
   }
 
-  private Optional<OfRobot> lost(FloorRobot robot, Instant now) {
+  private Optional<OfRobot> lost(FloorRobot robot, @Nullable TaskPlace place, Instant now) {
     Duration silence = Duration.between(robot.quietSince, now);
     if (silence.compareTo(lostAfter) >= 0) {
-      return Optional.of(
-          new MissionEvent.RobotFailed(robot.name(), "is not heard of", place(robot)));
+      return Optional.of(new MissionEvent.RobotFailed(robot.name(), "is not heard of", place));
     }
     return silence.compareTo(ASK_AFTER) >= 0
-        ? Optional.of(new MissionEvent.RobotLost(robot.name(), place(robot)))
+        ? Optional.of(new MissionEvent.RobotLost(robot.name(), place))
         : Optional.empty();
   }
 
@@ -63,9 +67,5 @@ final class RobotWatch {
     String code = robot.errors.getFirst().code();
     return "reports the error "
         + (code.length() > LONGEST_CODE ? code.substring(0, LONGEST_CODE) : code);
-  }
-
-  static @Nullable TaskPlace place(FloorRobot robot) {
-    return robot.pose == null ? null : new TaskPlace(robot.pose.position(), null);
   }
 }

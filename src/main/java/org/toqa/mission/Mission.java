@@ -17,7 +17,8 @@ import org.jspecify.annotations.Nullable;
  *
  * @param held whether a person has put it on hold
  * @param ending what becomes of the load on board, once the task was cancelled
- * @param setDown where the load stands if that is neither its start nor its goal
+ * @param setDown where the load was fetched last, or stands, if that is neither its start nor its
+ *     goal
  * @param trouble what keeps a robot from going on, if anything
  */
 public record Mission(
@@ -82,7 +83,10 @@ public record Mission(
    * way.
    */
   public @Nullable TaskPlace loadAt() {
-    return state == TaskState.CARRYING && trouble != null ? trouble.place() : setDown;
+    if (state != TaskState.CARRYING) {
+      return setDown;
+    }
+    return trouble == null ? null : trouble.place();
   }
 
   /** Where the load on board is carried. */

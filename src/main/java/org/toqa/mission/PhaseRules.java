@@ -64,7 +64,7 @@ final class PhaseRules {
     if (!isComplete(mission)) {
       return mission.in(TaskState.TO_OBJECT).step(List.of(), one);
     }
-    Mission carrying = mission.by(nextPhase(mission, 2)).in(TaskState.CARRYING).withLoadAt(null);
+    Mission carrying = mission.by(nextPhase(mission, 2)).in(TaskState.CARRYING);
     return carrying.step(
         carrying.driveAll(2), sentences(mission, one, "Picked up at " + mission.object().text()));
   }
@@ -73,14 +73,17 @@ final class PhaseRules {
     String where = mission.destination().text();
     if (mission.ending() == LoadChoice.BACK) {
       return isComplete(mission)
-          ? mission.letAllGo(TaskState.CANCELLED, "Brought back to " + where, "Cancelled")
+          ? mission
+              .withLoadAt(null)
+              .letAllGo(TaskState.CANCELLED, "Brought back to " + where, "Cancelled")
           : mission.step(List.of(), robot + " is back at the start");
     }
     String one = robot + " is at the goal";
     if (!isComplete(mission)) {
       return mission.step(List.of(), one);
     }
-    Mission returning = mission.by(nextPhase(mission, 3)).in(TaskState.RETURNING).troubled(null);
+    Mission returning =
+        mission.by(nextPhase(mission, 3)).in(TaskState.RETURNING).withLoadAt(null).troubled(null);
     return returning.step(returning.driveAll(3), sentences(mission, one, "Delivered at " + where));
   }
 

@@ -198,10 +198,12 @@ class AllocatorContractTest {
   @MethodSource("allocators")
   void aLoadTooHeavyForOneSaysHowManyItNeeds(Allocator allocator) {
     Candidate[] robots = {free("r1", 5, 1), busy("r2", 3, 2, 7), free("r3", 4, 3)};
-    // 5 + 4 are less than 10, 5 + 4 + 3 are not
+    // 9 / 2 = 4.5 kg are too much for r2 and r3, 9 / 3 = 3 kg are not; 10 / 3 = 3.3 kg are for r2
     assertEquals(
-        "It needs 3 robots that carry it together, and 2 of 3 are free;"
-            + " robots cannot carry together yet.",
+        "It needs 3 robots that carry it together, and 2 of 3 are free.",
+        why(allocator, 9, robots));
+    assertEquals(
+        "The load weighs 10 kg, and no robots carry it in even shares.",
         why(allocator, 10, robots));
     assertEquals(
         "The load weighs 12.5 kg, and all 3 robots together carry 12 kg.",

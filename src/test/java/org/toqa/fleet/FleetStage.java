@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
-import org.toqa.allocation.OptimalAllocator;
+import org.toqa.allocation.Policy;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLink;
@@ -53,6 +53,7 @@ final class FleetStage implements AutoCloseable {
   ScriptedRobot add(String name, Vec2 at, @Nullable String parking) {
     ScriptedRobot robot = new ScriptedRobot(name, at);
     robots.put(name, robot);
+    robot.knows(this::played);
     store.saveRobot(new RobotRecord(name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, false));
     return robot;
   }
@@ -73,7 +74,7 @@ final class FleetStage implements AutoCloseable {
         List.of(floor),
         store,
         links,
-        new OptimalAllocator(),
+        Policy.OPTIMAL.allocator(),
         new FleetRules(LOST_AFTER, charging, 1),
         InstantSource.system(),
         now);

@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -23,7 +24,9 @@ import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
+import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.Hold;
+import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
@@ -31,7 +34,8 @@ import org.toqa.motion.Trajectory;
 
 /**
  * A robot at the other end of the link, without a link: it answers by the contract, drives one
- * released segment at each step of the test, and sees what the test lets it see.
+ * released segment at each step of the test, and sees what the test lets it see. In a formation a
+ * follower is where its leader takes it, and the leader stands while a follower does not follow.
  */
 final class ScriptedRobot {
   static final double FOOTPRINT = 0.255;
@@ -60,10 +64,22 @@ final class ScriptedRobot {
   private int released;
   private boolean last;
   private long lastSeq;
+  private @Nullable Lead leading;
+  private @Nullable Follow following;
+
+  /** The task whose formation it has brought to its goal. */
+  private @Nullable Long ended;
+
+  private Function<String, ScriptedRobot> others = name -> this;
 
   ScriptedRobot(String name, Vec2 at) {
     this.name = name;
     this.pose = new Pose(at.x(), at.y(), 0);
+  }
+
+  /** How it finds the robots that it carries together with. */
+  synchronized void knows(Function<String, ScriptedRobot> byName) {
+    others = byName;
   }
 
   synchronized void sees(Vec2... points) {
@@ -169,19 +185,61 @@ final class ScriptedRobot {
       return;
     }
     steps++;
-    boolean mayMove = !stuck && !held && fault == null && steps % stepsASegment == 0;
+    boolean mayMove =
+        !stuck && !held && fault == null && steps % stepsASegment == 0 && missing() == null;
+    keepPlace();
     if (way != null && segment < released && mayMove) {
       segment++;
       pose = way.poseAfter(segment);
     }
     if (way != null && !held && last && segment == way.segments().size()) {
       done = new Done(task, phase, drive);
+      ended = leading == null ? ended : task;
+      leading = null;
       way = null;
       drive = 0;
     }
     listener.received(state());
     if (done != null) {
       listener.received(done);
+    }
+  }
+
+  /** A follower that does not follow; null while all do, or it leads none. */
+  private @Nullable String missing() {
+    Lead lead = leading;
+    return lead == null
+        ? null
+        : lead.followers().stream()
+            .map(ServerMessage.Follower::robot)
+            .filter(follower -> !others.apply(follower).keepsPlace(lead.task()))
+            .findFirst()
+            .orElse(null);
+  }
+
+  private synchronized boolean keepsPlace(long task) {
+    return following != null && following.task() == task && !mute && !held && fault == null;
+  }
+
+  private synchronized boolean hasEnded(long task) {
+    return ended != null && ended == task;
+  }
+
+  private synchronized Pose pose() {
+    return pose;
+  }
+
+  private void keepPlace() {
+    Follow order = following;
+    if (order == null) {
+      return;
+    }
+    ScriptedRobot leader = others.apply(order.leader());
+    pose = leader.pose().compose(new Pose(order.offset().x(), order.offset().y(), 0));
+    if (leader.hasEnded(order.task())) {
+      done = new Done(task, phase, drive);
+      following = null;
+      drive = 0;
     }
   }
 
@@ -214,6 +272,19 @@ final class ScriptedRobot {
       obeyed.add(command);
     }
     switch (command) {
+      case Lead l -> {
+        leading = l;
+        ended = null;
+      }
+      case Follow f -> {
+        following = f;
+        task = f.task();
+        phase = 2;
+        drive = f.seq();
+        segment = 0;
+        released = 0;
+        done = null;
+      }
       case Hold h -> held = true;
       case Resume r -> held = false;
       case Drive d -> {
@@ -238,6 +309,8 @@ final class ScriptedRobot {
       case Cancel c -> {
         if (Objects.equals(c.task(), task)) {
           way = null;
+          leading = null;
+          following = null;
           task = null;
           drive = 0;
           done = null;
@@ -260,7 +333,28 @@ final class ScriptedRobot {
     if (held) {
       return Mode.HOLDING;
     }
+    if (following != null) {
+      return Mode.FOLLOWING;
+    }
     return drive == 0 ? Mode.IDLE : Mode.DRIVING;
+  }
+
+  private Role role() {
+    if (following != null) {
+      return Role.FOLLOWER;
+    }
+    return leading == null ? Role.ALONE : Role.LEADER;
+  }
+
+  private List<Fault> faults() {
+    if (fault != null) {
+      return List.of(fault);
+    }
+    String missing = missing();
+    return missing == null
+        ? List.of()
+        : List.of(
+            new Fault("FORMATION_STOPPED", "The group stands: " + missing + " does not answer."));
   }
 
   private Hello hello() {
@@ -275,7 +369,7 @@ final class ScriptedRobot {
         mode(),
         task,
         phase,
-        Role.ALONE,
+        role(),
         drive,
         segment,
         released,
@@ -292,13 +386,13 @@ final class ScriptedRobot {
         mode(),
         task,
         phase,
-        Role.ALONE,
+        role(),
         drive,
         segment,
         released,
         battery,
         List.of(),
         obstacles,
-        fault == null ? List.of() : List.of(fault));
+        faults());
   }
 }

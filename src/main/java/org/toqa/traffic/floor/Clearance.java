@@ -22,11 +22,15 @@ final class Clearance {
 
   /**
    * Whether a robot can drive a stretch beside one that stands: the two share no cell but those
-   * under the robot now, and it does not come nearer than it is.
+   * under the robot now, and it does not come nearer than it is. Groups have no single disc: they
+   * share no cell with anybody.
    *
    * @param from where the stretch begins
    */
   static boolean isKept(Mover mover, Pose from, Stretch stretch, Mover standing) {
+    if (mover.group() != null || standing.group() != null) {
+      return false;
+    }
     BitSet under = new BitSet();
     mover.standing().addTo(under);
     BitSet others = standing.held();

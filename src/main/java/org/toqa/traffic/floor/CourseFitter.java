@@ -5,9 +5,9 @@ import java.util.List;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
-import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.Segment;
 import org.toqa.motion.SegmentFitter;
+import org.toqa.motion.Trajectory;
 
 /**
  * Makes stretches of a way: fits the segments, cuts the straights where the robot may stand, and
@@ -16,41 +16,41 @@ import org.toqa.motion.SegmentFitter;
 final class CourseFitter {
   private static final double SHORTEST = 1e-6;
 
-  private final OccupancyGrid grid;
-
-  /**
-   * @param grid whose cells the stretches list
-   */
-  CourseFitter(OccupancyGrid grid) {
-    this.grid = grid;
-  }
-
   /**
    * @param start where the robot stands
    * @param cornerLength metres, of {@link SegmentFitter}
    */
   List<Stretch> fit(Mover mover, Pose start, List<Waypoint> way, double cornerLength, Halts halts) {
+    SegmentFitter segments = new SegmentFitter(mover.speeds, cornerLength);
+    Double heading = way.isEmpty() ? null : mover.headingAt(way.getLast().position());
+    return cut(
+        mover,
+        heading == null ? segments.fit(start, way) : segments.fit(start, way, heading),
+        halts);
+  }
+
+  List<Stretch> cut(Mover mover, Trajectory way, Halts halts) {
     List<Stretch> stretches = new ArrayList<>();
     Gathered gathered = new Gathered();
-    Pose pose = start;
-    for (Segment whole : new SegmentFitter(mover.speeds, cornerLength).fit(start, way).segments()) {
+    Pose pose = way.start();
+    for (Segment whole : way.segments()) {
       for (Segment piece : cut(pose, whole, halts)) {
-        gathered.add(piece, SweptCells.of(grid, pose, piece, mover.radius));
+        gathered.add(piece, mover.swept(pose, piece));
         pose = pose.advanced(piece.twist(), piece.t());
         if (halts.isHalt(pose.position(), gathered.length)) {
-          stretches.add(gathered.until(pose, mover.radius));
+          stretches.add(gathered.until(pose, mover));
           gathered = new Gathered();
         }
       }
     }
     if (!gathered.segments.isEmpty()) {
-      stretches.add(gathered.until(pose, mover.radius));
+      stretches.add(gathered.until(pose, mover));
     }
     return stretches;
   }
 
   /** What belongs to the next stretch. */
-  private final class Gathered {
+  private static final class Gathered {
     final List<Segment> segments = new ArrayList<>();
     CellSet cells = CellSet.NONE;
     double length;
@@ -61,8 +61,8 @@ final class CourseFitter {
       length += piece.length();
     }
 
-    Stretch until(Pose end, double radius) {
-      return new Stretch(segments, end, cells, SweptCells.standing(grid, end.position(), radius));
+    Stretch until(Pose end, Mover mover) {
+      return new Stretch(segments, end, cells, mover.standingAt(end));
     }
   }
 

@@ -74,7 +74,7 @@ public final class FloorTraffic {
    * @param patience how long a plan for all robots may take
    */
   public FloorTraffic(OccupancyGrid grid, JointPlanner joint, Supplier<Deadline> patience) {
-    CourseFitter fitter = new CourseFitter(grid);
+    CourseFitter fitter = new CourseFitter();
     this.ground = new Ground(grid);
     this.ways = new OwnWays(ground, fitter);
     this.together = new JointPlanning(ground, ways, fitter, joint, patience);
@@ -95,6 +95,21 @@ public final class FloorTraffic {
     changed |= m.course != null || !m.cell().equals(grid.cellAt(pose.position()));
     m.isAt(pose, footprint / 2);
     m.stop();
+  }
+
+  /**
+   * The robot, which stands, leads others from now on: what it wants is where the load shall go,
+   * and all of the group's cells are its own. The others must have left.
+   *
+   * @param group null: it drives alone again
+   */
+  public void leads(String robot, @Nullable Group group) {
+    Mover m = mover(robot);
+    if (m.group() != group) {
+      giveUpTheRest(m);
+      m.leads(group);
+      changed = true;
+    }
   }
 
   /**
@@ -143,13 +158,10 @@ public final class FloorTraffic {
     Mover m = mover(robot);
     List<Stretch> stretches = new ArrayList<>();
     Pose at = way.start();
-    OccupancyGrid grid = ground.grid();
     for (Segment segment : way.segments().subList(0, Math.min(released, way.segments().size()))) {
-      CellSet cells = SweptCells.of(grid, at, segment, m.radius);
+      CellSet cells = m.swept(at, segment);
       at = at.advanced(segment.twist(), segment.t());
-      stretches.add(
-          new Stretch(
-              List.of(segment), at, cells, SweptCells.standing(grid, at.position(), m.radius)));
+      stretches.add(new Stretch(List.of(segment), at, cells, m.standingAt(at)));
     }
     m.take(Course.meetingNobody(way.start(), stretches));
     m.released = stretches.size();
@@ -163,9 +175,18 @@ public final class FloorTraffic {
    * @param goal null: it wants nothing, and may be asked to step aside
    */
   public void wants(String robot, @Nullable Vec2 goal, Instant now) {
+    wants(robot, goal, null, now);
+  }
+
+  /**
+   * @param goal null: it wants nothing, and may be asked to step aside
+   * @param heading how it shall face there, radians, map frame; null: in any way
+   */
+  public void wants(String robot, @Nullable Vec2 goal, @Nullable Double heading, Instant now) {
     Mover m = mover(robot);
-    if (!Objects.equals(m.goal, goal)) {
+    if (!Objects.equals(m.goal, goal) || !Objects.equals(m.heading, heading)) {
       m.goal = goal;
+      m.heading = heading;
       m.wish = new BitSet();
       m.waitingSince = goal == null ? null : now;
       m.hindrance = null;

@@ -109,7 +109,7 @@ final class JointPlanning {
     Set<Double> diameters = new TreeSet<>(Comparator.reverseOrder());
     for (Mover m : movers) {
       boolean needsPlan = everybody || m.isUnserved() || m.isOnSharedWay();
-      if (m.movable && needsPlan && Lanes.fit(ground.grid(), 2 * m.radius)) {
+      if (m.movable && m.group() == null && needsPlan && Lanes.fit(ground.grid(), 2 * m.radius)) {
         diameters.add(2 * m.radius);
       }
     }
@@ -155,7 +155,7 @@ final class JointPlanning {
     }
 
     private boolean isCandidate(Mover m, boolean everybody) {
-      if (!m.movable || m.stalled || m.radius > diameter / 2) {
+      if (!m.movable || m.stalled || m.group() != null || m.radius > diameter / 2) {
         return false;
       }
       return everybody
@@ -273,7 +273,8 @@ final class JointPlanning {
     private BitSet wishes() {
       BitSet wished = new BitSet();
       for (Mover m : movers) {
-        if (m.isUnserved() && m.course == null && m.radius > diameter / 2) {
+        boolean isTooLarge = m.group() != null || m.radius > diameter / 2;
+        if (m.isUnserved() && m.course == null && isTooLarge) {
           m.wish = new BitSet();
           ways.alone(m).ifPresent(way -> way.forEach(s -> s.cells().addTo(m.wish)));
           wished.or(m.wish);

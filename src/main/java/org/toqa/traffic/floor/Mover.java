@@ -3,14 +3,17 @@ package org.toqa.traffic.floor;
 import java.time.Instant;
 import java.util.BitSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
+import org.toqa.motion.Segment;
 
 /** A robot in {@link FloorTraffic}: where it stands, what it has of the floor, where it goes. */
 final class Mover {
@@ -19,6 +22,9 @@ final class Mover {
 
   /** So near to the middle of a cell, in cells, a robot stands in it. */
   private static final double NEAR = 0.2;
+
+  /** So nearly, radians, it faces as it shall. */
+  private static final double FACING = 0.05;
 
   final String name;
 
@@ -32,6 +38,12 @@ final class Mover {
   DriveSpeeds speeds = DriveSpeeds.DEFAULT;
   boolean movable;
   @Nullable Vec2 goal;
+
+  /** How it shall face at its goal, radians; null: in any way. */
+  @Nullable Double heading;
+
+  /** What drives with it as one; null: it drives alone. */
+  private @Nullable Group group;
 
   @Nullable Course course;
 
@@ -96,11 +108,43 @@ final class Mover {
   }
 
   void isAt(Pose now, double itsRadius) {
-    if (!now.position().equals(pose.position()) || itsRadius != radius) {
-      standing = SweptCells.standing(grid, now.position(), itsRadius);
-    }
+    boolean isSame =
+        itsRadius == radius
+            && (group == null ? now.position().equals(pose.position()) : now.equals(pose));
     pose = now;
     radius = itsRadius;
+    if (!isSame) {
+      standing = standingAt(now);
+    }
+  }
+
+  /** Others drive with it as one from now on; null: it drives alone. */
+  void leads(@Nullable Group next) {
+    group = next;
+    standing = standingAt(pose);
+  }
+
+  @Nullable Group group() {
+    return group;
+  }
+
+  /** The cells under it when it stands there. */
+  CellSet standingAt(Pose at) {
+    return group == null
+        ? SweptCells.standing(grid, at.position(), radius)
+        : group.standing(grid, at);
+  }
+
+  /** The cells that it touches while it drives the segment. */
+  CellSet swept(Pose from, Segment segment) {
+    return group == null
+        ? SweptCells.of(grid, from, segment, radius)
+        : group.swept(grid, from, segment);
+  }
+
+  /** How it shall face at a point; null: in any way. */
+  @Nullable Double headingAt(Vec2 point) {
+    return goal != null && heading != null && isAtGoalPoint(point) ? heading : null;
   }
 
   /** The cells under it. */
@@ -162,9 +206,20 @@ final class Mover {
     if (goal == null) {
       return false;
     }
+    if (group != null) {
+      Vec2 load = group.shape().loadAt(place).position();
+      return load.distanceTo(goal) < GroupWays.nearness(grid);
+    }
+    boolean facesRight =
+        heading == null || Math.abs(Angles.difference(place.theta(), heading)) < FACING;
+    return facesRight && isAtGoalPoint(place.position());
+  }
+
+  private boolean isAtGoalPoint(Vec2 point) {
+    Vec2 wanted = Objects.requireNonNull(goal);
     boolean fillsCell = Lanes.side(grid, 2 * radius) == 1;
-    double aside = place.position().distanceTo(grid.centre(grid.cellAt(goal)));
-    return place.position().distanceTo(goal) < ARRIVED
+    double aside = point.distanceTo(grid.centre(grid.cellAt(wanted)));
+    return point.distanceTo(wanted) < ARRIVED
         || (fillsCell && aside < Math.max(ARRIVED, NEAR * grid.resolution()));
   }
 

@@ -41,12 +41,14 @@ final class OwnWays {
 
   private final Ground ground;
   private final CourseFitter fitter;
+  private final GroupWays groups;
   private final PathPlanner alone = new HeadingAStar();
   private final PathPlanner amongOthers = new HeadingAStar();
 
   OwnWays(Ground ground, CourseFitter fitter) {
     this.ground = ground;
     this.fitter = fitter;
+    this.groups = new GroupWays(ground.grid(), fitter);
   }
 
   /** As if no other robot were there; empty where the floor has no way. */
@@ -54,6 +56,10 @@ final class OwnWays {
     Cell goal = m.goalCell();
     if (goal == null) {
       return Optional.empty();
+    }
+    Group group = m.group();
+    if (group != null) {
+      return together(m, group, ground.closed());
     }
     OccupancyGrid free = ground.clear(m.radius, new BitSet(), List.of(), m.releasedCell());
     return fitted(alone, free, m, goal, way -> true);
@@ -86,7 +92,24 @@ final class OwnWays {
    */
   Optional<List<Stretch>> among(Mover m, Collection<Mover> others, BitSet claimed) {
     Cell goal = m.goalCell();
-    return goal == null ? Optional.empty() : among(m, others, claimed, (free, start) -> goal);
+    Group group = m.group();
+    if (goal == null) {
+      return Optional.empty();
+    }
+    if (group != null) {
+      BitSet closed = (BitSet) ground.closed().clone();
+      closed.or(claimed);
+      return together(m, group, closed);
+    }
+    return among(m, others, claimed, (free, start) -> goal);
+  }
+
+  /** What it touches already it may leave. */
+  private Optional<List<Stretch>> together(Mover m, Group group, BitSet cells) {
+    BitSet closed = (BitSet) cells.clone();
+    m.standingAt(m.releasedEnd()).forEach(closed::clear);
+    Vec2 goal = m.goal;
+    return goal == null ? Optional.empty() : groups.way(m, group, goal, closed);
   }
 
   /**
@@ -95,7 +118,9 @@ final class OwnWays {
    * @param left what it has to leave
    */
   Optional<List<Stretch>> outOf(Mover m, Collection<Mover> others, BitSet claimed, BitSet left) {
-    return among(m, others, claimed, (free, start) -> nearestOutside(free, start, m.radius, left));
+    return m.group() != null
+        ? Optional.empty()
+        : among(m, others, claimed, (free, start) -> nearestOutside(free, start, m.radius, left));
   }
 
   /** Where to go on a floor, if anywhere. */

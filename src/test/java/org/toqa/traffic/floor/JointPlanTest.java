@@ -56,7 +56,7 @@ class JointPlanTest {
     Mover mover =
         new Mover("r", 1, floor, new Pose(start.x(), start.y(), 0), DIAMETER / 2, Instant.EPOCH);
     List<int[]> steps = List.of(visits).stream().map(c -> new int[] {roads.vertex(c)}).toList();
-    new JointPlan(lanes, new BitSet(), roads, List.of(mover), steps).adopt(new CourseFitter(floor));
+    new JointPlan(lanes, new BitSet(), roads, List.of(mover), steps).adopt(new CourseFitter());
     return Objects.requireNonNull(mover.course);
   }
 }

@@ -1,0 +1,128 @@
+package org.toqa.allocation;
+
+import static java.util.Comparator.comparingDouble;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import org.toqa.allocation.Costs.Cost;
+
+/**
+ * Gives loads that are too heavy for one robot to several, and leaves the rest to another
+ * allocator. The team is the smallest whose robots can each carry an even share; of those that are
+ * free the ones nearest to the load, the nearest of all as the leader.
+ *
+ * <p>Robots seldom become free together. When such a load has waited longer than every other task,
+ * robots that are free are kept for it, so that it does not wait for ever.
+ */
+public final class Teams implements Allocator {
+  private static final int MOST_ROBOTS = 12;
+
+  private final Allocator alone;
+
+  /**
+   * @param alone decides about loads that one robot can carry
+   */
+  public Teams(Allocator alone) {
+    this.alone = alone;
+  }
+
+  @Override
+  public List<Decision> allocate(Situation situation) {
+    List<Decision> decisions = new ArrayList<>();
+    List<Job> light = new ArrayList<>();
+    Map<String, Long> taken = new HashMap<>();
+    WaitingReason reason = new WaitingReason(situation);
+    Costs costs = new Costs(situation);
+    for (Job job : situation.waiting()) {
+      if (situation.robots().isEmpty()
+          || situation.robots().stream().anyMatch(r -> r.isStrongEnough(job))) {
+        light.add(job);
+        continue;
+      }
+      List<Candidate> usable =
+          situation.free().stream().filter(r -> !taken.containsKey(r.robot())).toList();
+      List<Candidate> nearest = team(job, usable, situation.robots(), costs);
+      int needed = size(job, situation.robots()).orElse(Integer.MAX_VALUE);
+      if (nearest.size() == needed) {
+        nearest.forEach(r -> taken.put(r.robot(), job.id()));
+        decisions.add(assigned(job, nearest, costs));
+      } else {
+        decisions.add(reason.waits(job));
+        if (light.isEmpty() && needed <= MOST_ROBOTS) {
+          nearest.forEach(r -> taken.put(r.robot(), job.id()));
+        }
+      }
+    }
+    decisions.addAll(alone.allocate(without(situation, light, taken)));
+    return decisions;
+  }
+
+  /** How many robots share the load evenly, of those that are not broken; empty if all cannot. */
+  private static Optional<Integer> size(Job job, List<Candidate> robots) {
+    return TeamSize.of(job.load(), robots.stream().filter(Teams::canBeFree).toList());
+  }
+
+  private static boolean canBeFree(Candidate robot) {
+    return switch (robot.standing()) {
+      case FREE, BUSY, CHARGING, HELD -> true;
+      case CONNECTING, LOST, NOT_LOCALISED, ERROR, OUT_OF_SERVICE -> false;
+    };
+  }
+
+  private record Priced(Candidate robot, Cost cost) {}
+
+  /** The nearest of those that are free; fewer than are needed where not enough are. */
+  private static List<Candidate> team(
+      Job job, List<Candidate> free, List<Candidate> robots, Costs costs) {
+    Optional<Integer> size = size(job, robots);
+    if (size.isEmpty()) {
+      return List.of();
+    }
+    Job share = share(job, size.get());
+    return free.stream()
+        .map(r -> new Priced(r, costs.of(share, r)))
+        .filter(p -> p.cost().isPossible())
+        .sorted(comparingDouble(p -> p.cost().approach()))
+        .map(Priced::robot)
+        .limit(size.get())
+        .toList();
+  }
+
+  private static Job share(Job job, int robots) {
+    return new Job(job.id(), job.load() / robots, job.start(), job.goal(), job.countsFrom());
+  }
+
+  private static Decision assigned(Job job, List<Candidate> team, Costs costs) {
+    double approach = costs.of(share(job, team.size()), team.getFirst()).approach();
+    String why =
+        String.format(
+            Locale.ROOT,
+            "too heavy for one; %d carry %.1f kg each, and %s leads, %.1f m from the load",
+            team.size(),
+            job.load() / team.size(),
+            team.getFirst().robot(),
+            approach);
+    return new Decision.Assigned(job.id(), team.stream().map(Candidate::robot).toList(), why);
+  }
+
+  private static Situation without(
+      Situation situation, List<Job> waiting, Map<String, Long> taken) {
+    List<Candidate> robots =
+        situation.robots().stream()
+            .map(r -> taken.containsKey(r.robot()) ? r.busyWith(taken.get(r.robot())) : r)
+            .toList();
+    return new Situation(
+        situation.now(),
+        situation.low(),
+        situation.high(),
+        situation.travel(),
+        situation.chargers(),
+        waiting,
+        situation.given(),
+        robots);
+  }
+}

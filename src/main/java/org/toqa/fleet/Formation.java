@@ -1,0 +1,46 @@
+package org.toqa.fleet;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import org.toqa.formation.Shape;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.traffic.floor.Group;
+
+/**
+ * Who stands where round a load that several robots pick up.
+ *
+ * @param shape the leader first, as the mission names its robots
+ * @param load where it is picked up, and which way it faces, map frame
+ * @param size of the load
+ * @param group the same, as the traffic knows it
+ */
+record Formation(Shape shape, Pose load, LoadSize size, Group group) {
+  /** Metres that a follower may be off its place. */
+  static final double TOLERANCE = 0.05;
+
+  /** What is taken for a load whose size nobody said. */
+  static final LoadSize USUAL_SIZE = new LoadSize(0.4, 0.4);
+
+  /**
+   * Where each robot stands to pick the load up; all face alike.
+   *
+   * @param index of the robot among the mission's, 0 for the leader
+   */
+  Pose place(int index) {
+    Vec2 place = index == 0 ? shape.leader() : shape.followers().get(index - 1);
+    return load.compose(new Pose(place.x(), place.y(), 0));
+  }
+
+  /** Where a follower keeps its place, in the leader's frame. */
+  Vec2 offset(int index) {
+    return shape.offsets().get(index - 1);
+  }
+
+  List<Vec2> places() {
+    return IntStream.rangeClosed(0, shape.followers().size())
+        .mapToObj(i -> place(i).position())
+        .toList();
+  }
+}

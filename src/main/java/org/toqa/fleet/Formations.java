@@ -1,0 +1,231 @@
+package org.toqa.fleet;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FloorRobot.Errand;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.link.message.ServerMessage.Follower;
+import org.toqa.mission.Carrier;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+
+/**
+ * The floor's groups: missions with several robots, the first of which leads. While they carry, the
+ * traffic knows the leader alone, with the whole group's cells; the followers are no robots of it.
+ */
+final class Formations {
+  private final FloorState state;
+  private final FormationPlaces places;
+  private final Map<Key, Optional<Formation>> known = new HashMap<>();
+
+  /** What a formation is made of. */
+  private record Key(long task, Vec2 object, List<String> robots) {}
+
+  Formations(FloorState state) {
+    this.state = state;
+    this.places = new FormationPlaces(state.floor.grid());
+  }
+
+  /** Empty for a mission of one robot, and where there is no room round the load. */
+  Optional<Formation> of(Mission mission) {
+    if (mission.carriers().size() < 2) {
+      return Optional.empty();
+    }
+    List<String> robots = mission.carriers().stream().map(Carrier::robot).toList();
+    Vec2 object = mission.object().position();
+    return known.computeIfAbsent(
+        new Key(mission.id(), object, robots),
+        key ->
+            places.round(
+                object,
+                mission.task().goal().position(),
+                robots.size(),
+                mission.task().size(),
+                largestRadius(mission)));
+  }
+
+  private double largestRadius(Mission mission) {
+    return mission.carriers().stream()
+            .map(c -> state.robots.get(c.robot()))
+            .filter(Objects::nonNull)
+            .mapToDouble(r -> r.footprint)
+            .max()
+            .orElse(FloorRobot.UNKNOWN_FOOTPRINT)
+        / 2;
+  }
+
+  /** What the robot's phase of the mission asks. */
+  Errand errand(Mission mission, String robot) {
+    Errand errand = Errand.of(mission, robot, state.home(robot));
+    Optional<Formation> formation = of(mission);
+    if (errand.phase() != 1 || formation.isEmpty()) {
+      return errand;
+    }
+    Pose place = formation.get().place(index(mission, robot));
+    return new Errand(errand.task(), 1, place.position(), place.theta(), 0);
+  }
+
+  private static int index(Mission mission, String robot) {
+    return mission.carriers().stream().map(Carrier::robot).toList().indexOf(robot);
+  }
+
+  static boolean isGroup(Mission mission) {
+    return mission.carriers().size() > 1;
+  }
+
+  static String leader(Mission mission) {
+    return mission.carriers().getFirst().robot();
+  }
+
+  /** The mission that the robot carries a load for, together with others. */
+  Optional<Mission> carrying(String robot) {
+    return state
+        .missions
+        .of(robot)
+        .filter(m -> isGroup(m) && m.state() == TaskState.CARRYING && of(m).isPresent());
+  }
+
+  /** The mission in which the robot follows another one now. */
+  Optional<Mission> following(String robot) {
+    return carrying(robot).filter(m -> !leader(m).equals(robot));
+  }
+
+  /** The formation that this robot leads now, its followers at their places or on the way. */
+  Optional<Formation> led(String robot) {
+    return carrying(robot).filter(m -> leader(m).equals(robot) && isTogether(m)).flatMap(this::of);
+  }
+
+  /** Whether the group's cells are its leader's, so that this one has none of its own. */
+  boolean isCovered(String robot) {
+    return following(robot)
+        .filter(this::isTogether)
+        .map(m -> state.robots.get(leader(m)))
+        .filter(leader -> leader.pose != null)
+        .isPresent();
+  }
+
+  private boolean isTogether(Mission mission) {
+    FloorRobot leader = state.robots.get(leader(mission));
+    return leader != null
+        && leader.localised
+        && leader.lastSeen != null
+        && (leader.role == Role.LEADER || allFollow(mission));
+  }
+
+  /** Whether every follower was told its place and says that it keeps it. */
+  boolean allFollow(Mission mission) {
+    return mission.carriers().stream()
+        .skip(1)
+        .map(c -> state.robots.get(c.robot()))
+        .allMatch(r -> r != null && follows(r, mission));
+  }
+
+  static boolean follows(FloorRobot robot, Mission mission) {
+    return robot.role == Role.FOLLOWER
+        && Objects.equals(robot.reportedTask, mission.id())
+        && robot.drive != 0;
+  }
+
+  /** Lets the traffic know groups that carry, and again each robot of those that do not. */
+  void tellTraffic() {
+    known.keySet().removeIf(key -> state.missions.get(key.task()).isEmpty());
+    for (FloorRobot robot : state.robots.values()) {
+      Pose pose = robot.pose;
+      if (pose == null || robot.lastSeen == null) {
+        continue;
+      }
+      if (isCovered(robot.name())) {
+        if (state.traffic.knows(robot.name())) {
+          state.traffic.leaves(robot.name());
+        }
+      } else if (!state.traffic.knows(robot.name()) && robot.role == Role.FOLLOWER) {
+        state.traffic.stands(robot.name(), pose, robot.footprint, state.now);
+      }
+      if (state.traffic.knows(robot.name())) {
+        state.traffic.leads(robot.name(), led(robot.name()).map(Formation::group).orElse(null));
+      }
+    }
+  }
+
+  /** The order for a follower. */
+  RobotMessage.Follow follow(Mission mission, FloorRobot robot) {
+    Formation formation = of(mission).orElseThrow();
+    return new RobotMessage.Follow(
+        mission.id(),
+        leader(mission),
+        formation.offset(index(mission, robot.name())),
+        Formation.TOLERANCE,
+        Objects.requireNonNull(robot.pose));
+  }
+
+  /** The order for the leader. */
+  RobotMessage.Lead lead(Mission mission) {
+    List<Follower> followers =
+        mission.carriers().stream()
+            .skip(1)
+            .map(c -> state.robots.get(c.robot()))
+            .filter(Objects::nonNull)
+            .map(r -> new Follower(r.name(), r.record.host(), r.record.port(), null))
+            .toList();
+    return new RobotMessage.Lead(mission.id(), Formation.TOLERANCE, followers);
+  }
+
+  /** Where the load of a group is while it is on board; null where nobody knows. */
+  @Nullable Pose load(Mission mission) {
+    FloorRobot leader = state.robots.get(leader(mission));
+    Pose pose = leader == null ? null : leader.pose;
+    return pose == null ? null : of(mission).map(f -> f.shape().loadAt(pose)).orElse(null);
+  }
+
+  /** Where a robot's load is: under it, or in the midst of its group. */
+  @Nullable TaskPlace loadPlace(Mission mission, FloorRobot robot) {
+    Pose load =
+        isGroup(mission) && mission.state() == TaskState.CARRYING ? load(mission) : robot.pose;
+    return load == null ? null : new TaskPlace(load.position(), null);
+  }
+
+  /** Whether the robot, which says so, has ended its phase where that ends. */
+  boolean isAtGoal(Mission mission, FloorRobot robot) {
+    if (isGroup(mission) && mission.state() == TaskState.CARRYING) {
+      Pose load = load(mission);
+      return load != null
+          && load.position().distanceTo(mission.destination().position()) < FloorState.ARRIVED;
+    }
+    return state.isAt(robot, errand(mission, robot.name()).goal());
+  }
+
+  /** Whether some robot of the mission still moves. */
+  boolean isMoving(Mission mission) {
+    return mission.carriers().stream()
+        .map(c -> state.robots.get(c.robot()))
+        .anyMatch(r -> r != null && r.isHeard() && r.moving);
+  }
+
+  /**
+   * Why the whole group shall come to a stand before it is told otherwise, a sentence; null: it
+   * need not. Robots that are stopped one by one would tear at the load.
+   */
+  @Nullable String reasonToStand(Mission mission) {
+    if (!isGroup(mission) || mission.state() != TaskState.CARRYING) {
+      return null;
+    }
+    if (mission.isStopping()) {
+      return "Comes to a stand to set the load of task " + mission.id() + " down";
+    }
+    FloorRobot leader = state.robots.get(leader(mission));
+    boolean goesElsewhere =
+        leader != null
+            && leader.drive != 0
+            && leader.toldGoal != null
+            && Objects.equals(leader.reportedTask, mission.id())
+            && !leader.toldGoal.equals(mission.destination().position());
+    return goesElsewhere ? "Comes to a stand: the load goes elsewhere" : null;
+  }
+}
