@@ -104,6 +104,7 @@ class FloorTrafficTest {
     Instant now = Instant.EPOCH;
     // the wall begins at y = 0.3 m; 0.1735 + 0.255 / 2 = 0.301
     traffic.stands("a", new Pose(0.15, 0.1735, 0), 0.255, now);
+    traffic.isFixed("a", false);
     traffic.wants("a", new Vec2(1.35, 0.15), now);
 
     assertTrue(
