@@ -10,8 +10,10 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -44,9 +46,7 @@ class CarryTogetherTest {
   @TempDir private Path folder;
   private final List<AutoCloseable> parts = new ArrayList<>();
   private final VirtualClock clock = new VirtualClock(Instant.EPOCH, SPEED);
-  private FloorMap floor;
-  private JdbiFleetStore store;
-  private AgentFleet fleet;
+  private @Nullable AgentFleet opened;
 
   @AfterEach
   void close() throws Exception {
@@ -97,8 +97,8 @@ class CarryTogetherTest {
     List<RobotView> robots = view.robots();
     for (int i = 0; i < robots.size(); i++) {
       for (int j = 0; j < i; j++) {
-        Pose a = robots.get(i).pose();
-        Pose b = robots.get(j).pose();
+        Pose a = Objects.requireNonNull(robots.get(i).pose());
+        Pose b = Objects.requireNonNull(robots.get(j).pose());
         double gap = a.distanceTo(b) - (robots.get(i).footprint() + robots.get(j).footprint()) / 2;
         assertTrue(gap > 0, robots.get(i) + " meets " + robots.get(j));
       }
@@ -126,8 +126,12 @@ class CarryTogetherTest {
             null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     Answer<TaskView> answer =
-        fleet.submit(order, "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS);
+        fleet().submit(order, "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS);
     return ((Answer.Accepted<TaskView>) answer).value().id();
+  }
+
+  private AgentFleet fleet() {
+    return Objects.requireNonNull(opened);
   }
 
   private void open(int count) throws Exception {
@@ -139,10 +143,10 @@ class CarryTogetherTest {
       robots.add(new SimulatedRobot("r" + (i + 1), new Pose(at.x(), at.y(), 0), MAX_LOAD, 1));
     }
     List<Place> stations = List.of(new Place("A", cell(8, 8)), new Place("B", cell(30, 8)));
-    floor = new FloorMap("hall", grid(), stations, parking, List.of());
+    FloorMap floor = new FloorMap("hall", grid(), stations, parking, List.of());
     Database database = Database.inMemory("together-" + System.nanoTime());
     parts.add(database);
-    store = new JdbiFleetStore(database.jdbi());
+    JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     SimulatedFleet simulated = SimulatedFleet.open(folder, robots, List.of(), clock);
     parts.add(simulated);
     for (int i = 0; i < count; i++) {
@@ -157,7 +161,7 @@ class CarryTogetherTest {
               parking.get(i).name(),
               true));
     }
-    fleet =
+    AgentFleet fleet =
         new AgentFleet(
             List.of(floor),
             store,
@@ -166,7 +170,8 @@ class CarryTogetherTest {
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, SPEED),
             InstantSource.system(),
             clock.instant());
-    parts.add(() -> fleet.close());
+    opened = fleet;
+    parts.add(fleet);
     clock.add(nanos -> fleet.tick(clock.instant()), Duration.ofMillis(100));
     clock.start();
     parts.add(clock);
@@ -174,12 +179,12 @@ class CarryTogetherTest {
 
   private FleetSnapshot until(Predicate<FleetSnapshot> condition) throws InterruptedException {
     long end = System.nanoTime() + LIMIT_NANOS;
-    FleetSnapshot view = fleet.feed().latest();
+    FleetSnapshot view = fleet().feed().latest();
     while (view.robots().isEmpty() || !condition.test(view)) {
       if (System.nanoTime() > end) {
         fail("It is still so: " + view.tasks() + view.robots());
       }
-      view = fleet.feed().awaitNewer(view.version(), Duration.ofMillis(100));
+      view = fleet().feed().awaitNewer(view.version(), Duration.ofMillis(100));
     }
     return view;
   }
