@@ -9,13 +9,13 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.FleetMeter.Report;
+import org.toqa.app.command.Arguments;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.SnapshotFeed;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -79,9 +79,10 @@ final class FleetBench implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    mustBeBetween("--robots", robots, 2, 500);
-    mustBeBetween("--seconds", seconds, 1, 3600);
-    mustBeBetween("--warm-up", warmUp, 0, 3600);
+    Arguments arguments = new Arguments(spec);
+    arguments.mustBeBetween("--robots", robots, 2, 500);
+    arguments.mustBeBetween("--seconds", seconds, 1, 3600);
+    arguments.mustBeBetween("--warm-up", warmUp, 0, 3600);
     Path webapp = Webapp.folder();
     try (StopSignal stop = new StopSignal();
         TemporaryFolder data = TemporaryFolder.create("toqa-bench")) {
@@ -125,13 +126,5 @@ final class FleetBench implements Callable<Integer> {
     options.put(Setting.MAP, map);
     options.put(Setting.PORT, "0");
     return Layer.ofCommandLine(options);
-  }
-
-  private void mustBeBetween(String option, int value, int least, int most) {
-    if (value < least || value > most) {
-      throw new ParameterException(
-          spec.commandLine(),
-          "%s %d: it must be from %d to %d".formatted(option, value, least, most));
-    }
   }
 }

@@ -9,11 +9,11 @@ import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.toqa.app.command.Arguments;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -62,9 +62,10 @@ final class TaskBench implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    mustBeBetween("--tasks", tasks, 1, 100_000);
-    mustBeBetween("--clients", clients, 1, 1000);
-    mustBeBetween("--robots", robots, 0, 500);
+    Arguments arguments = new Arguments(spec);
+    arguments.mustBeBetween("--tasks", tasks, 1, 100_000);
+    arguments.mustBeBetween("--clients", clients, 1, 1000);
+    arguments.mustBeBetween("--robots", robots, 0, 500);
     Path webapp = Webapp.folder();
     try (StopSignal stop = new StopSignal();
         TemporaryFolder data = TemporaryFolder.create("toqa-bench")) {
@@ -96,13 +97,5 @@ final class TaskBench implements Callable<Integer> {
     options.put(Setting.MANAGER, USER + ":" + password);
     options.put(Setting.PORT, "0");
     return Layer.ofCommandLine(options);
-  }
-
-  private void mustBeBetween(String option, int value, int least, int most) {
-    if (value < least || value > most) {
-      throw new ParameterException(
-          spec.commandLine(),
-          "%s %d: it must be from %d to %d".formatted(option, value, least, most));
-    }
   }
 }

@@ -69,6 +69,8 @@ final class OperationSearch {
 
   private boolean isExchange;
 
+  private Deadline deadline = Deadline.none();
+
   /**
    * @param mayRotate whether robots may drive round in a full ring, all at once
    */
@@ -91,6 +93,7 @@ final class OperationSearch {
   void improve(int[] order, char[][] distances, int[] goals, Deadline deadline) {
     this.distances = distances;
     this.goals = goals;
+    this.deadline = deadline;
     if (ranks.length != order.length) {
       ranks = new int[order.length];
       visits = new int[order.length];
@@ -101,11 +104,11 @@ final class OperationSearch {
       ranks[order[k]] = k;
     }
     effort = 0;
-    chooseInOrder(order, deadline);
-    exchange(order, deadline);
+    chooseInOrder(order);
+    exchange(order);
   }
 
-  private void chooseInOrder(int[] order, Deadline deadline) {
+  private void chooseInOrder(int[] order) {
     isExchange = false;
     round++;
     for (int k = 0; k < order.length && !deadline.isPassed(); k++) {
@@ -114,7 +117,7 @@ final class OperationSearch {
     }
   }
 
-  private void exchange(int[] order, Deadline deadline) {
+  private void exchange(int[] order) {
     isExchange = true;
     beginner = order.length / 8;
     int last = effort + EXCHANGE_EFFORT;
@@ -132,8 +135,8 @@ final class OperationSearch {
   }
 
   /**
-   * Finds an operation for a robot that is taken off, pushing others. Where there is none, answers
-   * false and leaves everything as it was.
+   * Finds an operation for a robot that is taken off, pushing others. Where there is none, or no
+   * time left, answers false and leaves everything as it was.
    *
    * @param worse by how much the robots before it in the chain are worse off than they were
    */
@@ -149,7 +152,7 @@ final class OperationSearch {
     int count = list(robot, level);
     long[] list = choices[level];
     boolean isChosen = false;
-    for (int k = 0; k < count && !isChosen; k++) {
+    for (int k = 0; k < count && !isChosen && !deadline.isPassed(); k++) {
       long choice = takeBest(list, k, count);
       int other = (int) (choice >>> ROBOT_SHIFT & ((1 << ROBOT_BITS) - 1)) - 1;
       int nowWorse = worse + (int) (choice >>> COST_SHIFT) - cost;
