@@ -35,7 +35,7 @@ final class FormationPlaces {
   private static final double AIR = 0.01;
 
   /** Cells that a place may be moved by. */
-  private static final double FARTHEST = 0.75;
+  private static final double FARTHEST = 1;
 
   private static final String LEADER = "leader";
 
