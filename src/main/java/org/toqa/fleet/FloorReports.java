@@ -8,7 +8,6 @@ import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorRobot.Errand;
 import org.toqa.grid.CellRuns;
-import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.traffic.floor.Route;
@@ -83,8 +82,8 @@ final class FloorReports {
             reasons.add(robot.holdReason);
           } else if (robot.trouble != null) {
             reasons.add(robot.trouble);
-          } else if (robot.role != Role.ALONE && !robot.errors.isEmpty()) {
-            reasons.add(robot.errors.getFirst().text());
+          } else if (robot.reasonOfGroup() instanceof String reason) {
+            reasons.add(reason);
           }
         }
       }

@@ -323,9 +323,18 @@ final class FloorRobot {
         : "Nothing heard from it: its place stays reserved until a person says that it is free.";
   }
 
+  /** Why its group stands, as the robot says; null where it does not. */
+  @Nullable String reasonOfGroup() {
+    return role == Role.ALONE || errors.isEmpty() ? null : errors.getFirst().text();
+  }
+
   private String working(Errand work) {
     if (trouble != null) {
       return trouble;
+    }
+    String reason = reasonOfGroup();
+    if (reason != null) {
+      return reason;
     }
     return switch (work.phase()) {
       case 0 -> "Drives home";

@@ -1,7 +1,5 @@
 package org.toqa.fleet;
 
-import java.util.List;
-import java.util.stream.IntStream;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -36,11 +34,5 @@ record Formation(Shape shape, Pose load, LoadSize size, Group group) {
   /** Where a follower keeps its place, in the leader's frame. */
   Vec2 offset(int index) {
     return shape.offsets().get(index - 1);
-  }
-
-  List<Vec2> places() {
-    return IntStream.rangeClosed(0, shape.followers().size())
-        .mapToObj(i -> place(i).position())
-        .toList();
   }
 }

@@ -39,6 +39,7 @@ import org.toqa.mission.TaskState;
  *                                   what the asker was told
  * cancel box                        also: cancel box here, cancel box back
  * answer box another robot
+ * hold box                          also: hold a, hold all; resume ...
  * a breaks                          also: is mended, falls silent, speaks again, sticks, is let go
  * restart                           of the server
  * expect box CARRYING
@@ -64,6 +65,7 @@ final class FleetScenario {
   private static final Pattern ROBOT = Pattern.compile("([a-z]) (\\D+)");
   private static final Pattern CHARGES = Pattern.compile("charges (below|after) (\\d+)");
   private static final Pattern CANCEL = Pattern.compile("cancel (\\w+) ?(here|back)?");
+  private static final Pattern HOLD = Pattern.compile("(hold|resume) (\\w+)");
   private static final Pattern ANSWER = Pattern.compile("answer (\\w+) (.+)");
 
   private final List<String> rows = new ArrayList<>();
@@ -117,6 +119,7 @@ final class FleetScenario {
     Matcher task = TASK.matcher(line);
     Matcher cancel = CANCEL.matcher(line);
     Matcher answer = ANSWER.matcher(line);
+    Matcher hold = HOLD.matcher(line);
     Matcher has = HAS.matcher(line);
     Matcher robot = ROBOT.matcher(line);
     if (expect.matches()) {
@@ -132,6 +135,8 @@ final class FleetScenario {
     } else if (answer.matches()) {
       Reply reply = Reply.ofWord(answer.group(2)).orElseThrow();
       accepted(stage.fleet.wish(id(answer.group(1)), new MissionEvent.Answer("Max", reply)));
+    } else if (hold.matches()) {
+      hold(stage.fleet, hold.group(1).equals("hold"), hold.group(2));
     } else if (has.matches()) {
       stage.played(has.group(1)).has(Integer.parseInt(has.group(2)) / 100.0);
     } else if (line.equals("restart")) {
@@ -142,6 +147,18 @@ final class FleetScenario {
       throw new IllegalArgumentException("What is \"" + line + "\"?");
     }
     return true;
+  }
+
+  private void hold(Fleet fleet, boolean isHeld, String what) throws Exception {
+    if (what.equals("all")) {
+      accepted(isHeld ? fleet.pauseAll("Max") : fleet.resumeAll("Max"));
+    } else if (tasks.containsKey(what)) {
+      accepted(
+          fleet.wish(
+              id(what), isHeld ? new MissionEvent.Hold("Max") : new MissionEvent.Resume("Max")));
+    } else {
+      accepted(isHeld ? fleet.hold(what, "Max") : fleet.resume(what, "Max"));
+    }
   }
 
   private static void happens(ScriptedRobot robot, String what) {
