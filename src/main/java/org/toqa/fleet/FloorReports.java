@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
@@ -82,8 +83,8 @@ final class FloorReports {
             reasons.add(robot.holdReason);
           } else if (robot.trouble != null) {
             reasons.add(robot.trouble);
-          } else if (robot.reasonOfGroup() instanceof String reason) {
-            reasons.add(reason);
+          } else {
+            Optional.ofNullable(robot.reasonOfGroup()).ifPresent(reasons::add);
           }
         }
       }
