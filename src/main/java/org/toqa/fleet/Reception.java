@@ -160,6 +160,7 @@ final class Reception {
     if (robot.told != null && robot.told.seq() == drive) {
       robot.driveUnderway = false;
       robot.drive = drive;
+      robot.reportedTask = robot.told.task(); // a cancel must name it
     }
   }
 
