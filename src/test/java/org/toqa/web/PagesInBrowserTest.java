@@ -85,6 +85,8 @@ class PagesInBrowserTest {
     page.navigate(server.root() + "tasks/new");
     page.getByLabel("Task name").fill("Box of bolts");
     page.getByLabel("Load (kg)").fill("2.5");
+    page.getByLabel("Deadline").fill("2098-07-01T15:00");
+    assertThat(page.locator("#deadline-help")).hasText("Time zone: Asia/Kathmandu");
     Locator map = page.locator("#map");
     clickMap(page, map, 1.05, 5.25); // the station Dock A
     assertThat(page.locator("#startStation")).hasValue("Dock A");
@@ -94,6 +96,7 @@ class PagesInBrowserTest {
     page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task")).click();
 
     assertThat(page.locator("h1")).hasText("Box of bolts");
+    assertThat(page.locator("time[datetime='2098-07-01T09:15:00Z']")).containsText("3:00");
     assertThat(page.locator("[aria-current=step]")).hasText("Queued");
     server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
     assertThat(page.locator("[aria-current=step]")).hasText("Carrying");
@@ -235,7 +238,10 @@ class PagesInBrowserTest {
   private Page loggedIn(int width, int height, ColorScheme scheme) {
     BrowserContext context =
         browser.newContext(
-            new Browser.NewContextOptions().setViewportSize(width, height).setColorScheme(scheme));
+            new Browser.NewContextOptions()
+                .setViewportSize(width, height)
+                .setColorScheme(scheme)
+                .setTimezoneId("Asia/Kathmandu"));
     Page page = context.newPage();
     page.setDefaultTimeout(10_000);
     page.onPageError(complaints::add);

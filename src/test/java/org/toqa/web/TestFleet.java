@@ -118,6 +118,30 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     }
   }
 
+  /** Publishes that a task will miss its deadline. */
+  void tellLate(long id, String sentence) {
+    lock.lock();
+    try {
+      tasks.replaceAll(
+          t ->
+              t.id() == id
+                  ? new TaskView(
+                      t.task(),
+                      t.state(),
+                      t.held(),
+                      t.robots(),
+                      t.loadAt(),
+                      t.waitingFor(),
+                      t.needs(),
+                      sentence,
+                      t.changedAt())
+                  : t);
+      publish(latest.robots());
+    } finally {
+      lock.unlock();
+    }
+  }
+
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user) {
     if (silent) {
