@@ -46,14 +46,12 @@ public interface FleetStore {
   Optional<StoredDrive> drive(String robot);
 
   /**
-   * @param task its id is not known yet
-   * @param submission names this wish, so that it can be withdrawn
-   * @return the task with its id
+   * @return the tasks with their ids, in the same order
    */
-  TransportTask addTask(TransportTask task, UUID submission);
+  List<TransportTask> addTasks(List<Submission> submissions);
 
-  /** Removes what {@link #addTask} may have stored, as if it had never been asked for. */
-  void withdraw(UUID submission);
+  /** Removes what {@link #addTasks} may have stored of it, as if it had never been asked for. */
+  void withdraw(UUID key);
 
   /** Does nothing but throw when the store does not answer. */
   void check();
@@ -79,6 +77,12 @@ public interface FleetStore {
   void saveDrive(String robot, StoredDrive drive);
 
   void addEvents(List<EventRecord> events);
+
+  /**
+   * @param task its id is not known yet
+   * @param key names this wish, so that it can be withdrawn
+   */
+  record Submission(TransportTask task, UUID key) {}
 
   record OpenTask(Mission mission, Instant changedAt) {}
 

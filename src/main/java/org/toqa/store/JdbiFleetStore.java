@@ -260,13 +260,21 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public TransportTask addTask(TransportTask task, UUID submission) {
+  public List<TransportTask> addTasks(List<Submission> submissions) {
     return sql.inTransaction(
         h -> {
-          LoadSize size = task.size();
-          long id =
-              h.createUpdate(
-                      """
+          List<TransportTask> stored = submissions.stream().map(s -> add(h, s)).toList();
+          Events.addNew(h, stored.stream().map(EventRecord::added).toList());
+          return stored;
+        });
+  }
+
+  private static TransportTask add(Handle h, Submission submission) {
+    TransportTask task = submission.task();
+    LoadSize size = task.size();
+    long id =
+        h.createUpdate(
+                """
                       insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
                         start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
                         state, created_at, changed_at, submission)
@@ -274,42 +282,39 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                         :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
                         :priority, :deadline, 'QUEUED', :at, :at, :submission)
                       """)
-                  .bind("name", task.name())
-                  .bind("userKey", task.user().toLowerCase(java.util.Locale.ROOT))
-                  .bind("user", task.user())
-                  .bind("floor", task.floor())
-                  .bind("load", task.load())
-                  .bind("length", size == null ? null : size.length())
-                  .bind("width", size == null ? null : size.width())
-                  .bind("startX", task.start().position().x())
-                  .bind("startY", task.start().position().y())
-                  .bind("startStation", task.start().station())
-                  .bind("goalX", task.goal().position().x())
-                  .bind("goalY", task.goal().position().y())
-                  .bind("goalStation", task.goal().station())
-                  .bind("priority", task.priority())
-                  .bind("deadline", task.deadline() == null ? null : Sql.utc(task.deadline()))
-                  .bind("at", Sql.utc(task.createdAt()))
-                  .bind("submission", submission.toString())
-                  .executeAndReturnGeneratedKeys("id")
-                  .mapTo(Long.class)
-                  .one();
-          TransportTask stored = task.withId(id);
-          Events.add(h, List.of(EventRecord.added(stored)));
-          return stored;
-        });
+            .bind("name", task.name())
+            .bind("userKey", task.user().toLowerCase(java.util.Locale.ROOT))
+            .bind("user", task.user())
+            .bind("floor", task.floor())
+            .bind("load", task.load())
+            .bind("length", size == null ? null : size.length())
+            .bind("width", size == null ? null : size.width())
+            .bind("startX", task.start().position().x())
+            .bind("startY", task.start().position().y())
+            .bind("startStation", task.start().station())
+            .bind("goalX", task.goal().position().x())
+            .bind("goalY", task.goal().position().y())
+            .bind("goalStation", task.goal().station())
+            .bind("priority", task.priority())
+            .bind("deadline", task.deadline() == null ? null : Sql.utc(task.deadline()))
+            .bind("at", Sql.utc(task.createdAt()))
+            .bind("submission", submission.key().toString())
+            .executeAndReturnGeneratedKeys("id")
+            .mapTo(Long.class)
+            .one();
+    return task.withId(id);
   }
 
   @Override
-  public void withdraw(UUID submission) {
+  public void withdraw(UUID key) {
     sql.inTransaction(
         h -> {
           String of = " (select id from tasks where submission = :submission)";
           h.createUpdate("delete from events where task_id in" + of)
-              .bind("submission", submission.toString())
+              .bind("submission", key.toString())
               .execute();
           return h.createUpdate("delete from tasks where submission = :submission")
-              .bind("submission", submission.toString())
+              .bind("submission", key.toString())
               .execute();
         });
   }

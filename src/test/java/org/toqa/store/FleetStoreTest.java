@@ -21,6 +21,7 @@ import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -115,7 +116,7 @@ class FleetStoreTest {
             new LoadSize(0.6, 0.4),
             "Ann",
             AT);
-    TransportTask stored = store.addTask(asked, UUID.randomUUID());
+    TransportTask stored = added(asked);
     assertTrue(stored.id() > 0);
     assertEquals(List.of(new OpenTask(Mission.queued(stored), AT)), store.openTasks());
     assertEquals(stored, store.task(stored.id()).orElseThrow().task());
@@ -126,7 +127,7 @@ class FleetStoreTest {
   void aMissionComesBackInThePhaseItWasStoredIn() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    TransportTask task = store.addTask(task("two"), UUID.randomUUID());
+    TransportTask task = added(task("two"));
     Mission.Step step = Mission.queued(task).assign(List.of("r2", "r1"), "heavy");
     store.saveMission(step.mission(), AT, List.of());
     Mission.Step next = step.mission().on(new MissionEvent.PhaseEnded("r1", 1));
@@ -147,7 +148,7 @@ class FleetStoreTest {
   void aMissionComesBackWithAllThatPeopleSaidAndRobotsFailed() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    TransportTask task = store.addTask(task("odd"), UUID.randomUUID());
+    TransportTask task = added(task("odd"));
     TaskPlace place = new TaskPlace(new Vec2(1.25, -3.5), null);
     Mission odd =
         new Mission(
@@ -193,8 +194,8 @@ class FleetStoreTest {
   @Test
   void endedTasksAreOnlyInTheArchive() {
     store.saveRobot(R1);
-    TransportTask first = store.addTask(task("first"), UUID.randomUUID());
-    TransportTask second = store.addTask(task("second"), UUID.randomUUID());
+    TransportTask first = added(task("first"));
+    TransportTask second = added(task("second"));
     store.saveMission(
         new Mission(
             first,
@@ -230,10 +231,14 @@ class FleetStoreTest {
 
   @Test
   void aChangeThatFailsHasNotHappened() {
-    TransportTask task = store.addTask(task("one"), UUID.randomUUID());
+    TransportTask task = added(task("one"));
     Mission unknownRobot = Mission.queued(task).assign(List.of("nobody"), "?").mission();
     assertThrows(StoreException.class, () -> store.saveMission(unknownRobot, AT, List.of()));
     assertEquals(TaskState.QUEUED, store.openTasks().getFirst().mission().state());
+  }
+
+  private TransportTask added(TransportTask task) {
+    return store.addTasks(List.of(new Submission(task, UUID.randomUUID()))).getFirst();
   }
 
   private static TransportTask task(String name) {
