@@ -71,7 +71,12 @@ public interface FleetStore {
    */
   void savePause(@Nullable FleetPause pause, List<EventRecord> events);
 
-  void saveMission(Mission mission, Instant at, List<EventRecord> events);
+  /** All of them, or none. */
+  void saveMissions(List<MissionChange> changes);
+
+  default void saveMission(Mission mission, Instant at, List<EventRecord> events) {
+    saveMissions(List.of(new MissionChange(mission, at, events)));
+  }
 
   /** Replaces the robot's last drive, and remembers its sequence number. */
   void saveDrive(String robot, StoredDrive drive);
@@ -83,6 +88,11 @@ public interface FleetStore {
    * @param key names this wish, so that it can be withdrawn
    */
   record Submission(TransportTask task, UUID key) {}
+
+  /**
+   * @param mission as it is from now on
+   */
+  record MissionChange(Mission mission, Instant at, List<EventRecord> events) {}
 
   record OpenTask(Mission mission, Instant changedAt) {}
 

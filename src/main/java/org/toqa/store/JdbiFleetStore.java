@@ -9,6 +9,7 @@ import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.UUID;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
@@ -325,19 +326,53 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public void saveMission(Mission mission, Instant at, List<EventRecord> events) {
+  public void saveMissions(List<MissionChange> changes) {
     sql.inTransaction(
         h -> {
-          saveState(h, mission, at);
-          h.createUpdate("delete from task_robots where task_id = :id")
-              .bind("id", mission.id())
-              .execute();
-          for (int place = 0; place < mission.carriers().size(); place++) {
-            saveCarrier(h, mission.id(), place, mission.carriers().get(place));
+          Set<Long> robots =
+              new TreeSet<>(); // in one order, so that transactions do not lock each other out
+          for (MissionChange change : changes) {
+            robots.addAll(robotsOf(h, change.mission().id()));
+            saveState(h, change.mission(), change.at());
+            saveCarriers(h, change.mission());
+            robots.addAll(robotsOf(h, change.mission().id()));
+            Events.add(h, change.events());
           }
-          Events.add(h, events);
+          robots.forEach(robot -> saveAvailability(h, robot));
           return null;
         });
+  }
+
+  private static List<Long> robotsOf(Handle h, long task) {
+    return h.createQuery("select robot_id from task_robots where task_id = :task")
+        .bind("task", task)
+        .mapTo(Long.class)
+        .list();
+  }
+
+  private static void saveCarriers(Handle h, Mission mission) {
+    h.createUpdate("delete from task_robots where task_id = :id")
+        .bind("id", mission.id())
+        .execute();
+    for (int place = 0; place < mission.carriers().size(); place++) {
+      saveCarrier(h, mission.id(), place, mission.carriers().get(place));
+    }
+  }
+
+  /** From what the robot is in now: a task, the way home from one, or neither. */
+  private static void saveAvailability(Handle h, long robot) {
+    // availability 1: can be given a task; phase 0: parked   (Tanta, "Database")
+    h.createUpdate(
+            """
+            update robots set
+              availability = case when exists (select 1 from task_robots t
+                where t.robot_id = :robot and not t.released and t.phase < 3) then 0 else 1 end,
+              phase = coalesce((select min(t.phase) from task_robots t
+                where t.robot_id = :robot and not t.released), 0)
+            where id = :robot
+            """)
+        .bind("robot", robot)
+        .execute();
   }
 
   private static void saveState(Handle h, Mission mission, Instant at) {
@@ -380,13 +415,6 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         .bind("phase", carrier.phase())
         .bind("arrived", carrier.arrived())
         .bind("released", carrier.released())
-        .execute();
-    // availability 1: can be given a task; phase 0: parked   (Tanta, "Database")
-    h.createUpdate(
-            "update robots set availability = :availability, phase = :phase where id = :robot")
-        .bind("availability", carrier.released() || carrier.phase() == 3 ? 1 : 0)
-        .bind("phase", carrier.released() ? 0 : carrier.phase())
-        .bind("robot", robot)
         .execute();
   }
 

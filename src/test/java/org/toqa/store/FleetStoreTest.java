@@ -18,6 +18,7 @@ import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetPause;
+import org.toqa.fleet.FleetStore.MissionChange;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FleetStore.StoredDrive;
@@ -145,6 +146,39 @@ class FleetStoreTest {
   }
 
   @Test
+  void aRobotThatLosesItsTaskIsAvailableAgain() {
+    store.saveRobot(R1);
+    store.saveRobot(R2);
+    Mission mission = Mission.queued(added(task("box"))).assign(List.of("r1"), "near").mission();
+    store.saveMission(mission, AT, List.of());
+    assertEquals(List.of("r1 0 in 1", "r2 1 in 0"), availability());
+
+    Mission exchanged = mission.on(new MissionEvent.Exchanged("r1", "r2", "nearer")).mission();
+    store.saveMission(exchanged, AT, List.of());
+
+    assertEquals(List.of("r1 1 in 0", "r2 0 in 1"), availability());
+  }
+
+  @Test
+  void ofChangesThatBelongTogetherAllAreStoredOrNone() {
+    store.saveRobot(R1);
+    Mission one = Mission.queued(added(task("one"))).assign(List.of("r1"), "near").mission();
+    Mission bad = Mission.queued(added(task("two"))).assign(List.of("nobody"), "?").mission();
+
+    assertThrows(
+        StoreException.class,
+        () ->
+            store.saveMissions(
+                List.of(
+                    new MissionChange(one, AT, List.of()), new MissionChange(bad, AT, List.of()))));
+
+    assertEquals(
+        List.of(TaskState.QUEUED, TaskState.QUEUED),
+        store.openTasks().stream().map(t -> t.mission().state()).toList());
+    assertEquals(List.of("r1 1 in 0"), availability());
+  }
+
+  @Test
   void aMissionComesBackWithAllThatPeopleSaidAndRobotsFailed() {
     store.saveRobot(R1);
     store.saveRobot(R2);
@@ -235,6 +269,18 @@ class FleetStoreTest {
     Mission unknownRobot = Mission.queued(task).assign(List.of("nobody"), "?").mission();
     assertThrows(StoreException.class, () -> store.saveMission(unknownRobot, AT, List.of()));
     assertEquals(TaskState.QUEUED, store.openTasks().getFirst().mission().state());
+  }
+
+  /** Of each robot: name, whether it can be given a task, and its phase. */
+  private List<String> availability() {
+    return database
+        .jdbi()
+        .withHandle(
+            h ->
+                h.createQuery(
+                        "select concat(name, ' ', availability, ' in ', phase) from robots order by name")
+                    .mapTo(String.class)
+                    .list());
   }
 
   private TransportTask added(TransportTask task) {
