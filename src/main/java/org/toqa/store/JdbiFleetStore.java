@@ -329,11 +329,11 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   public void saveMissions(List<MissionChange> changes) {
     sql.inTransaction(
         h -> {
-          Set<Long> robots =
-              new TreeSet<>(); // in one order, so that transactions do not lock each other out
+          // First of all these locks: what is read then is newer than another try that was cut off.
+          changes.forEach(change -> saveState(h, change.mission(), change.at()));
+          Set<Long> robots = new TreeSet<>(); // everybody locks them in this order
           for (MissionChange change : changes) {
             robots.addAll(robotsOf(h, change.mission().id()));
-            saveState(h, change.mission(), change.at());
             saveCarriers(h, change.mission());
             robots.addAll(robotsOf(h, change.mission().id()));
             Events.add(h, change.events());

@@ -27,7 +27,6 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
-import org.toqa.mission.Carrier;
 import org.toqa.mission.TaskState;
 
 /** Two robots exchange their tasks, and the server is killed at one of its writes. */
@@ -133,11 +132,7 @@ class ExchangeCrashTest {
   @MethodSource("boundaries")
   void tasksAndRobotsAgreeAndAllIsDoneOnce(int write, boolean written) throws Exception {
     try (FleetStage stage =
-        new FleetStage(
-            FLOOR,
-            ChargingRules.USUAL,
-            allocator,
-            store -> TamperedStore.of(store, life = new Life()))) {
+        new FleetStage(FLOOR, ChargingRules.USUAL, allocator, this::inANewLife)) {
       stage.add("a", new Vec2(0.5, 0.5), "P1").sticks(true);
       stage.add("b", new Vec2(11.5, 0.5), "P2").sticks(true);
       stage.restart();
@@ -151,7 +146,7 @@ class ExchangeCrashTest {
       Life ends = life;
       allocator.exchanges = true;
       ends.willEnd(write, written);
-      stage.until(view -> ends.over || isBy(view, first, "b", 1) && isBy(view, second, "a", 1));
+      stage.until(view -> ends.over || (isBy(view, first, "b", 1) && isBy(view, second, "a", 1)));
       allocator.exchanges = false;
       stage.played("a").sticks(false);
       stage.played("b").sticks(false);
@@ -166,6 +161,11 @@ class ExchangeCrashTest {
       }
       assertRobotsAgreeWithTasks(stage);
     }
+  }
+
+  private FleetStore inANewLife(FleetStore store) {
+    life = new Life();
+    return TamperedStore.of(store, life);
   }
 
   private static long submit(FleetStage stage, String start, String goal) throws Exception {
@@ -196,15 +196,19 @@ class ExchangeCrashTest {
    */
   private static void assertRobotsAgreeWithTasks(FleetStage stage) {
     Map<String, List<Integer>> phases = new TreeMap<>();
-    stage.store.robots().forEach(r -> phases.put(r.name(), new ArrayList<>()));
+    stage.store.robots().forEach(r -> phases.put(r.name(), List.of()));
     stage.store.openTasks().stream()
         .flatMap(t -> t.mission().carriers().stream())
         .filter(c -> !c.released())
-        .forEach((Carrier c) -> phases.get(c.robot()).add(c.phase()));
+        .forEach(c -> phases.merge(c.robot(), List.of(c.phase()), ExchangeCrashTest::both));
     assertTrue(phases.values().stream().allMatch(p -> p.size() <= 1), phases::toString);
     Map<String, String> expected =
         phases.entrySet().stream().collect(toMap(Map.Entry::getKey, e -> row(e.getValue())));
     assertEquals(expected, stored(stage));
+  }
+
+  private static List<Integer> both(List<Integer> some, List<Integer> others) {
+    return Stream.concat(some.stream(), others.stream()).toList();
   }
 
   /** Availability 1: can be given a task; phase 0: parked. */

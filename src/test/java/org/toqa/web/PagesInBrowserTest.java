@@ -134,13 +134,16 @@ class PagesInBrowserTest {
     server.fleet().changeFloor(TestFleet.crowdedFloor());
 
     assertThat(page.locator("#needs")).containsText("r2, r3 at (2.25, 0.75)");
+    assertThat(page.locator("#needs")).containsText("Charger C1 does not charge");
     page.waitForCondition(() -> !pictureOf(page).equals(before));
     page.getByText("Legend").click();
     page.getByText("Does not get on").scrollIntoViewIfNeeded();
     picture(page, "map-in-the-way");
 
     Object crowded = pictureOf(page);
-    server.fleet().changeFloor(new FloorView("hall", CellRuns.NONE, Map.of(), List.of()));
+    server
+        .fleet()
+        .changeFloor(new FloorView("hall", CellRuns.NONE, Map.of(), List.of(), List.of()));
 
     page.waitForCondition(() -> !pictureOf(page).equals(crowded));
     assertThat(page.locator("#needs")).not().containsText("Standstill");
@@ -160,7 +163,11 @@ class PagesInBrowserTest {
         .fleet()
         .changeFloor(
             new FloorView(
-                "hall", CellRuns.NONE, Map.of("r2", new CellRuns(List.of(687, 1))), List.of()));
+                "hall",
+                CellRuns.NONE,
+                Map.of("r2", new CellRuns(List.of(687, 1))),
+                List.of(),
+                List.of()));
     page.getByText("It stands there no more").click();
     picture(page, "robot-out-of-service");
     page.getByText("Put it back in service").click();

@@ -21,6 +21,7 @@ import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
@@ -446,7 +447,10 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
                 List.of(new Vec2(2.25, 0.75), new Vec2(7.35, 2.85)),
                 START,
                 "r2, r3 at (2.25, 0.75), (7.35, 2.85) wait for each other in a ring. Their ways"
-                    + " are planned anew.")));
+                    + " are planned anew.")),
+        List.of(
+            new FaultyCharger(
+                "C1", new Vec2(10.95, 5.25), START, "Charger C1 does not charge: look at it.")));
   }
 
   private void publish(List<RobotView> robots) {
