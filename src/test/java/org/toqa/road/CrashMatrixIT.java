@@ -51,7 +51,7 @@ class CrashMatrixIT {
 
   @BeforeAll
   static void build() throws Exception {
-    build(FROM);
+    site = siteFrom(FROM);
   }
 
   @AfterAll
@@ -86,13 +86,13 @@ class CrashMatrixIT {
             .flatMap(tests -> tests);
   }
 
-  private static void build(int seed) throws Exception {
-    site = new CrashSite(Files.createDirectory(folder.resolve("from-" + seed)));
+  private static CrashSite siteFrom(int seed) throws Exception {
+    return new CrashSite(Files.createDirectory(folder.resolve("from-" + seed)));
   }
 
   private static void moveTo(int seed) throws Exception {
     site.close();
-    build(seed);
+    site = siteFrom(seed);
   }
 
   private void run(int seed, List<Cut> cuts, Random random) throws Exception {

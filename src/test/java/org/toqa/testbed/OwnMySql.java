@@ -63,8 +63,8 @@ public final class OwnMySql implements AutoCloseable {
   }
 
   /** As {@code kill -9} does it. */
-  public void kill() throws InterruptedException {
-    server.destroyForcibly().waitFor();
+  public void kill() {
+    server.destroyForcibly().onExit().join();
   }
 
   public void startAgain() throws IOException {
@@ -96,7 +96,7 @@ public final class OwnMySql implements AutoCloseable {
   }
 
   @Override
-  public void close() throws InterruptedException {
+  public void close() {
     kill();
   }
 }
