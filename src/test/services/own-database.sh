@@ -14,6 +14,7 @@ say() {
 
 database_folder=$1
 port=$2
+mkdir -p "$database_folder"
 find_database
 [ -d "$database_folder/data" ] || "initialise_$brand"
 "run_$brand"
