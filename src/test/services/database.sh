@@ -9,17 +9,7 @@ start_database() {
     database_url=$TOQA_TEST_MYSQL_URL
     return
   fi
-  mkdir -p "$cache"
-  if unpack sid mysql-server-core "$cache/mysql"; then
-    brand=mysql
-  elif unpack "$(. /etc/os-release && echo "$VERSION_CODENAME")" mariadb-server-core \
-    "$cache/mariadb"; then
-    brand=mariadb
-    say "MySQL of Debian sid cannot be had; the tests run on MariaDB instead"
-  else
-    say "found no database server; start a MySQL and name it by TOQA_TEST_MYSQL_URL"
-    exit 1
-  fi
+  find_database
   database_folder=$(mktemp -d)
   log=$database_folder/log
   say "starting $brand"
@@ -33,6 +23,21 @@ start_database() {
     fi
   done
   database_failed
+}
+
+# Sets brand; what it names is unpacked.
+find_database() {
+  mkdir -p "$cache"
+  if unpack sid mysql-server-core "$cache/mysql"; then
+    brand=mysql
+  elif unpack "$(. /etc/os-release && echo "$VERSION_CODENAME")" mariadb-server-core \
+    "$cache/mariadb"; then
+    brand=mariadb
+    say "MySQL of Debian sid cannot be had; the tests run on MariaDB instead"
+  else
+    say "found no database server; start a MySQL and name it by TOQA_TEST_MYSQL_URL"
+    exit 1
+  fi
 }
 
 # Waits for at most a minute; false where the server ended, as when another one has the port.

@@ -40,6 +40,10 @@
           <small id="${end}-help"><c:out value="${errors[end]}"/></small>
         </fieldset>
       </c:forTokens>
+      <label for="deadline"><fmt:message key="newTask.deadline"/></label>
+      <input id="deadline" name="deadline" type="datetime-local" value="${fn:escapeXml(param.deadline)}" ${empty errors.deadline ? '' : 'aria-invalid="true"'} aria-describedby="deadline-help">
+      <small id="deadline-help"><c:choose><c:when test="${not empty errors.deadline}"><c:out value="${errors.deadline}"/></c:when><c:otherwise><fmt:message key="newTask.deadline.zone"/>${" "}<span id="zone-name"><fmt:message key="newTask.deadline.utc"/></span></c:otherwise></c:choose></small>
+      <input type="hidden" id="zone" name="zone" value="UTC">
       <button><fmt:message key="newTask.submit"/></button>
     </form>
     <div class="picker">

@@ -161,9 +161,22 @@ function standstillEntry({robots: names, since, text: what}) {
   };
 }
 
+function chargerEntry({name, since, text: what}) {
+  return {
+    key: `charger ${since} ${name}`,
+    href: 'history?kind=robot.charger-fails',
+    state: 'ERROR',
+    letter: '!',
+    title: text('map.charger'),
+    side: '',
+    what,
+  };
+}
+
 function showNeeds() {
   const entries = [
     ...floors.flatMap(({standstills}) => standstills.map(standstillEntry)),
+    ...floors.flatMap(({faultyChargers}) => faultyChargers.map(chargerEntry)),
     ...tasks.filter((task) => task.needs).map(taskEntry),
     ...robots.filter((robot) => IN_NEED.has(robot.state)).map(robotEntry),
   ];

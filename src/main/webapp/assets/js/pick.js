@@ -2,6 +2,7 @@ import {Board} from './board.js';
 import {Floor} from './floor.js';
 import {drawLabel} from './labels.js';
 import {text} from './texts.js';
+import './zone.js';
 
 const SNAP = 14; // pixels around a station that choose it
 const $ = (selector) => document.querySelector(selector);

@@ -140,7 +140,8 @@ public record Configuration(
           below / 100.0,
           until / 100.0,
           Duration.ofSeconds(Math.round(3600 * number(Setting.CHARGING_AFTER_HOURS, 0.1, 24))),
-          Duration.ofMinutes(wholeNumber(Setting.CHARGING_MINUTES, 1, 1440)));
+          Duration.ofMinutes(wholeNumber(Setting.CHARGING_MINUTES, 1, 1440)),
+          ChargingRules.USUAL.patience());
     }
 
     private InetAddress address() throws ConfigurationException {

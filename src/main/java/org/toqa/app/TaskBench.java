@@ -23,7 +23,8 @@ import tools.jackson.databind.json.JsonMapper;
     description = "Puts tasks into a whole server through its API, by many clients at once.",
     footer = {
       "",
-      "Prints JSON: p50Ms, p99Ms and maxMs of POST /api/v1/tasks, tasksPerSecond,",
+      "Prints JSON: p50Ms, p99Ms and maxMs of POST /api/v1/tasks when the server has",
+      "warmed up, tasksPerSecond,",
       "lost and twice (tasks that were accepted and are not there, or more than once;",
       "it exits 1), and heapMb (what is still in use when all are queued, clients",
       "included)."
@@ -39,6 +40,14 @@ final class TaskBench implements Callable<Integer> {
       paramLabel = "N",
       description = "How many, 1 to 100000 (default: ${DEFAULT-VALUE}).")
   private int tasks;
+
+  @Option(
+      names = "--warm-up",
+      defaultValue = "1000",
+      paramLabel = "N",
+      description =
+          "How many are put in before, and not timed, 0 to 100000 (default: ${DEFAULT-VALUE}).")
+  private int warmUp;
 
   @Option(
       names = "--clients",
@@ -64,6 +73,7 @@ final class TaskBench implements Callable<Integer> {
   public Integer call() throws Exception {
     Arguments arguments = new Arguments(spec);
     arguments.mustBeBetween("--tasks", tasks, 1, 100_000);
+    arguments.mustBeBetween("--warm-up", warmUp, 0, 100_000);
     arguments.mustBeBetween("--clients", clients, 1, 1000);
     arguments.mustBeBetween("--robots", robots, 0, 500);
     Path webapp = Webapp.folder();
@@ -79,10 +89,11 @@ final class TaskBench implements Callable<Integer> {
 
   private int measure(URI address, String password) throws Exception {
     try (TaskClients crowd = TaskClients.logIn(address, USER, password, clients)) {
+      crowd.putIn(warmUp);
       long begun = System.nanoTime();
       double[] millis = crowd.putIn(tasks);
       Duration took = Duration.ofNanos(System.nanoTime() - begun);
-      TaskReport report = TaskReport.of(millis, took, clients, crowd.namesOfAll());
+      TaskReport report = TaskReport.of(millis, warmUp, took, clients, crowd.namesOfAll());
       spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
       return report.lost() == 0 && report.twice() == 0 ? ExitCode.OK : Main.FAILED;
     }

@@ -28,6 +28,7 @@ final class TaskClients implements AutoCloseable {
   private final URI root;
   private final int count;
   private final String token;
+  private int named;
 
   private TaskClients(URI root, String name, String password, int count)
       throws IOException, InterruptedException {
@@ -45,8 +46,10 @@ final class TaskClients implements AutoCloseable {
     return new TaskClients(root, name, password, count);
   }
 
-  /** Puts tasks in, named by their number; answers how many milliseconds each took. */
+  /** Puts tasks in, each with a name of its own; answers how many milliseconds each took. */
   double[] putIn(int tasks) throws Exception {
+    int first = named;
+    named += tasks;
     List<String> stations = stations();
     double[] millis = new double[tasks];
     AtomicInteger next = new AtomicInteger();
@@ -57,7 +60,7 @@ final class TaskClients implements AutoCloseable {
             threads.submit(
                 () -> {
                   for (int n = next.getAndIncrement(); n < tasks; n = next.getAndIncrement()) {
-                    millis[n] = putIn(n, stations);
+                    millis[n] = putIn(first + n, stations);
                   }
                   return null;
                 }));

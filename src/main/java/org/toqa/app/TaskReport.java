@@ -25,10 +25,12 @@ record TaskReport(
     double heapMb) {
 
   /**
-   * @param millis of each task
+   * @param millis of each task that was timed
+   * @param others how many were not
    * @param names of the tasks that are there; each task had a name of its own
    */
-  static TaskReport of(double[] millis, Duration took, int clients, Collection<String> names) {
+  static TaskReport of(
+      double[] millis, int others, Duration took, int clients, Collection<String> names) {
     Timings timings = new Timings(millis);
     double seconds = took.toNanos() / 1e9;
     int different = new HashSet<>(names).size();
@@ -40,7 +42,7 @@ record TaskReport(
         timings.percentile(0.5),
         timings.percentile(0.99),
         timings.max(),
-        millis.length - different,
+        others + millis.length - different,
         names.size() - different,
         Heap.usedMegabytes());
   }

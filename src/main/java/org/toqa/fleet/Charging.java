@@ -65,6 +65,7 @@ final class Charging {
     if (state.floor.charging().isEmpty()) {
       return;
     }
+    state.chargers.forget(state.now);
     for (FloorRobot robot : state.robots.values()) {
       countWork(robot, passed);
       if (robot.turn == null) {
@@ -196,7 +197,7 @@ final class Charging {
       giveUp(robot, "there is no charger " + turn.point() + " any more");
     } else if (!robot.inService) {
       giveUp(robot, "it is out of service");
-    } else if (robot.isHeard()) {
+    } else if (robot.isHeard() && !goesElsewhere(robot, point.get())) {
       List<FloorRobot> ahead = queues.ahead(robot, point.get());
       if (ahead.isEmpty()) {
         goOn(robot, point.get());
@@ -204,6 +205,20 @@ final class Charging {
         await(robot, point.get(), ahead);
       }
     }
+  }
+
+  /** Leaves a point that does not charge for one that may. */
+  private boolean goesElsewhere(FloorRobot robot, Place point) {
+    if (!state.chargers.fails(point) || !robot.isFit()) {
+      return false;
+    }
+    Optional<Place> other =
+        queues
+            .soonest(robot)
+            .map(ChargingQueues.Choice::point)
+            .filter(choice -> !state.chargers.fails(choice));
+    other.ifPresent(choice -> takeTurn(robot, choice, point.name() + " does not charge"));
+    return other.isPresent();
   }
 
   private void goOn(FloorRobot robot, Place point) {
@@ -218,8 +233,34 @@ final class Charging {
     }
     robot.charging = isThere;
     robot.errand = Errand.charge(point.position());
-    if (isThere && robot.battery != null && robot.battery >= rules.until()) {
+    if (!isThere || robot.battery == null) {
+      state.chargers.left(robot.name());
+    } else if (robot.battery >= rules.until()) {
       isCharged(robot, point, robot.battery);
+    } else if (robot.battery + ChargerWatch.RISE < rules.until()) {
+      watch(robot, point, robot.battery);
+    }
+  }
+
+  private void watch(FloorRobot robot, Place point, double battery) {
+    switch (state.chargers.look(robot.name(), point, battery, state.now)) {
+      case FAILS -> {
+        says(robot, "Stands at charger " + point.name() + ", which does not charge it");
+        note(
+            robot,
+            "robot.charger-fails",
+            "Charger "
+                + point.name()
+                + " does not charge "
+                + robot.name()
+                + ": it stays at "
+                + percent(battery));
+      }
+      case WORKS_AGAIN -> {
+        says(robot, "Charges at " + point.name());
+        note(robot, "robot.charger-works", "Charger " + point.name() + " charges again");
+      }
+      case NOTHING_NEW -> {}
     }
   }
 
@@ -267,6 +308,7 @@ final class Charging {
   private void end(FloorRobot robot, String kind, String text) {
     robot.turn = null;
     robot.charging = false;
+    state.chargers.left(robot.name());
     robot.chargingSays = null;
     if (robot.errand != null && robot.errand.task() == null) {
       robot.errand = null;

@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Inflation;
@@ -33,9 +34,18 @@ final class ChargingQueues {
         new FloorDistances(Inflation.of(state.floor.grid(), OrderCheck.SMALLEST_RADIUS));
   }
 
-  /** The point at which the robot can charge soonest; empty where it reaches no charging point. */
+  /**
+   * The point at which the robot can charge soonest; one that does not charge only where there is
+   * no other. Empty where it reaches no charging point.
+   */
   Optional<Choice> soonest(FloorRobot robot) {
+    return soonest(robot, point -> !state.chargers.fails(point))
+        .or(() -> soonest(robot, state.chargers::fails));
+  }
+
+  private Optional<Choice> soonest(FloorRobot robot, Predicate<Place> isMeant) {
     return state.floor.charging().stream()
+        .filter(isMeant)
         .map(point -> new Choice(point, seconds(robot, point)))
         .filter(choice -> Double.isFinite(choice.seconds()))
         .min(Comparator.comparingDouble(Choice::seconds));

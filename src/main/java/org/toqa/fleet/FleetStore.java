@@ -46,14 +46,12 @@ public interface FleetStore {
   Optional<StoredDrive> drive(String robot);
 
   /**
-   * @param task its id is not known yet
-   * @param submission names this wish, so that it can be withdrawn
-   * @return the task with its id
+   * @return the tasks with their ids, in the same order
    */
-  TransportTask addTask(TransportTask task, UUID submission);
+  List<TransportTask> addTasks(List<Submission> submissions);
 
-  /** Removes what {@link #addTask} may have stored, as if it had never been asked for. */
-  void withdraw(UUID submission);
+  /** Removes what {@link #addTasks} may have stored of it, as if it had never been asked for. */
+  void withdraw(UUID key);
 
   /** Does nothing but throw when the store does not answer. */
   void check();
@@ -73,12 +71,28 @@ public interface FleetStore {
    */
   void savePause(@Nullable FleetPause pause, List<EventRecord> events);
 
-  void saveMission(Mission mission, Instant at, List<EventRecord> events);
+  /** All of them, or none. */
+  void saveMissions(List<MissionChange> changes);
+
+  default void saveMission(Mission mission, Instant at, List<EventRecord> events) {
+    saveMissions(List.of(new MissionChange(mission, at, events)));
+  }
 
   /** Replaces the robot's last drive, and remembers its sequence number. */
   void saveDrive(String robot, StoredDrive drive);
 
   void addEvents(List<EventRecord> events);
+
+  /**
+   * @param task its id is not known yet
+   * @param key names this wish, so that it can be withdrawn
+   */
+  record Submission(TransportTask task, UUID key) {}
+
+  /**
+   * @param mission as it is from now on
+   */
+  record MissionChange(Mission mission, Instant at, List<EventRecord> events) {}
 
   record OpenTask(Mission mission, Instant changedAt) {}
 

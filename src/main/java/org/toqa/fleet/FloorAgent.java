@@ -72,7 +72,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
             floor.grid(),
             new LacamFloorPlanner(),
             () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
-    state = new FloorState(floor, store, clock, traffic, now);
+    state =
+        new FloorState(
+            floor, store, clock, traffic, new ChargerWatch(rules.charging().patience()), now);
     watch = new FloorWatch(floor, traffic);
     reports = new FloorReports(state, watch, manager);
     missions =

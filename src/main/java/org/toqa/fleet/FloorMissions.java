@@ -3,12 +3,14 @@ package org.toqa.fleet;
 import static java.util.stream.Collectors.toSet;
 
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
+import org.toqa.fleet.FleetStore.MissionChange;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
@@ -74,9 +76,16 @@ final class FloorMissions {
         isRetasked(move.to());
       }
     }
+    Instant at = state.clock.instant();
+    List<Mission.Step> steps = new ArrayList<>();
+    List<MissionChange> changes = new ArrayList<>();
     for (FloorMessage.Move move : m.moves()) {
-      happened(move.task(), new MissionEvent.Exchanged(move.from(), move.to(), move.why()));
+      MissionEvent event = new MissionEvent.Exchanged(move.from(), move.to(), move.why());
+      Mission.Step step = state.missions.get(move.task()).orElseThrow().on(event);
+      steps.add(step);
+      changes.add(new MissionChange(step.mission(), at, EventRecord.of(step, event, at)));
     }
+    apply(steps, changes);
     reports.send();
   }
 
@@ -135,15 +144,18 @@ final class FloorMissions {
 
   /** Stores the step; its commands are carried out when it is safe. */
   private void apply(Mission.Step step, Instant at, List<EventRecord> events) {
-    if (!step.changed()) {
-      return;
+    if (step.changed()) {
+      apply(List.of(step), List.of(new MissionChange(step.mission(), at, events)));
     }
-    Mission mission = step.mission();
-    state.missions.put(mission, at);
+  }
+
+  /** Stores steps that belong together, so that a crash finds all of them or none. */
+  private void apply(List<Mission.Step> steps, List<MissionChange> changes) {
+    changes.forEach(change -> state.missions.put(change.mission(), change.at()));
     state.changed = true;
     state.writer.write(
-        () -> state.store.saveMission(mission, at, events),
-        () -> self.tell(new FloorMessage.Stored(step)));
+        () -> state.store.saveMissions(changes),
+        () -> steps.forEach(step -> self.tell(new FloorMessage.Stored(step))));
   }
 
   void stored(Mission.Step step) {

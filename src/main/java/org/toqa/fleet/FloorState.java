@@ -25,6 +25,7 @@ final class FloorState {
   final StoreWriter writer;
   final InstantSource clock;
   final FloorTraffic traffic;
+  final ChargerWatch chargers;
   final Map<String, FloorRobot> robots = new TreeMap<>();
   final OpenMissions missions = new OpenMissions();
   final Formations formations;
@@ -36,12 +37,18 @@ final class FloorState {
   boolean changed = true;
 
   FloorState(
-      FloorMap floor, FleetStore store, InstantSource clock, FloorTraffic traffic, Instant now) {
+      FloorMap floor,
+      FleetStore store,
+      InstantSource clock,
+      FloorTraffic traffic,
+      ChargerWatch chargers,
+      Instant now) {
     this.floor = floor;
     this.store = store;
     this.writer = new StoreWriter("floor-" + floor.name());
     this.clock = clock;
     this.traffic = traffic;
+    this.chargers = chargers;
     this.now = now;
     this.formations = new Formations(this);
   }

@@ -13,12 +13,25 @@ import org.toqa.grid.CellRuns;
  * @param kept by name, the robots that are not heard of, with the cells that stay reserved for each
  */
 public record FloorView(
-    String name, CellRuns obstacles, Map<String, CellRuns> kept, List<StandstillView> standstills) {
+    String name,
+    CellRuns obstacles,
+    Map<String, CellRuns> kept,
+    List<StandstillView> standstills,
+    List<FaultyCharger> faultyChargers) {
 
   public FloorView {
     kept = Map.copyOf(kept);
     standstills = List.copyOf(standstills);
+    faultyChargers = List.copyOf(faultyChargers);
   }
+
+  /**
+   * A charging point that does not charge.
+   *
+   * @param where metres, map frame
+   * @param text a sentence for people
+   */
+  public record FaultyCharger(String name, Vec2 where, Instant since, String text) {}
 
   /**
    * Robots that do not get on.

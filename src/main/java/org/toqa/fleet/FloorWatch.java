@@ -7,6 +7,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.ObstacleMap.Obstacle;
 import org.toqa.geometry.Vec2;
@@ -101,8 +102,9 @@ final class FloorWatch {
   /**
    * @param kept as in {@link FloorView}
    */
-  FloorView view(Map<String, CellRuns> kept) {
-    return new FloorView(floor.name(), CellRuns.of(obstacles.cells()), kept, standstills.lasting());
+  FloorView view(Map<String, CellRuns> kept, List<FaultyCharger> faultyChargers) {
+    return new FloorView(
+        floor.name(), CellRuns.of(obstacles.cells()), kept, standstills.lasting(), faultyChargers);
   }
 
   private String place(Obstacle obstacle) {

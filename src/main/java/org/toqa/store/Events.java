@@ -19,20 +19,23 @@ final class Events {
    * and must not be told twice.
    */
   static void add(Handle h, List<EventRecord> events) {
+    addNew(h, events.stream().filter(e -> !isThere(h, e)).toList());
+  }
+
+  /** Adds what cannot be there yet. */
+  static void addNew(Handle h, List<EventRecord> events) {
     PreparedBatch batch =
         h.prepareBatch(
             "insert into events (" + COLUMNS + ") values (:at, :kind, :task, :robot, :who, :text)");
     for (EventRecord e : events) {
-      if (!isThere(h, e)) {
-        batch
-            .bind("at", Sql.utc(e.at()))
-            .bind("kind", e.kind())
-            .bind("task", e.task())
-            .bind("robot", e.robot())
-            .bind("who", e.who())
-            .bind("text", e.text())
-            .add();
-      }
+      batch
+          .bind("at", Sql.utc(e.at()))
+          .bind("kind", e.kind())
+          .bind("task", e.task())
+          .bind("robot", e.robot())
+          .bind("who", e.who())
+          .bind("text", e.text())
+          .add();
     }
     if (batch.size() > 0) {
       batch.execute();

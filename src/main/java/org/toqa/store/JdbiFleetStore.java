@@ -9,6 +9,7 @@ import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.UUID;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
@@ -260,13 +261,21 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public TransportTask addTask(TransportTask task, UUID submission) {
+  public List<TransportTask> addTasks(List<Submission> submissions) {
     return sql.inTransaction(
         h -> {
-          LoadSize size = task.size();
-          long id =
-              h.createUpdate(
-                      """
+          List<TransportTask> stored = submissions.stream().map(s -> add(h, s)).toList();
+          Events.addNew(h, stored.stream().map(EventRecord::added).toList());
+          return stored;
+        });
+  }
+
+  private static TransportTask add(Handle h, Submission submission) {
+    TransportTask task = submission.task();
+    LoadSize size = task.size();
+    long id =
+        h.createUpdate(
+                """
                       insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
                         start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
                         state, created_at, changed_at, submission)
@@ -274,42 +283,39 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                         :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
                         :priority, :deadline, 'QUEUED', :at, :at, :submission)
                       """)
-                  .bind("name", task.name())
-                  .bind("userKey", task.user().toLowerCase(java.util.Locale.ROOT))
-                  .bind("user", task.user())
-                  .bind("floor", task.floor())
-                  .bind("load", task.load())
-                  .bind("length", size == null ? null : size.length())
-                  .bind("width", size == null ? null : size.width())
-                  .bind("startX", task.start().position().x())
-                  .bind("startY", task.start().position().y())
-                  .bind("startStation", task.start().station())
-                  .bind("goalX", task.goal().position().x())
-                  .bind("goalY", task.goal().position().y())
-                  .bind("goalStation", task.goal().station())
-                  .bind("priority", task.priority())
-                  .bind("deadline", task.deadline() == null ? null : Sql.utc(task.deadline()))
-                  .bind("at", Sql.utc(task.createdAt()))
-                  .bind("submission", submission.toString())
-                  .executeAndReturnGeneratedKeys("id")
-                  .mapTo(Long.class)
-                  .one();
-          TransportTask stored = task.withId(id);
-          Events.add(h, List.of(EventRecord.added(stored)));
-          return stored;
-        });
+            .bind("name", task.name())
+            .bind("userKey", task.user().toLowerCase(java.util.Locale.ROOT))
+            .bind("user", task.user())
+            .bind("floor", task.floor())
+            .bind("load", task.load())
+            .bind("length", size == null ? null : size.length())
+            .bind("width", size == null ? null : size.width())
+            .bind("startX", task.start().position().x())
+            .bind("startY", task.start().position().y())
+            .bind("startStation", task.start().station())
+            .bind("goalX", task.goal().position().x())
+            .bind("goalY", task.goal().position().y())
+            .bind("goalStation", task.goal().station())
+            .bind("priority", task.priority())
+            .bind("deadline", task.deadline() == null ? null : Sql.utc(task.deadline()))
+            .bind("at", Sql.utc(task.createdAt()))
+            .bind("submission", submission.key().toString())
+            .executeAndReturnGeneratedKeys("id")
+            .mapTo(Long.class)
+            .one();
+    return task.withId(id);
   }
 
   @Override
-  public void withdraw(UUID submission) {
+  public void withdraw(UUID key) {
     sql.inTransaction(
         h -> {
           String of = " (select id from tasks where submission = :submission)";
           h.createUpdate("delete from events where task_id in" + of)
-              .bind("submission", submission.toString())
+              .bind("submission", key.toString())
               .execute();
           return h.createUpdate("delete from tasks where submission = :submission")
-              .bind("submission", submission.toString())
+              .bind("submission", key.toString())
               .execute();
         });
   }
@@ -320,19 +326,53 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public void saveMission(Mission mission, Instant at, List<EventRecord> events) {
+  public void saveMissions(List<MissionChange> changes) {
     sql.inTransaction(
         h -> {
-          saveState(h, mission, at);
-          h.createUpdate("delete from task_robots where task_id = :id")
-              .bind("id", mission.id())
-              .execute();
-          for (int place = 0; place < mission.carriers().size(); place++) {
-            saveCarrier(h, mission.id(), place, mission.carriers().get(place));
+          // First of all these locks: what is read then is newer than another try that was cut off.
+          changes.forEach(change -> saveState(h, change.mission(), change.at()));
+          Set<Long> robots = new TreeSet<>(); // everybody locks them in this order
+          for (MissionChange change : changes) {
+            robots.addAll(robotsOf(h, change.mission().id()));
+            saveCarriers(h, change.mission());
+            robots.addAll(robotsOf(h, change.mission().id()));
+            Events.add(h, change.events());
           }
-          Events.add(h, events);
+          robots.forEach(robot -> saveAvailability(h, robot));
           return null;
         });
+  }
+
+  private static List<Long> robotsOf(Handle h, long task) {
+    return h.createQuery("select robot_id from task_robots where task_id = :task")
+        .bind("task", task)
+        .mapTo(Long.class)
+        .list();
+  }
+
+  private static void saveCarriers(Handle h, Mission mission) {
+    h.createUpdate("delete from task_robots where task_id = :id")
+        .bind("id", mission.id())
+        .execute();
+    for (int place = 0; place < mission.carriers().size(); place++) {
+      saveCarrier(h, mission.id(), place, mission.carriers().get(place));
+    }
+  }
+
+  /** From what the robot is in now: a task, the way home from one, or neither. */
+  private static void saveAvailability(Handle h, long robot) {
+    // availability 1: can be given a task; phase 0: parked   (Tanta, "Database")
+    h.createUpdate(
+            """
+            update robots set
+              availability = case when exists (select 1 from task_robots t
+                where t.robot_id = :robot and not t.released and t.phase < 3) then 0 else 1 end,
+              phase = coalesce((select min(t.phase) from task_robots t
+                where t.robot_id = :robot and not t.released), 0)
+            where id = :robot
+            """)
+        .bind("robot", robot)
+        .execute();
   }
 
   private static void saveState(Handle h, Mission mission, Instant at) {
@@ -375,13 +415,6 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         .bind("phase", carrier.phase())
         .bind("arrived", carrier.arrived())
         .bind("released", carrier.released())
-        .execute();
-    // availability 1: can be given a task; phase 0: parked   (Tanta, "Database")
-    h.createUpdate(
-            "update robots set availability = :availability, phase = :phase where id = :robot")
-        .bind("availability", carrier.released() || carrier.phase() == 3 ? 1 : 0)
-        .bind("phase", carrier.released() ? 0 : carrier.phase())
-        .bind("robot", robot)
         .execute();
   }
 

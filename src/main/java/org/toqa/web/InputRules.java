@@ -1,5 +1,6 @@
 package org.toqa.web;
 
+import java.time.Instant;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -27,6 +28,11 @@ public final class InputRules {
 
   /** Metres from the map's origin. */
   private static final double FARTHEST = 1_000_000;
+
+  /** Times that every database can hold. */
+  private static final Instant EARLIEST = Instant.parse("2000-01-01T00:00:00Z");
+
+  private static final Instant LATEST = Instant.parse("9999-01-01T00:00:00Z");
 
   private static final Pattern ROBOT_NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,63}");
   private static final Pattern USER_NAME =
@@ -91,6 +97,22 @@ public final class InputRules {
       refuse(field, "error.priority.range", PRIORITY_LIMIT);
     }
     return given.intValue();
+  }
+
+  public @Nullable Instant deadline(String field, @Nullable Instant given) {
+    if (given != null && (given.isBefore(EARLIEST) || given.isAfter(LATEST))) {
+      refuse(field, "error.deadline.range");
+      return null;
+    }
+    return given;
+  }
+
+  /** A deadline as a person enters it: one that has passed is a slip. */
+  public @Nullable Instant deadlineToCome(String field, @Nullable Instant given, Instant now) {
+    if (given != null && !given.isAfter(now)) {
+      refuse(field, "error.deadline.past");
+    }
+    return deadline(field, given);
   }
 
   public LoadSize size(String field, @Nullable Double length, @Nullable Double width) {

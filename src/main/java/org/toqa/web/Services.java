@@ -21,6 +21,7 @@ public record Services(
     Accounts accounts,
     ApiTokens tokens,
     Passwords passwords,
+    InstantSource clock,
     Login login) {
 
   /** The servlet context's attribute that holds the services. */
@@ -43,6 +44,7 @@ public record Services(
         accounts,
         tokens,
         passwords,
+        clock,
         Login.of(accounts, passwords, clock));
   }
 

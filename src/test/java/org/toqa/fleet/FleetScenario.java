@@ -33,6 +33,7 @@ import org.toqa.mission.TaskState;
  * <pre>
  * charges below 5                   percent; 20 where nothing is said, for the whole scenario
  * charges after 2                   seconds of work; six hours where nothing is said
+ * charges within 20                 seconds, or the charger does not work; ten minutes where nothing is said
  * a has 18                          percent in its battery, from now on
  * task box A B 2                    kilograms
  * task late A B 2 within 5          seconds to its deadline; "expect late answered ..." looks at
@@ -52,6 +53,7 @@ import org.toqa.mission.TaskState;
  * expect a is IDLE
  * expect a has 18
  * expect a at A
+ * expect C1 fails                   also: works
  * </pre>
  */
 final class FleetScenario {
@@ -63,7 +65,7 @@ final class FleetScenario {
   private static final Pattern EXPECT = Pattern.compile("expect (\\w+) (\\S+) ?(.*)");
   private static final Pattern HAS = Pattern.compile("([a-z]) has (\\d+)");
   private static final Pattern ROBOT = Pattern.compile("([a-z]) (\\D+)");
-  private static final Pattern CHARGES = Pattern.compile("charges (below|after) (\\d+)");
+  private static final Pattern CHARGES = Pattern.compile("charges (below|after|within) (\\d+)");
   private static final Pattern CANCEL = Pattern.compile("cancel (\\w+) ?(here|back)?");
   private static final Pattern HOLD = Pattern.compile("(hold|resume) (\\w+)");
   private static final Pattern ANSWER = Pattern.compile("answer (\\w+) (.+)");
@@ -87,10 +89,12 @@ final class FleetScenario {
 
   private static ChargingRules charges(String when, int number) {
     ChargingRules usual = ChargingRules.USUAL;
-    return when.equals("below")
-        ? new ChargingRules(number / 100.0, usual.until(), usual.work(), usual.toFull())
-        : new ChargingRules(
-            usual.below(), usual.until(), Duration.ofSeconds(number), usual.toFull());
+    return new ChargingRules(
+        when.equals("below") ? number / 100.0 : usual.below(),
+        usual.until(),
+        when.equals("after") ? Duration.ofSeconds(number) : usual.work(),
+        usual.toFull(),
+        when.equals("within") ? Duration.ofSeconds(number) : usual.patience());
   }
 
   /**
@@ -206,11 +210,18 @@ final class FleetScenario {
       case "has" ->
           view -> Objects.equals(robot(view, who).battery(), Integer.parseInt(words) / 100.0);
       case "does" -> view -> says(robot(view, who).doing(), words);
+      case "fails" -> view -> fails(view, who);
+      case "works" -> view -> !fails(view, who);
       case "is" -> view -> robot(view, who).state() == RobotState.valueOf(words);
       case "at" ->
           view -> stage.played(who).position().distanceTo(position(words.charAt(0))) < 1e-6;
       default -> view -> task(view, who).state() == TaskState.valueOf(what);
     };
+  }
+
+  private static boolean fails(FleetSnapshot view, String charger) {
+    return view.floors().getFirst().faultyChargers().stream()
+        .anyMatch(faulty -> faulty.name().equals(charger));
   }
 
   private static boolean says(@Nullable String sentence, String words) {

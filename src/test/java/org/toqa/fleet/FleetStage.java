@@ -10,7 +10,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Policy;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
@@ -27,6 +29,8 @@ final class FleetStage implements AutoCloseable {
 
   private final FloorMap floor;
   private final ChargingRules charging;
+  private final Allocator allocator;
+  private final UnaryOperator<FleetStore> tamper;
   private final Map<String, ScriptedRobot> robots = new LinkedHashMap<>();
   final Database database = Database.inMemory("fleet-" + System.nanoTime());
   final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
@@ -38,8 +42,21 @@ final class FleetStage implements AutoCloseable {
   }
 
   FleetStage(FloorMap floor, ChargingRules charging) {
+    this(floor, charging, Policy.OPTIMAL.allocator(), UnaryOperator.identity());
+  }
+
+  /**
+   * @param tamper what stands between each server and the store
+   */
+  FleetStage(
+      FloorMap floor,
+      ChargingRules charging,
+      Allocator allocator,
+      UnaryOperator<FleetStore> tamper) {
     this.floor = floor;
     this.charging = charging;
+    this.allocator = allocator;
+    this.tamper = tamper;
     this.fleet = open();
   }
 
@@ -72,9 +89,9 @@ final class FleetStage implements AutoCloseable {
         };
     return new AgentFleet(
         List.of(floor),
-        store,
+        tamper.apply(store),
         links,
-        Policy.OPTIMAL.allocator(),
+        allocator,
         new FleetRules(LOST_AFTER, charging, 1),
         InstantSource.system(),
         now);

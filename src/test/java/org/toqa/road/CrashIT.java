@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -28,6 +29,8 @@ class CrashIT {
         }
         server.killAndStartAgain();
       }
+      long first = tasks.getFirst();
+      assertEquals(LongStream.range(first, first + tasks.size()).boxed().toList(), tasks);
       for (long task : tasks) {
         server.awaitState(task, "DONE");
         assertEquals(1, server.happened(task, "Picked up"), "picked up: " + server.task(task));

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -39,12 +40,18 @@ class CrashMatrixIT {
       List.of("Goods-in 1", "Mill", "Store A", "Assembly", "Packing 1", "Goods-out");
   private static final Pattern DELIVERY = Pattern.compile("task (\\d+): phase 2 is done");
 
+  /**
+   * As long as batteries last. The robots have nothing but their odometry, and after an hour they
+   * would miss a charger.
+   */
+  private static final int RUNS_OF_A_SITE = 8;
+
   @TempDir private static Path folder;
   private static CrashSite site;
 
   @BeforeAll
   static void build() throws Exception {
-    site = new CrashSite(folder);
+    site = siteFrom(FROM);
   }
 
   @AfterAll
@@ -54,8 +61,14 @@ class CrashMatrixIT {
 
   @TestFactory
   Stream<DynamicTest> nothingIsLostAndNothingDoneTwice() {
+    return IntStream.iterate(FROM, first -> first < FROM + RUNS, first -> first + RUNS_OF_A_SITE)
+        .boxed()
+        .flatMap(first -> atOneSite(first, Math.min(first + RUNS_OF_A_SITE, FROM + RUNS)));
+  }
+
+  private Stream<DynamicTest> atOneSite(int first, int end) {
     Stream<DynamicTest> runs =
-        IntStream.range(FROM, FROM + RUNS)
+        IntStream.range(first, end)
             .mapToObj(
                 seed -> {
                   Random random = new Random(seed);
@@ -63,8 +76,23 @@ class CrashMatrixIT {
                   return DynamicTest.dynamicTest(
                       "seed " + seed + ": " + cuts, () -> run(seed, cuts, random));
                 });
-    return Stream.concat(
-        runs, Stream.of(DynamicTest.dynamicTest("what the robots say", this::robotsDeliveredOnce)));
+    DynamicTest words = DynamicTest.dynamicTest("what the robots say", this::robotsDeliveredOnce);
+    return first == FROM
+        ? Stream.concat(runs, Stream.of(words))
+        : Stream.of(
+                Stream.of(DynamicTest.dynamicTest("the next site", () -> moveTo(first))),
+                runs,
+                Stream.of(words))
+            .flatMap(tests -> tests);
+  }
+
+  private static CrashSite siteFrom(int seed) throws Exception {
+    return new CrashSite(Files.createDirectory(folder.resolve("from-" + seed)));
+  }
+
+  private static void moveTo(int seed) throws Exception {
+    site.close();
+    site = siteFrom(seed);
   }
 
   private void run(int seed, List<Cut> cuts, Random random) throws Exception {

@@ -2,6 +2,7 @@ package org.toqa.road;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -12,19 +13,26 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.testbed.Cable;
+import org.toqa.testbed.OwnMySql;
 import org.toqa.testbed.RealMySql;
 import tools.jackson.databind.JsonNode;
 
-/** MySQL goes away while robots carry, breaking its connections or silently, and comes back. */
+/** MySQL goes away while robots carry, in four ways, and comes back. */
 @Tag("full")
 class DatabaseAwayIT {
   private static final long LIMIT_NANOS = TimeUnit.MINUTES.toNanos(1);
 
   @TempDir private Path folder;
+
+  @FunctionalInterface
+  private interface Happening {
+    void happens() throws Exception;
+  }
 
   @ParameterizedTest
   @ValueSource(booleans = {true, false})
@@ -32,35 +40,60 @@ class DatabaseAwayIT {
     String url = RealMySql.newDatabase();
     int port = URI.create(url.substring("jdbc:".length())).getPort();
     try (Cable cable = new Cable(port)) {
-      Path config = folder.resolve("server.yaml");
-      Files.writeString(
-          config,
-          "database:\n  url: \"%s\"\n".formatted(url.replace(":" + port, ":" + cable.port())));
-      try (RunningServer server =
-          new RunningServer(
-              folder, "--config", config.toString(), "--simulate", "3", "--speed", "10")) {
-        long task = server.addTask("crate", "Goods-in 1", "Store A");
-        server.awaitState(task, "TO_OBJECT");
+      goesAwayAndComesBack(
+          url.replace(":" + port, ":" + cable.port()),
+          silently ? cable::silence : cable::cut,
+          cable::mend);
+    }
+  }
 
-        if (silently) {
-          cable.silence();
-        } else {
-          cable.cut();
-        }
-        awaitHealth(server.root(), 503);
-        Optional<JsonNode> refused =
-            server.api().tryToPost("tasks", RunningServer.order("refused", "Mill", "Assembly"));
-        assertEquals(Optional.empty(), refused);
-        awaitStandingRobots(server);
-        cable.mend();
+  @Test
+  void soItIsWithAServerThatIsFrozenForAWhile() throws Exception {
+    assumeOwnServer();
+    try (OwnMySql mySql = new OwnMySql(folder)) {
+      goesAwayAndComesBack(mySql.url(), mySql::freeze, mySql::thaw);
+    }
+  }
 
-        awaitHealth(server.root(), 200);
-        server.awaitState(task, "DONE");
-        server.await("tasks/" + task, t -> t.toString().contains("\"Done\""));
-        assertEquals(1, server.happened(task, "Picked up"));
-        assertEquals(1, server.happened(task, "Delivered"));
-        assertEquals(1, server.api().get("tasks").size());
-      }
+  @Test
+  void soItIsWithAServerThatIsKilledAndStartedAgain() throws Exception {
+    assumeOwnServer();
+    try (OwnMySql mySql = new OwnMySql(folder)) {
+      goesAwayAndComesBack(mySql.url(), mySql::kill, mySql::startAgain);
+    }
+  }
+
+  /** Where somebody brings his own database server there may be none that a test may kill. */
+  private static void assumeOwnServer() {
+    assumeTrue(
+        System.getenv("TOQA_TEST_MYSQL_URL") == null,
+        "runs where ./toqa test brings its own MySQL: without TOQA_TEST_MYSQL_URL");
+  }
+
+  private void goesAwayAndComesBack(String url, Happening away, Happening back) throws Exception {
+    Path config = folder.resolve("server.yaml");
+    Files.writeString(config, "database:\n  url: \"%s\"\n".formatted(url));
+    try (RunningServer server =
+        new RunningServer(
+            folder, "--config", config.toString(), "--simulate", "3", "--speed", "10")) {
+      long task = server.addTask("crate", "Goods-in 1", "Store A");
+      server.awaitState(task, "TO_OBJECT");
+
+      away.happens();
+      awaitHealth(server.root(), 503);
+      Optional<JsonNode> refused =
+          server.api().tryToPost("tasks", RunningServer.order("refused", "Mill", "Assembly"));
+      assertEquals(Optional.empty(), refused);
+      awaitStandingRobots(server);
+      back.happens();
+
+      awaitHealth(server.root(), 200);
+      server.awaitState(task, "DONE");
+      server.await("tasks/" + task, t -> t.toString().contains("\"Done\""));
+      assertEquals(1, server.happened(task, "Asked for"));
+      assertEquals(1, server.happened(task, "Picked up"));
+      assertEquals(1, server.happened(task, "Delivered"));
+      assertEquals(1, server.api().get("tasks").size());
     }
   }
 

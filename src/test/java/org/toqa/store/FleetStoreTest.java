@@ -18,9 +18,11 @@ import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetPause;
+import org.toqa.fleet.FleetStore.MissionChange;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -115,7 +117,7 @@ class FleetStoreTest {
             new LoadSize(0.6, 0.4),
             "Ann",
             AT);
-    TransportTask stored = store.addTask(asked, UUID.randomUUID());
+    TransportTask stored = added(asked);
     assertTrue(stored.id() > 0);
     assertEquals(List.of(new OpenTask(Mission.queued(stored), AT)), store.openTasks());
     assertEquals(stored, store.task(stored.id()).orElseThrow().task());
@@ -126,7 +128,7 @@ class FleetStoreTest {
   void aMissionComesBackInThePhaseItWasStoredIn() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    TransportTask task = store.addTask(task("two"), UUID.randomUUID());
+    TransportTask task = added(task("two"));
     Mission.Step step = Mission.queued(task).assign(List.of("r2", "r1"), "heavy");
     store.saveMission(step.mission(), AT, List.of());
     Mission.Step next = step.mission().on(new MissionEvent.PhaseEnded("r1", 1));
@@ -144,10 +146,43 @@ class FleetStoreTest {
   }
 
   @Test
+  void aRobotThatLosesItsTaskIsAvailableAgain() {
+    store.saveRobot(R1);
+    store.saveRobot(R2);
+    Mission mission = Mission.queued(added(task("box"))).assign(List.of("r1"), "near").mission();
+    store.saveMission(mission, AT, List.of());
+    assertEquals(List.of("r1 0 in 1", "r2 1 in 0"), availability());
+
+    Mission exchanged = mission.on(new MissionEvent.Exchanged("r1", "r2", "nearer")).mission();
+    store.saveMission(exchanged, AT, List.of());
+
+    assertEquals(List.of("r1 1 in 0", "r2 0 in 1"), availability());
+  }
+
+  @Test
+  void ofChangesThatBelongTogetherAllAreStoredOrNone() {
+    store.saveRobot(R1);
+    Mission one = Mission.queued(added(task("one"))).assign(List.of("r1"), "near").mission();
+    Mission bad = Mission.queued(added(task("two"))).assign(List.of("nobody"), "?").mission();
+
+    assertThrows(
+        StoreException.class,
+        () ->
+            store.saveMissions(
+                List.of(
+                    new MissionChange(one, AT, List.of()), new MissionChange(bad, AT, List.of()))));
+
+    assertEquals(
+        List.of(TaskState.QUEUED, TaskState.QUEUED),
+        store.openTasks().stream().map(t -> t.mission().state()).toList());
+    assertEquals(List.of("r1 1 in 0"), availability());
+  }
+
+  @Test
   void aMissionComesBackWithAllThatPeopleSaidAndRobotsFailed() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    TransportTask task = store.addTask(task("odd"), UUID.randomUUID());
+    TransportTask task = added(task("odd"));
     TaskPlace place = new TaskPlace(new Vec2(1.25, -3.5), null);
     Mission odd =
         new Mission(
@@ -193,8 +228,8 @@ class FleetStoreTest {
   @Test
   void endedTasksAreOnlyInTheArchive() {
     store.saveRobot(R1);
-    TransportTask first = store.addTask(task("first"), UUID.randomUUID());
-    TransportTask second = store.addTask(task("second"), UUID.randomUUID());
+    TransportTask first = added(task("first"));
+    TransportTask second = added(task("second"));
     store.saveMission(
         new Mission(
             first,
@@ -230,10 +265,26 @@ class FleetStoreTest {
 
   @Test
   void aChangeThatFailsHasNotHappened() {
-    TransportTask task = store.addTask(task("one"), UUID.randomUUID());
+    TransportTask task = added(task("one"));
     Mission unknownRobot = Mission.queued(task).assign(List.of("nobody"), "?").mission();
     assertThrows(StoreException.class, () -> store.saveMission(unknownRobot, AT, List.of()));
     assertEquals(TaskState.QUEUED, store.openTasks().getFirst().mission().state());
+  }
+
+  /** Of each robot: name, whether it can be given a task, and its phase. */
+  private List<String> availability() {
+    return database
+        .jdbi()
+        .withHandle(
+            h ->
+                h.createQuery(
+                        "select concat(name, ' ', availability, ' in ', phase) from robots order by name")
+                    .mapTo(String.class)
+                    .list());
+  }
+
+  private TransportTask added(TransportTask task) {
+    return store.addTasks(List.of(new Submission(task, UUID.randomUUID()))).getFirst();
   }
 
   private static TransportTask task(String name) {

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.fleet.EventArchive.Entry;
 import org.toqa.fleet.EventArchive.Filter;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.TrackPoint;
 import org.toqa.geometry.Vec2;
@@ -103,8 +104,8 @@ class HistoryTest {
   @Test
   void aWithdrawnTaskWasNeverThere() {
     UUID submission = UUID.randomUUID();
-    store.addTask(task("ghost"), submission);
-    TransportTask stays = store.addTask(task("stays"), UUID.randomUUID());
+    store.addTasks(List.of(new Submission(task("ghost"), submission)));
+    TransportTask stays = added(task("stays"));
 
     store.withdraw(submission);
     store.withdraw(UUID.randomUUID());
@@ -130,8 +131,8 @@ class HistoryTest {
   @Test
   void whatIsTooOldIsPrunedAndWhatIsOpenStays() {
     store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true));
-    TransportTask done = store.addTask(task("done"), UUID.randomUUID());
-    TransportTask open = store.addTask(task("open"), UUID.randomUUID());
+    TransportTask done = added(task("done"));
+    TransportTask open = added(task("open"));
     Mission ended = new Mission(done, TaskState.CANCELLED, List.of(), false, null, null, null);
     store.saveMission(ended, AT, List.of());
     EventRecord recent = event(AT.plus(Duration.ofDays(2)), "fleet.paused", null, null, "A", "b");
@@ -161,6 +162,10 @@ class HistoryTest {
       String who,
       String text) {
     return new EventRecord(at, kind, task, robot, who, text);
+  }
+
+  private TransportTask added(TransportTask task) {
+    return store.addTasks(List.of(new Submission(task, UUID.randomUUID()))).getFirst();
   }
 
   private static TransportTask task(String name) {

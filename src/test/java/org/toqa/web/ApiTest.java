@@ -209,6 +209,7 @@ class ApiTest {
           {"name":"a\\u0000b","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name has characters that cannot be shown, such as line breaks. Leave them out.
           {"name":"\\ud800","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name has characters that cannot be shown, such as line breaks. Leave them out.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"priority":1.5} | 422 | The priority is a whole number from -100 to 100.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"deadline":"+99999-01-01T00:00:00Z"} | 422 | The deadline’s year must be from 2000 to 9998.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"deadline":"soon"} | 422 | The deadline is a time with its zone, as in 2026-11-21T15:00:00Z.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"size":{"length":1}} | 422 | The size needs a length and a width in metres.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"x":0.1,"y":0.1}} | 422 | The goal is not a free place of the floor. Choose another one.
@@ -487,6 +488,9 @@ class ApiTest {
       assertEquals("[\"r2\",\"r3\"]", standstill.get("robots").toString());
       assertEquals(2.25, standstill.get("where").get(0).get("x").doubleValue());
       assertTrue(standstill.get("text").stringValue().contains("wait for each other"));
+      JsonNode charger = floor.get("faultyChargers").get(0);
+      assertEquals("C1", charger.get("name").stringValue());
+      assertEquals(10.95, charger.get("where").get("x").doubleValue());
     }
   }
 

@@ -85,6 +85,8 @@ class PagesInBrowserTest {
     page.navigate(server.root() + "tasks/new");
     page.getByLabel("Task name").fill("Box of bolts");
     page.getByLabel("Load (kg)").fill("2.5");
+    page.getByLabel("Deadline").fill("2098-07-01T15:00");
+    assertThat(page.locator("#deadline-help")).hasText("Time zone: America/Bogota");
     Locator map = page.locator("#map");
     clickMap(page, map, 1.05, 5.25); // the station Dock A
     assertThat(page.locator("#startStation")).hasValue("Dock A");
@@ -94,6 +96,7 @@ class PagesInBrowserTest {
     page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task")).click();
 
     assertThat(page.locator("h1")).hasText("Box of bolts");
+    assertThat(page.locator("time[datetime='2098-07-01T20:00:00Z']")).containsText("3:00");
     assertThat(page.locator("[aria-current=step]")).hasText("Queued");
     server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
     assertThat(page.locator("[aria-current=step]")).hasText("Carrying");
@@ -131,13 +134,16 @@ class PagesInBrowserTest {
     server.fleet().changeFloor(TestFleet.crowdedFloor());
 
     assertThat(page.locator("#needs")).containsText("r2, r3 at (2.25, 0.75)");
+    assertThat(page.locator("#needs")).containsText("Charger C1 does not charge");
     page.waitForCondition(() -> !pictureOf(page).equals(before));
     page.getByText("Legend").click();
     page.getByText("Does not get on").scrollIntoViewIfNeeded();
     picture(page, "map-in-the-way");
 
     Object crowded = pictureOf(page);
-    server.fleet().changeFloor(new FloorView("hall", CellRuns.NONE, Map.of(), List.of()));
+    server
+        .fleet()
+        .changeFloor(new FloorView("hall", CellRuns.NONE, Map.of(), List.of(), List.of()));
 
     page.waitForCondition(() -> !pictureOf(page).equals(crowded));
     assertThat(page.locator("#needs")).not().containsText("Standstill");
@@ -157,7 +163,11 @@ class PagesInBrowserTest {
         .fleet()
         .changeFloor(
             new FloorView(
-                "hall", CellRuns.NONE, Map.of("r2", new CellRuns(List.of(687, 1))), List.of()));
+                "hall",
+                CellRuns.NONE,
+                Map.of("r2", new CellRuns(List.of(687, 1))),
+                List.of(),
+                List.of()));
     page.getByText("It stands there no more").click();
     picture(page, "robot-out-of-service");
     page.getByText("Put it back in service").click();
@@ -235,7 +245,10 @@ class PagesInBrowserTest {
   private Page loggedIn(int width, int height, ColorScheme scheme) {
     BrowserContext context =
         browser.newContext(
-            new Browser.NewContextOptions().setViewportSize(width, height).setColorScheme(scheme));
+            new Browser.NewContextOptions()
+                .setViewportSize(width, height)
+                .setColorScheme(scheme)
+                .setTimezoneId("America/Bogota"));
     Page page = context.newPage();
     page.setDefaultTimeout(10_000);
     page.onPageError(complaints::add);

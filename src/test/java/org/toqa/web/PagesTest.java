@@ -101,6 +101,11 @@ class PagesTest {
           goalX | 500             | The goal is not a free place
           goalY |                 | Choose a station, or enter x and y
           startStation | Nowhere  | The start is not a free place
+          deadline | tomorrow     | This is not a date with a time of day.
+          deadline | 2099-02-30T10:00 | This is not a date with a time of day.
+          deadline | 2001-01-01T10:00 | This time has passed.
+          deadline | 9999-12-31T10:00 | year must be from 2000 to 9998.
+          deadline | +999999999-12-31T10:00 | year must be from 2000 to 9998.
           """)
   void aBadValueIsShownAgainWithASentence(String field, String value, String sentence) {
     long before = server.fleet().count();
@@ -113,6 +118,38 @@ class PagesTest {
     assertTrue(answer.body().contains(sentence), answer.body());
     assertTrue(answer.body().contains("value=\"10.35\"") || field.equals("goalX"));
     assertEquals(before, server.fleet().count());
+  }
+
+  @Test
+  void theDeadlineIsReadInTheZoneOfItsReader() {
+    Map<String, String> fields = new TreeMap<>(GOOD_TASK);
+    fields.put("deadline", "2098-07-01T15:00");
+    fields.put("zone", "Europe/Paris"); // two hours ahead of UTC in summer
+
+    String task = clerk.post("tasks/new", fields).headers().firstValue("Location").orElseThrow();
+
+    assertTrue(clerk.get(task).body().contains("datetime=\"2098-07-01T13:00:00Z\""));
+    fields.put("zone", "");
+    task = clerk.post("tasks/new", fields).headers().firstValue("Location").orElseThrow();
+    assertTrue(clerk.get(task).body().contains("datetime=\"2098-07-01T15:00:00Z\""));
+    fields.put("zone", "Nowhere/Land");
+    assertEquals(422, clerk.post("tasks/new", fields).statusCode());
+  }
+
+  @Test
+  void aTaskThatWillBeLateSaysSo() {
+    Map<String, String> fields = new TreeMap<>(GOOD_TASK);
+    fields.put("deadline", "2098-07-01T15:00");
+    String task = clerk.post("tasks/new", fields).headers().firstValue("Location").orElseThrow();
+    assertFalse(clerk.get(task).body().contains("The deadline cannot be met"));
+
+    server
+        .fleet()
+        .tellLate(
+            Long.parseLong(task.replaceAll("\\D", "")),
+            "The deadline cannot be met: r1 would deliver it 30 s after it at the earliest.");
+
+    assertTrue(clerk.get(task).body().contains("r1 would deliver it 30 s after it"));
   }
 
   @Test

@@ -21,6 +21,7 @@ import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
@@ -112,6 +113,30 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
                       view.task(), state, false, robots, null, null, null, null, latest.at())
                   : view);
       events.add(new EventRecord(latest.at(), state.name(), id, null, "fleet", sentence));
+      publish(latest.robots());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Publishes that a task will miss its deadline. */
+  void tellLate(long id, String sentence) {
+    lock.lock();
+    try {
+      tasks.replaceAll(
+          t ->
+              t.id() == id
+                  ? new TaskView(
+                      t.task(),
+                      t.state(),
+                      t.held(),
+                      t.robots(),
+                      t.loadAt(),
+                      t.waitingFor(),
+                      t.needs(),
+                      sentence,
+                      t.changedAt())
+                  : t);
       publish(latest.robots());
     } finally {
       lock.unlock();
@@ -422,7 +447,10 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
                 List.of(new Vec2(2.25, 0.75), new Vec2(7.35, 2.85)),
                 START,
                 "r2, r3 at (2.25, 0.75), (7.35, 2.85) wait for each other in a ring. Their ways"
-                    + " are planned anew.")));
+                    + " are planned anew.")),
+        List.of(
+            new FaultyCharger(
+                "C1", new Vec2(10.95, 5.25), START, "Charger C1 does not charge: look at it.")));
   }
 
   private void publish(List<RobotView> robots) {

@@ -3,6 +3,7 @@ package org.toqa.web.api;
 import java.time.Instant;
 import java.util.List;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.geometry.Vec2;
 
@@ -11,7 +12,11 @@ import org.toqa.geometry.Vec2;
  * runs as in {@link MapJson}.
  */
 record FloorJson(
-    String floor, List<Integer> obstacles, List<KeptJson> kept, List<StandstillJson> standstills) {
+    String floor,
+    List<Integer> obstacles,
+    List<KeptJson> kept,
+    List<StandstillJson> standstills,
+    List<FaultyCharger> faultyChargers) {
 
   /** Cells that stay reserved for a robot that is not heard of. */
   record KeptJson(String robot, List<Integer> cells) {}
@@ -29,6 +34,7 @@ record FloorJson(
         view.kept().entrySet().stream()
             .map(e -> new KeptJson(e.getKey(), e.getValue().runs()))
             .toList(),
-        view.standstills().stream().map(StandstillJson::of).toList());
+        view.standstills().stream().map(StandstillJson::of).toList(),
+        view.faultyChargers());
   }
 }

@@ -79,7 +79,7 @@ final class TaskOrderJson {
       return null;
     }
     try {
-      return OffsetDateTime.parse(given).toInstant();
+      return rules.deadline("deadline", OffsetDateTime.parse(given).toInstant());
     } catch (DateTimeException e) {
       errors.add("deadline", texts.get("error.deadline"));
       return null;

@@ -1,6 +1,10 @@
 package org.toqa.web.page;
 
 import jakarta.servlet.http.HttpServletRequest;
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.time.LocalDateTime;
+import java.time.ZoneId;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.toqa.web.FieldErrors;
@@ -44,5 +48,26 @@ final class FormFields {
       return null;
     }
     return Double.valueOf(number);
+  }
+
+  /**
+   * A date and a time of day. One that is none gets a sentence and counts as missing.
+   *
+   * @param zone the field that names the time zone; where it is empty, UTC
+   */
+  @Nullable Instant moment(String name, String zone) {
+    String given = text(name);
+    if (given == null) {
+      return null;
+    }
+    String place = text(zone);
+    try {
+      return LocalDateTime.parse(given.strip())
+          .atZone(ZoneId.of(place == null ? "UTC" : place))
+          .toInstant();
+    } catch (DateTimeException e) {
+      errors.add(name, Texts.of(request).get("error.notATime"));
+      return null;
+    }
   }
 }

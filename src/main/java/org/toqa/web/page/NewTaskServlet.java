@@ -46,7 +46,7 @@ public final class NewTaskServlet extends PageServlet {
     return accepted(FleetAnswers.await(services().fleet().submit(order, user)), errors);
   }
 
-  private static Optional<TaskOrder> read(HttpServletRequest request, FieldErrors errors) {
+  private Optional<TaskOrder> read(HttpServletRequest request, FieldErrors errors) {
     FormFields fields = new FormFields(request, errors);
     InputRules rules = new InputRules(Texts.of(request), errors);
     TaskOrder order =
@@ -57,7 +57,8 @@ public final class NewTaskServlet extends PageServlet {
             where("goal", fields, rules),
             fields.text("floor"),
             0,
-            null,
+            rules.deadlineToCome(
+                "deadline", fields.moment("deadline", "zone"), services().clock().instant()),
             null);
     return errors.isEmpty() ? Optional.of(order) : Optional.empty();
   }

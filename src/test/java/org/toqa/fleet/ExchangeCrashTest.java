@@ -1,0 +1,237 @@
+package org.toqa.fleet;
+
+import static java.util.stream.Collectors.toMap;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.toqa.allocation.Candidate;
+import org.toqa.allocation.Decision;
+import org.toqa.allocation.Situation;
+import org.toqa.allocation.Standing;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.mission.TaskState;
+
+/** Two robots exchange their tasks, and the server is killed at one of its writes. */
+@Timeout(120)
+class ExchangeCrashTest {
+  private static final int WRITES = 4;
+  private static final Set<String> READS =
+      Set.of("robots", "outOfService", "held", "pause", "charges", "openTasks", "drive", "check");
+
+  private static final FloorMap FLOOR =
+      new FloorMap(
+          "hall",
+          OccupancyGrid.parse(
+              "............", //
+              "............",
+              "............"),
+          List.of(new Place("West", new Vec2(3.5, 2.5)), new Place("East", new Vec2(8.5, 2.5))),
+          List.of(new Place("P1", new Vec2(0.5, 0.5)), new Place("P2", new Vec2(11.5, 0.5))),
+          List.of());
+
+  private final Allocator allocator = new Allocator();
+  private Life life = new Life();
+
+  /** A server's time until it is killed; afterwards nothing of it reaches the store. */
+  private static final class Life implements TamperedStore.Between {
+    private int writesToLive = Integer.MAX_VALUE;
+    private boolean lastIsWritten;
+    private volatile boolean over;
+
+    synchronized void willEnd(int writes, boolean lastWritten) {
+      writesToLive = writes;
+      lastIsWritten = lastWritten;
+    }
+
+    @Override
+    public synchronized Object call(String method, Object[] arguments, TamperedStore.Call real)
+        throws Throwable {
+      if (over) {
+        throw new Killed();
+      }
+      if (READS.contains(method) || --writesToLive >= 0) {
+        return real.go();
+      }
+      over = true;
+      if (lastIsWritten) {
+        real.go();
+      }
+      throw new Killed();
+    }
+  }
+
+  /** No {@link FleetStore.StoreException}, after which a living server would try again. */
+  private static final class Killed extends RuntimeException {
+    private static final long serialVersionUID = 1;
+
+    Killed() {
+      super("The server was killed.", null, false, false);
+    }
+  }
+
+  /** Gives each task to the next free robot, and lets two robots exchange theirs when told to. */
+  private static final class Allocator implements org.toqa.allocation.Allocator {
+    private volatile boolean exchanges;
+
+    @Override
+    public List<Decision> allocate(Situation situation) {
+      List<Decision> decisions = new ArrayList<>();
+      if (exchanges && situation.given().size() == 2) {
+        Situation.Given one = situation.given().getFirst();
+        Situation.Given other = situation.given().getLast();
+        decisions.add(new Decision.Assigned(one.job().id(), List.of(other.robot()), "exchange"));
+        decisions.add(new Decision.Assigned(other.job().id(), List.of(one.robot()), "exchange"));
+      }
+      Iterator<String> free =
+          situation.robots().stream()
+              .filter(robot -> robot.standing() == Standing.FREE)
+              .map(Candidate::robot)
+              .sorted()
+              .iterator();
+      situation
+          .waiting()
+          .forEach(
+              job ->
+                  decisions.add(
+                      free.hasNext()
+                          ? new Decision.Assigned(job.id(), List.of(free.next()), "next")
+                          : new Decision.Waits(job.id(), "no robot is free", List.of())));
+      return decisions;
+    }
+  }
+
+  static Stream<Arguments> boundaries() {
+    return IntStream.range(0, WRITES)
+        .boxed()
+        .flatMap(write -> Stream.of(Arguments.of(write, false), Arguments.of(write, true)));
+  }
+
+  /**
+   * @param write the one that the server is killed at, from the beginning of the exchange
+   * @param written whether it is killed after it
+   */
+  @ParameterizedTest
+  @MethodSource("boundaries")
+  void tasksAndRobotsAgreeAndAllIsDoneOnce(int write, boolean written) throws Exception {
+    try (FleetStage stage =
+        new FleetStage(FLOOR, ChargingRules.USUAL, allocator, this::inANewLife)) {
+      stage.add("a", new Vec2(0.5, 0.5), "P1").sticks(true);
+      stage.add("b", new Vec2(11.5, 0.5), "P2").sticks(true);
+      stage.restart();
+      stage.until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+      long first = submit(stage, "East", "West");
+      stage.until(view -> isBy(view, first, "a", 1));
+      long second = submit(stage, "West", "East");
+      stage.until(view -> isBy(view, second, "b", 1));
+      long third = submit(stage, "East", "West");
+
+      Life ends = life;
+      allocator.exchanges = true;
+      ends.willEnd(write, written);
+      stage.until(view -> ends.over || (isBy(view, first, "b", 1) && isBy(view, second, "a", 1)));
+      allocator.exchanges = false;
+      stage.played("a").sticks(false);
+      stage.played("b").sticks(false);
+      stage.until(view -> ends.over);
+      assertRobotsAgreeWithTasks(stage);
+
+      stage.restart();
+      stage.until(view -> isDone(stage, first, second, third));
+      for (long task : List.of(first, second, third)) {
+        assertEquals(1, told(stage, task, "Picked up"), () -> "" + stage.store.history(task));
+        assertEquals(1, told(stage, task, "Delivered"), () -> "" + stage.store.history(task));
+      }
+      assertRobotsAgreeWithTasks(stage);
+    }
+  }
+
+  private FleetStore inANewLife(FleetStore store) {
+    life = new Life();
+    return TamperedStore.of(store, life);
+  }
+
+  private static long submit(FleetStage stage, String start, String goal) throws Exception {
+    TaskOrder order =
+        new TaskOrder(
+            "box", 1, new Where.Station(start), new Where.Station(goal), null, 0, null, null);
+    Answer<TaskView> answer =
+        stage.fleet.submit(order, "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS);
+    return ((Answer.Accepted<TaskView>) answer).value().id();
+  }
+
+  private static boolean isBy(FleetSnapshot view, long task, String robot, int phase) {
+    return view.tasks().stream().anyMatch(t -> t.id() == task && t.robots().equals(List.of(robot)))
+        && view.robots().stream().anyMatch(r -> r.name().equals(robot) && r.phase() == phase);
+  }
+
+  private static boolean isDone(FleetStage stage, long... tasks) {
+    return LongStream.of(tasks)
+        .allMatch(id -> stage.store.task(id).orElseThrow().state() == TaskState.DONE);
+  }
+
+  private static long told(FleetStage stage, long task, String beginning) {
+    return stage.store.history(task).stream().filter(e -> e.text().startsWith(beginning)).count();
+  }
+
+  /**
+   * What is stored of each robot follows from the tasks that are stored, and it has one at most.
+   */
+  private static void assertRobotsAgreeWithTasks(FleetStage stage) {
+    Map<String, List<Integer>> phases = new TreeMap<>();
+    stage.store.robots().forEach(r -> phases.put(r.name(), List.of()));
+    stage.store.openTasks().stream()
+        .flatMap(t -> t.mission().carriers().stream())
+        .filter(c -> !c.released())
+        .forEach(c -> phases.merge(c.robot(), List.of(c.phase()), ExchangeCrashTest::both));
+    assertTrue(phases.values().stream().allMatch(p -> p.size() <= 1), phases::toString);
+    Map<String, String> expected =
+        phases.entrySet().stream().collect(toMap(Map.Entry::getKey, e -> row(e.getValue())));
+    assertEquals(expected, stored(stage));
+  }
+
+  private static List<Integer> both(List<Integer> some, List<Integer> others) {
+    return Stream.concat(some.stream(), others.stream()).toList();
+  }
+
+  /** Availability 1: can be given a task; phase 0: parked. */
+  private static String row(List<Integer> phases) {
+    int phase = phases.isEmpty() ? 0 : phases.getFirst();
+    return "availability %d, phase %d".formatted(phase == 0 || phase == 3 ? 1 : 0, phase);
+  }
+
+  private static Map<String, String> stored(FleetStage stage) {
+    return stage
+        .database
+        .jdbi()
+        .withHandle(
+            h ->
+                h
+                    .createQuery("select name, availability, phase from robots")
+                    .map(
+                        (rs, context) ->
+                            Map.entry(
+                                rs.getString("name"),
+                                "availability %d, phase %d"
+                                    .formatted(rs.getInt("availability"), rs.getInt("phase"))))
+                    .stream()
+                    .collect(toMap(Map.Entry::getKey, Map.Entry::getValue)));
+  }
+}

@@ -1,0 +1,102 @@
+package org.toqa.testbed;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.DriverManager;
+import java.sql.SQLException;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A MySQL server for one test, which may stop, kill and start it. For tests tagged {@code full}.
+ */
+public final class OwnMySql implements AutoCloseable {
+  private static final Duration LIMIT = Duration.ofMinutes(2);
+
+  private final Path folder;
+  private final int port;
+  private Process server;
+
+  /**
+   * @param folder holds the data, and the server's log
+   */
+  public OwnMySql(Path folder) throws Exception {
+    this.folder = folder;
+    this.port = freePort();
+    server = launch();
+    awaitAnswer();
+  }
+
+  private static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return socket.getLocalPort();
+    }
+  }
+
+  private Process launch() throws IOException {
+    File log = folder.resolve("mysql.log").toFile();
+    return new ProcessBuilder(
+            Path.of("src/test/services/own-database.sh").toAbsolutePath().toString(),
+            folder.resolve("mysql").toString(),
+            String.valueOf(port))
+        .redirectErrorStream(true)
+        .redirectOutput(ProcessBuilder.Redirect.appendTo(log))
+        .start();
+  }
+
+  /** Of a database that is made when it is first used. */
+  public String url() {
+    return "jdbc:mysql://127.0.0.1:" + port + "/toqa?user=root&createDatabaseIfNotExist=true";
+  }
+
+  /** It keeps its connections, and says nothing. */
+  public void freeze() throws Exception {
+    signal("-STOP");
+  }
+
+  public void thaw() throws Exception {
+    signal("-CONT");
+  }
+
+  /** As {@code kill -9} does it. */
+  public void kill() {
+    server.destroyForcibly().onExit().join();
+  }
+
+  public void startAgain() throws IOException {
+    server = launch();
+  }
+
+  private void signal(String signal) throws Exception {
+    Process kill = new ProcessBuilder("kill", signal, String.valueOf(server.pid())).start();
+    if (kill.waitFor() != 0) {
+      throw new AssertionError("kill " + signal + " failed");
+    }
+  }
+
+  private void awaitAnswer() throws Exception {
+    long end = System.nanoTime() + LIMIT.toNanos();
+    while (true) {
+      try (Connection connection = DriverManager.getConnection(url())) {
+        if (connection.isValid(5)) {
+          return;
+        }
+      } catch (SQLException e) {
+        if (System.nanoTime() > end || !server.isAlive()) {
+          close();
+          throw new AssertionError("MySQL does not start: see " + folder.resolve("mysql.log"), e);
+        }
+      }
+      TimeUnit.MILLISECONDS.sleep(200);
+    }
+  }
+
+  @Override
+  public void close() {
+    kill();
+  }
+}
