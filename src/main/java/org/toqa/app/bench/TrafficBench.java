@@ -18,6 +18,7 @@ import org.toqa.app.bench.TrafficRun.Report;
 import org.toqa.app.bench.TrafficRun.Witness;
 import org.toqa.app.command.Arguments;
 import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.Heading;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.MotionModel;
@@ -42,6 +43,12 @@ final class TrafficBench implements Callable<Integer> {
   private static final int MOST_ROBOTS = 20_000;
   private static final int MOST_STEPS = 1_000_000;
   private static final int LONGEST_LIMIT = 60_000;
+  private static final int FEW_ROBOTS = 500;
+  private static final int LIMIT_FOR_FEW = 8;
+  private static final int LIMIT_FOR_MANY = 60;
+
+  /** The same is driven for so long before anything is measured, milliseconds. */
+  private static final int WARM_UP_MS = 3_000;
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
@@ -84,10 +91,11 @@ final class TrafficBench implements Callable<Integer> {
 
   @Option(
       names = "--limit-ms",
-      defaultValue = "80",
       paramLabel = "MS",
-      description = "How long a step may be planned, milliseconds (default: ${DEFAULT-VALUE}).")
-  private int limitMs;
+      description =
+          "How long a step may be planned, milliseconds (default: 8, or 60 for more than 500"
+              + " robots).")
+  private @Nullable Integer limitMs;
 
   @Option(
       names = "--tasks",
@@ -108,53 +116,66 @@ final class TrafficBench implements Callable<Integer> {
   public Integer call() throws IOException {
     Arguments arguments = new Arguments(spec);
     arguments.mustBeBetween("--steps", steps, 1, MOST_STEPS);
-    arguments.mustBeBetween("--limit-ms", limitMs, 1, LONGEST_LIMIT);
-    MotionModel motion = motionModel(arguments);
-    TrafficPlanner planning = trafficPlanner(motion, arguments);
-    RoadGraph roads = new RoadGraph(arguments.map(map));
-    Work work = tasks == null ? randomWork(roads, arguments) : listedWork(tasks, roads, arguments);
-    Report report = run(roads, motion, planning, work, arguments);
+    if (limitMs != null) {
+      arguments.mustBeBetween("--limit-ms", limitMs, 1, LONGEST_LIMIT);
+    }
+    if (trace != null) {
+      arguments.mustBeWritable(trace);
+    }
+    OccupancyGrid grid = arguments.map(map);
+    StanceLines lines = new StanceLines(motionModel(arguments));
+    Deadline warmUp = Deadline.in(Duration.ofMillis(WARM_UP_MS), System::nanoTime);
+    trafficRun(grid, new Onlooker(lines, Writer.nullWriter()), arguments).run(steps, warmUp);
+    Report report;
+    try (Writer writer =
+        trace == null ? Writer.nullWriter() : Files.newBufferedWriter(trace, UTF_8)) {
+      report = trafficRun(grid, new Onlooker(lines, writer), arguments).run(steps, Deadline.none());
+    }
     spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
     return report.collisions() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
-  private Report run(
-      RoadGraph roads, MotionModel motion, TrafficPlanner planning, Work work, Arguments arguments)
-      throws IOException {
-    if (trace != null) {
-      arguments.mustBeWritable(trace);
-    }
-    try (Writer writer =
-        trace == null ? Writer.nullWriter() : Files.newBufferedWriter(trace, UTF_8)) {
-      Duration limit = Duration.ofMillis(limitMs);
-      return new TrafficRun(
-              roads,
-              motion,
-              planning,
-              work.starts(),
-              work.goals(),
-              () -> Deadline.in(limit, System::nanoTime),
-              witness(motion, writer))
-          .run(steps);
-    }
+  private TrafficRun trafficRun(OccupancyGrid grid, Witness witness, Arguments arguments) {
+    MotionModel motion = motionModel(arguments);
+    RoadGraph roads = new RoadGraph(grid);
+    Work work = tasks == null ? randomWork(roads, arguments) : listedWork(tasks, roads, arguments);
+    Duration limit = limit(work.starts().size());
+    return new TrafficRun(
+        roads,
+        motion,
+        trafficPlanner(motion, arguments),
+        work.starts(),
+        work.goals(),
+        () -> Deadline.in(limit, System::nanoTime),
+        witness);
   }
 
-  private Witness witness(MotionModel motion, Writer writer) {
-    StanceLines lines = new StanceLines(motion);
-    return new Witness() {
-      @Override
-      public void sees(List<Stance> stances) throws IOException {
-        if (trace != null) {
-          writer.write(lines.line(stances));
-          writer.write('\n');
-        }
-      }
+  private Duration limit(int robots) {
+    int usual = robots > FEW_ROBOTS ? LIMIT_FOR_MANY : LIMIT_FOR_FEW;
+    return Duration.ofMillis(limitMs == null ? usual : limitMs);
+  }
 
-      @Override
-      public void objects(int step, Violation violation) {
-        spec.commandLine().getErr().println("toqa: step " + step + ": " + violation);
+  private final class Onlooker implements Witness {
+    private final StanceLines lines;
+    private final Writer writer;
+
+    Onlooker(StanceLines lines, Writer writer) {
+      this.lines = lines;
+      this.writer = writer;
+    }
+
+    @Override
+    public void sees(List<Stance> stances) throws IOException {
+      if (trace != null) {
+        writer.write(lines.line(stances));
+        writer.write('\n');
       }
-    };
+    }
+
+    @Override
+    public void objects(int step, Violation violation) {
+      spec.commandLine().getErr().println("toqa: step " + step + ": " + violation);
+    }
   }
 
   private MotionModel motionModel(Arguments arguments) {

@@ -98,12 +98,12 @@ final class TrafficRun {
     }
   }
 
-  /** Ends after so many steps, or earlier when no robot has anything left to do. */
-  Report run(int steps) throws IOException {
+  /** Ends after so many steps, at the deadline, or when no robot has anything left to do. */
+  Report run(int steps, Deadline end) throws IOException {
     double[] millis = new double[steps];
     judge(checker.checkPlaces(stances));
     witness.sees(stances);
-    while (step < steps && !isDone()) {
+    while (step < steps && !end.isPassed() && !isDone()) {
       long begin = System.nanoTime();
       TrafficPlan plan = planner.plan(scene(), deadlines.get());
       millis[step++] = (System.nanoTime() - begin) / 1e6;
