@@ -118,6 +118,7 @@ final class Group implements AutoCloseable {
                   name(robot),
                   InetAddress.getLoopbackAddress(),
                   0,
+                  false,
                   folder.resolve(name(robot)),
                   5,
                   0.255,
