@@ -116,6 +116,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.Recharge m -> charging.isWanted(m);
       case FloorMessage.ChargeStored m -> charging.stored(m);
       case FloorMessage.RobotJoined m -> join(m.robot());
+      case FloorMessage.RobotPaired m -> wishes.paired(m);
       case FloorMessage.FromRobot m -> reception.fromRobot(m);
       case FloorMessage.Tick m -> tick(m.now());
     }

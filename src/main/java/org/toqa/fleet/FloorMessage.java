@@ -52,6 +52,10 @@ sealed interface FloorMessage {
 
   record RobotJoined(RobotRecord robot) implements FloorMessage {}
 
+  /** A robot has another certificate, and perhaps another address. */
+  record RobotPaired(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
+
   record Locate(
       String robot, Pose pose, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
@@ -97,6 +101,9 @@ sealed interface FloorMessage {
   record Connected(String robot, Hello hello, Optional<StoredDrive> drive) implements FromRobot {}
 
   record Disconnected(String robot, String why) implements FromRobot {}
+
+  /** It is not connected, for one end does not trust the other. */
+  record LinkRefused(String robot, String why) implements FromRobot {}
 
   record Silent(String robot, Instant since) implements FromRobot {}
 

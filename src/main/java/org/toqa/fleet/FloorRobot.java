@@ -38,7 +38,7 @@ final class FloorRobot {
 
   private static final double STANDING_TURN = 0.05;
 
-  final RobotRecord record;
+  RobotRecord record;
   final ActorRef<RobotMessage> agent;
 
   // what the robot says
@@ -60,6 +60,12 @@ final class FloorRobot {
   @Nullable Long reportedTask;
   List<Fault> errors = List.of();
   @Nullable Instant lastSeen;
+
+  /** Why it and the server do not trust each other, a sentence; null: they do, or never met. */
+  @Nullable String alert;
+
+  /** When the history was last told whom it did not let in. */
+  Instant refusalNoted = Instant.MIN;
 
   // what a person has said
   boolean inService = true;
@@ -284,12 +290,17 @@ final class FloorRobot {
         doing(work),
         lastSeen,
         holdReason != null,
-        turn == null ? null : turn.point());
+        turn == null ? null : turn.point(),
+        record.fingerprint(),
+        alert);
   }
 
   private String doing(@Nullable Errand work) {
     return switch (state()) {
-      case CONNECTING -> "Not heard of yet; trying to reach " + record.host() + ":" + record.port();
+      case CONNECTING ->
+          alert == null
+              ? "Not heard of yet; trying to reach " + record.host() + ":" + record.port()
+              : alert;
       case LOST ->
           pose == null
               ? "Lost: nothing heard from it, and nobody knows where it is."

@@ -48,6 +48,12 @@ sealed interface RobotMessage {
 
   record LinkDown(String why) implements RobotMessage {}
 
+  /** The link is down, for one end does not trust the other. */
+  record LinkRefused(String why) implements RobotMessage {}
+
+  /** The robot has another certificate, and perhaps another address. */
+  record Reconnect(RobotRecord robot) implements RobotMessage {}
+
   record DriveLoaded(Optional<StoredDrive> drive) implements RobotMessage {}
 
   /**

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.geometry.Pose;
 import org.toqa.link.RobotLink;
-import org.toqa.link.TcpRobotLinks;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Hello;
@@ -113,7 +112,8 @@ class SimulatedFleetTest {
     private final RobotLink link;
 
     Peer(String robot, SimulatedFleet fleet) {
-      link = new TcpRobotLinks(false).open(robot, "localhost", fleet.port(robot), this);
+      link =
+          Links.plain().open(new RobotAddress(robot, "localhost", fleet.port(robot), null), this);
     }
 
     void ping() {

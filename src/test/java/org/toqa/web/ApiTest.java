@@ -113,7 +113,7 @@ class ApiTest {
         .fleet()
         .changeRobots(
             none -> List.of(TestFleet.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
-    server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false));
+    server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false, null));
     Instant now = server.fleet().latest().at();
     server
         .tracks()

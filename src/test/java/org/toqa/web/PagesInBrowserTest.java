@@ -307,6 +307,8 @@ class PagesInBrowserTest {
         "Carries the load to its goal.",
         TestFleet.START,
         false,
+        null,
+        null,
         null);
   }
 
@@ -333,6 +335,8 @@ class PagesInBrowserTest {
             "Stands with an error.",
             TestFleet.START,
             false,
+            null,
+            null,
             null)
         : still;
   }
