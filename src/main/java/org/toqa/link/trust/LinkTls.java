@@ -125,8 +125,8 @@ public final class LinkTls {
     return Reason.FAILED;
   }
 
-  private static boolean says(SSLException e, String beginning) {
-    return e.getMessage() != null && e.getMessage().startsWith(beginning);
+  private static boolean says(SSLException e, String words) {
+    return e.getMessage() != null && e.getMessage().contains(words);
   }
 
   private static LinkSocket shake(Socket tcp, SSLSocket tls, String... protocols)

@@ -1,0 +1,61 @@
+package org.toqa.link.trust;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class IdentityFileTest {
+
+  @TempDir private Path folder;
+
+  @Test
+  void restartKeepsTheKey() throws IOException {
+    Fingerprint first = IdentityFile.open(folder).fingerprint();
+
+    assertEquals(first, IdentityFile.open(folder).fingerprint());
+  }
+
+  @Test
+  void everyFolderHasAKeyOfItsOwn() throws IOException {
+    Path other = Files.createDirectory(folder.resolve("other"));
+
+    assertNotEquals(
+        IdentityFile.open(folder).fingerprint(), IdentityFile.open(other).fingerprint());
+  }
+
+  @Test
+  void onlyTheOwnerMayReadTheKey() throws IOException {
+    IdentityFile.open(folder);
+
+    assertEquals(
+        "rw-------",
+        PosixFilePermissions.toString(Files.getPosixFilePermissions(folder.resolve("link.p12"))));
+  }
+
+  @Test
+  void keyThatOthersMayReadStopsTheStart() throws IOException {
+    IdentityFile.open(folder);
+    Files.setPosixFilePermissions(
+        folder.resolve("link.p12"), PosixFilePermissions.fromString("rw-r-----"));
+
+    IOException e = assertThrows(IOException.class, () -> IdentityFile.open(folder));
+    assertTrue(e.getMessage().startsWith("Others than its owner may read"), e.getMessage());
+  }
+
+  @Test
+  void brokenKeyStopsTheStartAndIsNotReplaced() throws IOException {
+    new PrivateFile(folder.resolve("link.p12")).write(new byte[] {1, 2, 3});
+
+    IOException e = assertThrows(IOException.class, () -> IdentityFile.open(folder));
+    assertTrue(e.getMessage().startsWith("The key in "), e.getMessage());
+    assertEquals(3, Files.size(folder.resolve("link.p12")));
+  }
+}
