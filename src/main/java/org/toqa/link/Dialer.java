@@ -17,7 +17,7 @@ import org.toqa.link.trust.LinkTls;
 final class Dialer {
 
   private static final Duration CONNECT_LIMIT = Duration.ofSeconds(3);
-  private static final Duration HANDSHAKE_LIMIT = Duration.ofSeconds(3);
+  private static final Duration HANDSHAKE_LIMIT = Duration.ofSeconds(5);
 
   private final LinkTls tls;
   private final boolean plainOffLoopback;

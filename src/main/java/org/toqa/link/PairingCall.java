@@ -34,14 +34,17 @@ import org.toqa.link.trust.TimeLimit;
  */
 record PairingCall(LinkTls tls, String robot, String place, PairingCode code) {
 
-  private static final Duration LIMIT = Duration.ofSeconds(3);
+  /** With the time to connect they are less than whoever asked waits for the answer. */
+  private static final Duration HANDSHAKE_LIMIT = Duration.ofSeconds(4);
+
+  private static final Duration ANSWER_LIMIT = Duration.ofMillis(2_500);
 
   PairingResult to(String host, int port) {
     try {
       Socket socket = Dialer.tcp(robot, place, new InetSocketAddress(host, port));
       try (LinkSocket link =
-              tls.connect(socket, LinkTls.PAIRING, (peer, _) -> code.isOf(peer), LIMIT);
-          TimeLimit _ = link.within(LIMIT)) {
+              tls.connect(socket, LinkTls.PAIRING, (peer, _) -> code.isOf(peer), HANDSHAKE_LIMIT);
+          TimeLimit _ = link.within(ANSWER_LIMIT)) {
         return converse(link);
       }
     } catch (LinkException e) {

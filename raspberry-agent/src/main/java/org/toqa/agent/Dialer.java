@@ -18,7 +18,7 @@ import org.toqa.link.trust.LinkTls;
 final class Dialer {
 
   private static final Duration CONNECT_LIMIT = Duration.ofSeconds(1);
-  private static final Duration HANDSHAKE_LIMIT = Duration.ofSeconds(3);
+  private static final Duration HANDSHAKE_LIMIT = Duration.ofSeconds(5);
 
   /** A follower that says nothing for so long is connected to anew. */
   private static final Duration SILENCE_LIMIT = Duration.ofSeconds(2);

@@ -160,7 +160,10 @@ public final class LinkTls {
     } catch (IOException suppressed) {
       e.addSuppressed(suppressed);
     }
-    Reason reason = time.hasPassed() ? Reason.LATE : reasonOf(e);
+    Reason reason = reasonOf(e);
+    if (time.hasPassed() && (reason == Reason.CUT_OFF || reason == Reason.FAILED)) {
+      reason = Reason.LATE;
+    }
     return e instanceof HandshakeException known && known.reason() == reason
         ? known
         : new HandshakeException(reason, String.valueOf(e.getMessage()), e);

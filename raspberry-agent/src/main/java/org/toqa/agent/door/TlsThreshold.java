@@ -11,13 +11,13 @@ import org.toqa.link.trust.LinkSocket;
 import org.toqa.link.trust.LinkTls;
 
 /**
- * Lets in who has shown a certificate on the guest list. Each connection has a thread and three
+ * Lets in who has shown a certificate on the guest list. Each connection has a thread and five
  * seconds of its own, so one that is slow holds up nobody.
  */
 final class TlsThreshold implements Threshold {
 
   private static final Logger log = LoggerFactory.getLogger(TlsThreshold.class);
-  private static final Duration LIMIT = Duration.ofSeconds(3);
+  private static final Duration LIMIT = Duration.ofSeconds(5);
 
   private final LinkTls tls;
   private final GuestList guests;
