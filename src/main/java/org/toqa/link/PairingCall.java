@@ -34,17 +34,16 @@ import org.toqa.link.trust.TimeLimit;
  */
 record PairingCall(LinkTls tls, String robot, String place, PairingCode code) {
 
-  /** With the time to connect they are less than whoever asked waits for the answer. */
-  private static final Duration HANDSHAKE_LIMIT = Duration.ofSeconds(4);
-
-  private static final Duration ANSWER_LIMIT = Duration.ofMillis(2_500);
+  /** For all of it: a little less than whoever asked waits for the answer. */
+  private static final Duration LIMIT = Duration.ofSeconds(9);
 
   PairingResult to(String host, int port) {
+    long end = System.nanoTime() + LIMIT.toNanos();
     try {
       Socket socket = Dialer.tcp(robot, place, new InetSocketAddress(host, port));
       try (LinkSocket link =
-              tls.connect(socket, LinkTls.PAIRING, (peer, _) -> code.isOf(peer), HANDSHAKE_LIMIT);
-          TimeLimit _ = link.within(ANSWER_LIMIT)) {
+              tls.connect(socket, LinkTls.PAIRING, (peer, _) -> code.isOf(peer), until(end));
+          TimeLimit _ = link.within(until(end))) {
         return converse(link);
       }
     } catch (LinkException e) {
@@ -58,6 +57,10 @@ record PairingCall(LinkTls tls, String robot, String place, PairingCode code) {
     } catch (IOException e) {
       return unreachable();
     }
+  }
+
+  private static Duration until(long end) {
+    return Duration.ofNanos(Math.max(0, end - System.nanoTime()));
   }
 
   private PairingResult unreachable() {

@@ -103,19 +103,13 @@ class PairedFleetTest {
   private Answer<RobotView> add(String code) throws Exception {
     RobotOrder order =
         new RobotOrder(
-            "r1",
-            "127.0.0.1",
-            daemonNow().port(),
-            5,
-            null,
-            PairingCode.parse(code).orElseThrow());
+            "r1", "127.0.0.1", daemonNow().port(), 5, null, PairingCode.parse(code).orElseThrow());
     return answer(fleetNow().addRobot(order, "boss"));
   }
 
   private Answer<RobotView> pairAnew(String code) throws Exception {
     PairingOrder order =
-        new PairingOrder(
-            "127.0.0.1", daemonNow().port(), PairingCode.parse(code).orElseThrow());
+        new PairingOrder("127.0.0.1", daemonNow().port(), PairingCode.parse(code).orElseThrow());
     return answer(fleetNow().pair("r1", order, "boss"));
   }
 
@@ -223,9 +217,7 @@ class PairedFleetTest {
     add(daemonNow().pairingCode());
     until(PairedFleetTest::isHeard);
     try (var stranger = daemonNow().connect()) { // speaks without encryption
-      stranger.say(
-          new Drive(
-              1, null, 0, new Pose(1.05, 1.05, 0), List.of(), 0, true, 0));
+      stranger.say(new Drive(1, null, 0, new Pose(1.05, 1.05, 0), List.of(), 0, true, 0));
       assertEquals(
           "r1 let somebody not in. 127.0.0.1 was refused: it does not encrypt.",
           history("robot.stranger").text());

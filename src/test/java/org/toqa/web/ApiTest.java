@@ -156,7 +156,8 @@ class ApiTest {
 
     assertEquals(200, answer.statusCode(), answer.body());
     assertEquals("wifi", JSON.readTree(answer.body()).get("host").asString());
-    assertEquals(422, post(token, "api/v1/robots/r1/pair", "{\"host\":\"h\",\"port\":7276}").statusCode());
+    assertEquals(
+        422, post(token, "api/v1/robots/r1/pair", "{\"host\":\"h\",\"port\":7276}").statusCode());
   }
 
   @Test

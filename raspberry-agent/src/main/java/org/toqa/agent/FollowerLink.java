@@ -94,8 +94,8 @@ final class FollowerLink implements AutoCloseable {
 
   /** Once for each reason, not once for each attempt. */
   private void tell(Reason reason, IOException e) {
-    if (reason == told) {
-      log.debug("{}: the link to {} broke again.", leader, follower.robot(), e);
+    if (reason == told || Thread.currentThread().isInterrupted()) {
+      log.debug("{}: the link to {} broke.", leader, follower.robot(), e);
     } else {
       log.warn("{}: the link to {} broke: {}", leader, follower.robot(), e.getMessage());
     }

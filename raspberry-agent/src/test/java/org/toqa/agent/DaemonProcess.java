@@ -49,8 +49,7 @@ public final class DaemonProcess implements AutoCloseable {
                 "--config",
                 config.toString()));
     command.addAll(List.of(options));
-    Process process =
-        new ProcessBuilder(command).redirectErrorStream(true).start();
+    Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     BufferedReader output = process.inputReader(StandardCharsets.UTF_8);
     String line = output.readLine();
     while (line != null && !line.contains("listening on")) {

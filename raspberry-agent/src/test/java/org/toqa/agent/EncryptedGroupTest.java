@@ -94,8 +94,7 @@ class EncryptedGroupTest {
                 new Follow(
                     1, Group.TASK, "r1", null, Group.SHAPE.offsets().get(0), Group.TOLERANCE));
 
-    assertEquals(
-        "r2 is paired: it knows its leader by the fingerprint, which is missing.", reason);
+    assertEquals("r2 is paired: it knows its leader by the fingerprint, which is missing.", reason);
   }
 
   @Test

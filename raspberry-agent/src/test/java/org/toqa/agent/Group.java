@@ -108,8 +108,7 @@ final class Group implements AutoCloseable {
           new Follower(name(i), "127.0.0.1", robots.get(i).daemon().port(), fingerprint(i)));
       server(i)
           .accepted(
-              new Follow(
-                  1, TASK, name(0), fingerprint(0), SHAPE.offsets().get(i - 1), TOLERANCE));
+              new Follow(1, TASK, name(0), fingerprint(0), SHAPE.offsets().get(i - 1), TOLERANCE));
     }
     server(0).accepted(new Lead(1, TASK, TOLERANCE, followers));
     server(0).accepted(new Drive(2, TASK, 2, LEADER, way, way.size(), true, 0));

@@ -103,8 +103,7 @@ class PairedDaemonTest {
     daemon = DaemonProcess.launch(config, "--pair");
     PairingCode code = PairingCode.parse(daemon.pairingCode()).orElseThrow();
     robot =
-        assertInstanceOf(
-                Paired.class, links("server").pair("r1", "127.0.0.1", daemon.port(), code))
+        assertInstanceOf(Paired.class, links("server").pair("r1", "127.0.0.1", daemon.port(), code))
             .robot();
   }
 
@@ -133,9 +132,7 @@ class PairedDaemonTest {
     Heard heard = new Heard();
     try (RobotLink link = link("server", heard)) {
       Hello hello = heard.await(Hello.class, h -> true);
-      link.send(
-          new Drive(
-              1, null, 0, hello.pose(), List.of(new Segment(0.25, 0, 2)), 1, true, 0));
+      link.send(new Drive(1, null, 0, hello.pose(), List.of(new Segment(0.25, 0, 2)), 1, true, 0));
       heard.await(State.class, s -> s.mode() == Mode.DRIVING);
     }
     restart();

@@ -41,7 +41,9 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.link.trust.PairingProof;
 
-/** A real daemon that shows a code, and those who try to pair with it, in time that stands still. */
+/**
+ * A real daemon that shows a code, and those who try to pair with it, in time that stands still.
+ */
 @Timeout(60)
 class PairingTest {
 
@@ -160,8 +162,7 @@ class PairingTest {
 
   @Test
   void codeOfAnotherRobotIsNotEvenTried() throws IOException {
-    String robots =
-        PairingCode.of(other.fingerprint(), new SecureRandom()).shown();
+    String robots = PairingCode.of(other.fingerprint(), new SecureRandom()).shown();
     refused(
         "The code is not that of what answers at 127.0.0.1:%d: check code, host and port."
             .formatted(daemon().port()),
@@ -179,8 +180,7 @@ class PairingTest {
     restart(false);
 
     assertTrue(daemon().pairingCode().isEmpty());
-    assertEquals(
-        new Refused("r1 shows no code; start its daemon with --pair."), pair(other, code));
+    assertEquals(new Refused("r1 shows no code; start its daemon with --pair."), pair(other, code));
   }
 
   @Test
@@ -205,8 +205,7 @@ class PairingTest {
       link.out().write(LinkCodec.line(new Pair(proof)));
       LineReader.Line answer = new LineReader(link.in()).next();
       return assertInstanceOf(
-              Understood.class,
-              LinkCodec.pairingMessage(Objects.requireNonNull(answer)))
+              Understood.class, LinkCodec.pairingMessage(Objects.requireNonNull(answer)))
           .message();
     }
   }

@@ -1,6 +1,7 @@
 package org.toqa.link.trust;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -72,8 +73,7 @@ class LinkTlsTest {
       assertEquals(robot.fingerprint(), made.peer());
       assertEquals(server.fingerprint(), met.peer());
       made.out().write("ping".getBytes(StandardCharsets.US_ASCII));
-      assertEquals(
-          "ping", new String(met.in().readNBytes(4), StandardCharsets.US_ASCII));
+      assertEquals("ping", new String(met.in().readNBytes(4), StandardCharsets.US_ASCII));
     }
   }
 
@@ -120,7 +120,9 @@ class LinkTlsTest {
   void plainTextIsRefused() throws IOException {
     CompletableFuture<LinkSocket> taken = accepted(LIMIT);
     try (Socket plain = tcp()) {
-      plain.getOutputStream().write("{\"type\":\"ping\",\"seq\":1}\n".getBytes(StandardCharsets.UTF_8));
+      plain
+          .getOutputStream()
+          .write("{\"type\":\"ping\",\"seq\":1}\n".getBytes(StandardCharsets.UTF_8));
       assertEquals(Reason.NOT_TLS, failure(taken));
     }
   }
@@ -131,7 +133,9 @@ class LinkTlsTest {
         CompletableFuture.runAsync(
             () -> {
               try (Socket taken = door.accept()) {
-                taken.getOutputStream().write("{\"type\":\"hello\"}\n".getBytes(StandardCharsets.UTF_8));
+                taken
+                    .getOutputStream()
+                    .write("{\"type\":\"hello\"}\n".getBytes(StandardCharsets.UTF_8));
                 taken.getInputStream().readAllBytes();
               } catch (IOException e) {
                 // the server hangs up
@@ -158,7 +162,8 @@ class LinkTlsTest {
   void peerThatFeedsTheHandshakeSlowlyIsThrownOut() throws Exception {
     CompletableFuture<LinkSocket> taken = accepted(Duration.ofMillis(500));
     try (Socket slow = tcp()) {
-      slow.getOutputStream().write(new byte[] {22, 3, 1}); // a handshake begins, and goes no further
+      slow.getOutputStream()
+          .write(new byte[] {22, 3, 1}); // a handshake begins, and goes no further
       assertEquals(Reason.LATE, failure(taken));
       assertEquals(-1, slow.getInputStream().read());
     }
@@ -239,7 +244,7 @@ class LinkTlsTest {
 
   private static Reason failure(CompletableFuture<LinkSocket> taken) {
     CompletionException e = assertThrows(CompletionException.class, taken::join);
-    return ((HandshakeException) e.getCause()).reason();
+    return assertInstanceOf(HandshakeException.class, e.getCause()).reason();
   }
 
   /** A client that trusts everybody. */

@@ -36,8 +36,7 @@ class PairingGoldenTest {
   static void read() throws IOException {
     try (Reader reader =
         new InputStreamReader(
-            Objects.requireNonNull(
-                PairingGoldenTest.class.getResourceAsStream("pairing.golden")),
+            Objects.requireNonNull(PairingGoldenTest.class.getResourceAsStream("pairing.golden")),
             StandardCharsets.UTF_8)) {
       GOLDEN.load(reader);
     }
@@ -124,8 +123,7 @@ class PairingGoldenTest {
   private static PairingMessage message(String key) {
     byte[] line = GOLDEN.getProperty(key).getBytes(StandardCharsets.UTF_8);
     Understood<?> read =
-        assertInstanceOf(
-            Understood.class, LinkCodec.pairingMessage(new LineReader.Text(line)));
+        assertInstanceOf(Understood.class, LinkCodec.pairingMessage(new LineReader.Text(line)));
     return (PairingMessage) read.message();
   }
 }

@@ -30,7 +30,7 @@ import org.toqa.link.trust.TimeLimit;
 final class PairingDesk {
 
   private static final Logger log = LoggerFactory.getLogger(PairingDesk.class);
-  private static final Duration LIMIT = Duration.ofSeconds(3);
+  private static final Duration LIMIT = Duration.ofSeconds(5);
 
   private final String robot;
   private final GuestList guests;
