@@ -50,7 +50,8 @@ sealed interface FloorMessage {
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
-  record RobotJoined(RobotRecord robot) implements FloorMessage {}
+  record RobotJoined(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
 
   /** A robot has another certificate, and perhaps another address. */
   record RobotPaired(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

@@ -302,9 +302,10 @@ final class FloorRobot {
               ? "Not heard of yet; trying to reach " + record.host() + ":" + record.port()
               : alert;
       case LOST ->
-          pose == null
-              ? "Lost: nothing heard from it, and nobody knows where it is."
-              : "Lost: nothing heard from it. Its place stays reserved.";
+          "Lost: %s %s"
+              .formatted(
+                  alert == null ? "nothing heard from it." : alert,
+                  pose == null ? "Nobody knows where it is." : "Its place stays reserved.");
       case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
       case ERROR -> errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
       case OUT_OF_SERVICE -> "Out of service. " + outOfService();

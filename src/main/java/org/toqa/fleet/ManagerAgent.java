@@ -204,6 +204,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.TaskStored m -> taskStored(m);
       case ManagerMessage.AddRobot m -> addRobot(m);
       case ManagerMessage.RobotStored m -> robotStored(m);
+      case ManagerMessage.RobotJoined m -> joined(m);
       case ManagerMessage.RobotNotStored m -> robots.remove(m.robot());
       case ManagerMessage.PairRobot m -> pair(m);
       case ManagerMessage.RobotPaired m -> paired(m);
@@ -374,8 +375,14 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private void robotStored(ManagerMessage.RobotStored m) {
     robots.put(m.robot().name(), m.robot());
-    floorAgent(m.robot().floor()).ifPresent(f -> f.tell(new FloorMessage.RobotJoined(m.robot())));
-    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(RobotView.unheard(m.robot()))));
+    floorAgent(m.robot().floor())
+        .ifPresent(f -> f.tell(new FloorMessage.RobotJoined(m.robot(), m.replyTo())));
+  }
+
+  /** Whoever asked for the robot finds it in the picture. */
+  private void joined(ManagerMessage.RobotJoined m) {
+    publish();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(m.robot())));
   }
 
   private void locate(ManagerMessage.Locate m) {

@@ -26,6 +26,10 @@ sealed interface ManagerMessage {
   record RobotStored(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
+  /** The floor has the robot, and its report before this tells of it. */
+  record RobotJoined(RobotView robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
   /** A robot was not added after all. */
   record RobotNotStored(String robot) implements ManagerMessage {}
 

@@ -53,31 +53,4 @@ public record RobotView(
     route = List.copyOf(route);
     errors = List.copyOf(errors);
   }
-
-  /** A robot that was added a moment ago. */
-  static RobotView unheard(RobotRecord robot) {
-    return new RobotView(
-        robot.name(),
-        robot.floor(),
-        RobotState.CONNECTING,
-        null,
-        null,
-        null,
-        0,
-        robot.maxLoad(),
-        0,
-        robot.host(),
-        robot.port(),
-        robot.parking(),
-        robot.simulated(),
-        List.of(),
-        0,
-        List.of(),
-        "Added; connecting",
-        null,
-        false,
-        null,
-        robot.fingerprint(),
-        null);
-  }
 }

@@ -76,12 +76,17 @@ class PairingTest {
   }
 
   private void start(boolean pair) throws IOException {
+    start(InetAddress.getLoopbackAddress(), false, pair);
+  }
+
+  private void start(InetAddress address, boolean plainOffLoopback, boolean pair)
+      throws IOException {
     AgentConfig config =
         new AgentConfig(
             "r1",
-            InetAddress.getLoopbackAddress(),
+            address,
             0,
-            false,
+            plainOffLoopback,
             folder.resolve("robot"),
             5,
             0.255,
@@ -181,6 +186,28 @@ class PairingTest {
 
     assertTrue(daemon().pairingCode().isEmpty());
     assertEquals(new Refused("r1 shows no code; start its daemon with --pair."), pair(other, code));
+  }
+
+  @Test
+  void newRobotOffLoopbackShowsACodeByItselfUnlessItMayDoWithoutEncryption() throws IOException {
+    InetAddress everywhere = InetAddress.getByName("0.0.0.0");
+    daemon().close();
+    start(everywhere, true, false);
+    assertTrue(daemon().pairingCode().isEmpty());
+
+    daemon().close();
+    start(everywhere, false, false);
+    assertInstanceOf(Paired.class, pair(server, code()));
+
+    daemon().close();
+    start(everywhere, true, false); // paired is paired: it does not go back to plain text
+    assertEquals(
+        new Refused("r1 shows no code; start its daemon with --pair."),
+        pair(server, PairingCode.of(fingerprint(), new SecureRandom()).shown()));
+  }
+
+  private Fingerprint fingerprint() throws IOException {
+    return IdentityFile.open(folder.resolve("robot")).fingerprint();
   }
 
   @Test
