@@ -26,8 +26,7 @@ public record EventRecord(
   public static final String SYSTEM = "toqa";
 
   public EventRecord {
-    text =
-        text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT - 3) + "...";
+    text = text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT - 3) + "...";
   }
 
   /**
