@@ -118,7 +118,7 @@
     </article>
     <c:if test="${not robot.simulated}">
       <article class="card" id="pair">
-        <h2><fmt:message key="robot.pair${empty robot.fingerprint ? '' : '.again'}"/></h2>
+        <h2><fmt:message key="robot.pair.${empty robot.fingerprint ? 'first' : 'again'}"/></h2>
         <p class="faint"><fmt:message key="robot.pair.intro"/></p>
         <c:url value="/robots/${robot.name}/pair" var="pair"/>
         <form method="post" action="<c:out value="${pair}"/>" novalidate>
