@@ -13,6 +13,8 @@ import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLParameters;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.TrustManager;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import org.toqa.link.trust.HandshakeException.Reason;
 
 /**
@@ -30,6 +32,11 @@ public final class LinkTls {
 
   /** Every TLS connection begins with a record of this type. */
   private static final int HANDSHAKE_RECORD = 22;
+
+  private static final int LONGEST_FAREWELL_MILLIS = 500;
+  private static final int MOST_UNREAD_BYTES = 16_384;
+
+  private static final Logger log = LoggerFactory.getLogger(LinkTls.class);
 
   private final Identity identity;
 
@@ -90,11 +97,12 @@ public final class LinkTls {
             (SSLSocket)
                 context(admission)
                     .getSocketFactory()
-                    .createSocket(accepted, new ByteArrayInputStream(read), true);
+                    .createSocket(accepted, new ByteArrayInputStream(read), false);
         tls.setUseClientMode(false);
         tls.setNeedClientAuth(true);
         return shake(accepted, tls, PAIRING, LINK);
       } catch (IOException e) {
+        letReadTheAlert(accepted);
         throw failed(accepted, time, e);
       }
     }
@@ -151,6 +159,17 @@ public final class LinkTls {
       return context;
     } catch (GeneralSecurityException e) {
       throw new IOException("TLS cannot be had: " + e.getMessage(), e);
+    }
+  }
+
+  /** A peer that still writes while its socket is closed would lose the alert that was sent. */
+  private static void letReadTheAlert(Socket refused) {
+    try {
+      refused.shutdownOutput();
+      refused.setSoTimeout(LONGEST_FAREWELL_MILLIS);
+      refused.getInputStream().readNBytes(MOST_UNREAD_BYTES);
+    } catch (IOException e) {
+      log.debug("A refused connection ended.", e);
     }
   }
 
