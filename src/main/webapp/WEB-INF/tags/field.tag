@@ -8,6 +8,8 @@
 <%@ attribute name="errorAt" description="the error's name, if it is not the field's" %>
 <%@ attribute name="id" description="if the field's name is not the only one of its kind" %>
 <%@ attribute name="focus" type="java.lang.Boolean" %>
+<%@ attribute name="optional" type="java.lang.Boolean" %>
+<%@ attribute name="value" description="what stands in it at first" %>
 <%@ taglib prefix="c" uri="jakarta.tags.core" %>
 <%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
 <%@ taglib prefix="fn" uri="jakarta.tags.functions" %>
@@ -15,9 +17,9 @@
 <c:set var="error" value="${errors[empty errorAt ? name : errorAt]}"/>
 <c:set var="explained" value="${not empty error or not empty hint}"/>
 <label for="${fieldId}"><fmt:message key="${label}"/></label>
-<input id="${fieldId}" name="${name}" type="${empty type ? 'text' : type}" required autocomplete="${empty autocomplete ? 'off' : autocomplete}"
+<input id="${fieldId}" name="${name}" type="${empty type ? 'text' : type}"${optional ? '' : ' required'} autocomplete="${empty autocomplete ? 'off' : autocomplete}"
   <c:if test="${not empty inputmode}"> inputmode="${inputmode}"</c:if>
-  <c:if test="${type != 'password'}"> value="${fn:escapeXml(param[name])}"</c:if>
+  <c:if test="${type != 'password'}"> value="${fn:escapeXml(param[name] == null ? value : param[name])}"</c:if>
   <c:if test="${not empty error}"> aria-invalid="true"</c:if>
   <c:if test="${explained}"> aria-describedby="${fieldId}-help"</c:if>
   <c:if test="${focus}"> autofocus</c:if>>

@@ -14,6 +14,7 @@
       <t:state of="robot" state="${robot.state}"/>
     </div>
     <c:forEach items="${robot.errors}" var="fault"><p class="notice bad"><c:out value="${fault.text}"/>${" "}<small>(<c:out value="${fault.code}"/>)</small></p></c:forEach>
+    <c:if test="${not empty robot.alert}"><p class="notice bad" role="alert"><c:out value="${robot.alert}"/></p></c:if>
     <article>
       <dl>
         <dt><fmt:message key="robot.doing"/></dt><dd><c:out value="${robot.doing}"/></dd>
@@ -40,6 +41,8 @@
         <dt><fmt:message key="robot.floor"/></dt><dd><c:out value="${robot.floor}"/></dd>
         <dt><fmt:message key="robot.parking"/></dt><dd><c:out value="${robot.parking}"/></dd>
         <dt><fmt:message key="robot.address"/></dt><dd><c:out value="${robot.host}"/>:${robot.port}<c:if test="${robot.simulated}"> (<fmt:message key="robot.simulated"/>)</c:if></dd>
+        <dt><fmt:message key="robot.link"/></dt>
+        <dd><c:choose><c:when test="${empty robot.fingerprint}"><fmt:message key="robot.link.plain"/></c:when><c:otherwise><fmt:message key="robot.link.paired"><fmt:param value="${fn:substring(robot.fingerprint, 0, 16)}"/></fmt:message></c:otherwise></c:choose></dd>
         <dt><fmt:message key="robot.lastSeen"/></dt>
         <dd><c:choose><c:when test="${empty robot.lastSeen}"><fmt:message key="robot.lastSeen.never"/></c:when><c:otherwise><t:time at="${robot.lastSeen}"/></c:otherwise></c:choose></dd>
       </dl>
@@ -113,5 +116,21 @@
         <button><fmt:message key="robot.locate.submit"/></button>
       </form>
     </article>
+    <c:if test="${not robot.simulated}">
+      <article class="card" id="pair">
+        <h2><fmt:message key="robot.pair.${empty robot.fingerprint ? 'first' : 'again'}"/></h2>
+        <p class="faint"><fmt:message key="robot.pair.intro"/></p>
+        <c:url value="/robots/${robot.name}/pair" var="pair"/>
+        <form method="post" action="<c:out value="${pair}"/>" novalidate>
+          <t:csrf/>
+          <div class="grid">
+            <div><t:field name="host" label="robots.add.host" value="${robot.host}"/></div>
+            <div><t:field name="port" label="robots.add.port" inputmode="numeric" value="${robot.port}"/></div>
+          </div>
+          <t:field name="code" label="robot.pair.code"/>
+          <button><fmt:message key="robot.pair.submit"/></button>
+        </form>
+      </article>
+    </c:if>
   </c:if>
 </t:page>

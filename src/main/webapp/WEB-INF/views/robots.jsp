@@ -65,6 +65,7 @@
             <c:if test="${not empty errors.parking}"><small id="parking-help"><c:out value="${errors.parking}"/></small></c:if>
           </div>
         </div>
+        <t:field name="code" label="robots.add.code" hint="robots.add.code.hint" optional="true"/>
         <button><fmt:message key="robots.add.submit"/></button>
       </form>
     </article>

@@ -59,6 +59,11 @@ class ArchitectureTest {
   }
 
   @Test
+  void onlyTheTrustOfTheLinkKnowsCertificatesAndTls() {
+    onlyIn(new String[] {"org.toqa.link.trust.."}, "org.bouncycastle..", "javax.net.ssl..");
+  }
+
+  @Test
   void onlyCommandsPrint() {
     noClasses()
         .that()

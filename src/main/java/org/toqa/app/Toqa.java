@@ -24,6 +24,8 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
 import org.toqa.grid.Place;
 import org.toqa.link.TcpRobotLinks;
+import org.toqa.link.trust.IdentityFile;
+import org.toqa.link.trust.LinkTls;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.SimulatedRobot;
 import org.toqa.sim.VirtualClock;
@@ -102,7 +104,8 @@ final class Toqa implements AutoCloseable {
         new AgentFleet(
             List.of(floor),
             store,
-            new TcpRobotLinks(configuration.plainLinks()),
+            new TcpRobotLinks(
+                new LinkTls(IdentityFile.open(configuration.data())), configuration.plainLinks()),
             configuration.allocator().allocator(),
             new FleetRules(
                 configuration.lostAfter(), configuration.charging(), configuration.speed()),
@@ -179,7 +182,8 @@ final class Toqa implements AutoCloseable {
         int port = simulated.port(name);
         String parking = i < floor.parking().size() ? places.get(i).name() : null;
         store.saveRobot(
-            new RobotRecord(name, floor.name(), "127.0.0.1", port, SIMULATED_LOAD, parking, true));
+            new RobotRecord(
+                name, floor.name(), "127.0.0.1", port, SIMULATED_LOAD, parking, true, null));
       }
       return simulated;
     } catch (StoreException e) {

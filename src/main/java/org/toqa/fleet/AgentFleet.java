@@ -112,6 +112,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   @Override
+  public CompletionStage<Answer<RobotView>> pair(String robot, PairingOrder order, String user) {
+    return ask(replyTo -> new ManagerMessage.PairRobot(robot, order, user, replyTo));
+  }
+
+  @Override
   public CompletionStage<Answer<RobotView>> locate(String robot, Pose pose, String user) {
     return ask(replyTo -> new ManagerMessage.Locate(robot, pose, user, replyTo));
   }

@@ -19,8 +19,15 @@ import org.toqa.mission.TransportTask;
 public record EventRecord(
     Instant at, String kind, @Nullable Long task, @Nullable String robot, String who, String text) {
 
+  /** Characters; a robot may say more than the history keeps. */
+  private static final int LONGEST_TEXT = 500;
+
   /** Who acts when no person does. */
   public static final String SYSTEM = "toqa";
+
+  public EventRecord {
+    text = text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT - 3) + "...";
+  }
 
   /**
    * What the history says of a new task.

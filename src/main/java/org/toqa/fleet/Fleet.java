@@ -25,6 +25,12 @@ public interface Fleet {
 
   CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user);
 
+  /**
+   * A person pairs a robot with this server by the code that the robot shows. From then on it is
+   * spoken to by no other key.
+   */
+  CompletionStage<Answer<RobotView>> pair(String robot, PairingOrder order, String user);
+
   /** A person says where a robot is. */
   CompletionStage<Answer<RobotView>> locate(String robot, Pose pose, String user);
 

@@ -29,6 +29,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private static final Duration PLANNING_LIMIT = Duration.ofMillis(200);
 
   private final RobotLinks links;
+  private final ActorRef<ManagerMessage> manager;
   private final FloorState state;
   private final FloorWatch watch;
   private final FloorReports reports;
@@ -67,6 +68,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       ActorRef<ManagerMessage> manager) {
     super(context);
     this.links = links;
+    this.manager = manager;
     FloorTraffic traffic =
         new FloorTraffic(
             floor.grid(),
@@ -117,11 +119,18 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.ServiceStored m -> wishes.serviceStored(m.wish(), m.clears());
       case FloorMessage.Recharge m -> charging.isWanted(m);
       case FloorMessage.ChargeStored m -> charging.stored(m);
-      case FloorMessage.RobotJoined m -> join(m.robot());
+      case FloorMessage.RobotJoined m -> joined(m);
+      case FloorMessage.RobotPaired m -> wishes.paired(m);
       case FloorMessage.FromRobot m -> reception.fromRobot(m);
       case FloorMessage.Tick m -> tick(m.now());
     }
     return this;
+  }
+
+  private void joined(FloorMessage.RobotJoined m) {
+    FloorRobot robot = join(m.robot());
+    reports.send();
+    manager.tell(new ManagerMessage.RobotJoined(reports.view(robot), m.replyTo()));
   }
 
   private FloorRobot join(RobotRecord record) {

@@ -50,7 +50,12 @@ sealed interface FloorMessage {
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
-  record RobotJoined(RobotRecord robot) implements FloorMessage {}
+  record RobotJoined(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
+
+  /** A robot has another certificate, and perhaps another address. */
+  record RobotPaired(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
 
   record Locate(
       String robot, Pose pose, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
@@ -97,6 +102,9 @@ sealed interface FloorMessage {
   record Connected(String robot, Hello hello, Optional<StoredDrive> drive) implements FromRobot {}
 
   record Disconnected(String robot, String why) implements FromRobot {}
+
+  /** It is not connected, for one end does not trust the other. */
+  record LinkRefused(String robot, String why) implements FromRobot {}
 
   record Silent(String robot, Instant since) implements FromRobot {}
 

@@ -18,6 +18,7 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.traffic.floor.Route;
@@ -39,7 +40,7 @@ final class FloorRobot {
 
   private static final double STANDING_TURN = 0.05;
 
-  final RobotRecord record;
+  RobotRecord record;
   final ActorRef<RobotMessage> agent;
 
   // what the robot says
@@ -62,6 +63,12 @@ final class FloorRobot {
   @Nullable Long reportedTask;
   List<Fault> errors = List.of();
   @Nullable Instant lastSeen;
+
+  /** Why it and the server do not trust each other, a sentence; null: they do, or never met. */
+  @Nullable String alert;
+
+  /** When the history was last told whom it did not let in. */
+  Instant refusalNoted = Instant.MIN;
 
   // what a person has said
   boolean inService = true;
@@ -289,16 +296,22 @@ final class FloorRobot {
         doing(work),
         lastSeen,
         holdReason != null,
-        turn == null ? null : turn.point());
+        turn == null ? null : turn.point(),
+        record.fingerprint(),
+        alert);
   }
 
   private String doing(@Nullable Errand work) {
     return switch (state()) {
-      case CONNECTING -> "Not heard of yet; trying to reach " + record.host() + ":" + record.port();
+      case CONNECTING ->
+          alert == null
+              ? "Not heard of yet; trying to reach " + record.host() + ":" + record.port()
+              : alert;
       case LOST ->
-          pose == null
-              ? "Lost: nothing heard from it, and nobody knows where it is."
-              : "Lost: nothing heard from it. Its place stays reserved.";
+          "Lost: %s %s"
+              .formatted(
+                  alert == null ? "nothing heard from it." : alert,
+                  pose == null ? "Nobody knows where it is." : "Its place stays reserved.");
       case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
       case ERROR -> errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
       case OUT_OF_SERVICE -> "Out of service. " + outOfService();
@@ -321,6 +334,12 @@ final class FloorRobot {
     return pose == null
         ? "Its place is free."
         : "Nothing heard from it: its place stays reserved until a person says that it is free.";
+  }
+
+  /** Of its certificate, 64 digits; null: it was never paired. */
+  @Nullable String fingerprint() {
+    Fingerprint known = record.fingerprint();
+    return known == null ? null : known.hex();
   }
 
   /** Why its group stands, as the robot says; null where it does not. */

@@ -157,9 +157,11 @@ final class Formations {
   /** The order for a follower. */
   RobotMessage.Follow follow(Mission mission, FloorRobot robot) {
     Formation formation = of(mission).orElseThrow();
+    FloorRobot leader = state.robots.get(leader(mission));
     return new RobotMessage.Follow(
         mission.id(),
         leader(mission),
+        leader == null ? null : leader.fingerprint(),
         formation.offset(index(mission, robot.name())),
         Formation.TOLERANCE,
         Objects.requireNonNull(robot.pose));
@@ -172,7 +174,7 @@ final class Formations {
             .skip(1)
             .map(c -> state.robots.get(c.robot()))
             .filter(Objects::nonNull)
-            .map(r -> new Follower(r.name(), r.record.host(), r.record.port(), null))
+            .map(r -> new Follower(r.name(), r.record.host(), r.record.port(), r.fingerprint()))
             .toList();
     return new RobotMessage.Lead(mission.id(), Formation.TOLERANCE, followers);
   }

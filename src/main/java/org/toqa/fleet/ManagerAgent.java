@@ -74,6 +74,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final StoreWriter writer;
   private final StoreWatch storeWatch;
   private final TaskIntake intake;
+  private final RobotIntake robotIntake;
   private final InstantSource clock;
   private final Allocator allocator;
   private final OrderCheck check;
@@ -144,6 +145,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.check = new OrderCheck(floorMaps);
     this.writer = new StoreWriter("manager");
     this.intake = new TaskIntake(store, writer);
+    this.robotIntake = new RobotIntake(links, store, writer, clock);
     ActorRef<ManagerMessage> self = context.getSelf();
     this.storeWatch =
         new StoreWatch(store, answers -> self.tell(new ManagerMessage.StoreWatched(answers)));
@@ -205,7 +207,10 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.TaskStored m -> taskStored(m);
       case ManagerMessage.AddRobot m -> addRobot(m);
       case ManagerMessage.RobotStored m -> robotStored(m);
+      case ManagerMessage.RobotJoined m -> joined(m);
       case ManagerMessage.RobotNotStored m -> robots.remove(m.robot());
+      case ManagerMessage.PairRobot m -> pair(m);
+      case ManagerMessage.RobotPaired m -> paired(m);
       case ManagerMessage.Locate m -> locate(m);
       case ManagerMessage.Serve m -> serve(m);
       case ManagerMessage.HoldRobot m ->
@@ -322,43 +327,65 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void addRobot(ManagerMessage.AddRobot m) {
     Answer<RobotRecord> checked = check.robot(m.order(), List.copyOf(robots.values()));
     if (checked instanceof Answer.Accepted<RobotRecord>(RobotRecord robot)) {
-      store(robot, m);
+      take(robot, m);
     } else {
       m.replyTo().tell(StatusReply.success(checked.refusal()));
     }
   }
 
-  private void store(RobotRecord robot, ManagerMessage.AddRobot m) {
+  private void take(RobotRecord robot, ManagerMessage.AddRobot m) {
     robots.put(robot.name(), robot); // the name and its parking point are taken from now on
     ActorRef<ManagerMessage> self = getContext().getSelf();
-    EventRecord event =
-        new EventRecord(
-            clock.instant(),
-            "robot.added",
-            null,
-            robot.name(),
+    robotIntake.take(
+        robot,
+        m.order().code(),
+        new RobotIntake.Wish(
             m.user(),
-            m.user() + " added " + robot.name());
-    writer.tryOnce(
-        () -> {
-          store.saveRobot(robot);
-          store.addEvents(List.of(event));
-        },
-        () -> self.tell(new ManagerMessage.RobotStored(robot, m.replyTo())),
-        failure -> {
-          self.tell(new ManagerMessage.RobotNotStored(robot.name()));
-          m.replyTo()
-              .tell(
-                  StatusReply.error(
-                      new StoreException(
-                          "The database does not answer, so the robot was not added; try again.",
-                          null)));
-        });
+            "robot.added",
+            m.user() + " added " + robot.name(),
+            new RobotAsker(
+                m.replyTo(),
+                stored -> self.tell(new ManagerMessage.RobotStored(stored, m.replyTo())),
+                () -> self.tell(new ManagerMessage.RobotNotStored(robot.name())))));
+  }
+
+  private void pair(ManagerMessage.PairRobot m) {
+    RobotRecord robot = robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknown(m.robot())));
+      return;
+    }
+    ActorRef<ManagerMessage> self = getContext().getSelf();
+    PairingOrder order = m.order();
+    robotIntake.take(
+        robot.at(order.host(), order.port()),
+        order.code(),
+        new RobotIntake.Wish(
+            m.user(),
+            "robot.paired",
+            m.user() + " paired " + robot.name() + " with this server",
+            new RobotAsker(
+                m.replyTo(),
+                stored -> self.tell(new ManagerMessage.RobotPaired(stored, m.replyTo())),
+                () -> {})));
+  }
+
+  private void paired(ManagerMessage.RobotPaired m) {
+    robots.put(m.robot().name(), m.robot());
+    tellFloorOf(
+        m.robot().name(), m.replyTo(), new FloorMessage.RobotPaired(m.robot(), m.replyTo()));
   }
 
   private void robotStored(ManagerMessage.RobotStored m) {
-    floorAgent(m.robot().floor()).ifPresent(f -> f.tell(new FloorMessage.RobotJoined(m.robot())));
-    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(RobotView.unheard(m.robot()))));
+    robots.put(m.robot().name(), m.robot());
+    floorAgent(m.robot().floor())
+        .ifPresent(f -> f.tell(new FloorMessage.RobotJoined(m.robot(), m.replyTo())));
+  }
+
+  /** Whoever asked for the robot finds it in the picture. */
+  private void joined(ManagerMessage.RobotJoined m) {
+    publish();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(m.robot())));
   }
 
   private void locate(ManagerMessage.Locate m) {

@@ -26,7 +26,23 @@ sealed interface ManagerMessage {
   record RobotStored(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
+  /** The floor has the robot, and its report before this tells of it. */
+  record RobotJoined(RobotView robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** A robot was not added after all. */
   record RobotNotStored(String robot) implements ManagerMessage {}
+
+  record PairRobot(
+      String robot,
+      PairingOrder order,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** That a robot is paired is safe. */
+  record RobotPaired(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
 
   record Locate(
       String robot, Pose pose, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

@@ -120,7 +120,8 @@ final class OrderCheck {
             order.port(),
             order.maxLoad(),
             parking,
-            false));
+            false,
+            null));
   }
 
   private Optional<FloorMap> floor(@Nullable String name) {

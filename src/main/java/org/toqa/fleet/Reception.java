@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
@@ -18,6 +19,10 @@ import org.toqa.motion.DriveSpeeds;
 /** Takes in what a floor's robots say, and tells the traffic and the missions. */
 final class Reception {
   private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
+  private static final Duration REFUSALS_EVERY = Duration.ofMinutes(5);
+
+  /** The robot's word for connections that it did not take. */
+  private static final String REFUSED = "REFUSED";
 
   private final FloorState state;
   private final FloorMissions missions;
@@ -42,6 +47,12 @@ final class Reception {
       case FloorMessage.Disconnected m -> {
         fallsSilent(robot);
         robot.connected = false;
+      }
+      case FloorMessage.LinkRefused m -> {
+        fallsSilent(robot);
+        robot.connected = false;
+        robot.alert = m.why();
+        note(robot, "robot.link-refused", m.why());
       }
       case FloorMessage.Silent m -> {
         fallsSilent(robot);
@@ -76,6 +87,7 @@ final class Reception {
   /** Compares what the robot says with what was stored, and goes on from there. */
   private void connected(FloorRobot robot, Hello hello, Optional<StoredDrive> stored) {
     robot.hear(hello, state.clock.instant());
+    robot.alert = null;
     robot.driveUnderway = false;
     robot.cancelling = false;
     robot.toldToHold = false;
@@ -99,6 +111,7 @@ final class Reception {
 
   private void heard(FloorRobot robot, AgentMessage.State said) {
     robot.hear(said, state.clock.instant());
+    noteStrangers(robot);
     FloorMessage.Rejected refusal = robot.refusedChange;
     robot.refusedChange = null;
     if (refusal != null && Objects.equals(refusal.changing(), said.drive())) {
@@ -125,6 +138,22 @@ final class Reception {
     if (said.localised()) {
       state.note(watch.see(robot.name(), said.obstacles(), state.robots.keySet(), state.now));
     }
+  }
+
+  /** Tells the history whom the robot did not let in; of many, a few. */
+  private void noteStrangers(FloorRobot robot) {
+    Optional<Fault> refusal =
+        robot.errors.stream().filter(e -> e.code().equals(REFUSED)).findFirst();
+    if (refusal.isPresent() && !robot.refusalNoted.plus(REFUSALS_EVERY).isAfter(state.now)) {
+      robot.refusalNoted = state.now;
+      note(robot, "robot.stranger", robot.name() + " let somebody not in. " + refusal.get().text());
+    } else if (refusal.isEmpty()) {
+      robot.refusalNoted = Instant.MIN;
+    }
+  }
+
+  private void note(FloorRobot robot, String kind, String text) {
+    state.note(state.event(kind, robot.name(), EventRecord.SYSTEM, text));
   }
 
   private static boolean isBraking(FloorRobot robot) {

@@ -39,11 +39,12 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private static final Duration PING_EVERY = Duration.ofMillis(500);
   private static final Duration LOST_AFTER = Duration.ofSeconds(2);
 
-  private final RobotRecord robot;
+  private RobotRecord robot;
   private final ActorRef<FloorMessage> floor;
   private final FleetStore store;
   private final StoreWriter writer;
-  private final RobotLink link;
+  private final RobotLinks links;
+  private RobotLink link;
 
   private long seq;
   private Optional<StoredDrive> drive = Optional.empty();
@@ -95,7 +96,12 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
     ActorRef<RobotMessage> self = context.getSelf();
     writer.write(
         () -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot.name()))), () -> {});
-    this.link = links.open(robot.name(), robot.host(), robot.port(), new Mailbox(self));
+    this.links = links;
+    this.link = open();
+  }
+
+  private RobotLink open() {
+    return links.open(robot.address(), new Mailbox(getContext().getSelf()));
   }
 
   @Override
@@ -122,7 +128,15 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case RobotMessage.Acknowledge m -> send(new ServerMessage.AckDone(m.drive()));
       case RobotMessage.LinkUp m -> connected(m.hello());
       case RobotMessage.Heard m -> heard(m.message());
-      case RobotMessage.LinkDown m -> disconnected(m.why());
+      case RobotMessage.LinkDown m -> {
+        disconnected(m.why());
+        floor.tell(new FloorMessage.Disconnected(robot.name(), m.why()));
+      }
+      case RobotMessage.LinkRefused m -> {
+        disconnected(m.why());
+        floor.tell(new FloorMessage.LinkRefused(robot.name(), m.why()));
+      }
+      case RobotMessage.Reconnect m -> reconnect(m.robot());
       case RobotMessage.DriveLoaded m -> driveLoaded(m.drive());
       case RobotMessage.Tick m -> tick(m.now());
       case RobotMessage.Stop m -> {
@@ -154,7 +168,7 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
     storeThenSend(
         next,
         new ServerMessage.Follow(
-            next.seq(), m.task(), m.leader(), null, m.offset(), m.tolerance()));
+            next.seq(), m.task(), m.leader(), m.fingerprint(), m.offset(), m.tolerance()));
     floor.tell(new FloorMessage.DriveBegun(robot.name(), next));
   }
 
@@ -272,7 +286,14 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
       log.warn("{}: connection lost: {}", robot.name(), why);
     }
     hello = null;
-    floor.tell(new FloorMessage.Disconnected(robot.name(), why));
+  }
+
+  private void reconnect(RobotRecord paired) {
+    link.close();
+    disconnected("it was paired anew");
+    floor.tell(new FloorMessage.Disconnected(robot.name(), "it was paired anew"));
+    robot = paired;
+    link = open();
   }
 
   private void tick(Instant time) {
@@ -325,6 +346,11 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
     @Override
     public void disconnected(String sentence) {
       self.tell(new RobotMessage.LinkDown(sentence));
+    }
+
+    @Override
+    public void refused(String sentence) {
+      self.tell(new RobotMessage.LinkRefused(sentence));
     }
   }
 }

@@ -38,11 +38,18 @@ sealed interface RobotMessage {
   /**
    * Keep a place beside a leader.
    *
+   * @param fingerprint of the leader's certificate; null: it was never paired
    * @param offset in the leader's frame, metres
    * @param tolerance metres
    * @param stands where the robot is now, map frame
    */
-  record Follow(long task, String leader, Vec2 offset, double tolerance, Pose stands)
+  record Follow(
+      long task,
+      String leader,
+      @Nullable String fingerprint,
+      Vec2 offset,
+      double tolerance,
+      Pose stands)
       implements RobotMessage {}
 
   record Release(int released) implements RobotMessage {}
@@ -62,6 +69,12 @@ sealed interface RobotMessage {
   record Heard(AgentMessage message) implements RobotMessage {}
 
   record LinkDown(String why) implements RobotMessage {}
+
+  /** The link is down, for one end does not trust the other. */
+  record LinkRefused(String why) implements RobotMessage {}
+
+  /** The robot has another certificate, and perhaps another address. */
+  record Reconnect(RobotRecord robot) implements RobotMessage {}
 
   record DriveLoaded(Optional<StoredDrive> drive) implements RobotMessage {}
 

@@ -1,12 +1,19 @@
 package org.toqa.fleet;
 
 import org.jspecify.annotations.Nullable;
+import org.toqa.link.trust.PairingCode;
 
 /**
  * A wish for a new robot.
  *
  * @param maxLoad kilograms
  * @param parking a parking point's name; null: the first that no robot has
+ * @param code that the robot shows; null: it is not paired
  */
 public record RobotOrder(
-    String name, String host, int port, double maxLoad, @Nullable String parking) {}
+    String name,
+    String host,
+    int port,
+    double maxLoad,
+    @Nullable String parking,
+    @Nullable PairingCode code) {}

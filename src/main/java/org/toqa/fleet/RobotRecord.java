@@ -1,6 +1,8 @@
 package org.toqa.fleet;
 
 import org.jspecify.annotations.Nullable;
+import org.toqa.link.RobotAddress;
+import org.toqa.link.trust.Fingerprint;
 
 /**
  * A robot as it is stored.
@@ -8,6 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param maxLoad kilograms
  * @param parking a parking point's name; null: it stays where its last task ends
  * @param simulated whether its daemon runs in the server's process
+ * @param fingerprint of its certificate, as pairing recorded it; null: it was never paired
  */
 public record RobotRecord(
     String name,
@@ -16,4 +19,18 @@ public record RobotRecord(
     int port,
     double maxLoad,
     @Nullable String parking,
-    boolean simulated) {}
+    boolean simulated,
+    @Nullable Fingerprint fingerprint) {
+
+  RobotAddress address() {
+    return new RobotAddress(name, host, port, fingerprint);
+  }
+
+  RobotRecord at(String newHost, int newPort) {
+    return new RobotRecord(name, floor, newHost, newPort, maxLoad, parking, simulated, fingerprint);
+  }
+
+  RobotRecord pairedAs(Fingerprint paired) {
+    return new RobotRecord(name, floor, host, port, maxLoad, parking, simulated, paired);
+  }
+}

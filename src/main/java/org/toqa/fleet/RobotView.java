@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.trust.Fingerprint;
 
 /**
  * A robot as readers see it.
@@ -21,6 +22,8 @@ import org.toqa.link.message.AgentMessage.Fault;
  * @param doing a sentence for people
  * @param held whether it shall hold: by a person's word, for its task, or since all are paused
  * @param charger the charging point that it charges at, drives to or waits for; null: none
+ * @param fingerprint of the certificate that pairing recorded; null: the link is not encrypted
+ * @param alert why it and the server do not trust each other, a sentence; null: nothing is wrong
  */
 public record RobotView(
     String name,
@@ -42,35 +45,12 @@ public record RobotView(
     String doing,
     @Nullable Instant lastSeen,
     boolean held,
-    @Nullable String charger) {
+    @Nullable String charger,
+    @Nullable Fingerprint fingerprint,
+    @Nullable String alert) {
 
   public RobotView {
     route = List.copyOf(route);
     errors = List.copyOf(errors);
-  }
-
-  /** A robot that was added a moment ago. */
-  static RobotView unheard(RobotRecord robot) {
-    return new RobotView(
-        robot.name(),
-        robot.floor(),
-        RobotState.CONNECTING,
-        null,
-        null,
-        null,
-        0,
-        robot.maxLoad(),
-        0,
-        robot.host(),
-        robot.port(),
-        robot.parking(),
-        robot.simulated(),
-        List.of(),
-        0,
-        List.of(),
-        "Added; connecting",
-        null,
-        false,
-        null);
   }
 }

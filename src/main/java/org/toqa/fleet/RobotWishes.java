@@ -28,6 +28,20 @@ final class RobotWishes {
     this.self = self;
   }
 
+  /** From now on it is spoken to by its new certificate. */
+  void paired(FloorMessage.RobotPaired m) {
+    FloorRobot robot = state.robots.get(m.robot().name());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknown(m.robot().name())));
+      return;
+    }
+    robot.record = m.robot();
+    robot.alert = null;
+    robot.agent.tell(new RobotMessage.Reconnect(m.robot()));
+    reports.send();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));
+  }
+
   void locate(FloorMessage.Locate m) {
     m.replyTo().tell(StatusReply.success(located(m)));
   }

@@ -4,7 +4,23 @@ package org.toqa.link;
 final class LinkException extends Exception {
   private static final long serialVersionUID = 1;
 
+  private final boolean refusal;
+
   LinkException(String sentence) {
+    this(sentence, false);
+  }
+
+  private LinkException(String sentence, boolean refusal) {
     super(sentence);
+    this.refusal = refusal;
+  }
+
+  /** One end does not trust the other. */
+  static LinkException refusal(String sentence) {
+    return new LinkException(sentence, true);
+  }
+
+  boolean isRefusal() {
+    return refusal;
   }
 }

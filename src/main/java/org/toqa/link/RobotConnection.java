@@ -2,11 +2,7 @@ package org.toqa.link;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.net.Socket;
 import java.net.SocketTimeoutException;
-import java.net.UnknownHostException;
 import java.time.Duration;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
@@ -19,6 +15,9 @@ import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
 import org.toqa.link.message.MessageReading;
 import org.toqa.link.message.ServerMessage;
+import org.toqa.link.trust.HandshakeException.Reason;
+import org.toqa.link.trust.LinkSocket;
+import org.toqa.link.trust.LinkTls;
 
 /**
  * One TCP connection to a robot. The thread that made it reads; another one writes what was queued,
@@ -30,48 +29,38 @@ final class RobotConnection implements AutoCloseable {
 
   private static final Logger log = LoggerFactory.getLogger(RobotConnection.class);
 
-  private static final Duration CONNECT_LIMIT = Duration.ofSeconds(3);
-
   /** A robot speaks five times a second; one that is silent for so long is behind a dead link. */
   private static final Duration SILENCE_LIMIT = Duration.ofSeconds(5);
 
   private static final int QUEUED_LINES = 1_000;
 
+  private final RobotAddress address;
   private final String robot;
   private final String place;
-  private final Socket socket;
+  private final LinkSocket socket;
   private final LineReader lines;
   private final BlockingQueue<byte[]> outbox = new ArrayBlockingQueue<>(QUEUED_LINES);
   private final Thread writer;
   private volatile boolean overflowed;
 
   /** Connects; waits for it. */
-  static RobotConnection open(String robot, String host, int port, boolean offLoopbackToo)
-      throws LinkException {
-    String place = host + ":" + port;
-    Socket socket = new Socket();
+  static RobotConnection open(RobotAddress address, Dialer dialer) throws LinkException {
+    LinkSocket socket = dialer.connect(address, SILENCE_LIMIT);
     try {
-      InetAddress address = InetAddress.getByName(host);
-      if (!address.isLoopbackAddress() && !offLoopbackToo) {
-        throw new LinkException(
-            "%s is on another machine (%s), and the link is not encrypted; the server's configuration must allow that by name."
-                .formatted(robot, place));
-      }
-      socket.setTcpNoDelay(true);
-      socket.setSoTimeout((int) SILENCE_LIMIT.toMillis());
-      socket.connect(new InetSocketAddress(address, port), (int) CONNECT_LIMIT.toMillis());
-      return new RobotConnection(robot, place, socket);
-    } catch (LinkException | IOException e) {
+      return new RobotConnection(address, socket);
+    } catch (IOException e) {
       closeQuietly(socket);
-      throw asSentence(e, robot, place, host);
+      throw new LinkException(
+          "The connection to %s broke: %s.".formatted(address.robot(), e.getMessage()));
     }
   }
 
-  private RobotConnection(String robot, String place, Socket socket) throws IOException {
-    this.robot = robot;
-    this.place = place;
+  private RobotConnection(RobotAddress address, LinkSocket socket) throws IOException {
+    this.address = address;
+    this.robot = address.robot();
+    this.place = address.place();
     this.socket = socket;
-    lines = new LineReader(socket.getInputStream());
+    lines = new LineReader(socket.in());
     writer = Thread.ofVirtual().name("link-" + robot + "-writer").start(this::write);
   }
 
@@ -121,11 +110,21 @@ final class RobotConnection implements AutoCloseable {
       throw new LinkException(
           "%s has said nothing for %d s.".formatted(robot, SILENCE_LIMIT.toSeconds()));
     } catch (IOException e) {
-      throw new LinkException(
-          overflowed
-              ? "%s does not take what it is told.".formatted(robot)
-              : "The connection to %s broke: %s.".formatted(robot, e.getMessage()));
+      throw broken(e);
     }
+  }
+
+  private LinkException broken(IOException e) {
+    if (overflowed) {
+      return new LinkException("%s does not take what it is told.".formatted(robot));
+    }
+    if (socket.peer() != null) { // with TLS 1.3 the robot's no comes when it is first read
+      Reason reason = LinkTls.reasonOf(e);
+      return reason == Reason.CUT_OFF
+          ? new LinkException("%s closed the connection.".formatted(robot))
+          : Dialer.untrusted(address, reason, e);
+    }
+    return new LinkException("The connection to %s broke: %s.".formatted(robot, e.getMessage()));
   }
 
   void send(ServerMessage message) {
@@ -153,7 +152,7 @@ final class RobotConnection implements AutoCloseable {
 
   private void write() {
     try {
-      OutputStream out = socket.getOutputStream();
+      OutputStream out = socket.out();
       while (true) {
         out.write(outbox.take());
       }
@@ -164,20 +163,7 @@ final class RobotConnection implements AutoCloseable {
     }
   }
 
-  private static LinkException asSentence(Exception e, String robot, String place, String host) {
-    return switch (e) {
-      case LinkException sentence -> sentence;
-      case UnknownHostException _ ->
-          new LinkException("The host %s of %s is not known.".formatted(host, robot));
-      case SocketTimeoutException _ ->
-          new LinkException("%s does not answer at %s.".formatted(robot, place));
-      default ->
-          new LinkException(
-              "%s cannot be reached at %s: %s.".formatted(robot, place, e.getMessage()));
-    };
-  }
-
-  private static void closeQuietly(Socket socket) {
+  private static void closeQuietly(LinkSocket socket) {
     try {
       socket.close();
     } catch (IOException e) {

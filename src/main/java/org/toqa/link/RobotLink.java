@@ -12,8 +12,8 @@ import org.toqa.link.message.ServerMessage;
  *   <li>{@link #send} queues a message and never waits; what is sent while there is no connection
  *       is dropped, since the next hello tells what the robot knows.
  *   <li>{@link Listener#received} brings what the robot says.
- *   <li>{@link Listener#disconnected} says why the connection ended or could not be made; the link
- *       goes on trying until {@link #close}.
+ *   <li>{@link Listener#disconnected} or {@link Listener#refused} says why the connection ended or
+ *       could not be made; the link goes on trying until {@link #close}.
  * </ol>
  *
  * Any thread may call it; the listener is called by the link's own threads, one call at a time.
@@ -35,5 +35,12 @@ public interface RobotLink extends AutoCloseable {
      * @param sentence why, for people
      */
     void disconnected(String sentence);
+
+    /**
+     * The same, and one end does not trust the other: a person must look into it.
+     *
+     * @param sentence what is wrong and what to do, for people
+     */
+    void refused(String sentence);
   }
 }

@@ -1,10 +1,17 @@
 package org.toqa.link;
 
+import org.toqa.link.trust.PairingCode;
+
 /** Opens links to robots. */
 public interface RobotLinks {
 
+  RobotLink open(RobotAddress address, RobotLink.Listener listener);
+
   /**
-   * @param robot the name that the robot must say in its hello
+   * Shows a robot that this server knows the code that it shows, so that each records the other's
+   * certificate. Waits, for some seconds at most.
+   *
+   * @param robot the name that it must say
    */
-  RobotLink open(String robot, String host, int port, RobotLink.Listener listener);
+  PairingResult pair(String robot, String host, int port, PairingCode code);
 }

@@ -6,10 +6,8 @@ import org.toqa.link.message.ServerMessage;
 /** A link that connects, listens, and connects again, on a virtual thread of its own. */
 final class TcpRobotLink implements RobotLink {
 
-  private final String robot;
-  private final String host;
-  private final int port;
-  private final boolean offLoopbackToo;
+  private final RobotAddress address;
+  private final Dialer dialer;
   private final Listener listener;
   private final Backoff backoff = new Backoff();
   private final Thread thread;
@@ -17,13 +15,11 @@ final class TcpRobotLink implements RobotLink {
   private volatile @Nullable RobotConnection connection;
   private String told = "";
 
-  TcpRobotLink(String robot, String host, int port, boolean offLoopbackToo, Listener listener) {
-    this.robot = robot;
-    this.host = host;
-    this.port = port;
-    this.offLoopbackToo = offLoopbackToo;
+  TcpRobotLink(RobotAddress address, Dialer dialer, Listener listener) {
+    this.address = address;
+    this.dialer = dialer;
     this.listener = listener;
-    thread = Thread.ofVirtual().name("link-" + robot).unstarted(this::run);
+    thread = Thread.ofVirtual().name("link-" + address.robot()).unstarted(this::run);
   }
 
   void start() {
@@ -49,14 +45,14 @@ final class TcpRobotLink implements RobotLink {
       try {
         converse();
       } catch (LinkException e) {
-        tell(String.valueOf(e.getMessage()));
+        tell(String.valueOf(e.getMessage()), e.isRefusal());
       }
       pause();
     }
   }
 
   private void converse() throws LinkException {
-    try (RobotConnection made = RobotConnection.open(robot, host, port, offLoopbackToo)) {
+    try (RobotConnection made = RobotConnection.open(address, dialer)) {
       var hello = made.hello();
       backoff.reset();
       told = "";
@@ -71,9 +67,14 @@ final class TcpRobotLink implements RobotLink {
   }
 
   /** Once for each reason, not once for each attempt. */
-  private void tell(String sentence) {
-    if (!closed && !sentence.equals(told)) {
-      told = sentence;
+  private void tell(String sentence, boolean refusal) {
+    if (closed || sentence.equals(told)) {
+      return;
+    }
+    told = sentence;
+    if (refusal) {
+      listener.refused(sentence);
+    } else {
       listener.disconnected(sentence);
     }
   }

@@ -126,6 +126,7 @@ public final class SimulatedFleet implements AutoCloseable {
             robot.name(),
             InetAddress.getLoopbackAddress(),
             ANY_FREE_PORT,
+            false,
             folder,
             robot.maxLoad(),
             FOOTPRINT,

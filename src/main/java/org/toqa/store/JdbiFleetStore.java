@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -23,6 +24,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
+import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
@@ -47,7 +49,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
     return sql.in(
         h ->
             h.createQuery(
-                    "select name, floor, host, port, max_load, parking, simulated from robots order by id")
+                    "select name, floor, host, port, max_load, parking, simulated, fingerprint from robots order by id")
                 .map(
                     (rs, ctx) ->
                         new RobotRecord(
@@ -57,7 +59,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                             rs.getInt("port"),
                             rs.getDouble("max_load"),
                             rs.getString("parking"),
-                            rs.getBoolean("simulated")))
+                            rs.getBoolean("simulated"),
+                            fingerprint(rs.getString("fingerprint"))))
                 .list());
   }
 
@@ -67,10 +70,11 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         h ->
             h.createUpdate(
                     """
-                    insert into robots (name, floor, host, port, max_load, parking, simulated, availability, phase, last_seq)
-                    values (:name, :floor, :host, :port, :maxLoad, :parking, :simulated, 1, 0, 0)
+                    insert into robots (name, floor, host, port, max_load, parking, simulated, fingerprint, availability, phase, last_seq)
+                    values (:name, :floor, :host, :port, :maxLoad, :parking, :simulated, :fingerprint, 1, 0, 0)
                     on duplicate key update floor = values(floor), host = values(host), port = values(port),
-                      max_load = values(max_load), parking = values(parking), simulated = values(simulated)
+                      max_load = values(max_load), parking = values(parking), simulated = values(simulated),
+                      fingerprint = values(fingerprint)
                     """)
                 .bind("name", robot.name())
                 .bind("floor", robot.floor())
@@ -79,7 +83,12 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                 .bind("maxLoad", robot.maxLoad())
                 .bind("parking", robot.parking())
                 .bind("simulated", robot.simulated())
+                .bind("fingerprint", Objects.toString(robot.fingerprint(), null))
                 .execute());
+  }
+
+  private static @Nullable Fingerprint fingerprint(@Nullable String hex) {
+    return hex == null ? null : new Fingerprint(hex);
   }
 
   @Override

@@ -1,8 +1,10 @@
 package org.toqa.web;
 
 import java.time.Instant;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.TransportTask.LoadSize;
 
 /**
@@ -145,6 +147,18 @@ public final class InputRules {
       return 0;
     }
     return given.intValue();
+  }
+
+  /** The code that a robot shows; null where none is given. */
+  public @Nullable PairingCode pairingCode(String field, @Nullable String given) {
+    if (given == null) {
+      return null;
+    }
+    Optional<PairingCode> code = PairingCode.parse(given);
+    if (code.isEmpty()) {
+      refuse(field, "error.code");
+    }
+    return code.orElse(null);
   }
 
   public String userName(String field, @Nullable String given) {

@@ -84,6 +84,8 @@ class FleetMeterTest {
         "Drives",
         NOON,
         false,
+        null,
+        null,
         null);
   }
 }

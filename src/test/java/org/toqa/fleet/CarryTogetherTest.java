@@ -26,6 +26,8 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.link.TcpRobotLinks;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.trust.IdentityFile;
+import org.toqa.link.trust.LinkTls;
 import org.toqa.mission.TaskState;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.SimulatedRobot;
@@ -159,13 +161,14 @@ class CarryTogetherTest {
               simulated.port(name),
               MAX_LOAD,
               parking.get(i).name(),
-              true));
+              true,
+              null));
     }
     AgentFleet fleet =
         new AgentFleet(
             List.of(floor),
             store,
-            new TcpRobotLinks(false),
+            new TcpRobotLinks(new LinkTls(IdentityFile.open(folder)), false),
             Policy.OPTIMAL.allocator(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, SPEED),
             InstantSource.system(),

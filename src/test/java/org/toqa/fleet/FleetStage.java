@@ -16,8 +16,12 @@ import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Policy;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
+import org.toqa.link.PairingResult;
+import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
 import org.toqa.link.RobotLinks;
+import org.toqa.link.trust.Fingerprint;
+import org.toqa.link.trust.PairingCode;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 
@@ -68,10 +72,17 @@ final class FleetStage implements AutoCloseable {
 
   /** To be known after the next start. */
   ScriptedRobot add(String name, Vec2 at, @Nullable String parking) {
+    return add(name, at, parking, null);
+  }
+
+  ScriptedRobot add(
+      String name, Vec2 at, @Nullable String parking, @Nullable Fingerprint fingerprint) {
     ScriptedRobot robot = new ScriptedRobot(name, at);
     robots.put(name, robot);
     robot.knows(this::played);
-    store.saveRobot(new RobotRecord(name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, false));
+    store.saveRobot(
+        new RobotRecord(
+            name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, false, fingerprint));
     return robot;
   }
 
@@ -83,8 +94,13 @@ final class FleetStage implements AutoCloseable {
     RobotLinks links =
         new RobotLinks() {
           @Override
-          public RobotLink open(String robot, String host, int port, RobotLink.Listener listener) {
-            return played(robot).link(listener);
+          public RobotLink open(RobotAddress address, RobotLink.Listener listener) {
+            return played(address.robot()).link(listener);
+          }
+
+          @Override
+          public PairingResult pair(String robot, String host, int port, PairingCode code) {
+            return new PairingResult.Unreachable("Scripted robots do not pair.");
           }
         };
     return new AgentFleet(

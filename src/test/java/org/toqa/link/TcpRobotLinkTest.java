@@ -14,6 +14,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -21,10 +22,13 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage.Ping;
+import org.toqa.link.trust.IdentityFile;
+import org.toqa.link.trust.LinkTls;
 
 /** The server's end of the link, against a robot that the test plays by hand. */
 @Timeout(30)
@@ -36,6 +40,7 @@ class TcpRobotLinkTest {
       "localised":true,"pose":{"x":1.5,"y":2.25,"theta":0.5},"mode":"IDLE","task":null,"phase":0,\
       "role":"ALONE","drive":0,"segment":0,"released":0,"lastSeq":19,"done":null}""";
 
+  @TempDir private Path keys;
   private ServerSocket robot;
   private final Heard heard = new Heard();
   private RobotLink link;
@@ -59,6 +64,11 @@ class TcpRobotLinkTest {
       told.add(sentence);
     }
 
+    @Override
+    public void refused(String sentence) {
+      told.add(sentence);
+    }
+
     Object next() throws InterruptedException {
       Object next = told.poll(10, TimeUnit.SECONDS);
       assertNotNull(next, "nothing was told");
@@ -70,7 +80,7 @@ class TcpRobotLinkTest {
   void open() throws IOException {
     robot = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
     robot.setSoTimeout(10_000);
-    link = link("127.0.0.1", robot.getLocalPort());
+    link = open("127.0.0.1", robot.getLocalPort(), heard);
   }
 
   @AfterEach
@@ -183,7 +193,7 @@ class TcpRobotLinkTest {
     link.close();
     robot.close();
     Heard another = new Heard();
-    try (RobotLink _ = new TcpRobotLinks(false).open("r1", "127.0.0.1", port, another)) {
+    try (RobotLink _ = open("127.0.0.1", port, another)) {
       String sentence = String.valueOf(another.next());
       assertTrue(sentence.startsWith("r1 cannot be reached at 127.0.0.1:" + port), sentence);
 
@@ -198,10 +208,10 @@ class TcpRobotLinkTest {
   @Test
   void robotOnAnotherMachineIsRefusedUnlessAllowed() throws Exception {
     Heard another = new Heard();
-    try (RobotLink _ = new TcpRobotLinks(false).open("r1", "192.0.2.1", 7275, another)) {
+    try (RobotLink _ = open("192.0.2.1", 7275, another)) {
       assertEquals(
-          "r1 is on another machine (192.0.2.1:7275), and the link is not encrypted; the server's"
-              + " configuration must allow that by name.",
+          "r1 is on another machine (192.0.2.1:7275) and is not paired: enter the code that it"
+              + " shows.",
           another.next());
     }
   }
@@ -224,8 +234,9 @@ class TcpRobotLinkTest {
     return socket;
   }
 
-  private RobotLink link(String host, int port) {
-    return new TcpRobotLinks(false).open("r1", host, port, heard);
+  private RobotLink open(String host, int port, Heard listener) throws IOException {
+    return new TcpRobotLinks(new LinkTls(IdentityFile.open(keys)), false)
+        .open(new RobotAddress("r1", host, port, null), listener);
   }
 
   private static void say(Socket socket, String line) throws IOException {

@@ -43,6 +43,13 @@ final class RunningAgent implements AutoCloseable {
     startAgain();
   }
 
+  /** Ends it and starts it so that it shows a code; what it shows. */
+  String showCode() throws IOException, InterruptedException {
+    kill();
+    startAgain("--pair");
+    return Objects.requireNonNull(process).awaitErr("Pairing code: (\\S+)").group(1);
+  }
+
   String name() {
     return name;
   }
@@ -51,10 +58,11 @@ final class RunningAgent implements AutoCloseable {
     return port;
   }
 
-  void startAgain() throws IOException, InterruptedException {
-    process =
-        ToqaProcess.toqa(
-            home, Map.of(), "agent", "--config", home.resolve("agent.yaml").toString());
+  void startAgain(String... options) throws IOException, InterruptedException {
+    List<String> command =
+        new ArrayList<>(List.of("agent", "--config", home.resolve("agent.yaml").toString()));
+    command.addAll(List.of(options));
+    process = ToqaProcess.toqa(home, Map.of(), command.toArray(String[]::new));
     process.awaitErr(name + ".*" + port);
   }
 

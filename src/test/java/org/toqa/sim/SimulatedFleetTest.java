@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
@@ -16,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.geometry.Pose;
+import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
 import org.toqa.link.TcpRobotLinks;
 import org.toqa.link.message.AgentMessage;
@@ -25,6 +27,8 @@ import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Ping;
+import org.toqa.link.trust.IdentityFile;
+import org.toqa.link.trust.LinkTls;
 import org.toqa.motion.Segment;
 
 @Timeout(60)
@@ -46,7 +50,7 @@ class SimulatedFleetTest {
       clock.start();
 
       for (SimulatedRobot robot : ROBOTS) {
-        try (Peer peer = new Peer(robot.name(), fleet)) {
+        try (Peer peer = new Peer(robot.name(), fleet, folder)) {
           Hello hello = peer.await(Hello.class);
           assertEquals(robot.start(), hello.pose());
           assertEquals(robot.maxLoad(), hello.maxLoad());
@@ -59,7 +63,7 @@ class SimulatedFleetTest {
   void robotsAreFoundAgainWhereTheyStood() throws Exception {
     try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 50);
         SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, List.of(), clock);
-        Peer peer = new Peer("r1", fleet)) {
+        Peer peer = new Peer("r1", fleet, folder)) {
       clock.add(nanos -> peer.ping(), Duration.ofMillis(500));
       clock.start();
       peer.await(Hello.class);
@@ -70,7 +74,7 @@ class SimulatedFleetTest {
 
     try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 1);
         SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, List.of(), clock);
-        Peer peer = new Peer("r1", fleet)) {
+        Peer peer = new Peer("r1", fleet, folder)) {
       clock.start();
       Hello hello = peer.await(Hello.class);
       assertEquals(11, hello.pose().x(), 0.003);
@@ -84,7 +88,7 @@ class SimulatedFleetTest {
   void worldThatRunsTooFastForTheMachineTripsNoTimer() throws Exception {
     try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 500);
         SimulatedFleet fleet = SimulatedFleet.open(folder, ROBOTS, List.of(), clock);
-        Peer peer = new Peer("r1", fleet)) {
+        Peer peer = new Peer("r1", fleet, folder)) {
       clock.start();
       peer.await(Hello.class);
       clock.add(nanos -> peer.ping(), Duration.ofMillis(500));
@@ -112,8 +116,10 @@ class SimulatedFleetTest {
     private final AtomicLong seq = new AtomicLong(1_000);
     private final RobotLink link;
 
-    Peer(String robot, SimulatedFleet fleet) {
-      link = new TcpRobotLinks(false).open(robot, "localhost", fleet.port(robot), this);
+    Peer(String robot, SimulatedFleet fleet, Path keys) throws IOException {
+      link =
+          new TcpRobotLinks(new LinkTls(IdentityFile.open(keys)), false)
+              .open(new RobotAddress(robot, "localhost", fleet.port(robot), null), this);
     }
 
     void ping() {
@@ -136,6 +142,11 @@ class SimulatedFleetTest {
     @Override
     public void received(AgentMessage message) {
       heard.add(message);
+    }
+
+    @Override
+    public void refused(String sentence) {
+      disconnected(sentence);
     }
 
     @Override

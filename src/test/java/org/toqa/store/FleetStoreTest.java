@@ -42,8 +42,9 @@ import org.toqa.motion.Trajectory;
 class FleetStoreTest {
   private static final Instant AT = Instant.parse("2026-11-21T10:00:00.123Z");
   private static final RobotRecord R1 =
-      new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, "P1", true);
-  private static final RobotRecord R2 = new RobotRecord("r2", "lab", "host", 1, 2.5, null, false);
+      new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, "P1", true, null);
+  private static final RobotRecord R2 =
+      new RobotRecord("r2", "lab", "host", 1, 2.5, null, false, null);
 
   private Database database;
   private JdbiFleetStore store;
@@ -67,7 +68,7 @@ class FleetStoreTest {
   void robotsComeBackAsTheyWereStored() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    RobotRecord moved = new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true);
+    RobotRecord moved = new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null);
     store.saveRobot(moved);
     assertEquals(List.of(moved, R2), store.robots());
   }
@@ -81,7 +82,7 @@ class FleetStoreTest {
     store.saveService("r1", false, List.of());
     store.saveService("r2", false, List.of());
     store.saveService("r2", true, List.of());
-    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true));
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
 
     assertEquals(Set.of("r1"), store.outOfService());
     assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
@@ -95,7 +96,7 @@ class FleetStoreTest {
 
     ChargeRecord waits = new ChargeRecord("r1", Duration.ofMinutes(90), new Turn("C1", AT));
     store.saveCharge(waits, List.of());
-    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true));
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
 
     assertEquals(List.of(waits), store.charges());
     store.saveCharge(rested, List.of());

@@ -89,7 +89,7 @@ class HistoryTest {
 
   @Test
   void aChangeThatIsRepeatedIsToldOnce() {
-    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true));
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true, null));
     List<EventRecord> events =
         List.of(
             event(AT, "robot.held", null, "r1", "Max", "Max put r1 on hold"),
@@ -116,7 +116,7 @@ class HistoryTest {
 
   @Test
   void aTrackComesBackToTheMillimetre() {
-    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true));
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true, null));
     TrackPoint early = new TrackPoint("r1", AT, new Vec2(1.234, -5.678));
     TrackPoint late = new TrackPoint("r1", AT.plusSeconds(5), new Vec2(2, 0));
     tracks.add(List.of(late, early, new TrackPoint("nobody", AT, new Vec2(0, 0))));
@@ -130,7 +130,7 @@ class HistoryTest {
 
   @Test
   void whatIsTooOldIsPrunedAndWhatIsOpenStays() {
-    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true));
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7275, 5, null, true, null));
     TransportTask done = added(task("done"));
     TransportTask open = added(task("open"));
     Mission ended = new Mission(done, TaskState.CANCELLED, List.of(), false, null, null, null);

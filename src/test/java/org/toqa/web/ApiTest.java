@@ -113,7 +113,7 @@ class ApiTest {
         .fleet()
         .changeRobots(
             none -> List.of(TestFleet.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
-    server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false));
+    server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false, null));
     Instant now = server.fleet().latest().at();
     server
         .tracks()
@@ -127,6 +127,37 @@ class ApiTest {
     assertEquals(1, points.size());
     assertEquals(2.5, points.get(0).get("x").asDouble());
     assertEquals(404, get("api/v1/tracks/r9").statusCode());
+  }
+
+  @Test
+  void aCodeThatIsNoneIsRefusedAtItsField() {
+    HttpResponse<String> answer =
+        post(
+            token,
+            "api/v1/robots",
+            "{\"name\":\"r9\",\"host\":\"h\",\"port\":7275,\"maxLoad\":5,\"code\":\"ABC-1\"}");
+
+    assertEquals(422, answer.statusCode());
+    assertEquals("code", JSON.readTree(answer.body()).get("errors").get(0).get("field").asString());
+    assertEquals(404, get("api/v1/robots/r9").statusCode());
+  }
+
+  @Test
+  void aManagerPairsARobotAnew() {
+    server
+        .fleet()
+        .changeRobots(
+            none -> List.of(TestFleet.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
+    HttpResponse<String> answer =
+        post(
+            token,
+            "api/v1/robots/r1/pair",
+            "{\"host\":\"wifi\",\"port\":7276,\"code\":\"DDLD-XYIK-2VCK-ASRC-ABCDE-FGH27\"}");
+
+    assertEquals(200, answer.statusCode(), answer.body());
+    assertEquals("wifi", JSON.readTree(answer.body()).get("host").asString());
+    assertEquals(
+        422, post(token, "api/v1/robots/r1/pair", "{\"host\":\"h\",\"port\":7276}").statusCode());
   }
 
   @Test

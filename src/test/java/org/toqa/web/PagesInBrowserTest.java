@@ -320,6 +320,8 @@ class PagesInBrowserTest {
         "Carries the load to its goal.",
         TestFleet.START,
         false,
+        null,
+        null,
         null);
   }
 
@@ -346,6 +348,8 @@ class PagesInBrowserTest {
             "Stands with an error.",
             TestFleet.START,
             false,
+            null,
+            null,
             null)
         : still;
   }

@@ -224,6 +224,7 @@ class PagesTest {
           port    | 70000       | The port is a whole number from 1 to 65535.
           port    | 1.5         | The port is a whole number from 1 to 65535.
           maxLoad | 0           | The weight must be above 0
+          code    | ABC         | A pairing code has 26 letters
           """)
   void aBadRobotIsShownAgainWithASentence(String field, String value, String sentence) {
     Map<String, String> fields =

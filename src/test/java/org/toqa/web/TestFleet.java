@@ -23,6 +23,7 @@ import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
+import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -211,6 +212,13 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     } finally {
       lock.unlock();
     }
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> pair(String name, PairingOrder order, String user) {
+    return change(
+        name,
+        known -> robot(name, RobotState.CONNECTING, known.pose(), order.host(), order.port()));
   }
 
   @Override
@@ -432,6 +440,8 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         "Stands at its parking point.",
         pose == null ? null : START,
         false,
+        null,
+        null,
         null);
   }
 

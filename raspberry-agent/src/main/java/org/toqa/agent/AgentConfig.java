@@ -26,6 +26,8 @@ import org.yaml.snakeyaml.error.YAMLException;
  * @param name the robot's
  * @param address to listen on
  * @param port to listen on; 0 for any free one
+ * @param plainOffLoopback whether the link of a robot that was never paired may do without
+ *     encryption off loopback too
  * @param dataDir where the journal and a simulated body are kept
  * @param maxLoad kilograms
  * @param footprint diameter in metres
@@ -34,6 +36,7 @@ public record AgentConfig(
     String name,
     InetAddress address,
     int port,
+    boolean plainOffLoopback,
     Path dataDir,
     double maxLoad,
     double footprint,
@@ -76,6 +79,7 @@ public record AgentConfig(
         robotName(top),
         address(top),
         (int) top.whole("port", 7275, 0, 65_535),
+        top.flag("plainTcpOffLoopback", false),
         file.toAbsolutePath().resolveSibling(top.text("dataDir")).normalize(),
         top.number("maxLoad", 5, 0, 10_000),
         top.number("footprint", 0.255, 0.05, 5),
@@ -118,21 +122,11 @@ public record AgentConfig(
 
   private static InetAddress address(ConfigSection top) throws ConfigException {
     String text = top.text("address", "127.0.0.1");
-    boolean plainAllowed = top.flag("plainTcpOffLoopback", false);
-    InetAddress address;
     try {
-      address = InetAddress.getByName(text);
+      return InetAddress.getByName(text);
     } catch (UnknownHostException e) {
       throw top.wrong("address", text, "an address of this machine");
     }
-    if (!address.isLoopbackAddress() && !plainAllowed) {
-      throw top.wrong(
-          "address",
-          text,
-          "on loopback, since the link is not encrypted;"
-              + " \"plainTcpOffLoopback: true\" allows it all the same");
-    }
-    return address;
   }
 
   private static MotionLimits limits(ConfigSection top) throws ConfigException {

@@ -40,10 +40,10 @@ final class Broadcast implements AutoCloseable {
   private long endNanos;
   private boolean ending;
 
-  Broadcast(String leader, Lead order, long nanos) {
+  Broadcast(String leader, Lead order, Dialer dialer, long nanos) {
     this.order = order;
     this.due = nanos;
-    order.followers().forEach(f -> links.add(new FollowerLink(leader, f, answers)));
+    order.followers().forEach(f -> links.add(new FollowerLink(leader, f, dialer, answers)));
   }
 
   Lead order() {

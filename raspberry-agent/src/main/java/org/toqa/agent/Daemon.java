@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.stream.Stream;
@@ -16,6 +17,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.SimulatedChassis;
+import org.toqa.agent.door.Door;
+import org.toqa.agent.door.DoorConfig;
+import org.toqa.agent.door.PeerRole;
 import org.toqa.agent.spi.FirmwareChassis;
 import org.toqa.agent.spi.FrameTransport;
 import org.toqa.agent.spi.SimulatorTransport;
@@ -23,6 +27,7 @@ import org.toqa.agent.spi.SpidevTransport;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
@@ -33,9 +38,12 @@ import org.toqa.link.message.MessageReading.Understood;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.FromLeader;
 import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Resume;
+import org.toqa.link.trust.Fingerprint;
+import org.toqa.link.trust.LinkSocket;
 
 /**
  * A robot's daemon: the link's end, the control and the body together.
@@ -74,7 +82,8 @@ public final class Daemon implements AutoCloseable {
   private final Chassis chassis;
   private final RobotControl control;
   private final BlockingQueue<Inbound> inbox = new ArrayBlockingQueue<>(INBOX);
-  private final ServerDoor door;
+  private final Door door;
+  private final Dialer dialer;
 
   private Twist command = Twist.ZERO;
   private final Deque<ServerConnection> guests = new ArrayDeque<>();
@@ -84,7 +93,7 @@ public final class Daemon implements AutoCloseable {
   private @Nullable ServerConnection leader;
   private @Nullable Broadcast broadcast;
   private long leaderHeardNanos;
-  private long nanos;
+  private volatile long nanos; // the door's threads read it
   private long heardNanos;
   private long welcomedNanos;
   private @Nullable State lastState;
@@ -100,9 +109,19 @@ public final class Daemon implements AutoCloseable {
    */
   public static Daemon open(AgentConfig config, InstantSource clock, long nanos)
       throws IOException {
+    return open(config, clock, nanos, false);
+  }
+
+  /**
+   * The same, and shows a code for a server to pair with.
+   *
+   * @param pair false: only where the robot cannot do without a server
+   */
+  public static Daemon open(AgentConfig config, InstantSource clock, long nanos, boolean pair)
+      throws IOException {
     DataFolder folder = new DataFolder(config.dataDir());
     try {
-      return open(config, clock, nanos, folder, chassis(config, folder, nanos));
+      return open(config, clock, nanos, pair, folder, chassis(config, folder, nanos));
     } catch (IOException e) {
       folder.close();
       throw e;
@@ -110,10 +129,15 @@ public final class Daemon implements AutoCloseable {
   }
 
   private static Daemon open(
-      AgentConfig config, InstantSource clock, long nanos, DataFolder folder, Chassis chassis)
+      AgentConfig config,
+      InstantSource clock,
+      long nanos,
+      boolean pair,
+      DataFolder folder,
+      Chassis chassis)
       throws IOException {
     try {
-      return new Daemon(config, clock, nanos, folder, chassis);
+      return new Daemon(config, clock, nanos, pair, folder, chassis);
     } catch (IOException e) {
       chassis.close();
       throw e;
@@ -145,7 +169,12 @@ public final class Daemon implements AutoCloseable {
   }
 
   private Daemon(
-      AgentConfig config, InstantSource clock, long nanos, DataFolder folder, Chassis chassis)
+      AgentConfig config,
+      InstantSource clock,
+      long nanos,
+      boolean pair,
+      DataFolder folder,
+      Chassis chassis)
       throws IOException {
     this.config = config;
     this.clock = clock;
@@ -153,10 +182,30 @@ public final class Daemon implements AutoCloseable {
     this.heardNanos = nanos;
     this.folder = folder;
     this.chassis = chassis;
-    control =
-        new RobotControl(config, new Journal(folder.path()), chassis.exchange(Twist.ZERO, nanos));
-    door = new ServerDoor(config, inbox);
-    log.info("{}: listening on {} port {}.", config.name(), config.address(), port());
+    door =
+        new Door(
+            new DoorConfig(
+                config.name(),
+                config.address(),
+                config.port(),
+                config.plainOffLoopback(),
+                folder.path(),
+                pair,
+                () -> this.nanos),
+            this::greetLater);
+    dialer = new Dialer(door.tls(), config.plainOffLoopback());
+    try {
+      control =
+          new RobotControl(
+              config,
+              new Journal(folder.path()),
+              chassis.exchange(Twist.ZERO, nanos),
+              door.tls().isPresent());
+    } catch (IOException e) {
+      door.close();
+      throw e;
+    }
+    log.info("{}: listening on {}.", config.name(), door);
   }
 
   public String robot() {
@@ -166,6 +215,15 @@ public final class Daemon implements AutoCloseable {
   /** The port that it listens on. */
   public int port() {
     return door.port();
+  }
+
+  /** The code that it shows for a server to pair with. */
+  public Optional<String> pairingCode() {
+    return door.code();
+  }
+
+  private void greetLater(LinkSocket link) {
+    new ServerConnection(config.name(), link, inbox).start();
   }
 
   /**
@@ -232,6 +290,7 @@ public final class Daemon implements AutoCloseable {
   }
 
   private void hear() {
+    dropDistrusted();
     for (Inbound inbound = inbox.poll(); inbound != null; inbound = inbox.poll()) {
       switch (inbound) {
         case Inbound.Opened(ServerConnection connection) -> greet(connection);
@@ -259,6 +318,14 @@ public final class Daemon implements AutoCloseable {
   }
 
   private void hear(ServerConnection connection, ServerMessage message) {
+    PeerRole role = door.roleOf(connection.peer());
+    if (role == PeerRole.LEADER && message instanceof Command command) {
+      connection.send(new Reject(command.seq(), "A leader gives no commands."));
+      return;
+    }
+    if (!(role == PeerRole.ANYBODY || role == PeerRole.SERVER)) {
+      return;
+    }
     if (guests.remove(connection)) {
       serve(connection);
     }
@@ -274,7 +341,11 @@ public final class Daemon implements AutoCloseable {
   }
 
   private void obey(Command order) {
-    say(control.obey(order));
+    AgentMessage answer = control.obey(order);
+    if (answer instanceof Ack && order instanceof Follow follow && follow.fingerprint() != null) {
+      Fingerprint.parse(follow.fingerprint()).ifPresent(door::expectLeader);
+    }
+    say(answer);
     if (order instanceof Resume) {
       chassis.clearFaults();
     }
@@ -286,12 +357,16 @@ public final class Daemon implements AutoCloseable {
       server.close();
     }
     server = connection;
-    tellState(control.report().state(clock.millis()));
+    tellState(state());
     lastDone = control.done().orElse(null);
     lastDoneNanos = nanos;
   }
 
   private void hear(ServerConnection connection, FromLeader message) {
+    PeerRole role = door.roleOf(connection.peer());
+    if (!(role == PeerRole.ANYBODY || role == PeerRole.LEADER)) {
+      return;
+    }
     if (guests.remove(connection)) {
       if (leader != null) {
         leader.close();
@@ -313,6 +388,15 @@ public final class Daemon implements AutoCloseable {
           .forEach(leader::send);
     }
     unanswered.clear();
+  }
+
+  /** Another server was paired, or another leader named: what the old one still says is void. */
+  private void dropDistrusted() {
+    Stream.concat(guests.stream(), Stream.of(server, leader))
+        .filter(Objects::nonNull)
+        .filter(connection -> connection.ended() == null)
+        .filter(connection -> door.roleOf(connection.peer()) == PeerRole.NOBODY)
+        .forEach(ServerConnection::close);
   }
 
   private void dropEnded() {
@@ -340,7 +424,7 @@ public final class Daemon implements AutoCloseable {
       broadcast = null;
     }
     if (broadcast == null && order != null) {
-      broadcast = new Broadcast(config.name(), order, nanos);
+      broadcast = new Broadcast(config.name(), order, dialer, nanos);
     }
     if (broadcast != null) {
       broadcast.tell(control.pose(), control.planned(), control.isBraking(), clock.millis(), nanos);
@@ -366,7 +450,7 @@ public final class Daemon implements AutoCloseable {
   }
 
   private void report() {
-    State state = control.report().state(clock.millis());
+    State state = state();
     if (nanos - lastStateNanos >= STATE_NANOS || isChange(state)) {
       tellState(state);
     }
@@ -376,6 +460,10 @@ public final class Daemon implements AutoCloseable {
       lastDoneNanos = nanos;
     }
     lastDone = done;
+  }
+
+  private State state() {
+    return control.report().state(clock.millis(), door.refused().map(List::of).orElse(List.of()));
   }
 
   private void tellState(State state) {

@@ -2,7 +2,6 @@ package org.toqa.agent;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.time.Duration;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -18,6 +17,9 @@ import org.toqa.link.message.LinkCodec;
 import org.toqa.link.message.MessageReading.Understood;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.link.message.ServerMessage.FromLeader;
+import org.toqa.link.trust.HandshakeException.Reason;
+import org.toqa.link.trust.LinkSocket;
+import org.toqa.link.trust.LinkTls;
 
 /**
  * A leader's connection to one follower, made anew whenever it breaks. {@link #send} and {@link
@@ -28,11 +30,7 @@ final class FollowerLink implements AutoCloseable {
 
   private static final Logger log = LoggerFactory.getLogger(FollowerLink.class);
 
-  private static final Duration CONNECT_LIMIT = Duration.ofSeconds(1);
   private static final Duration BETWEEN_TRIES = Duration.ofMillis(250);
-
-  /** A follower that says nothing for so long is connected to anew. */
-  private static final Duration SILENCE_LIMIT = Duration.ofSeconds(2);
 
   /** Below a second of poses. */
   private static final int QUEUED_LINES = 4;
@@ -42,17 +40,21 @@ final class FollowerLink implements AutoCloseable {
 
   private final String leader;
   private final Follower follower;
+  private final Dialer dialer;
   private final BlockingQueue<Answer> answers;
   private final BlockingQueue<byte[]> outbox = new ArrayBlockingQueue<>(QUEUED_LINES);
   private final Thread thread;
   private volatile Socket socket = new Socket();
+  private @Nullable Reason told;
 
   /**
+   * @param dialer makes the connections
    * @param answers takes what the follower says, without waiting
    */
-  FollowerLink(String leader, Follower follower, BlockingQueue<Answer> answers) {
+  FollowerLink(String leader, Follower follower, Dialer dialer, BlockingQueue<Answer> answers) {
     this.leader = leader;
     this.follower = follower;
+    this.dialer = dialer;
     this.answers = answers;
     thread = Thread.ofVirtual().name(leader + "-to-" + follower.robot()).start(this::run);
   }
@@ -78,10 +80,9 @@ final class FollowerLink implements AutoCloseable {
     while (!Thread.currentThread().isInterrupted()) {
       try (Socket fresh = new Socket()) {
         socket = fresh;
-        connect(fresh);
-        converse(fresh);
+        converse(dialer.connect(fresh, follower));
       } catch (IOException e) {
-        log.debug("{}: the link to {} broke.", leader, follower.robot(), e);
+        tell(LinkTls.reasonOf(e), e);
       }
       try {
         Thread.sleep(BETWEEN_TRIES);
@@ -91,15 +92,18 @@ final class FollowerLink implements AutoCloseable {
     }
   }
 
-  private void connect(Socket fresh) throws IOException {
-    fresh.setTcpNoDelay(true);
-    fresh.setSoTimeout((int) SILENCE_LIMIT.toMillis());
-    fresh.connect(
-        new InetSocketAddress(follower.host(), follower.port()), (int) CONNECT_LIMIT.toMillis());
+  /** Once for each reason, not once for each attempt. */
+  private void tell(Reason reason, IOException e) {
+    if (reason == told || Thread.currentThread().isInterrupted()) {
+      log.debug("{}: the link to {} broke.", leader, follower.robot(), e);
+    } else {
+      log.warn("{}: the link to {} broke: {}", leader, follower.robot(), e.getMessage());
+    }
+    told = reason;
   }
 
-  private void converse(Socket fresh) throws IOException {
-    LineReader lines = new LineReader(fresh.getInputStream());
+  private void converse(LinkSocket fresh) throws IOException {
+    LineReader lines = new LineReader(fresh.in());
     AgentMessage first = understood(lines.next());
     if (!(first instanceof Hello hello) || !hello.robot().equals(follower.robot())) {
       log.warn(
@@ -110,6 +114,7 @@ final class FollowerLink implements AutoCloseable {
           follower.robot());
       return;
     }
+    told = null;
     outbox.clear();
     Thread writer = Thread.ofVirtual().name(thread.getName() + "-writer").start(() -> write(fresh));
     try {
@@ -131,9 +136,9 @@ final class FollowerLink implements AutoCloseable {
         : null;
   }
 
-  private void write(Socket fresh) {
+  private void write(LinkSocket fresh) {
     try {
-      OutputStream out = fresh.getOutputStream();
+      OutputStream out = fresh.out();
       while (true) {
         out.write(outbox.take());
       }

@@ -4,10 +4,12 @@ import com.google.errorprone.annotations.FormatMethod;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.toqa.formation.Shape;
 import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.trust.Fingerprint;
 
 /**
  * In which formations a robot takes no part. Each rule answers with the sentence that goes back to
@@ -21,9 +23,14 @@ final class FormationRules {
   private static final int LARGEST_PORT = 65_535;
 
   private final AgentConfig config;
+  private final boolean encrypted;
 
-  FormationRules(AgentConfig config) {
+  /**
+   * @param encrypted whether this robot's link is
+   */
+  FormationRules(AgentConfig config, boolean encrypted) {
     this.config = config;
+    this.encrypted = encrypted;
   }
 
   Optional<String> objectionTo(Lead lead) {
@@ -38,6 +45,10 @@ final class FormationRules {
       if (follower.port() < 1 || follower.port() > LARGEST_PORT) {
         return no("The port of %s is from 1 to %d.", follower.robot(), LARGEST_PORT);
       }
+      Optional<String> objection = objectionToFingerprint(follower.robot(), follower.fingerprint());
+      if (objection.isPresent()) {
+        return objection;
+      }
     }
     return objectionToTolerance(lead.tolerance());
   }
@@ -46,6 +57,14 @@ final class FormationRules {
     if (follow.leader().equals(config.name())) {
       return no("%s cannot follow itself.", config.name());
     }
+    if (encrypted && follow.fingerprint() == null) {
+      return no(
+          "%s is paired: it knows its leader by the fingerprint, which is missing.", config.name());
+    }
+    Optional<String> objection = objectionToFingerprint(follow.leader(), follow.fingerprint());
+    if (objection.isPresent()) {
+      return objection;
+    }
     double away = follow.offset().norm();
     if (!(away >= config.footprint() / 2 && away <= LARGEST_OFFSET)) {
       return no(
@@ -53,6 +72,18 @@ final class FormationRules {
           away, config.footprint() / 2, LARGEST_OFFSET);
     }
     return objectionToTolerance(follow.tolerance());
+  }
+
+  private Optional<String> objectionToFingerprint(String robot, @Nullable String fingerprint) {
+    if (fingerprint == null) {
+      return Optional.empty();
+    }
+    if (Fingerprint.parse(fingerprint).isEmpty()) {
+      return no("The fingerprint of %s is null or has 64 digits 0-9a-f.", robot);
+    }
+    return encrypted
+        ? Optional.empty()
+        : no("%s is not paired, so it cannot speak encrypted to %s.", config.name(), robot);
   }
 
   private static Optional<String> objectionToTolerance(double tolerance) {

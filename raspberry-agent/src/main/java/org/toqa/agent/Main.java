@@ -36,6 +36,11 @@ public final class Main implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // set by picocli
   private Path config;
 
+  @Option(
+      names = "--pair",
+      description = "shows a code, good for ten minutes, that pairs the robot with a server")
+  private boolean pair;
+
   @Spec
   @SuppressWarnings("NullAway.Init") // set by picocli
   private CommandSpec spec;
@@ -65,16 +70,27 @@ public final class Main implements Callable<Integer> {
     }
   }
 
-  private static void runUntilStopped(AgentConfig config) throws IOException {
-    Daemon daemon = Daemon.open(config, InstantSource.system(), System.nanoTime());
+  private void runUntilStopped(AgentConfig settings) throws IOException {
+    Daemon daemon = Daemon.open(settings, InstantSource.system(), System.nanoTime(), pair);
+    daemon.pairingCode().ifPresent(this::show);
     CountDownLatch closed = new CountDownLatch(1);
     try (daemon) {
-      RealTimeLoop loop = new RealTimeLoop(daemon, config.chassis().speed());
+      RealTimeLoop loop = new RealTimeLoop(daemon, settings.chassis().speed());
       Runtime.getRuntime().addShutdownHook(new Thread(() -> end(loop, closed)));
       loop.run();
     } finally {
       closed.countDown();
     }
+  }
+
+  private void show(String code) {
+    spec.commandLine()
+        .getErr()
+        .println(
+            "Pairing code: "
+                + code
+                + " (good for ten minutes; enter it at the server, page ROBOT, with this robot's"
+                + " address and port)");
   }
 
   private static void end(RealTimeLoop loop, CountDownLatch closed) {

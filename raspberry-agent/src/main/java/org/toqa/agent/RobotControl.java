@@ -80,12 +80,14 @@ final class RobotControl {
   private double now;
 
   /**
+   * @param encrypted whether the link is
    * @throws IOException if the journal cannot be written: such a robot is not started
    */
-  RobotControl(AgentConfig config, Journal journal, ChassisReading body) throws IOException {
+  RobotControl(AgentConfig config, Journal journal, ChassisReading body, boolean encrypted)
+      throws IOException {
     this.config = config;
     this.rules = new DriveRules(config.limits());
-    this.formationRules = new FormationRules(config);
+    this.formationRules = new FormationRules(config, encrypted);
     this.journal = journal;
     this.body = body;
     if (!journal.secure(recovered())) {

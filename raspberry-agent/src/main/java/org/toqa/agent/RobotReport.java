@@ -1,6 +1,7 @@
 package org.toqa.agent;
 
 import java.util.List;
+import java.util.stream.Stream;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
@@ -52,8 +53,9 @@ record RobotReport(
 
   /**
    * @param stamp milliseconds since 1970
+   * @param notes what else the server is to know
    */
-  State state(long stamp) {
+  State state(long stamp, List<Fault> notes) {
     return new State(
         stamp,
         localised,
@@ -69,6 +71,6 @@ record RobotReport(
         body.battery(),
         body.ranges(),
         List.of(),
-        errors);
+        Stream.concat(errors.stream(), notes.stream()).toList());
   }
 }

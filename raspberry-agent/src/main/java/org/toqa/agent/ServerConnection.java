@@ -2,7 +2,6 @@ package org.toqa.agent;
 
 import java.io.IOException;
 import java.io.OutputStream;
-import java.net.Socket;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import org.jspecify.annotations.Nullable;
@@ -11,6 +10,8 @@ import org.slf4j.LoggerFactory;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
+import org.toqa.link.trust.Fingerprint;
+import org.toqa.link.trust.LinkSocket;
 
 /**
  * One connection of a server. Its reading thread waits while the inbox is full, so that a peer that
@@ -25,14 +26,14 @@ final class ServerConnection implements AutoCloseable {
   private static final int QUEUED_LINES = 300;
 
   private final String robot;
-  private final Socket socket;
+  private final LinkSocket socket;
   private final BlockingQueue<Inbound> inbox;
   private final BlockingQueue<byte[]> outbox = new ArrayBlockingQueue<>(QUEUED_LINES);
   private final Thread reader;
   private final Thread writer;
   private volatile @Nullable String ended;
 
-  ServerConnection(String robot, Socket socket, BlockingQueue<Inbound> inbox) {
+  ServerConnection(String robot, LinkSocket socket, BlockingQueue<Inbound> inbox) {
     this.robot = robot;
     this.socket = socket;
     this.inbox = inbox;
@@ -43,6 +44,11 @@ final class ServerConnection implements AutoCloseable {
   void start() {
     reader.start();
     writer.start();
+  }
+
+  /** Who is at the other end; null where the link is not encrypted. */
+  @Nullable Fingerprint peer() {
+    return socket.peer();
   }
 
   void send(AgentMessage message) {
@@ -71,7 +77,7 @@ final class ServerConnection implements AutoCloseable {
   private void read() {
     try {
       inbox.put(new Inbound.Opened(this));
-      LineReader lines = new LineReader(socket.getInputStream());
+      LineReader lines = new LineReader(socket.in());
       for (LineReader.Line line = lines.next(); line != null; line = lines.next()) {
         inbox.put(new Inbound.Heard(this, LinkCodec.serverMessage(line)));
       }
@@ -87,7 +93,7 @@ final class ServerConnection implements AutoCloseable {
 
   private void write() {
     try {
-      OutputStream out = socket.getOutputStream();
+      OutputStream out = socket.out();
       while (true) {
         out.write(outbox.take());
       }

@@ -90,7 +90,6 @@ class AgentConfigTest {
           {name: r1, dataDir: d, maxSpeed: fast} | "maxSpeed" is fast; it must be a number from 0.01 to 5.
           {name: r1, dataDir: d, plainTcpOffLoopback: maybe} | "plainTcpOffLoopback" is maybe; it must be true or false.
           {name: r1, dataDir: d, chassis: 3}  | "chassis" is 3; it must be keys of its own, indented below it.
-          {name: r1, dataDir: d, address: 0.0.0.0} | "address" is 0.0.0.0; it must be on loopback, since the link is not encrypted; "plainTcpOffLoopback: true" allows it all the same.
           just words                          | this is not a list of keys and values.
           """)
   void wrongFileIsToldInOneLine(String yaml, String line) throws IOException {

@@ -11,6 +11,8 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.toqa.link.message.AgentMessage;
@@ -35,18 +37,19 @@ public final class DaemonProcess implements AutoCloseable {
   }
 
   /** Starts the process; it listens when this returns. */
-  public static DaemonProcess launch(Path config) throws IOException {
-    Process process =
-        new ProcessBuilder(
+  public static DaemonProcess launch(Path config, String... options) throws IOException {
+    List<String> command =
+        new ArrayList<>(
+            List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx64m",
                 "-cp",
                 System.getProperty("java.class.path"),
                 "org.toqa.agent.Main",
                 "--config",
-                config.toString())
-            .redirectErrorStream(true)
-            .start();
+                config.toString()));
+    command.addAll(List.of(options));
+    Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
     BufferedReader output = process.inputReader(StandardCharsets.UTF_8);
     String line = output.readLine();
     while (line != null && !line.contains("listening on")) {
@@ -62,11 +65,21 @@ public final class DaemonProcess implements AutoCloseable {
     return output;
   }
 
+  /** The code that it shows, as it prints it. */
+  public String pairingCode() throws IOException {
+    String line = output.readLine();
+    while (line != null && !line.startsWith("Pairing code: ")) {
+      line = output.readLine();
+    }
+    assertNotNull(line, "no code was shown");
+    return line.replaceAll("Pairing code: (\\S+) .*", "$1");
+  }
+
   Process process() {
     return process;
   }
 
-  int port() {
+  public int port() {
     return port;
   }
 

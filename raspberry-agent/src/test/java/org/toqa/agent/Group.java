@@ -1,22 +1,34 @@
 package org.toqa.agent;
 
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
+import java.net.Socket;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
+import org.toqa.link.PairingResult;
+import org.toqa.link.TcpRobotLinks;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.trust.Fingerprint;
+import org.toqa.link.trust.LinkSocket;
+import org.toqa.link.trust.LinkTls;
+import org.toqa.link.trust.PairingCode;
 import org.toqa.motion.Segment;
 import org.toqa.sim.Participant;
 import org.toqa.sim.VirtualClock;
@@ -32,6 +44,8 @@ final class Group implements AutoCloseable {
   private static final double SPEED = 5;
 
   private final Path folder;
+  private final @Nullable LinkTls tls;
+  private final List<Optional<Fingerprint>> fingerprints = new ArrayList<>();
   private final VirtualClock clock = new VirtualClock(Instant.EPOCH, SPEED);
   private final List<Robot> robots = new ArrayList<>();
   private final Set<Robot> killed = new HashSet<>();
@@ -50,7 +64,15 @@ final class Group implements AutoCloseable {
   }
 
   Group(Path folder) {
+    this(folder, null);
+  }
+
+  /**
+   * @param tls of the server that the robots are paired with; null: the links are not encrypted
+   */
+  Group(Path folder, @Nullable LinkTls tls) {
     this.folder = folder;
+    this.tls = tls;
     List<Pose> places = new ArrayList<>(SHAPE.followersAt(LEADER));
     places.addFirst(LEADER);
     for (int i = 0; i < places.size(); i++) {
@@ -58,6 +80,7 @@ final class Group implements AutoCloseable {
     }
     robots.forEach(robot -> clock.add(robot, Daemon.TICK));
     clock.start();
+    robots.forEach(robot -> fingerprints.add(pair(robot.daemon())));
     connectServers();
   }
 
@@ -72,18 +95,59 @@ final class Group implements AutoCloseable {
 
   void connectServers() {
     servers.clear();
-    robots.forEach(robot -> servers.add(new GroupServer(robot.daemon().port())));
+    for (int i = 0; i < robots.size(); i++) {
+      servers.add(new GroupServer(connect(i)));
+    }
   }
 
   /** Orders all to their parts, and the leader to drive. */
   void begin(List<Segment> way) {
     List<Follower> followers = new ArrayList<>();
     for (int i = 1; i < robots.size(); i++) {
-      followers.add(new Follower(name(i), "127.0.0.1", robots.get(i).daemon().port(), null));
-      server(i).accepted(new Follow(1, TASK, name(0), null, SHAPE.offsets().get(i - 1), TOLERANCE));
+      followers.add(
+          new Follower(name(i), "127.0.0.1", robots.get(i).daemon().port(), fingerprint(i)));
+      server(i)
+          .accepted(
+              new Follow(1, TASK, name(0), fingerprint(0), SHAPE.offsets().get(i - 1), TOLERANCE));
     }
     server(0).accepted(new Lead(1, TASK, TOLERANCE, followers));
     server(0).accepted(new Drive(2, TASK, 2, LEADER, way, way.size(), true, 0));
+  }
+
+  private Optional<Fingerprint> pair(Daemon daemon) {
+    if (tls == null) {
+      return Optional.empty();
+    }
+    PairingCode code = PairingCode.parse(daemon.pairingCode().orElseThrow()).orElseThrow();
+    PairingResult result =
+        new TcpRobotLinks(tls, false).pair(daemon.robot(), "127.0.0.1", daemon.port(), code);
+    return Optional.of(assertInstanceOf(PairingResult.Paired.class, result).robot());
+  }
+
+  @Nullable String fingerprint(int robot) {
+    return fingerprints.get(robot).map(Fingerprint::hex).orElse(null);
+  }
+
+  int port(int robot) {
+    return robots.get(robot).daemon().port();
+  }
+
+  /** A new connection to the robot, as its server makes it. */
+  LinkSocket connect(int robot) {
+    try {
+      Socket socket =
+          new Socket(InetAddress.getLoopbackAddress(), robots.get(robot).daemon().port());
+      socket.setTcpNoDelay(true);
+      return tls == null
+          ? LinkSocket.plain(socket)
+          : tls.connect(
+              socket,
+              LinkTls.LINK,
+              (peer, _) -> fingerprints.get(robot).equals(Optional.of(peer)),
+              Duration.ofSeconds(5));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /**
@@ -118,6 +182,7 @@ final class Group implements AutoCloseable {
                   name(robot),
                   InetAddress.getLoopbackAddress(),
                   0,
+                  false,
                   folder.resolve(name(robot)),
                   5,
                   0.255,
@@ -125,7 +190,8 @@ final class Group implements AutoCloseable {
                   AgentConfig.Following.DEFAULT,
                   new Body.Simulated(start, SimulatedPower.FULL, 0.01, robot, 1)),
               clock,
-              clock.nanos()));
+              clock.nanos(),
+              tls != null));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

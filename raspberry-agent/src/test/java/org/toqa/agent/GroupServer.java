@@ -20,6 +20,7 @@ import org.toqa.link.message.LinkCodec;
 import org.toqa.link.message.MessageReading.Understood;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.link.trust.LinkSocket;
 
 /** A server's connection to one robot of a group whose world runs by itself. */
 final class GroupServer implements AutoCloseable {
@@ -28,17 +29,23 @@ final class GroupServer implements AutoCloseable {
   private static final long PING_NANOS = 20_000_000;
   private static final long FIRST_PING = 1_000_000_000;
 
-  private final Socket socket;
+  private final LinkSocket socket;
   private final List<AgentMessage> heard = new CopyOnWriteArrayList<>();
   private volatile boolean closed;
 
-  GroupServer(int port) {
+  /** A connection that is not encrypted. */
+  static GroupServer plain(int port) {
     try {
-      socket = new Socket(InetAddress.getLoopbackAddress(), port);
+      Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
       socket.setTcpNoDelay(true);
+      return new GroupServer(LinkSocket.plain(socket));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  GroupServer(LinkSocket socket) {
+    this.socket = socket;
     Thread.ofVirtual().start(this::read);
     Thread.ofVirtual().start(this::ping);
   }
@@ -113,7 +120,7 @@ final class GroupServer implements AutoCloseable {
 
   private synchronized void say(ServerMessage message) {
     try {
-      socket.getOutputStream().write(LinkCodec.line(message));
+      socket.out().write(LinkCodec.line(message));
     } catch (IOException e) {
       closed = true;
     }
@@ -128,7 +135,7 @@ final class GroupServer implements AutoCloseable {
 
   private void read() {
     try {
-      LineReader lines = new LineReader(socket.getInputStream());
+      LineReader lines = new LineReader(socket.in());
       for (LineReader.Line line = lines.next(); line != null; line = lines.next()) {
         if (LinkCodec.agentMessage(line) instanceof Understood<AgentMessage>(var message)) {
           heard.add(message);

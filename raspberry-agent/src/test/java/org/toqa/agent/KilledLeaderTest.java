@@ -35,8 +35,8 @@ class KilledLeaderTest {
   void followerOfAKilledLeaderStandsAndSaysWhy() throws Exception {
     try (DaemonProcess leader = DaemonProcess.launch(configuration("r1", 2));
         DaemonProcess follower = DaemonProcess.launch(configuration("r2", 1));
-        GroupServer ofLeader = new GroupServer(leader.port());
-        GroupServer ofFollower = new GroupServer(follower.port())) {
+        GroupServer ofLeader = GroupServer.plain(leader.port());
+        GroupServer ofFollower = GroupServer.plain(follower.port())) {
       ofFollower.accepted(new Follow(1, TASK, "r1", null, new Vec2(-1, 0), 0.05));
       ofLeader.accepted(
           new Lead(1, TASK, 0.05, List.of(new Follower("r2", "127.0.0.1", follower.port(), null))));

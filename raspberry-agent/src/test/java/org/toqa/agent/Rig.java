@@ -54,6 +54,7 @@ final class Rig implements AutoCloseable {
         "r1",
         InetAddress.getLoopbackAddress(),
         port,
+        false,
         data,
         5,
         0.255,

@@ -85,12 +85,21 @@ public final class LinkCodec {
     return line((Object) message);
   }
 
+  /** The message as a line with its line feed. */
+  public static byte[] line(PairingMessage message) {
+    return line((Object) message);
+  }
+
   public static MessageReading<ServerMessage> serverMessage(LineReader.Line line) {
     return read(line, ServerMessage.class);
   }
 
   public static MessageReading<AgentMessage> agentMessage(LineReader.Line line) {
     return read(line, AgentMessage.class);
+  }
+
+  public static MessageReading<PairingMessage> pairingMessage(LineReader.Line line) {
+    return read(line, PairingMessage.class);
   }
 
   private static String tooLong(long bytes) {

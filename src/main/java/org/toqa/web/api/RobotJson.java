@@ -2,6 +2,7 @@ package org.toqa.web.api;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -30,7 +31,9 @@ record RobotJson(
     String doing,
     @Nullable Instant lastSeen,
     boolean held,
-    @Nullable String charger) {
+    @Nullable String charger,
+    @Nullable String fingerprint,
+    @Nullable String alert) {
 
   static RobotJson of(RobotView view) {
     return new RobotJson(
@@ -53,6 +56,8 @@ record RobotJson(
         view.doing(),
         view.lastSeen(),
         view.held(),
-        view.charger());
+        view.charger(),
+        Objects.toString(view.fingerprint(), null),
+        view.alert());
   }
 }

@@ -3,14 +3,17 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.Doors;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.InputRules;
+import org.toqa.web.PairingForm;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
@@ -41,9 +44,21 @@ public final class RobotServlet extends ApiServlet {
           case "hold" -> services().fleet().hold(robot, user);
           case "resume" -> services().fleet().resume(robot, user);
           case "home" -> services().fleet().sendHome(robot, user);
+          case "pair" -> services().fleet().pair(robot, pairing(request), user);
           default -> services().fleet().locate(robot, pose(request), user);
         };
     Json.send(response, 200, RobotJson.of(accepted(FleetAnswers.await(wish))));
+  }
+
+  private static PairingOrder pairing(HttpServletRequest request) throws IOException {
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    Optional<PairingOrder> order =
+        new PairingForm(fields.text("host"), fields.number("port"), fields.text("code"))
+            .order(Texts.of(request), errors);
+    fields.refuseUnknown();
+    refuseIfAny(errors);
+    return order.orElseThrow();
   }
 
   private static Pose pose(HttpServletRequest request) throws IOException {

@@ -49,10 +49,8 @@ public final class RobotsServlet extends ApiServlet {
             rules.host("host", fields.text("host")),
             rules.port("port", fields.number("port")),
             rules.load("maxLoad", fields.number("maxLoad")),
-            fields.text("parking"));
-    if (fields.text("code") != null) {
-      errors.add("code", texts.get("error.code"));
-    }
+            fields.text("parking"),
+            rules.pairingCode("code", fields.text("code")));
     fields.refuseUnknown();
     return order;
   }

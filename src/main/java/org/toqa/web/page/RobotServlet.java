@@ -9,12 +9,14 @@ import java.util.concurrent.CompletionStage;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.Doors;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.InputRules;
+import org.toqa.web.PairingForm;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
@@ -60,8 +62,15 @@ public final class RobotServlet extends PageServlet {
       case "hold" -> Optional.of(fleet.hold(name, user));
       case "resume" -> Optional.of(fleet.resume(name, user));
       case "home" -> Optional.of(fleet.sendHome(name, user));
+      case "pair" -> pairing(request, errors).map(order -> fleet.pair(name, order, user));
       default -> read(request, errors).map(pose -> fleet.locate(name, pose, user));
     };
+  }
+
+  private static Optional<PairingOrder> pairing(HttpServletRequest request, FieldErrors errors) {
+    FormFields fields = new FormFields(request, errors);
+    return new PairingForm(fields.text("host"), fields.number("port"), fields.text("code"))
+        .order(Texts.of(request), errors);
   }
 
   private static Optional<RobotView> answered(

@@ -50,7 +50,8 @@ public final class RobotsServlet extends PageServlet {
             rules.host("host", fields.text("host")),
             rules.port("port", fields.number("port")),
             rules.load("maxLoad", fields.number("maxLoad")),
-            fields.text("parking"));
+            fields.text("parking"),
+            rules.pairingCode("code", fields.text("code")));
     return errors.isEmpty() ? Optional.of(order) : Optional.empty();
   }
 

@@ -1,10 +1,10 @@
-package org.toqa.agent;
+package org.toqa.agent.door;
 
 import java.io.IOException;
+import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
-import java.util.concurrent.BlockingQueue;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -15,20 +15,20 @@ final class ServerDoor implements AutoCloseable {
 
   private final String robot;
   private final ServerSocket socket;
-  private final BlockingQueue<Inbound> inbox;
+  private final Threshold threshold;
 
-  ServerDoor(AgentConfig config, BlockingQueue<Inbound> inbox) throws IOException {
-    this.robot = config.name();
-    this.inbox = inbox;
+  ServerDoor(String robot, InetAddress address, int port, Threshold threshold) throws IOException {
+    this.robot = robot;
+    this.threshold = threshold;
     socket = new ServerSocket();
     try {
       socket.setReuseAddress(true);
-      socket.bind(new InetSocketAddress(config.address(), config.port()));
+      socket.bind(new InetSocketAddress(address, port));
     } catch (IOException e) {
       socket.close();
       throw new IOException(
           "Port %d on %s cannot be listened on (%s); is another daemon running there?"
-              .formatted(config.port(), config.address().getHostAddress(), e.getMessage()),
+              .formatted(port, address.getHostAddress(), e.getMessage()),
           e);
     }
     Thread.ofVirtual().name(robot + "-door").start(this::accept);
@@ -45,6 +45,7 @@ final class ServerDoor implements AutoCloseable {
     } catch (IOException e) {
       log.debug("{}: closing the door failed.", robot, e);
     }
+    threshold.close();
   }
 
   private void accept() {
@@ -53,7 +54,7 @@ final class ServerDoor implements AutoCloseable {
         Socket client = socket.accept();
         client.setTcpNoDelay(true);
         client.setKeepAlive(true);
-        new ServerConnection(robot, client, inbox).start();
+        threshold.receive(client);
       } catch (IOException e) {
         if (!socket.isClosed()) {
           log.warn("{}: a connection could not be taken: {}", robot, e.getMessage());

@@ -1,0 +1,222 @@
+package org.toqa.agent;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.link.PairingResult.Paired;
+import org.toqa.link.RobotAddress;
+import org.toqa.link.RobotLink;
+import org.toqa.link.TcpRobotLinks;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.message.ServerMessage.Ping;
+import org.toqa.link.trust.Fingerprint;
+import org.toqa.link.trust.IdentityFile;
+import org.toqa.link.trust.LinkTls;
+import org.toqa.link.trust.PairingCode;
+import org.toqa.motion.Segment;
+
+/** A daemon in a process of its own that is paired, and what becomes of it. */
+@Timeout(120)
+class PairedDaemonTest {
+
+  @TempDir Path folder;
+  private Path config;
+  private DaemonProcess daemon;
+  private Fingerprint robot;
+
+  /** What a link told. */
+  private static final class Heard implements RobotLink.Listener {
+    final BlockingQueue<Object> told = new LinkedBlockingQueue<>();
+
+    record Refusal(String sentence) {}
+
+    @Override
+    public void connected(Hello hello) {
+      told.add(hello);
+    }
+
+    @Override
+    public void received(AgentMessage message) {
+      told.add(message);
+    }
+
+    @Override
+    public void disconnected(String sentence) {
+      told.add(sentence);
+    }
+
+    @Override
+    public void refused(String sentence) {
+      told.add(new Refusal(sentence));
+    }
+
+    <T> T await(Class<T> type, Predicate<T> wished) throws InterruptedException {
+      Object next = told.poll(20, TimeUnit.SECONDS);
+      while (next != null && !(type.isInstance(next) && wished.test(type.cast(next)))) {
+        next = told.poll(20, TimeUnit.SECONDS);
+      }
+      assertNotNull(next, "nothing of the kind was told");
+      return type.cast(next);
+    }
+
+    String awaitRefusal() throws InterruptedException {
+      return await(Refusal.class, r -> true).sentence();
+    }
+  }
+
+  @BeforeEach
+  void pair() throws IOException {
+    config = folder.resolve("agent.yaml");
+    Files.writeString(
+        config,
+        """
+        name: r1
+        port: 0
+        dataDir: robot
+        chassis:
+          type: simulated
+          start: {x: 2, y: 3, heading: 0}
+        """);
+    daemon = DaemonProcess.launch(config, "--pair");
+    PairingCode code = PairingCode.parse(daemon.pairingCode()).orElseThrow();
+    robot =
+        assertInstanceOf(Paired.class, links("server").pair("r1", "127.0.0.1", daemon.port(), code))
+            .robot();
+  }
+
+  @AfterEach
+  void close() {
+    daemon.close();
+  }
+
+  /** The links of a server that has just been started over that folder. */
+  private TcpRobotLinks links(String server) throws IOException {
+    return new TcpRobotLinks(
+        new LinkTls(IdentityFile.open(Files.createDirectories(folder.resolve(server)))), false);
+  }
+
+  private RobotLink link(String server, Heard heard) throws IOException {
+    return links(server).open(new RobotAddress("r1", "127.0.0.1", daemon.port(), robot), heard);
+  }
+
+  private void restart() throws Exception {
+    daemon.kill();
+    daemon = DaemonProcess.launch(config);
+  }
+
+  @Test
+  void serverDrivesTheRobotAndBothMayBeStartedAnew() throws Exception {
+    Heard heard = new Heard();
+    try (RobotLink link = link("server", heard)) {
+      Hello hello = heard.await(Hello.class, h -> true);
+      link.send(new Drive(1, null, 0, hello.pose(), List.of(new Segment(0.25, 0, 2)), 1, true, 0));
+      heard.await(State.class, s -> s.mode() == Mode.DRIVING);
+    }
+    restart();
+
+    Heard again = new Heard();
+    try (RobotLink _ = link("server", again)) {
+      assertEquals(1, again.await(Hello.class, h -> true).lastSeq());
+    }
+  }
+
+  @Test
+  void onlyTheirOwnerMayReadTheRobotsFiles() throws IOException {
+    for (String file : List.of("link.p12", "server.pin")) {
+      assertEquals(
+          "rw-------",
+          PosixFilePermissions.toString(
+              Files.getPosixFilePermissions(folder.resolve("robot").resolve(file))),
+          file);
+    }
+  }
+
+  @Test
+  void secondServerIsRefusedAndTheFirstOneIsTold() throws Exception {
+    Heard own = new Heard();
+    Heard others = new Heard();
+    try (RobotLink first = link("server", own);
+        RobotLink _ = link("second", others)) {
+      own.await(Hello.class, h -> true);
+      first.send(new Ping(1));
+
+      assertEquals(
+          "r1 does not accept this server: it was paired with another one, or this server's key is"
+              + " new. Pair it again.",
+          others.awaitRefusal());
+      State told =
+          own.await(
+              State.class, s -> s.errors().stream().anyMatch(e -> e.code().equals("REFUSED")));
+      assertEquals(Mode.IDLE, told.mode());
+      assertEquals(
+          "127.0.0.1 was refused: it is neither this robot's server nor its leader.",
+          told.errors().getFirst().text());
+      assertTrue(others.told.stream().noneMatch(Hello.class::isInstance), "it was greeted");
+    }
+  }
+
+  @Test
+  void plainTextIsRefusedAndTheServerIsTold() throws Exception {
+    Heard own = new Heard();
+    try (RobotLink first = link("server", own);
+        Socket plain = new Socket(InetAddress.getLoopbackAddress(), daemon.port())) {
+      own.await(Hello.class, h -> true);
+      first.send(new Ping(1));
+      plain
+          .getOutputStream()
+          .write("{\"type\":\"hold\",\"seq\":1}\n".getBytes(StandardCharsets.UTF_8));
+      assertEquals(-1, plain.getInputStream().read());
+
+      State told = own.await(State.class, s -> !s.errors().isEmpty());
+      assertEquals("127.0.0.1 was refused: it does not encrypt.", told.errors().getFirst().text());
+      assertEquals(Mode.IDLE, told.mode());
+    }
+  }
+
+  @Test
+  void robotWithAnotherKeyIsRefusedByTheServer() throws Exception {
+    daemon.kill();
+    Files.delete(folder.resolve("robot").resolve("link.p12"));
+    daemon = DaemonProcess.launch(config);
+    Heard heard = new Heard();
+    try (RobotLink _ = link("server", heard)) {
+      assertEquals(
+          "What answers at 127.0.0.1:%d is not r1: it has another key than the one recorded."
+                  .formatted(daemon.port())
+              + " If r1 was set up anew, pair it again; if not, find out who answers there.",
+          heard.awaitRefusal());
+    }
+  }
+
+  @Test
+  void serverWithAnotherKeyIsRefusedByTheRobot() throws Exception {
+    Files.delete(folder.resolve("server").resolve("link.p12"));
+    Heard heard = new Heard();
+    try (RobotLink _ = link("server", heard)) {
+      assertTrue(heard.awaitRefusal().startsWith("r1 does not accept this server"));
+    }
+  }
+}

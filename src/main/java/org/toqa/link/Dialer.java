@@ -1,0 +1,117 @@
+package org.toqa.link;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import java.net.UnknownHostException;
+import java.time.Duration;
+import org.toqa.link.trust.Fingerprint;
+import org.toqa.link.trust.HandshakeException;
+import org.toqa.link.trust.HandshakeException.Reason;
+import org.toqa.link.trust.LinkSocket;
+import org.toqa.link.trust.LinkTls;
+
+/** Connects to robots, and says in a sentence why it cannot. */
+final class Dialer {
+
+  private static final Duration CONNECT_LIMIT = Duration.ofSeconds(3);
+  private static final Duration HANDSHAKE_LIMIT = Duration.ofSeconds(5);
+
+  private final LinkTls tls;
+  private final boolean plainOffLoopback;
+
+  Dialer(LinkTls tls, boolean plainOffLoopback) {
+    this.tls = tls;
+    this.plainOffLoopback = plainOffLoopback;
+  }
+
+  /**
+   * Waits for the robot.
+   *
+   * @param silence the longest wait for a byte
+   */
+  LinkSocket connect(RobotAddress to, Duration silence) throws LinkException {
+    Socket socket = connected(to);
+    try {
+      socket.setSoTimeout((int) silence.toMillis());
+      Fingerprint pinned = to.fingerprint();
+      return pinned == null
+          ? LinkSocket.plain(socket)
+          : tls.connect(socket, LinkTls.LINK, (peer, _) -> peer.equals(pinned), HANDSHAKE_LIMIT);
+    } catch (HandshakeException e) {
+      throw untrusted(to, e.reason(), e);
+    } catch (IOException e) {
+      throw unreachable(to.robot(), to.place(), e);
+    }
+  }
+
+  private Socket connected(RobotAddress to) throws LinkException {
+    InetSocketAddress address = new InetSocketAddress(to.host(), to.port());
+    InetAddress ip = address.getAddress();
+    if (ip != null && !ip.isLoopbackAddress() && to.fingerprint() == null && !plainOffLoopback) {
+      throw LinkException.refusal(
+          "%s is on another machine (%s) and is not paired: enter the code that it shows."
+              .formatted(to.robot(), to.place()));
+    }
+    return tcp(to.robot(), to.place(), address);
+  }
+
+  /** A TCP connection, and nothing said yet. */
+  static Socket tcp(String robot, String place, InetSocketAddress address) throws LinkException {
+    Socket socket = new Socket();
+    try {
+      socket.setTcpNoDelay(true);
+      socket.connect(address, (int) CONNECT_LIMIT.toMillis());
+      return socket;
+    } catch (IOException e) {
+      try {
+        socket.close();
+      } catch (IOException suppressed) {
+        e.addSuppressed(suppressed);
+      }
+      throw unreachable(robot, place, e);
+    }
+  }
+
+  /**
+   * Why an encrypted connection to a known robot did not come about.
+   *
+   * @param e whose message helps only where nothing is known
+   */
+  static LinkException untrusted(RobotAddress to, Reason reason, IOException e) {
+    String robot = to.robot();
+    return switch (reason) {
+      case STRANGER ->
+          LinkException.refusal(
+              "What answers at %s is not %s: it has another key than the one recorded. If %s was set up anew, pair it again; if not, find out who answers there."
+                  .formatted(to.place(), robot, robot));
+      case REFUSED ->
+          LinkException.refusal(
+              "%s does not accept this server: it was paired with another one, or this server's key is new. Pair it again."
+                  .formatted(robot));
+      case NOT_TLS ->
+          LinkException.refusal(
+              "What answers at %s does not encrypt, and %s is paired. If %s was set up anew, pair it again; if not, find out who answers there."
+                  .formatted(to.place(), robot, robot));
+      case FAILED ->
+          LinkException.refusal(
+              "No connection to %s by TLS 1.3 came about: %s".formatted(robot, e.getMessage()));
+      case CUT_OFF -> new LinkException("The connection to %s was cut off.".formatted(robot));
+      case LATE -> new LinkException("%s does not answer at %s.".formatted(robot, to.place()));
+    };
+  }
+
+  private static LinkException unreachable(String robot, String place, IOException e) {
+    return switch (e) {
+      case UnknownHostException _ ->
+          new LinkException("The host of %s in %s is not known.".formatted(robot, place));
+      case SocketTimeoutException _ ->
+          new LinkException("%s does not answer at %s.".formatted(robot, place));
+      default ->
+          new LinkException(
+              "%s cannot be reached at %s: %s.".formatted(robot, place, e.getMessage()));
+    };
+  }
+}

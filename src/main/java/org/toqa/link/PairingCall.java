@@ -1,0 +1,96 @@
+package org.toqa.link;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.time.Duration;
+import java.util.Objects;
+import org.toqa.link.message.LineReader;
+import org.toqa.link.message.LinkCodec;
+import org.toqa.link.message.MessageReading.Understood;
+import org.toqa.link.message.PairingMessage;
+import org.toqa.link.message.PairingMessage.Pair;
+import org.toqa.link.message.PairingMessage.Paired;
+import org.toqa.link.message.PairingMessage.Unpaired;
+import org.toqa.link.trust.Fingerprint;
+import org.toqa.link.trust.HandshakeException;
+import org.toqa.link.trust.HandshakeException.Reason;
+import org.toqa.link.trust.LinkSocket;
+import org.toqa.link.trust.LinkTls;
+import org.toqa.link.trust.PairingCode;
+import org.toqa.link.trust.PairingProof;
+import org.toqa.link.trust.TimeLimit;
+
+/**
+ * The server's side of pairing with one robot:
+ *
+ * <ol>
+ *   <li>The certificate that it shows must be the code's; else nothing is said.
+ *   <li>The server says {@code pair}, with the proof that it knows the code's secret.
+ *   <li>The robot says {@code paired}, with a proof of the same.
+ * </ol>
+ *
+ * @param place host and port, for sentences
+ */
+record PairingCall(LinkTls tls, String robot, String place, PairingCode code) {
+
+  /** For all of it: a little less than whoever asked waits for the answer. */
+  private static final Duration LIMIT = Duration.ofSeconds(9);
+
+  PairingResult to(String host, int port) {
+    long end = System.nanoTime() + LIMIT.toNanos();
+    try {
+      Socket socket = Dialer.tcp(robot, place, new InetSocketAddress(host, port));
+      try (LinkSocket link =
+              tls.connect(socket, LinkTls.PAIRING, (peer, _) -> code.isOf(peer), until(end));
+          TimeLimit _ = link.within(until(end))) {
+        return converse(link);
+      }
+    } catch (LinkException e) {
+      return new PairingResult.Unreachable(String.valueOf(e.getMessage()));
+    } catch (HandshakeException e) {
+      return e.reason() == Reason.STRANGER
+          ? new PairingResult.Refused(
+              "The code is not that of what answers at %s: check code, host and port."
+                  .formatted(place))
+          : unreachable();
+    } catch (IOException e) {
+      return unreachable();
+    }
+  }
+
+  private static Duration until(long end) {
+    return Duration.ofNanos(Math.max(0, end - System.nanoTime()));
+  }
+
+  private PairingResult unreachable() {
+    return new PairingResult.Unreachable(
+        "What answers at %s does not pair: look whether the daemon of %s runs and shows a code."
+            .formatted(place, robot));
+  }
+
+  private PairingResult converse(LinkSocket link) throws IOException {
+    Fingerprint peer = Objects.requireNonNull(link.peer());
+    Fingerprint own = tls.fingerprint();
+    link.out().write(LinkCodec.line(new Pair(PairingProof.SERVER.of(code, peer, own))));
+    LineReader.Line line = new LineReader(link.in()).next();
+    if (line == null
+        || !(LinkCodec.pairingMessage(line) instanceof Understood<PairingMessage>(var answer))) {
+      return unreachable();
+    }
+    return switch (answer) {
+      case Paired(String name, String _) when !name.equals(robot) ->
+          new PairingResult.Unreachable(
+              "At %s answers a robot of another name, not %s; correct the address or the name."
+                  .formatted(place, robot));
+      case Paired(String _, String proof)
+          when PairingProof.ROBOT.isShownBy(proof, code, peer, own) ->
+          new PairingResult.Paired(peer);
+      case Paired _ ->
+          new PairingResult.Refused(
+              "What answers at %s does not know its own code.".formatted(place));
+      case Unpaired(String reason) -> new PairingResult.Refused(reason);
+      case Pair _ -> unreachable();
+    };
+  }
+}

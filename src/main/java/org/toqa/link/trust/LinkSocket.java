@@ -1,0 +1,67 @@
+package org.toqa.link.trust;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.time.Duration;
+import org.jspecify.annotations.Nullable;
+
+/** One connection of the robot link, and who is at its other end. */
+public final class LinkSocket implements AutoCloseable {
+
+  private final Socket tcp;
+  private final Socket stream;
+  private final @Nullable Fingerprint peer;
+  private final String protocol;
+
+  /**
+   * @param tcp carries the bytes
+   * @param stream the same where they are not encrypted
+   */
+  LinkSocket(Socket tcp, Socket stream, @Nullable Fingerprint peer, String protocol) {
+    this.tcp = tcp;
+    this.stream = stream;
+    this.peer = peer;
+    this.protocol = protocol;
+  }
+
+  /** A connection that is not encrypted: nobody knows who is at its other end. */
+  public static LinkSocket plain(Socket connected) {
+    return new LinkSocket(connected, connected, null, "");
+  }
+
+  /** Who has proved to be at the other end; null where the link is not encrypted. */
+  public @Nullable Fingerprint peer() {
+    return peer;
+  }
+
+  /** Whether the other end wants to pair. */
+  public boolean isForPairing() {
+    return protocol.equals(LinkTls.PAIRING);
+  }
+
+  public InetAddress remote() {
+    return tcp.getInetAddress();
+  }
+
+  public InputStream in() throws IOException {
+    return stream.getInputStream();
+  }
+
+  public OutputStream out() throws IOException {
+    return stream.getOutputStream();
+  }
+
+  /** Lets the conversation last so long from now on, and not longer. */
+  public TimeLimit within(Duration limit) {
+    return new TimeLimit(tcp, limit);
+  }
+
+  /** Hangs up at once: the farewell of TLS would wait for a peer that does not read. */
+  @Override
+  public void close() throws IOException {
+    tcp.close();
+  }
+}

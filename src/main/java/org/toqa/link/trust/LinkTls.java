@@ -1,0 +1,190 @@
+package org.toqa.link.trust;
+
+import java.io.ByteArrayInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.net.Socket;
+import java.net.SocketException;
+import java.security.GeneralSecurityException;
+import java.security.cert.X509Certificate;
+import java.time.Duration;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLException;
+import javax.net.ssl.SSLParameters;
+import javax.net.ssl.SSLSocket;
+import javax.net.ssl.TrustManager;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.link.trust.HandshakeException.Reason;
+
+/**
+ * TLS 1.3 over connections of the robot link, at either end: both ends show their certificates, and
+ * each lets in whom it was told to. Each connection has a context of its own, so that no earlier
+ * session can be taken up after the trust in it has ended.
+ */
+public final class LinkTls {
+
+  /** The protocol (ALPN) of a server or a leader. */
+  public static final String LINK = "toqa/1";
+
+  /** The protocol (ALPN) of a server that pairs. */
+  public static final String PAIRING = "toqa-pair/1";
+
+  /** Every TLS connection begins with a record of this type. */
+  private static final int HANDSHAKE_RECORD = 22;
+
+  private static final int LONGEST_FAREWELL_MILLIS = 500;
+  private static final int MOST_UNREAD_BYTES = 16_384;
+
+  private static final Logger log = LoggerFactory.getLogger(LinkTls.class);
+
+  private final Identity identity;
+
+  public LinkTls(Identity identity) {
+    this.identity = identity;
+  }
+
+  /** What this end is known by. */
+  public Fingerprint fingerprint() {
+    return identity.fingerprint();
+  }
+
+  /**
+   * Goes on, as the client, with a connection that was made. Nothing but the greeting of TLS is
+   * sent before the other end is found to be trusted. Whether the other end trusts this one shows
+   * with the first line that is read.
+   *
+   * @throws HandshakeException the socket is closed then
+   */
+  public LinkSocket connect(Socket connected, String protocol, Admission admission, Duration limit)
+      throws IOException {
+    try (TimeLimit time = new TimeLimit(connected, limit)) {
+      try {
+        SSLSocket tls =
+            (SSLSocket)
+                context(admission)
+                    .getSocketFactory()
+                    .createSocket(
+                        connected,
+                        connected.getInetAddress().getHostAddress(),
+                        connected.getPort(),
+                        true);
+        return shake(connected, tls, protocol);
+      } catch (IOException e) {
+        throw failed(connected, time, e);
+      }
+    }
+  }
+
+  /**
+   * Goes on, as the server, with a connection that was taken.
+   *
+   * @throws HandshakeException the socket is closed then
+   */
+  public LinkSocket accept(Socket accepted, Admission admission, Duration limit)
+      throws IOException {
+    try (TimeLimit time = new TimeLimit(accepted, limit)) {
+      try {
+        int first = accepted.getInputStream().read();
+        if (first >= 0 && first != HANDSHAKE_RECORD) {
+          throw new HandshakeException(
+              Reason.NOT_TLS,
+              "It begins with the byte " + first + ".",
+              new SSLException("plain text"));
+        }
+        byte[] read = first < 0 ? new byte[0] : new byte[] {(byte) first};
+        SSLSocket tls =
+            (SSLSocket)
+                context(admission)
+                    .getSocketFactory()
+                    .createSocket(accepted, new ByteArrayInputStream(read), false);
+        tls.setUseClientMode(false);
+        tls.setNeedClientAuth(true);
+        return shake(accepted, tls, PAIRING, LINK);
+      } catch (IOException e) {
+        letReadTheAlert(accepted);
+        throw failed(accepted, time, e);
+      }
+    }
+  }
+
+  /** What a failure to read the first line of a connection that was made comes from. */
+  public static Reason reasonOf(IOException failure) {
+    for (Throwable e = failure; e != null; e = e.getCause()) {
+      switch (e) {
+        case HandshakeException known -> {
+          return known.reason();
+        }
+        case PinnedTrust.StrangerException _ -> {
+          return Reason.STRANGER;
+        }
+        case EOFException _, SocketException _ -> {
+          return Reason.CUT_OFF;
+        }
+        case SSLException tls when says(tls, "Received fatal alert") -> {
+          return Reason.REFUSED;
+        }
+        case SSLException tls when says(tls, "Unsupported or unrecognized SSL message") -> {
+          return Reason.NOT_TLS;
+        }
+        default -> {}
+      }
+    }
+    return Reason.FAILED;
+  }
+
+  private static boolean says(SSLException e, String words) {
+    return e.getMessage() != null && e.getMessage().contains(words);
+  }
+
+  private static LinkSocket shake(Socket tcp, SSLSocket tls, String... protocols)
+      throws IOException {
+    SSLParameters parameters = tls.getSSLParameters();
+    parameters.setProtocols(new String[] {"TLSv1.3"});
+    parameters.setApplicationProtocols(protocols);
+    tls.setSSLParameters(parameters);
+    tls.startHandshake();
+    try {
+      X509Certificate shown = (X509Certificate) tls.getSession().getPeerCertificates()[0];
+      return new LinkSocket(tcp, tls, Fingerprint.of(shown), tls.getApplicationProtocol());
+    } catch (GeneralSecurityException e) {
+      throw new IOException(e);
+    }
+  }
+
+  private SSLContext context(Admission admission) throws IOException {
+    try {
+      SSLContext context = SSLContext.getInstance("TLSv1.3");
+      context.init(identity.keyManagers(), new TrustManager[] {new PinnedTrust(admission)}, null);
+      return context;
+    } catch (GeneralSecurityException e) {
+      throw new IOException("TLS cannot be had: " + e.getMessage(), e);
+    }
+  }
+
+  /** A peer that still writes while its socket is closed would lose the alert that was sent. */
+  private static void letReadTheAlert(Socket refused) {
+    try {
+      refused.shutdownOutput();
+      refused.setSoTimeout(LONGEST_FAREWELL_MILLIS);
+      refused.getInputStream().readNBytes(MOST_UNREAD_BYTES);
+    } catch (IOException e) {
+      log.debug("A refused connection ended.", e);
+    }
+  }
+
+  private static HandshakeException failed(Socket socket, TimeLimit time, IOException e) {
+    try {
+      socket.close();
+    } catch (IOException suppressed) {
+      e.addSuppressed(suppressed);
+    }
+    Reason reason = reasonOf(e);
+    if (time.hasPassed() && (reason == Reason.CUT_OFF || reason == Reason.FAILED)) {
+      reason = Reason.LATE;
+    }
+    return e instanceof HandshakeException known && known.reason() == reason
+        ? known
+        : new HandshakeException(reason, String.valueOf(e.getMessage()), e);
+  }
+}

@@ -1,0 +1,227 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.agent.DaemonProcess;
+import org.toqa.allocation.OptimalAllocator;
+import org.toqa.fleet.EventArchive.Entry;
+import org.toqa.fleet.EventArchive.Filter;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.FloorReader;
+import org.toqa.link.TcpRobotLinks;
+import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.trust.IdentityFile;
+import org.toqa.link.trust.LinkTls;
+import org.toqa.link.trust.PairingCode;
+import org.toqa.store.Database;
+import org.toqa.store.JdbiEventArchive;
+import org.toqa.store.JdbiFleetStore;
+
+/** The fleet over a real store, and a robot's daemon in a process of its own that is paired. */
+@Timeout(120)
+class PairedFleetTest {
+
+  private static final Duration LIMIT = Duration.ofSeconds(40);
+
+  @TempDir private Path folder;
+  private final Database database = Database.inMemory("paired-" + System.nanoTime());
+  private Instant now = Instant.parse("2026-11-21T08:00:00Z");
+  private @Nullable AgentFleet fleet;
+  private @Nullable DaemonProcess daemon;
+
+  @BeforeEach
+  void start() throws IOException {
+    Files.writeString(
+        folder.resolve("agent.yaml"),
+        """
+        name: r1
+        port: 0
+        dataDir: robot
+        chassis: {type: simulated, start: {x: 1.05, y: 1.05, heading: 0}}
+        """);
+    daemon = daemon("--pair");
+    fleet = fleet();
+  }
+
+  @AfterEach
+  void close() {
+    fleetNow().close();
+    daemonNow().close();
+    database.close();
+  }
+
+  private AgentFleet fleetNow() {
+    return Objects.requireNonNull(fleet);
+  }
+
+  private DaemonProcess daemonNow() {
+    return Objects.requireNonNull(daemon);
+  }
+
+  private DaemonProcess daemon(String... options) throws IOException {
+    return DaemonProcess.launch(folder.resolve("agent.yaml"), options);
+  }
+
+  private AgentFleet fleet() throws IOException {
+    Path data = Files.createDirectories(folder.resolve("server"));
+    return new AgentFleet(
+        List.of(FloorReader.read(Path.of("maps/lab.yaml"))),
+        new JdbiFleetStore(database.jdbi()),
+        new TcpRobotLinks(new LinkTls(IdentityFile.open(data)), false),
+        new OptimalAllocator(),
+        new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, 1),
+        InstantSource.system(),
+        now);
+  }
+
+  private static <T> T answer(CompletionStage<T> wish) throws Exception {
+    return wish.toCompletableFuture().get(20, TimeUnit.SECONDS);
+  }
+
+  private Answer<RobotView> add(String code) throws Exception {
+    RobotOrder order =
+        new RobotOrder(
+            "r1", "127.0.0.1", daemonNow().port(), 5, null, PairingCode.parse(code).orElseThrow());
+    return answer(fleetNow().addRobot(order, "boss"));
+  }
+
+  private Answer<RobotView> pairAnew(String code) throws Exception {
+    PairingOrder order =
+        new PairingOrder("127.0.0.1", daemonNow().port(), PairingCode.parse(code).orElseThrow());
+    return answer(fleetNow().pair("r1", order, "boss"));
+  }
+
+  /** Time goes on until r1 is as wished. */
+  private RobotView until(Predicate<RobotView> wished) throws InterruptedException {
+    long end = System.nanoTime() + LIMIT.toNanos();
+    FleetSnapshot view = fleetNow().feed().latest();
+    while (System.nanoTime() < end) {
+      for (RobotView robot : view.robots()) {
+        if (wished.test(robot)) {
+          return robot;
+        }
+      }
+      now = now.plusMillis(100);
+      fleetNow().tick(now);
+      view = fleetNow().feed().awaitNewer(view.version(), Duration.ofMillis(100));
+    }
+    return fail("It is still so: " + view);
+  }
+
+  /** Waits for a line of that kind in the history. */
+  private EventRecord history(String kind) throws InterruptedException {
+    long end = System.nanoTime() + LIMIT.toNanos();
+    while (System.nanoTime() < end) {
+      now = now.plusMillis(100);
+      fleetNow().tick(now);
+      for (EventRecord event : events()) {
+        if (event.kind().equals(kind)) {
+          return event;
+        }
+      }
+      fleetNow().feed().awaitNewer(fleetNow().feed().latest().version(), Duration.ofMillis(100));
+    }
+    return fail("There is no " + kind + " in " + events());
+  }
+
+  private List<EventRecord> events() {
+    return new JdbiEventArchive(database.jdbi())
+        .events(new Filter(null, "r1", null, null, null, null), Long.MAX_VALUE, 100).stream()
+            .map(Entry::event)
+            .toList();
+  }
+
+  private static boolean isHeard(RobotView robot) {
+    return robot.state() == RobotState.IDLE;
+  }
+
+  @Test
+  void robotIsPairedByItsCodeAndKnownAfterRestartsOfBoth() throws Exception {
+    Answer<RobotView> added = add(daemonNow().pairingCode());
+
+    assertInstanceOf(Answer.Accepted.class, added, added.toString());
+    assertNotNull(until(PairedFleetTest::isHeard).fingerprint());
+
+    daemonNow().kill();
+    fleetNow().close();
+    int port = daemonNow().port();
+    Files.writeString(
+        folder.resolve("agent.yaml"),
+        Files.readString(folder.resolve("agent.yaml")).replace("port: 0", "port: " + port));
+    daemon = daemon();
+    fleet = fleet();
+    until(PairedFleetTest::isHeard);
+  }
+
+  @Test
+  void wrongCodeIsRefusedAddsNobodyAndIsInTheHistory() throws Exception {
+    String code = daemonNow().pairingCode();
+    char last = code.charAt(code.length() - 1);
+    String wrong = code.substring(0, code.length() - 1) + (last == 'A' ? 'B' : 'A');
+
+    assertEquals(new Answer.Refused<>("code", "The code is wrong; tries left: 4."), add(wrong));
+    assertEquals(
+        "boss could not pair r1: The code is wrong; tries left: 4.",
+        history("robot.pairing-refused").text());
+    assertTrue(new JdbiFleetStore(database.jdbi()).robots().isEmpty());
+    assertInstanceOf(Answer.Accepted.class, add(code));
+  }
+
+  @Test
+  void replacedKeyIsAnAlertUntilTheRobotIsPairedAnew() throws Exception {
+    add(daemonNow().pairingCode());
+    RobotView before = until(PairedFleetTest::isHeard);
+    daemonNow().kill();
+    Files.delete(folder.resolve("robot").resolve("link.p12"));
+    Files.writeString(
+        folder.resolve("agent.yaml"),
+        Files.readString(folder.resolve("agent.yaml"))
+            .replace("port: 0", "port: " + daemonNow().port()));
+    daemon = daemon("--pair");
+
+    String alert = until(robot -> robot.alert() != null).alert();
+    assertTrue(
+        Objects.requireNonNull(alert).contains("it has another key than the one recorded"), alert);
+    assertEquals(alert, history("robot.link-refused").text());
+
+    assertInstanceOf(Answer.Accepted.class, pairAnew(daemonNow().pairingCode()));
+    RobotView after = until(robot -> isHeard(robot) && robot.alert() == null);
+    assertNotEquals(before.fingerprint(), after.fingerprint());
+    assertEquals("boss paired r1 with this server", history("robot.paired").text());
+  }
+
+  @Test
+  void strangerAtTheRobotsDoorIsInTheHistory() throws Exception {
+    add(daemonNow().pairingCode());
+    until(PairedFleetTest::isHeard);
+    try (var stranger = daemonNow().connect()) { // speaks without encryption
+      stranger.say(new Drive(1, null, 0, new Pose(1.05, 1.05, 0), List.of(), 0, true, 0));
+      assertEquals(
+          "r1 let somebody not in. 127.0.0.1 was refused: it does not encrypt.",
+          history("robot.stranger").text());
+    }
+    assertTrue(until(r -> !r.errors().isEmpty()).errors().getFirst().text().contains("127.0.0.1"));
+  }
+}
