@@ -97,8 +97,10 @@ final class Toqa implements AutoCloseable {
     addFirstManager(configuration, accounts, passwords);
 
     VirtualClock clock = new VirtualClock(wallClock.instant(), configuration.speed());
-    if (configuration.simulate() > 0) {
-      parts.push(simulate(configuration, floor, store, clock));
+    SimulatedFleet simulated =
+        configuration.simulate() > 0 ? simulate(configuration, floor, store, clock) : null;
+    if (simulated != null) {
+      parts.push(simulated);
     }
     AgentFleet fleet =
         new AgentFleet(
@@ -113,6 +115,10 @@ final class Toqa implements AutoCloseable {
             clock.instant());
     parts.push(fleet);
     clock.add(nanos -> fleet.tick(clock.instant()), FLEET_TICK);
+    if (simulated != null) {
+      SimulatedDocks docks = new SimulatedDocks(simulated, fleet, floor);
+      clock.add(nanos -> docks.look(), SimulatedDocks.PERIOD);
+    }
     clock.start();
     parts.push(clock);
     ApiTokens tokens = new ApiTokens(database.jdbi(), wallClock, TOKEN_LIFE);

@@ -54,6 +54,11 @@ final class RobotWishes {
     if (!robot.connected) {
       return new Answer.Refused<>(null, m.robot() + " is not connected; try again when it is.");
     }
+    if (robot.drive != 0 || robot.driveUnderway) {
+      return new Answer.Refused<>(
+          null,
+          m.robot() + " is on its way; say where it is when it has arrived, or cancel its task.");
+    }
     if (!state.floor.grid().isFree(m.pose().position())) {
       return new Answer.Refused<>(
           "x", "A robot cannot stand there: that is a wall or off the map.");

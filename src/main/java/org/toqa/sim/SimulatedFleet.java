@@ -6,6 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.AgentConfig;
@@ -13,6 +16,7 @@ import org.toqa.agent.Body;
 import org.toqa.agent.Daemon;
 import org.toqa.agent.MotionLimits;
 import org.toqa.agent.chassis.SimulatedPower;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -33,6 +37,9 @@ public final class SimulatedFleet implements AutoCloseable {
   private final VirtualClock clock;
   private final List<Inhabitant> robots = new ArrayList<>();
   private final List<SimulatedMicrocontroller> microcontrollers = new ArrayList<>();
+
+  /** Where bodies really are, by their robots' names, map frame. */
+  private final Map<String, Pose> truths = new ConcurrentHashMap<>();
 
   /** A daemon in the world. */
   private record Inhabitant(Daemon daemon) implements Participant {
@@ -88,6 +95,11 @@ public final class SimulatedFleet implements AutoCloseable {
         .orElseThrow(() -> new IllegalArgumentException("There is no robot " + robot + "."));
   }
 
+  /** Where the robot really is, map frame; empty where its body is not simulated as a whole. */
+  public Optional<Pose> truth(String robot) {
+    return Optional.ofNullable(truths.get(robot));
+  }
+
   /** Takes the robots out of the world, the last one first, and ends their daemons. */
   @Override
   public void close() {
@@ -112,7 +124,8 @@ public final class SimulatedFleet implements AutoCloseable {
           new SimulatedPower(robot.battery(), chargers),
           SLIP,
           robot.name().hashCode(),
-          1);
+          1,
+          truth -> truths.put(robot.name(), truth));
     }
     Files.createDirectories(folder);
     SimulatedMicrocontroller microcontroller = SimulatedMicrocontroller.start(firmware, folder);

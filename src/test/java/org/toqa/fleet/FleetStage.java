@@ -81,8 +81,7 @@ final class FleetStage implements AutoCloseable {
     robots.put(name, robot);
     robot.knows(this::played);
     store.saveRobot(
-        new RobotRecord(
-            name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, false, fingerprint));
+        new RobotRecord(name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, false, fingerprint));
     return robot;
   }
 

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.CellRuns;
@@ -348,6 +349,18 @@ class FleetTest {
   }
 
   // --- cancel, hold, pause, failures ------------------------------------------------------------
+
+  @Test
+  void aRobotOnItsWayIsNotToldWhereItIs() throws Exception {
+    long task = submit("West", "East");
+    until(view -> task(view, task).state() == TaskState.CARRYING && played("r1").isDriving());
+
+    Answer<RobotView> answer =
+        stage.fleet.locate("r1", new Pose(1.5, 1.5, 0), "Max").toCompletableFuture().get();
+
+    assertInstanceOf(Answer.Refused.class, answer);
+    until(view -> task(view, task).state() == TaskState.DONE);
+  }
 
   @Test
   void aTaskCancelledBeforeThePickUpEndsAndItsRobotGoesHome() throws Exception {

@@ -183,7 +183,9 @@ class HistoryInBrowserTest extends BrowserTest {
     Locator none = page().getByText("Nothing is known of that time.");
     assertThat(none).isVisible();
     Object empty = canvas();
-    server.store().saveRobot(new RobotRecord("r1", "hall", "127.0.0.1", 7275, 5, null, false, null));
+    server
+        .store()
+        .saveRobot(new RobotRecord("r1", "hall", "127.0.0.1", 7275, 5, null, false, null));
     server
         .tracks()
         .add(

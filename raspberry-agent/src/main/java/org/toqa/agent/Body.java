@@ -2,6 +2,7 @@ package org.toqa.agent;
 
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import org.toqa.agent.chassis.Onlooker;
 import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.geometry.Pose;
 
@@ -20,9 +21,17 @@ public sealed interface Body {
    * @param power its battery, and where it is charged
    * @param noise standard deviation of a wheel's slip, as a share of what it turns
    * @param speed how many times faster than real time it and its daemon live
+   * @param onlooker sees where it really is
    */
-  record Simulated(Pose start, SimulatedPower power, double noise, long seed, double speed)
-      implements Body {}
+  record Simulated(
+      Pose start, SimulatedPower power, double noise, long seed, double speed, Onlooker onlooker)
+      implements Body {
+
+    /** One that nobody looks at. */
+    public Simulated(Pose start, SimulatedPower power, double noise, long seed, double speed) {
+      this(start, power, noise, seed, speed, Onlooker.NOBODY);
+    }
+  }
 
   /**
    * The real firmware in a simulated microcontroller.

@@ -147,8 +147,8 @@ public final class Daemon implements AutoCloseable {
   private static Chassis chassis(AgentConfig config, DataFolder folder, long nanos)
       throws IOException {
     return switch (config.chassis()) {
-      case Body.Simulated(var start, var power, double noise, long seed, double _) ->
-          new SimulatedChassis(folder.path().resolve("body"), start, power, noise, seed);
+      case Body.Simulated(var start, var power, double noise, long seed, double _, var onlooker) ->
+          new SimulatedChassis(folder.path().resolve("body"), start, power, noise, seed, onlooker);
       case Body.SimulatedFirmware(var socket, var start) ->
           firmware(config, new SimulatorTransport(socket), start, nanos);
       case Body.Spi(var device, int hertz, int wordDelay) ->

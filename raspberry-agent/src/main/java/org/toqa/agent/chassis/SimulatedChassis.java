@@ -37,6 +37,7 @@ public final class SimulatedChassis implements Chassis {
 
   private final SimulatedBodyFile file;
   private final SimulatedPower power;
+  private final Onlooker onlooker;
   private final WheelKinematics kinematics;
   private final double noise;
   private final ThreeWheels sizes;
@@ -60,18 +61,31 @@ public final class SimulatedChassis implements Chassis {
    */
   public SimulatedChassis(Path file, Pose start, SimulatedPower power, double noise, long seed)
       throws IOException {
-    this(new SimulatedBodyFile(file), start, power, SimulatedWheels.omni(noise, 0), seed);
+    this(file, start, power, noise, seed, Onlooker.NOBODY);
+  }
+
+  /** The same, with an onlooker. */
+  public SimulatedChassis(
+      Path file, Pose start, SimulatedPower power, double noise, long seed, Onlooker onlooker)
+      throws IOException {
+    this(new SimulatedBodyFile(file), start, power, SimulatedWheels.omni(noise, 0), seed, onlooker);
   }
 
   /** A new body that nothing is kept of, with a full battery. */
   public SimulatedChassis(Pose start, SimulatedWheels wheels, long seed) {
-    this(new SimulatedBodyFile(), start, SimulatedPower.FULL, wheels, seed);
+    this(new SimulatedBodyFile(), start, SimulatedPower.FULL, wheels, seed, Onlooker.NOBODY);
   }
 
   private SimulatedChassis(
-      SimulatedBodyFile file, Pose start, SimulatedPower power, SimulatedWheels wheels, long seed) {
+      SimulatedBodyFile file,
+      Pose start,
+      SimulatedPower power,
+      SimulatedWheels wheels,
+      long seed,
+      Onlooker onlooker) {
     this.file = file;
     this.power = power;
+    this.onlooker = onlooker;
     this.kinematics = wheels.kinematics();
     this.noise = wheels.slip();
     this.sizes = sizes(wheels.sizeError(), seed);
@@ -96,6 +110,7 @@ public final class SimulatedChassis implements Chassis {
     lastNanos = nanos;
     body = body.commanded(command);
     file.write(body);
+    onlooker.sees(body.truth());
     return new ChassisReading(
         body.powerCycle(),
         body.powerCycle() == 1 ? body.start() : null,
