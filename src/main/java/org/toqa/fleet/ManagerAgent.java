@@ -230,7 +230,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.NotBegun m -> requeue(m.mission());
       case ManagerMessage.FloorReport m -> reported(m);
       case ManagerMessage.Decided m -> decided(m);
-      case ManagerMessage.StoreWatched m -> changed = true;
+      case ManagerMessage.StoreWatched m -> publish(); // also where simulated time stands still
       case ManagerMessage.Tick m -> tick(m.now());
     }
     return this;
