@@ -45,8 +45,8 @@ final class StoreWatch implements AutoCloseable {
     }
     if (now != answers) {
       answers = now;
-      log.warn(now ? "The database answers again." : "The database does not answer.");
       changed.accept(now);
+      log.warn(now ? "The database answers again." : "The database does not answer.");
     }
   }
 

@@ -71,7 +71,10 @@ final class StoreWriter implements AutoCloseable {
         trouble.set(null);
         return true;
       } catch (StoreException e) {
-        log.warn("The store does not answer; trying again in {} ms.", pause.toMillis(), e);
+        log.warn(
+            "The store does not answer; trying again in {} ms: {}",
+            pause.toMillis(),
+            e.getMessage());
         trouble.set(e.getMessage());
       }
       try {

@@ -2,6 +2,7 @@ package org.toqa.testbed;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -115,7 +116,16 @@ public final class ToqaProcess implements AutoCloseable {
     private final Thread reader;
 
     Output(BufferedReader source) {
-      reader = Thread.startVirtualThread(() -> source.lines().forEach(this::add));
+      // no virtual thread: reading a pipe holds its carrier, and a pipe that nobody reads fills up
+      reader = Thread.ofPlatform().daemon().start(() -> read(source));
+    }
+
+    private void read(BufferedReader source) {
+      try {
+        source.lines().forEach(this::add);
+      } catch (UncheckedIOException e) {
+        add("(" + e.getCause().getMessage() + ")"); // the process was ended from here
+      }
     }
 
     private synchronized void add(String line) {
