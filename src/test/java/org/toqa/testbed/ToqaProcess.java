@@ -124,7 +124,7 @@ public final class ToqaProcess implements AutoCloseable {
       try {
         source.lines().forEach(this::add);
       } catch (UncheckedIOException e) {
-        add("(" + e.getCause().getMessage() + ")"); // the process was ended from here
+        add("(" + e.getMessage() + ")"); // the process was ended from here
       }
     }
 
