@@ -124,7 +124,7 @@ public final class ToqaProcess implements AutoCloseable {
       try {
         source.lines().forEach(this::add);
       } catch (UncheckedIOException e) {
-        add("(" + e.getMessage() + ")"); // the process was ended from here
+        // told to end from here, which closes the pipe: what it said last is not known
       }
     }
 
