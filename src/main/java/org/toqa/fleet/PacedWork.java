@@ -24,7 +24,9 @@ public final class PacedWork implements AutoCloseable {
    */
   public PacedWork(String name, Duration pause, Runnable work) {
     this.name = name;
-    thread = Executors.newSingleThreadScheduledExecutor(Thread.ofVirtual().name(name).factory());
+    thread =
+        Executors.newSingleThreadScheduledExecutor(
+            Thread.ofPlatform().daemon().name(name).factory());
     var _ =
         thread.scheduleWithFixedDelay(
             () -> once(work), pause.toNanos(), pause.toNanos(), TimeUnit.NANOSECONDS);

@@ -23,7 +23,9 @@ final class StoreWriter implements AutoCloseable {
   private final AtomicReference<@Nullable String> trouble = new AtomicReference<>();
 
   StoreWriter(String name) {
-    thread = Executors.newSingleThreadExecutor(Thread.ofVirtual().name("store-" + name).factory());
+    thread =
+        Executors.newSingleThreadExecutor(
+            Thread.ofPlatform().daemon().name("store-" + name).factory());
   }
 
   /**
