@@ -53,8 +53,8 @@ public final class Database implements AutoCloseable {
     config.setValidationTimeout(CONNECT_LIMIT.toMillis());
     if (url.startsWith(
         MYSQL)) { // without limits a connection to a machine that is gone waits for ever
-      config.addDataSourceProperty("connectTimeout", CONNECT_LIMIT.toMillis());
-      config.addDataSourceProperty("socketTimeout", SILENCE_LIMIT.toMillis());
+      config.addDataSourceProperty("connectTimeout", milliseconds(CONNECT_LIMIT));
+      config.addDataSourceProperty("socketTimeout", milliseconds(SILENCE_LIMIT));
     }
     return new Database(new HikariDataSource(config));
   }
@@ -90,6 +90,11 @@ public final class Database implements AutoCloseable {
     }
     config.setMaximumPoolSize(FLYWAY_CONNECTIONS);
     return config;
+  }
+
+  /** As text: what is none, a driver finds under no name. */
+  private static String milliseconds(Duration limit) {
+    return String.valueOf(limit.toMillis());
   }
 
   /** An H2 database that lives as long as it is open. */
