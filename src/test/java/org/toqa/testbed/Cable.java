@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.net.URI;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 
@@ -37,6 +38,16 @@ public final class Cable implements AutoCloseable {
   /** The port of this end. */
   public int port() {
     return door.getLocalPort();
+  }
+
+  /** To the database of this address. */
+  public static Cable toDatabase(String jdbcUrl) throws IOException {
+    return new Cable(URI.create(jdbcUrl.substring("jdbc:".length())).getPort());
+  }
+
+  /** The same address, but through this cable. */
+  public String through(String url) {
+    return url.replace(":" + target, ":" + port());
   }
 
   public void cut() {

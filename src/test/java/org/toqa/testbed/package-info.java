@@ -1,4 +1,7 @@
-/** What tests stand on: processes, a stock Tomcat, a real MySQL server, a browser. */
+/**
+ * What tests stand on: processes, a stock Tomcat, a real MySQL server, a browser, networks, fuzzed
+ * lines.
+ */
 @NullMarked
 package org.toqa.testbed;
 

@@ -1,0 +1,54 @@
+package org.toqa.testbed;
+
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import java.time.Duration;
+import java.util.Locale;
+import org.slf4j.LoggerFactory;
+
+/**
+ * How much is fuzzed: what {@code -Dtoqa.fuzz.inputs} says, for each target, and by which {@code
+ * -Dtoqa.fuzz.seed}.
+ */
+public final class FuzzRun {
+
+  public static final long INPUTS = Long.getLong("toqa.fuzz.inputs", 20_000);
+  public static final long SEED = Long.getLong("toqa.fuzz.seed", 1);
+
+  private FuzzRun() {}
+
+  /**
+   * A logger tells errors only while it is open: a refused line is worth a warning, a million are
+   * not.
+   */
+  public static final class Silence implements AutoCloseable {
+    private final Logger log;
+
+    public Silence(String logger) {
+      log = (Logger) LoggerFactory.getLogger(logger);
+      log.setLevel(Level.ERROR);
+    }
+
+    @Override
+    public void close() {
+      log.setLevel(null);
+    }
+  }
+
+  /**
+   * Tells on standard output what was done.
+   *
+   * @param target who had to take the inputs
+   * @param begin of the run, {@link System#nanoTime}
+   */
+  public static void tell(String target, long inputs, String became, long begin) {
+    System.out.printf(
+        Locale.ROOT,
+        "fuzzed %s: %,d inputs of seed %d in %.1f s; %s%n",
+        target,
+        inputs,
+        SEED,
+        Duration.ofNanos(System.nanoTime() - begin).toMillis() / 1e3,
+        became);
+  }
+}
