@@ -2,7 +2,6 @@ package org.toqa.traffic.floor;
 
 import java.util.BitSet;
 import org.toqa.geometry.Pose;
-import org.toqa.geometry.Vec2;
 import org.toqa.motion.Segment;
 
 /**
@@ -22,13 +21,13 @@ final class Clearance {
 
   /**
    * Whether a robot can drive a stretch beside one that stands: the two share no cell but those
-   * under the robot now, and it does not come nearer than it is. Groups have no single disc: they
-   * share no cell with anybody.
+   * under the robot now, and it does not come nearer than it is. A group that sets out shares no
+   * cell with anybody: who stands beside it goes first.
    *
    * @param from where the stretch begins
    */
   static boolean isKept(Mover mover, Pose from, Stretch stretch, Mover standing) {
-    if (mover.group() != null || standing.group() != null) {
+    if (mover.isGroup()) {
       return false;
     }
     BitSet under = new BitSet();
@@ -38,15 +37,19 @@ final class Clearance {
     if (stretch.cells().intersects(others) || standing.isDriving()) {
       return false;
     }
-    Vec2 middle = standing.pose.position();
+    return standing.discs().stream().allMatch(disc -> isKept(mover, from, stretch, disc));
+  }
+
+  private static boolean isKept(Mover mover, Pose from, Stretch stretch, Round disc) {
     double needed =
-        Math.min(mover.radius + standing.radius + ENOUGH, mover.pose.position().distanceTo(middle));
+        Math.min(
+            mover.radius + disc.radius() + ENOUGH, mover.pose.position().distanceTo(disc.middle()));
     Pose pose = from;
     for (Segment segment : stretch.segments()) {
       int pieces = Math.max(1, (int) Math.ceil(Math.abs(segment.angle()) / PIECE));
       for (int i = 0; i < pieces; i++) {
         Pose next = pose.advanced(segment.twist(), segment.t() / pieces);
-        if (middle.distanceToLine(pose.position(), next.position()) < needed - ROUNDING) {
+        if (disc.middle().distanceToLine(pose.position(), next.position()) < needed - ROUNDING) {
           return false;
         }
         pose = next;

@@ -1,6 +1,5 @@
 package org.toqa.traffic.floor;
 
-import static java.util.Comparator.comparing;
 import static java.util.Comparator.nullsLast;
 
 import java.time.Duration;
@@ -257,6 +256,15 @@ public final class FloorTraffic {
     return mover(robot).held();
   }
 
+  /** Whether an obstacle stands on what it has been released and not driven yet. */
+  public boolean isHeadingForObstacle(String robot) {
+    Mover m = mover(robot);
+    Course course = m.course;
+    return course != null
+        && course.stretches().subList(Math.min(m.done, m.released), m.released).stream()
+            .anyMatch(stretch -> stretch.cells().intersects(ground.obstacles()));
+  }
+
   /** Robots that do not get on as they should, each in one of these at most. */
   public List<Standstill> standstills() {
     return watch.standstills();
@@ -304,12 +312,15 @@ public final class FloorTraffic {
     }
   }
 
-  /** Gives their own ways to those that wait, the longest waiting first. */
+  /** Gives their own ways to those that wait: groups first, then the longest waiting. */
   private void planEachAlone(Instant now) {
     List<Mover> unserved =
         movers.values().stream()
             .filter(Mover::isUnserved)
-            .sorted(comparing(m -> m.waitingSince, nullsLast(Comparator.<Instant>naturalOrder())))
+            .sorted(
+                Comparator.<Mover, Boolean>comparing(m -> !m.isGroup())
+                    .thenComparing(
+                        m -> m.waitingSince, nullsLast(Comparator.<Instant>naturalOrder())))
             .toList();
     for (Mover m : unserved) {
       if (m.waitingSince == null) {
@@ -318,7 +329,7 @@ public final class FloorTraffic {
       if (changed || m.triedAlone.plus(LOOK_AGAIN_AFTER).isBefore(now)) {
         m.triedAlone = now;
         BitSet taken = claimedByOthers(m);
-        movers.values().stream().filter(o -> o.waitsLongerThan(m)).forEach(o -> taken.or(o.wish));
+        movers.values().stream().filter(o -> o.goesBefore(m)).forEach(o -> taken.or(o.wish));
         ways.among(m, movers.values(), taken).ifPresent(way -> takeOwn(m, way));
       }
     }
@@ -387,13 +398,11 @@ public final class FloorTraffic {
    * too large for the lanes, it is sent to the nearest place where it stands in nobody's way.
    */
   private void makeRoomFor(Mover m, Instant now) {
-    if (!(m.hindrance instanceof Hindrance.Standing standing)
-        || m.waitingSince == null
-        || m.waitingSince.plus(BACK_OFF_AFTER).isAfter(now)) {
+    if (m.waitingSince == null || m.waitingSince.plus(BACK_OFF_AFTER).isAfter(now)) {
       return;
     }
-    Mover other = movers.get(standing.robot());
-    if (other == null || other.course != null || !other.movable || other.waitsLongerThan(m)) {
+    Mover other = standingInTheWayOf(m);
+    if (other == null || !other.movable || other.goesBefore(m)) {
       return;
     }
     m.wish = new BitSet();
@@ -404,8 +413,25 @@ public final class FloorTraffic {
     ways.outOf(other, movers.values(), claimedByOthers(other), m.wish)
         .ifPresent(
             way -> {
+              giveUpTheRest(other);
               other.take(Course.meetingNobody(other.releasedEnd(), way));
               other.waitingSince = other.goal == null ? null : now;
             });
+  }
+
+  /** One that cannot go on its way, as to where a group stands, stands in that group's way too. */
+  private @Nullable Mover standingInTheWayOf(Mover m) {
+    Hindrance hindrance = m.hindrance;
+    if (hindrance == null || hindrance.robot() == null) {
+      return null;
+    }
+    Mover other = movers.get(hindrance.robot());
+    boolean isStanding =
+        switch (hindrance) {
+          case Hindrance.Standing _ -> other != null && other.course == null;
+          case Hindrance.Passing _ -> other != null && m.isGroup() && !other.isDriving();
+          default -> false;
+        };
+    return isStanding ? other : null;
   }
 }

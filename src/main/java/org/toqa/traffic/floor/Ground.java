@@ -76,15 +76,15 @@ final class Ground {
    * @param discs of others, that it must not touch
    * @param standing the cell where it is, which never counts as closed
    */
-  OccupancyGrid clear(double radius, BitSet cells, List<Mover> discs, Cell standing) {
+  OccupancyGrid clear(double radius, BitSet cells, List<Round> discs, Cell standing) {
     OccupancyGrid free = clear(radius);
     if (cells.isEmpty() && discs.isEmpty() && free.isFree(standing)) {
       return free;
     }
     BitSet more = grown(cells, radius);
-    for (Mover other : discs) {
-      Vec2 middle = other.pose.position();
-      double apart = radius + other.radius;
+    for (Round disc : discs) {
+      Vec2 middle = disc.middle();
+      double apart = radius + disc.radius();
       SweptCells.standing(grid, middle, apart)
           .forEach(
               i ->

@@ -62,12 +62,21 @@ public final class Group {
     return parts.stream().mapToDouble(p -> p.at().norm() + p.radius()).max().orElseThrow();
   }
 
+  /** Where its robots and its load are while it stands. */
+  List<Round> discs(Pose leader) {
+    return parts.stream()
+        .map(
+            p ->
+                new Round(
+                    leader.compose(new Pose(p.at().x(), p.at().y(), 0)).position(), p.radius()))
+        .toList();
+  }
+
   /** The cells under all of it while it stands. */
   CellSet standing(OccupancyGrid grid, Pose leader) {
     CellSet cells = CellSet.NONE;
-    for (Part part : parts) {
-      Vec2 middle = leader.compose(new Pose(part.at().x(), part.at().y(), 0)).position();
-      cells = cells.and(SweptCells.standing(grid, middle, part.radius()));
+    for (Round disc : discs(leader)) {
+      cells = cells.and(SweptCells.standing(grid, disc.middle(), disc.radius()));
     }
     return cells;
   }

@@ -43,6 +43,12 @@ final class GroupWays {
   /** So far beside the lattice, metres, a parallel way onto it may begin. */
   private static final double LARGEST_ASIDE = 0.06;
 
+  /** A robot that has come to its place stands no farther from it, metres. */
+  private static final double OFF_PLACE = 0.01;
+
+  /** Radians. */
+  private static final double OFF_HEADING = 0.02;
+
   /** Radians; below it two directions are parallel. */
   private static final double PARALLEL = 0.01;
 
@@ -64,13 +70,45 @@ final class GroupWays {
     this.grid = grid;
     this.fitter = fitter;
     double cell = grid.resolution();
-    this.step =
-        cell > WIDEST_STEP
-            ? cell / Math.ceil(cell / WIDEST_STEP)
-            : cell * Math.floor(WIDEST_STEP / cell);
-    this.first = grid.origin().plus(new Vec2(cell / 2, cell / 2));
+    this.step = step(grid);
+    this.first = first(grid);
     this.columns = (int) ((grid.width() - 1) * cell / step + ROUNDING) + 1;
     this.rows = (int) ((grid.height() - 1) * cell / step + ROUNDING) + 1;
+  }
+
+  private static double step(OccupancyGrid grid) {
+    double cell = grid.resolution();
+    return cell > WIDEST_STEP
+        ? cell / Math.ceil(cell / WIDEST_STEP)
+        : cell * Math.floor(WIDEST_STEP / cell);
+  }
+
+  /** The lattice point in the middle of the cell in the south-west. */
+  private static Vec2 first(OccupancyGrid grid) {
+    double cell = grid.resolution();
+    return grid.origin().plus(new Vec2(cell / 2, cell / 2));
+  }
+
+  /**
+   * Where the way of a group begins whose leader stands there: on the lattice if it is but for what
+   * a robot may be off its place. It is drawn onto its way as it sets out; a way that began beside
+   * the lattice would need room to get onto it, which a place between machines has not.
+   */
+  static Pose start(OccupancyGrid grid, Pose leader) {
+    double step = step(grid);
+    Vec2 first = first(grid);
+    Pose onLattice =
+        new Pose(
+            first.x() + Math.rint((leader.x() - first.x()) / step) * step,
+            first.y() + Math.rint((leader.y() - first.y()) / step) * step,
+            Heading.nearest(leader.theta()).ordinal() * EIGHTH);
+    return isAt(onLattice, leader) ? onLattice : leader;
+  }
+
+  /** Whether who was sent to a place has come there. */
+  static boolean isAt(Pose place, Pose stands) {
+    return place.distanceTo(stands) < OFF_PLACE
+        && Math.abs(Angles.difference(stands.theta(), place.theta())) < OFF_HEADING;
   }
 
   /** Metres that the load may stand beside its goal. */
@@ -277,7 +315,8 @@ final class GroupWays {
       // start + s forward = to - u heading
       double u = seen.y() / Math.sin(angle);
       double s = seen.x() - u * Math.cos(angle);
-      if (s >= tangent(angle) && u >= tangent(angle)) {
+      double least = tangent(angle) - ROUNDING;
+      if (s >= least && u >= least) {
         enter(state, List.of(start.compose(new Pose(s, 0, 0)).position(), to.position()));
       }
     }

@@ -97,6 +97,9 @@ final class Mover {
 
   private CellSet standing;
 
+  /** Where its last way ended, which it came to but for what a robot is off its place. */
+  private @Nullable Pose rest;
+
   Mover(String name, int number, OccupancyGrid grid, Pose pose, double radius, Instant now) {
     this.name = name;
     this.number = number;
@@ -126,6 +129,11 @@ final class Mover {
 
   @Nullable Group group() {
     return group;
+  }
+
+  /** Where it is, and those that drive with it. */
+  List<Round> discs() {
+    return group == null ? List.of(new Round(pose.position(), radius)) : group.discs(pose);
   }
 
   /** The cells under it when it stands there. */
@@ -183,9 +191,15 @@ final class Mover {
     }
   }
 
-  /** Where it will stand when it has driven what is released. */
+  /** Where it will stand when it has driven what is released, and where its way goes on. */
   Pose releasedEnd() {
-    return course == null ? pose : course.poseAfter(released);
+    if (course != null) {
+      return course.poseAfter(released);
+    }
+    if (group == null) {
+      return pose;
+    }
+    return rest != null && GroupWays.isAt(rest, pose) ? rest : GroupWays.start(grid, pose);
   }
 
   /** The cell where it is. */
@@ -245,9 +259,16 @@ final class Mover {
             .anyMatch(s -> s.cells().intersects(cells));
   }
 
-  boolean waitsLongerThan(Mover other) {
-    return waitingSince != null
-        && (other.waitingSince == null || waitingSince.isBefore(other.waitingSince));
+  /** Waits, and is served first: a group, which cannot step aside, then who waits longest. */
+  boolean goesBefore(Mover other) {
+    if (waitingSince == null || isGroup() != other.isGroup()) {
+      return waitingSince != null && isGroup();
+    }
+    return other.waitingSince == null || waitingSince.isBefore(other.waitingSince);
+  }
+
+  boolean isGroup() {
+    return group != null;
   }
 
   /** Why it does not get on; null while it does. */
@@ -292,6 +313,7 @@ final class Mover {
 
   /** It stands and has no way. */
   void stop() {
+    rest = course == null ? rest : releasedEnd();
     course = null;
     done = 0;
     released = 0;

@@ -160,7 +160,8 @@ final class OwnWays {
       m.standing().forEach(taken::clear);
     }
     BitSet notOwn = taken;
-    OccupancyGrid free = ground.clear(m.radius, notOwn, beside, m.releasedCell());
+    List<Round> discs = beside.stream().flatMap(o -> o.discs().stream()).toList();
+    OccupancyGrid free = ground.clear(m.radius, notOwn, discs, m.releasedCell());
     Cell goal = aim.from(free, entry(free, m));
     if (goal == null) {
       return Optional.empty();
