@@ -1,7 +1,6 @@
 package org.toqa.link;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -15,20 +14,17 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
+import org.toqa.testbed.LinkRecord;
 
 /** The server's end of the link, against a robot that the test plays by hand. */
 @Timeout(30)
@@ -42,40 +38,10 @@ class TcpRobotLinkTest {
 
   @TempDir private Path keys;
   private ServerSocket robot;
-  private final Heard heard = new Heard();
+  private final LinkRecord heard = new LinkRecord();
   private RobotLink link;
 
   /** What the link told, in its order. */
-  private static final class Heard implements RobotLink.Listener {
-    final BlockingQueue<Object> told = new LinkedBlockingQueue<>();
-
-    @Override
-    public void connected(Hello hello) {
-      told.add(hello);
-    }
-
-    @Override
-    public void received(AgentMessage message) {
-      told.add(message);
-    }
-
-    @Override
-    public void disconnected(String sentence) {
-      told.add(sentence);
-    }
-
-    @Override
-    public void refused(String sentence) {
-      told.add(sentence);
-    }
-
-    Object next() throws InterruptedException {
-      Object next = told.poll(10, TimeUnit.SECONDS);
-      assertNotNull(next, "nothing was told");
-      return next;
-    }
-  }
-
   @BeforeEach
   void open() throws IOException {
     robot = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
@@ -102,7 +68,7 @@ class TcpRobotLinkTest {
   @Test
   void linkConnectsAgainByItself() throws Exception {
     greet().close();
-    assertEquals("r1 closed the connection.", heard.next());
+    assertEquals(new LinkRecord.End("r1 closed the connection."), heard.next());
 
     try (Socket socket = greet()) {
       say(socket, "{\"type\":\"ack\",\"seq\":4}");
@@ -127,7 +93,7 @@ class TcpRobotLinkTest {
       assertEquals(
           "At 127.0.0.1:%d answers robot r2, not r1; correct the address or the name."
               .formatted(robot.getLocalPort()),
-          heard.next());
+          heard.await(LinkRecord.End.class).sentence());
       assertNull(line(socket), "the connection is closed");
     }
   }
@@ -139,7 +105,7 @@ class TcpRobotLinkTest {
 
       assertEquals(
           "r1 speaks version 2 of the robot link, this server version 1; update the older one.",
-          heard.next());
+          heard.await(LinkRecord.End.class).sentence());
     }
   }
 
@@ -151,14 +117,14 @@ class TcpRobotLinkTest {
       assertEquals(
           "What answers at 127.0.0.1:%d is not r1: it did not say hello."
               .formatted(robot.getLocalPort()),
-          heard.next());
+          heard.await(LinkRecord.End.class).sentence());
     }
   }
 
   @Test
   void silentPeerIsLeftAfterFiveSeconds() throws Exception {
     try (Socket socket = robot.accept()) {
-      assertEquals("r1 has said nothing for 5 s.", heard.next());
+      assertEquals(new LinkRecord.End("r1 has said nothing for 5 s."), heard.next());
       assertNull(line(socket), "the connection is closed");
     }
   }
@@ -179,11 +145,11 @@ class TcpRobotLinkTest {
   void robotThatDoesNotReadIsLeftAndTheCallerNeverWaits() throws Exception {
     try (Socket _ = greet()) {
       // the socket's buffers and the queue of 1000 lines fill
-      for (int i = 0; i < 1_000_000 && heard.told.isEmpty(); i++) {
+      for (int i = 0; i < 1_000_000 && heard.isEmpty(); i++) {
         link.send(new Ping(i));
       }
 
-      assertEquals("r1 does not take what it is told.", heard.next());
+      assertEquals(new LinkRecord.End("r1 does not take what it is told."), heard.next());
     }
   }
 
@@ -192,9 +158,9 @@ class TcpRobotLinkTest {
     int port = robot.getLocalPort();
     link.close();
     robot.close();
-    Heard another = new Heard();
+    LinkRecord another = new LinkRecord();
     try (RobotLink _ = open("127.0.0.1", port, another)) {
-      String sentence = String.valueOf(another.next());
+      String sentence = another.await(LinkRecord.End.class).sentence();
       assertTrue(sentence.startsWith("r1 cannot be reached at 127.0.0.1:" + port), sentence);
 
       try (ServerSocket late = new ServerSocket(port, 10, InetAddress.getLoopbackAddress());
@@ -207,12 +173,12 @@ class TcpRobotLinkTest {
 
   @Test
   void robotOnAnotherMachineIsRefusedUnlessAllowed() throws Exception {
-    Heard another = new Heard();
+    LinkRecord another = new LinkRecord();
     try (RobotLink _ = open("192.0.2.1", 7275, another)) {
       assertEquals(
           "r1 is on another machine (192.0.2.1:7275) and is not paired: enter the code that it"
               + " shows.",
-          another.next());
+          another.await(LinkRecord.Refusal.class).sentence());
     }
   }
 
@@ -224,7 +190,7 @@ class TcpRobotLinkTest {
     }
     robot.setSoTimeout(600); // longer than the first wait for another attempt
     assertThrows(SocketTimeoutException.class, () -> robot.accept().close());
-    assertTrue(heard.told.isEmpty(), heard.told::toString);
+    assertTrue(heard.isEmpty(), heard::toString);
   }
 
   private Socket greet() throws IOException, InterruptedException {
@@ -234,7 +200,7 @@ class TcpRobotLinkTest {
     return socket;
   }
 
-  private RobotLink open(String host, int port, Heard listener) throws IOException {
+  private RobotLink open(String host, int port, LinkRecord listener) throws IOException {
     return new TcpRobotLinks(new LinkTls(IdentityFile.open(keys)), false)
         .open(new RobotAddress("r1", host, port, null), listener);
   }

@@ -5,6 +5,7 @@ import com.fasterxml.jackson.annotation.Nulls;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
@@ -15,11 +16,14 @@ import tools.jackson.databind.DeserializationContext;
 import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.MapperFeature;
+import tools.jackson.databind.cfg.CoercionAction;
+import tools.jackson.databind.cfg.CoercionInputShape;
 import tools.jackson.databind.cfg.EnumFeature;
 import tools.jackson.databind.deser.std.StdScalarDeserializer;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.module.SimpleModule;
 import tools.jackson.databind.node.ObjectNode;
+import tools.jackson.databind.type.LogicalType;
 
 /**
  * Messages of the robot link as lines: one JSON object, UTF-8, ended by a line feed, at most {@link
@@ -59,6 +63,14 @@ public final class LinkCodec {
           .enable(EnumFeature.FAIL_ON_NUMBERS_FOR_ENUMS)
           .changeDefaultNullHandling(
               nulls -> nulls.withValueNulls(Nulls.FAIL).withContentNulls(Nulls.FAIL))
+          .withCoercionConfig(
+              LogicalType.Textual,
+              text ->
+                  Stream.of(
+                          CoercionInputShape.Integer,
+                          CoercionInputShape.Float,
+                          CoercionInputShape.Boolean)
+                      .forEach(shape -> text.setCoercion(shape, CoercionAction.Fail)))
           .addModule(
               new SimpleModule()
                   .addDeserializer(double.class, new PlainNumber())
@@ -138,7 +150,7 @@ public final class LinkCodec {
       return new MessageReading.Refused<>(0, "The line is not one JSON object in UTF-8.");
     }
     addMissing(tree);
-    long seq = tree.path("seq").isIntegralNumber() ? tree.path("seq").asLong(0) : 0;
+    long seq = seqOf(tree);
     String fault = faultOf(tree, messages);
     if (fault != null) {
       return new MessageReading.Refused<>(seq, fault);
@@ -148,6 +160,12 @@ public final class LinkCodec {
     } catch (JacksonException e) {
       return new MessageReading.Refused<>(seq, sentence(tree.path("type").stringValue(), e));
     }
+  }
+
+  /** What can be said back in an answer; else 0. */
+  private static long seqOf(JsonNode message) {
+    JsonNode seq = message.path("seq");
+    return seq.isIntegralNumber() && isSane(seq) ? seq.asLong(0) : 0;
   }
 
   /** Fields that a peer of an earlier release does not send. */
@@ -181,10 +199,11 @@ public final class LinkCodec {
   }
 
   private static boolean numbersAreSane(JsonNode node) {
-    if (node.isNumber()) {
-      return Math.abs(node.doubleValue()) <= LARGEST_NUMBER;
-    }
-    return node.valueStream().allMatch(LinkCodec::numbersAreSane);
+    return node.isNumber() ? isSane(node) : node.valueStream().allMatch(LinkCodec::numbersAreSane);
+  }
+
+  private static boolean isSane(JsonNode number) {
+    return Math.abs(number.doubleValue()) <= LARGEST_NUMBER;
   }
 
   private static String sentence(String type, JacksonException e) {

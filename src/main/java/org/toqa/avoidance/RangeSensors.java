@@ -1,0 +1,53 @@
+package org.toqa.avoidance;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+
+/**
+ * The three forward range sensors of a round robot (PSD, 0.10 to 0.80 m: Tanta, "The robot").
+ *
+ * <p>Where they look is not published. Here all three sit at the foremost point of the rim, and the
+ * outer ones look 20 degrees aside: while the robot comes nearer to something from 0.8 to 0.15 m,
+ * an outer beam sweeps from beyond the robot's width to 0.05 m beside its middle. What is wider
+ * than that hides from none of them, and what it shall drive past is seen before it must stop.
+ *
+ * @param radius of the robot, metres
+ */
+public record RangeSensors(double radius) {
+
+  /** Metres; what is nearer reads as this. */
+  public static final double NEAREST = 0.10;
+
+  /** Metres; the reading of a sensor that sees nothing. */
+  public static final double FARTHEST = 0.80;
+
+  private static final double ASIDE = Math.toRadians(20);
+
+  /** Radians from the robot's heading, from right to left. */
+  private static final List<Double> DIRECTIONS = List.of(-ASIDE, 0.0, ASIDE);
+
+  /** Where each sensor is and looks, in the robot's frame, from right to left. */
+  public List<Pose> beams() {
+    return DIRECTIONS.stream().map(direction -> new Pose(radius, 0, direction)).toList();
+  }
+
+  /**
+   * The points where the sensors see something.
+   *
+   * @param ranges metres, from right to left; a sensor that is missing sees nothing
+   * @param robot where it is; the points are in the same frame
+   */
+  public List<Vec2> sightings(List<Double> ranges, Pose robot) {
+    List<Vec2> points = new ArrayList<>();
+    for (int i = 0; i < Math.min(ranges.size(), DIRECTIONS.size()); i++) {
+      double range = ranges.get(i);
+      if (range < FARTHEST) {
+        Pose beam = robot.compose(new Pose(radius, 0, DIRECTIONS.get(i)));
+        points.add(beam.compose(new Pose(range, 0, 0)).position());
+      }
+    }
+    return points;
+  }
+}

@@ -1,0 +1,5 @@
+/** Steering round what range sensors see: where they look, what is in the way, where to go. */
+@NullMarked
+package org.toqa.avoidance;
+
+import org.jspecify.annotations.NullMarked;

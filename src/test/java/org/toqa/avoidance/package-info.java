@@ -1,0 +1,4 @@
+@NullMarked
+package org.toqa.avoidance;
+
+import org.jspecify.annotations.NullMarked;
