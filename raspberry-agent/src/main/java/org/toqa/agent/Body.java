@@ -2,8 +2,8 @@ package org.toqa.agent;
 
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import org.toqa.agent.chassis.Onlooker;
 import org.toqa.agent.chassis.SimulatedPower;
+import org.toqa.agent.chassis.Surroundings;
 import org.toqa.geometry.Pose;
 
 /** The body under a daemon, as its configuration names it. */
@@ -21,15 +21,20 @@ public sealed interface Body {
    * @param power its battery, and where it is charged
    * @param noise standard deviation of a wheel's slip, as a share of what it turns
    * @param speed how many times faster than real time it and its daemon live
-   * @param onlooker sees where it really is
+   * @param surroundings what is round it
    */
   record Simulated(
-      Pose start, SimulatedPower power, double noise, long seed, double speed, Onlooker onlooker)
+      Pose start,
+      SimulatedPower power,
+      double noise,
+      long seed,
+      double speed,
+      Surroundings surroundings)
       implements Body {
 
-    /** One that nobody looks at. */
+    /** One on an endless empty floor. */
     public Simulated(Pose start, SimulatedPower power, double noise, long seed, double speed) {
-      this(start, power, noise, seed, speed, Onlooker.NOBODY);
+      this(start, power, noise, seed, speed, Surroundings.EMPTY);
     }
   }
 
@@ -52,6 +57,14 @@ public sealed interface Body {
   record Spi(Path device, int hertz, int wordDelayMicros) implements Body {}
 
   /**
+   * The robot's microcontroller on a serial port.
+   *
+   * @param device such as {@code /dev/serial0}
+   * @param baud bits a second
+   */
+  record Serial(Path device, int baud) implements Body {}
+
+  /**
    * @param file of the configuration; a relative path in it counts from there
    * @param top its whole content
    */
@@ -69,7 +82,8 @@ public sealed interface Body {
             "socket",
             "device",
             "clock",
-            "wordDelay");
+            "wordDelay",
+            "baud");
     String type = body.text("type");
     return switch (type) {
       case "simulated" ->
@@ -88,7 +102,11 @@ public sealed interface Body {
               Path.of(body.text("device", "/dev/spidev0.0")),
               (int) body.whole("clock", 1_000_000, 10_000, 4_000_000),
               (int) body.whole("wordDelay", 8, 0, 255));
-      default -> throw body.wrong("type", type, "simulated, simulated-firmware or spi");
+      case "serial" ->
+          new Serial(
+              Path.of(body.text("device", "/dev/serial0")),
+              (int) body.whole("baud", 115_200, 115_200, 1_000_000));
+      default -> throw body.wrong("type", type, "simulated, simulated-firmware, spi or serial");
     };
   }
 

@@ -22,8 +22,10 @@ import org.toqa.agent.door.DoorConfig;
 import org.toqa.agent.door.PeerRole;
 import org.toqa.agent.spi.FirmwareChassis;
 import org.toqa.agent.spi.FrameTransport;
+import org.toqa.agent.spi.SerialTransport;
 import org.toqa.agent.spi.SimulatorTransport;
 import org.toqa.agent.spi.SpidevTransport;
+import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
@@ -147,12 +149,21 @@ public final class Daemon implements AutoCloseable {
   private static Chassis chassis(AgentConfig config, DataFolder folder, long nanos)
       throws IOException {
     return switch (config.chassis()) {
-      case Body.Simulated(var start, var power, double noise, long seed, double _, var onlooker) ->
-          new SimulatedChassis(folder.path().resolve("body"), start, power, noise, seed, onlooker);
+      case Body.Simulated body ->
+          new SimulatedChassis(
+              folder.path().resolve("body"),
+              body.start(),
+              body.power(),
+              body.noise(),
+              body.seed(),
+              new RangeSensors(config.footprint() / 2),
+              body.surroundings());
       case Body.SimulatedFirmware(var socket, var start) ->
           firmware(config, new SimulatorTransport(socket), start, nanos);
       case Body.Spi(var device, int hertz, int wordDelay) ->
           firmware(config, new SpidevTransport(device, hertz, wordDelay), null, nanos);
+      case Body.Serial(var device, int baud) ->
+          firmware(config, new SerialTransport(device, baud), null, nanos);
     };
   }
 
@@ -266,7 +277,7 @@ public final class Daemon implements AutoCloseable {
     if (broadcast != null) {
       broadcast.answers().forEach(control::heard);
     }
-    command = control.drive(seconds, now - heardNanos > SILENCE_NANOS);
+    command = config.limits().within(control.drive(seconds, now - heardNanos > SILENCE_NANOS));
     answerLeader();
     lead();
     report();

@@ -22,7 +22,19 @@ final class DataFolder implements AutoCloseable {
         FileChannel.open(path.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
     if (lock() == null) {
       lockFile.close();
-      throw new IOException("The data folder " + path + " is in use by another daemon.");
+      throw new DataFolderInUseException(path);
+    }
+  }
+
+  /** Whether a daemon runs on it. */
+  static boolean isInUse(Path path) throws IOException {
+    if (Files.notExists(path)) {
+      return false;
+    }
+    try (DataFolder _ = new DataFolder(path)) {
+      return false;
+    } catch (DataFolderInUseException e) {
+      return true;
     }
   }
 

@@ -6,6 +6,7 @@ import java.time.InstantSource;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import org.toqa.agent.door.PairingRequest;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -38,7 +39,9 @@ public final class Main implements Callable<Integer> {
 
   @Option(
       names = "--pair",
-      description = "shows a code, good for ten minutes, that pairs the robot with a server")
+      description =
+          "shows a code, good for ten minutes, that pairs the robot with a server; where the daemon"
+              + " runs already, it takes the code and runs on")
   private boolean pair;
 
   @Spec
@@ -61,12 +64,30 @@ public final class Main implements Callable<Integer> {
   @Override
   public Integer call() {
     try {
-      runUntilStopped(AgentConfig.read(config));
+      run(AgentConfig.read(config));
       return 0;
     } catch (ConfigException e) {
       return complain(e, WRONG_CONFIGURATION);
     } catch (IOException e) {
       return complain(e, FAILED);
+    }
+  }
+
+  private void run(AgentConfig settings) throws IOException {
+    if (pair && DataFolder.isInUse(settings.dataDir())) {
+      askToPair(settings);
+    } else {
+      runUntilStopped(settings);
+    }
+  }
+
+  /** The daemon runs already: it need not be stopped. */
+  private void askToPair(AgentConfig settings) throws IOException {
+    try {
+      show(PairingRequest.ask(settings.dataDir()));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("Interrupted before the daemon had taken the code.", e);
     }
   }
 

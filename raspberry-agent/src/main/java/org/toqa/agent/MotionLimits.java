@@ -1,5 +1,7 @@
 package org.toqa.agent;
 
+import org.toqa.geometry.Twist;
+
 /**
  * What a robot's body may be asked for.
  *
@@ -9,4 +11,12 @@ package org.toqa.agent;
  * @param turnAcceleration radians a second squared
  */
 public record MotionLimits(
-    double speed, double turnRate, double acceleration, double turnAcceleration) {}
+    double speed, double turnRate, double acceleration, double turnAcceleration) {
+
+  /** The same curve, driven no faster than speed and turn rate allow. */
+  Twist within(Twist wanted) {
+    double share =
+        Math.min(speed / Math.hypot(wanted.vx(), wanted.vy()), turnRate / Math.abs(wanted.w()));
+    return share < 1 ? wanted.times(share) : wanted;
+  }
+}

@@ -68,6 +68,7 @@ final class RobotControl {
   private final DriveRules rules;
   private final FormationRules formationRules;
   private final Journal journal;
+  private Lookout lookout;
   private ChassisReading body;
 
   private @Nullable SegmentRunner runner;
@@ -89,6 +90,7 @@ final class RobotControl {
     this.rules = new DriveRules(config.limits());
     this.formationRules = new FormationRules(config, encrypted);
     this.journal = journal;
+    this.lookout = new Lookout(config.footprint() / 2);
     this.body = body;
     if (!journal.secure(recovered())) {
       throw new IOException(journal.fault().orElseThrow().text());
@@ -125,6 +127,7 @@ final class RobotControl {
       lostPower(reading);
     }
     body = reading;
+    lookout.see(reading.ranges(), pose(), seconds);
   }
 
   private void lostPower(ChassisReading reading) {
@@ -220,6 +223,9 @@ final class RobotControl {
       return Twist.ZERO;
     }
     Way way = runner.way();
+    if (leader == null) {
+      lookout.guide(way, seconds, onward);
+    }
     if (leader != null) {
       way.limit(leader.paceLimits(now));
     }
@@ -368,13 +374,15 @@ final class RobotControl {
   }
 
   private void begin(Drive drive) {
+    lookout = new Lookout(config.footprint() / 2);
     runner =
         new SegmentRunner(
             new Way(
                 drive.start(),
                 drive.segments(),
                 drive.released(),
-                PaceLimits.alone(config.limits())));
+                PaceLimits.alone(config.limits())),
+            lookout);
     last = drive.last();
     cancelled = false;
     interrupted = null;
@@ -482,6 +490,7 @@ final class RobotControl {
     if (follower != null) {
       follower.fault().ifPresent(errors::add);
     }
+    lookout.fault().ifPresent(errors::add);
     if (runner != null && runner.isOffWay()) {
       errors.add(
           new Fault(
@@ -502,6 +511,7 @@ final class RobotControl {
         role(),
         runner == null || cancelled ? 0 : runner.way().completed(),
         runner == null || cancelled ? 0 : runner.way().released(),
+        lookout.obstacles(),
         errors());
   }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
@@ -18,6 +19,7 @@ import org.toqa.link.message.AgentMessage.State;
  * @param pose map frame
  * @param segment how many segments of the drive are completed
  * @param released how many may be driven
+ * @param obstacles points where something stands in its way, map frame
  */
 record RobotReport(
     AgentConfig config,
@@ -29,6 +31,7 @@ record RobotReport(
     Role role,
     int segment,
     int released,
+    List<Vec2> obstacles,
     List<Fault> errors) {
 
   Hello hello() {
@@ -70,7 +73,7 @@ record RobotReport(
         released,
         body.battery(),
         body.ranges(),
-        List.of(),
+        obstacles,
         Stream.concat(errors.stream(), notes.stream()).toList());
   }
 }

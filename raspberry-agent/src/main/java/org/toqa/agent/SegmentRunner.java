@@ -38,12 +38,21 @@ public final class SegmentRunner {
   private static final FollowerLaw TRACKING = new SingleIntegratorLaw(new Gains(3, 3, 0.1, 0.5));
 
   private final Way way;
+  private final Lookout lookout;
   private final Deque<Pose> trail = new ArrayDeque<>();
   private boolean settled;
   private double error;
 
   public SegmentRunner(Way way) {
+    this(way, new Lookout(0));
+  }
+
+  /**
+   * @param lookout says how far beside the way it drives
+   */
+  SegmentRunner(Way way, Lookout lookout) {
     this.way = way;
+    this.lookout = lookout;
     trail.add(way.pose());
   }
 
@@ -80,12 +89,15 @@ public final class SegmentRunner {
     error = trail.getFirst().distanceTo(actual);
     double slack = (WAITING_METRES - error) / (WAITING_METRES - SLOWING_METRES);
     way.advance(seconds, Math.min(pace, Math.clamp(slack, 0, 1)));
-    settled = way.stands() && isNear(way.pose(), actual, settled ? HYSTERESIS : 1);
-    return settled ? Twist.ZERO : TRACKING.towards(expected(), way.twist(), actual);
+    Pose reference = lookout.corrected(way.pose());
+    settled = way.stands() && isNear(reference, actual, settled ? HYSTERESIS : 1);
+    return settled
+        ? Twist.ZERO
+        : TRACKING.towards(expected(reference), lookout.corrected(way.twist()), actual);
   }
 
-  private Pose expected() {
-    trail.addLast(way.pose());
+  private Pose expected(Pose reference) {
+    trail.addLast(reference);
     return trail.size() > RESPONSE_TICKS ? trail.removeFirst() : trail.getFirst();
   }
 

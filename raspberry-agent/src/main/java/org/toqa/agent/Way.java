@@ -25,6 +25,9 @@ public final class Way {
   /** Seconds; a segment with less than this left is completed. */
   private static final double INSTANT = 1e-6;
 
+  /** Metres of an arc that are taken for straight: at a radius of 0.15 m it rises 0.3 mm. */
+  private static final double PIECE = 0.02;
+
   private final List<Segment> segments = new ArrayList<>();
   private PaceLimits limits;
   private int released;
@@ -34,6 +37,9 @@ public final class Way {
   private Pose segmentStart;
   private double timeInSegment;
   private double pace;
+
+  /** Metres that it may still go, whatever is released. */
+  private double room = Double.POSITIVE_INFINITY;
 
   public Way(Pose start, List<Segment> segments, int released, PaceLimits limits) {
     this.limits = limits;
@@ -63,6 +69,43 @@ public final class Way {
 
   void release(int count) {
     released = count;
+  }
+
+  /**
+   * From now on it comes to a stand within so many metres; turns on the spot are none. Where that
+   * is too short to slow down, it stands at once.
+   */
+  void standWithin(double metres) {
+    room = metres;
+  }
+
+  /**
+   * The released way from here on, as poses of which each follows from the one before on a straight
+   * line, or nearly so.
+   *
+   * @param metres how far
+   */
+  List<Pose> ahead(double metres) {
+    List<Pose> poses = new ArrayList<>();
+    poses.add(pose());
+    Pose start = segmentStart;
+    double from = timeInSegment;
+    double left = metres;
+    for (int i = completed; i < released && left > 0; i++) {
+      Segment segment = segments.get(i);
+      if (segment.v() != 0) {
+        double length = Math.min(left, Math.abs(segment.v()) * (segment.t() - from));
+        int pieces = segment.w() == 0 ? 1 : (int) Math.ceil(length / PIECE);
+        for (int piece = 1; piece <= pieces; piece++) {
+          double metresIn = length * piece / pieces;
+          poses.add(start.advanced(segment.twist(), from + metresIn / Math.abs(segment.v())));
+        }
+        left -= length;
+      }
+      start = start.advanced(segment.twist(), segment.t());
+      from = 0;
+    }
+    return poses;
   }
 
   public int size() {
@@ -132,7 +175,27 @@ public final class Way {
           Math.min(
               allowed, Math.sqrt(there * there + 2 * paceRate * timeAhead + step * step) - step);
     }
+    double untilStand = secondsOver(room);
+    if (untilStand < Double.POSITIVE_INFINITY) {
+      allowed = Math.min(allowed, Math.sqrt(2 * paceRate * untilStand + step * step) - step);
+    }
     return completed == released ? 0 : allowed;
+  }
+
+  /** How long the reference takes over so many metres as planned; infinite beyond the released. */
+  private double secondsOver(double metres) {
+    double seconds = -timeInSegment;
+    double left = metres;
+    for (int i = completed; i < released && left < Double.POSITIVE_INFINITY; i++) {
+      Segment segment = segments.get(i);
+      left += i == completed ? Math.abs(segment.v()) * timeInSegment : 0;
+      if (segment.v() != 0 && left <= segment.length()) {
+        return seconds + left / Math.abs(segment.v());
+      }
+      left -= segment.length();
+      seconds += segment.t();
+    }
+    return Double.POSITIVE_INFINITY;
   }
 
   private double paceRateOf(Segment segment) {

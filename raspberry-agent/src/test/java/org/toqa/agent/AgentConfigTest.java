@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
@@ -17,7 +15,6 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.geometry.Pose;
-import picocli.CommandLine;
 
 class AgentConfigTest {
 
@@ -53,6 +50,13 @@ class AgentConfigTest {
   }
 
   @Test
+  void serialPortHasTheRateAtWhichTwoFramesFitIntoATick() throws ConfigException, IOException {
+    AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: serial}}"));
+
+    assertEquals(new Body.Serial(Path.of("/dev/serial0"), 115_200), config.chassis());
+  }
+
+  @Test
   void leftOutKeysHaveTheDefaultsOfTheShippedFile() throws ConfigException, IOException {
     AgentConfig least = AgentConfig.read(file(LEAST));
     AgentConfig shipped = AgentConfig.read(Path.of("raspberry-agent", "agent.yaml"));
@@ -75,7 +79,8 @@ class AgentConfigTest {
           {name: r1, dataDir: d, maxSped: 1}  | there is no key "maxSped"; did you mean "maxSpeed"?
           {name: r1, dataDir: d, chassis: {type: simulated, nois: 0}} | there is no key "chassis.nois"; did you mean "chassis.noise"?
           {name: r1, dataDir: d, chassis: {type: simulated, start: {X: 1}}} | there is no key "chassis.start.X"; did you mean "chassis.start.x"?
-          {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated, simulated-firmware or spi.
+          {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated, simulated-firmware, spi or serial.
+          {name: r1, dataDir: d, chassis: {type: serial, baud: 9600}} | "chassis.baud" is 9600; it must be a whole number from 115200 to 1000000.
           {name: r1, dataDir: d, chassis: {type: simulated-firmware}} | the key "chassis.socket" is missing.
           {name: r1, dataDir: d, following: {law: fly}} | "following.law" is fly; it must be omni or non-holonomic.
           {name: r1, dataDir: d, following: {placeGain: 50}} | "following.placeGain" is 50; it must be a number from 0.1 to 5.
@@ -127,13 +132,13 @@ class AgentConfigTest {
 
     assertEquals(
         new Ended(2, wrong + ": there is no key \"prot\"; did you mean \"port\"?\n"),
-        run("--config", wrong.toString()));
+        Ended.of("--config", wrong.toString()));
     assertEquals(
         new Ended(2, folder.resolve("none") + ": there is no such file.\n"),
-        run("--config", folder.resolve("none").toString()));
-    assertEquals(2, run().exitCode());
-    assertEquals(2, run("--confg", "x").exitCode());
-    assertEquals(0, run("--help").exitCode());
+        Ended.of("--config", folder.resolve("none").toString()));
+    assertEquals(2, Ended.of().exitCode());
+    assertEquals(2, Ended.of("--confg", "x").exitCode());
+    assertEquals(0, Ended.of("--help").exitCode());
   }
 
   @Test
@@ -141,20 +146,10 @@ class AgentConfigTest {
     try (ServerSocket taken = new ServerSocket(0)) {
       Path file = file(LEAST.replace("}}", "}, port: " + taken.getLocalPort() + "}"));
 
-      Ended ended = run("--config", file.toString());
+      Ended ended = Ended.of("--config", file.toString());
       assertEquals(1, ended.exitCode());
       assertEquals(1, ended.errors().lines().count(), ended.errors());
     }
-  }
-
-  private record Ended(int exitCode, String errors) {}
-
-  private static Ended run(String... arguments) {
-    StringWriter errors = new StringWriter();
-    CommandLine line = new CommandLine(new Main());
-    line.setErr(new PrintWriter(errors, true));
-    line.setOut(new PrintWriter(new StringWriter(), true));
-    return new Ended(line.execute(arguments), errors.toString());
   }
 
   private Path file(String yaml) throws IOException {

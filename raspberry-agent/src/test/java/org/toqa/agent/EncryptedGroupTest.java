@@ -35,6 +35,9 @@ class EncryptedGroupTest {
 
   private static final Segment STRAIGHT = new Segment(0.25, 0, 4);
 
+  /** Longer than an outsider is kept waiting, in a world of five times real time. */
+  private static final Segment LONG = new Segment(0.25, 0, 60);
+
   @TempDir Path folder;
   private Group group;
 
@@ -63,7 +66,7 @@ class EncryptedGroupTest {
 
   @Test
   void outsiderCannotLeadAFollower() throws IOException {
-    group.begin(List.of(STRAIGHT));
+    group.begin(List.of(LONG));
     group.server(1).awaitState(s -> s.mode() == Mode.FOLLOWING);
     int port = group.port(1);
     Fingerprint follower = new Fingerprint(Objects.requireNonNull(group.fingerprint(1)));

@@ -13,6 +13,7 @@ import java.util.function.Predicate;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Done;
+import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Reject;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.LineReader;
@@ -79,6 +80,10 @@ final class GroupServer implements AutoCloseable {
                 m -> m instanceof Reject(long seq, String _) && seq == command.seq(),
                 () -> say(command)))
         .reason();
+  }
+
+  Hello awaitHello() {
+    return (Hello) await(Hello.class::isInstance, () -> {});
   }
 
   /** Waits for a state that was not heard before. */

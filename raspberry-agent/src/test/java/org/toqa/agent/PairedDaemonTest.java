@@ -2,7 +2,6 @@ package org.toqa.agent;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
-import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -13,10 +12,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
-import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -26,7 +21,6 @@ import org.toqa.link.PairingResult.Paired;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
 import org.toqa.link.TcpRobotLinks;
-import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.State;
@@ -37,6 +31,7 @@ import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.motion.Segment;
+import org.toqa.testbed.LinkRecord;
 
 /** A daemon in a process of its own that is paired, and what becomes of it. */
 @Timeout(120)
@@ -48,45 +43,6 @@ class PairedDaemonTest {
   private Fingerprint robot;
 
   /** What a link told. */
-  private static final class Heard implements RobotLink.Listener {
-    final BlockingQueue<Object> told = new LinkedBlockingQueue<>();
-
-    record Refusal(String sentence) {}
-
-    @Override
-    public void connected(Hello hello) {
-      told.add(hello);
-    }
-
-    @Override
-    public void received(AgentMessage message) {
-      told.add(message);
-    }
-
-    @Override
-    public void disconnected(String sentence) {
-      told.add(sentence);
-    }
-
-    @Override
-    public void refused(String sentence) {
-      told.add(new Refusal(sentence));
-    }
-
-    <T> T await(Class<T> type, Predicate<T> wished) throws InterruptedException {
-      Object next = told.poll(20, TimeUnit.SECONDS);
-      while (next != null && !(type.isInstance(next) && wished.test(type.cast(next)))) {
-        next = told.poll(20, TimeUnit.SECONDS);
-      }
-      assertNotNull(next, "nothing of the kind was told");
-      return type.cast(next);
-    }
-
-    String awaitRefusal() throws InterruptedException {
-      return await(Refusal.class, r -> true).sentence();
-    }
-  }
-
   @BeforeEach
   void pair() throws IOException {
     config = folder.resolve("agent.yaml");
@@ -112,13 +68,25 @@ class PairedDaemonTest {
     daemon.close();
   }
 
+  @Test
+  void runningDaemonTakesANewCodeAndRunsOn() throws Exception {
+    Ended asked = Ended.of("--config", config.toString(), "--pair");
+
+    assertEquals(0, asked.exitCode(), asked.errors());
+    PairingCode code =
+        PairingCode.parse(asked.errors().replaceAll("(?s)Pairing code: (\\S+) .*", "$1"))
+            .orElseThrow();
+    assertInstanceOf(Paired.class, links("other").pair("r1", "127.0.0.1", daemon.port(), code));
+    assertTrue(Files.notExists(folder.resolve("robot/pairing.code")));
+  }
+
   /** The links of a server that has just been started over that folder. */
   private TcpRobotLinks links(String server) throws IOException {
     return new TcpRobotLinks(
         new LinkTls(IdentityFile.open(Files.createDirectories(folder.resolve(server)))), false);
   }
 
-  private RobotLink link(String server, Heard heard) throws IOException {
+  private RobotLink link(String server, LinkRecord heard) throws IOException {
     return links(server).open(new RobotAddress("r1", "127.0.0.1", daemon.port(), robot), heard);
   }
 
@@ -129,17 +97,17 @@ class PairedDaemonTest {
 
   @Test
   void serverDrivesTheRobotAndBothMayBeStartedAnew() throws Exception {
-    Heard heard = new Heard();
+    LinkRecord heard = new LinkRecord();
     try (RobotLink link = link("server", heard)) {
-      Hello hello = heard.await(Hello.class, h -> true);
+      Hello hello = heard.await(Hello.class);
       link.send(new Drive(1, null, 0, hello.pose(), List.of(new Segment(0.25, 0, 2)), 1, true, 0));
       heard.await(State.class, s -> s.mode() == Mode.DRIVING);
     }
     restart();
 
-    Heard again = new Heard();
+    LinkRecord again = new LinkRecord();
     try (RobotLink _ = link("server", again)) {
-      assertEquals(1, again.await(Hello.class, h -> true).lastSeq());
+      assertEquals(1, again.await(Hello.class).lastSeq());
     }
   }
 
@@ -156,17 +124,19 @@ class PairedDaemonTest {
 
   @Test
   void secondServerIsRefusedAndTheFirstOneIsTold() throws Exception {
-    Heard own = new Heard();
-    Heard others = new Heard();
+    LinkRecord own = new LinkRecord();
+    LinkRecord others = new LinkRecord();
     try (RobotLink first = link("server", own);
         RobotLink _ = link("second", others)) {
-      own.await(Hello.class, h -> true);
+      own.await(Hello.class);
       first.send(new Ping(1));
 
       assertEquals(
-          "r1 does not accept this server: it was paired with another one, or this server's key is"
-              + " new. Pair it again.",
-          others.awaitRefusal());
+          new LinkRecord.Refusal(
+              "r1 does not accept this server: it was paired with another one, or this server's key"
+                  + " is new. Pair it again."),
+          others.next(),
+          "it was greeted");
       State told =
           own.await(
               State.class, s -> s.errors().stream().anyMatch(e -> e.code().equals("REFUSED")));
@@ -174,16 +144,15 @@ class PairedDaemonTest {
       assertEquals(
           "127.0.0.1 was refused: it is neither this robot's server nor its leader.",
           told.errors().getFirst().text());
-      assertTrue(others.told.stream().noneMatch(Hello.class::isInstance), "it was greeted");
     }
   }
 
   @Test
   void plainTextIsRefusedAndTheServerIsTold() throws Exception {
-    Heard own = new Heard();
+    LinkRecord own = new LinkRecord();
     try (RobotLink first = link("server", own);
         Socket plain = new Socket(InetAddress.getLoopbackAddress(), daemon.port())) {
-      own.await(Hello.class, h -> true);
+      own.await(Hello.class);
       first.send(new Ping(1));
       plain
           .getOutputStream()
@@ -201,22 +170,26 @@ class PairedDaemonTest {
     daemon.kill();
     Files.delete(folder.resolve("robot").resolve("link.p12"));
     daemon = DaemonProcess.launch(config);
-    Heard heard = new Heard();
+    LinkRecord heard = new LinkRecord();
     try (RobotLink _ = link("server", heard)) {
       assertEquals(
           "What answers at 127.0.0.1:%d is not r1: it has another key than the one recorded."
                   .formatted(daemon.port())
               + " If r1 was set up anew, pair it again; if not, find out who answers there.",
-          heard.awaitRefusal());
+          heard.await(LinkRecord.Refusal.class).sentence());
     }
   }
 
   @Test
   void serverWithAnotherKeyIsRefusedByTheRobot() throws Exception {
     Files.delete(folder.resolve("server").resolve("link.p12"));
-    Heard heard = new Heard();
+    LinkRecord heard = new LinkRecord();
     try (RobotLink _ = link("server", heard)) {
-      assertTrue(heard.awaitRefusal().startsWith("r1 does not accept this server"));
+      assertTrue(
+          heard
+              .await(LinkRecord.Refusal.class)
+              .sentence()
+              .startsWith("r1 does not accept this server"));
     }
   }
 }

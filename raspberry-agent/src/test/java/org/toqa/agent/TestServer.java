@@ -21,6 +21,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Keep;
 import org.toqa.link.message.AgentMessage.Reject;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.LineReader;
@@ -173,6 +174,13 @@ final class TestServer implements AutoCloseable {
     ask(new ServerMessage.Ping(nextPing++));
   }
 
+  /** The same for a leader, which is answered by a follower that is none of its own too. */
+  void synchroniseAsLeader() {
+    long task = nextPing++;
+    say(new ServerMessage.FormationEnd(task));
+    await(m -> m instanceof Keep keep && keep.task() == task);
+  }
+
   @Override
   public void close() {
     try {
@@ -196,7 +204,9 @@ final class TestServer implements AutoCloseable {
         return message;
       }
     }
-    return fail("The answer did not come; heard " + heard);
+    return fail(
+        "The answer did not come; the connection %s; last heard was %s"
+            .formatted(ended ? "has ended" : "lives", heard.reversed().stream().limit(5).toList()));
   }
 
   private @Nullable AgentMessage drain() {

@@ -39,6 +39,12 @@ record SimulatedBody(
         powerCycle, start, truth, turned, rates, odometry, wanted, battery, steps);
   }
 
+  /** The same, but it takes itself to have moved so far since power-up. */
+  SimulatedBody corrected(Pose moved) {
+    return new SimulatedBody(
+        powerCycle, start, truth, turned, rates, moved, command, battery, steps);
+  }
+
   /** Switched off and on again where it is: it stands, and its odometry starts anew. */
   SimulatedBody powerCycled() {
     return new SimulatedBody(

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.motion.Odometry;
@@ -13,8 +14,9 @@ import org.toqa.motion.WheelKinematics;
 /**
  * The body of a robot on two or three wheels, simulated: motors that follow a command with a lag
  * and a limited acceleration, wheels that slip a little (seeded noise between what turns and what
- * moves), odometry from encoder counts alone, a battery (see {@link SimulatedPower}). Its state is
- * kept in a file, see {@link SimulatedBodyFile}.
+ * moves), odometry from encoder counts alone but for marks on the floor, a battery (see {@link
+ * SimulatedPower}), range sensors (see {@link SimulatedRanges}). Its state is kept in a file, see
+ * {@link SimulatedBodyFile}.
  */
 public final class SimulatedChassis implements Chassis {
 
@@ -35,9 +37,13 @@ public final class SimulatedChassis implements Chassis {
 
   private static final double LONGEST_STEP_SECONDS = 0.02;
 
+  /** The sensors of a robot that nobody asks what it sees. */
+  private static final RangeSensors UNSEEING = new RangeSensors(0.1275);
+
   private final SimulatedBodyFile file;
   private final SimulatedPower power;
-  private final Onlooker onlooker;
+  private final Surroundings surroundings;
+  private final SimulatedRanges ranges;
   private final WheelKinematics kinematics;
   private final double noise;
   private final ThreeWheels sizes;
@@ -61,19 +67,39 @@ public final class SimulatedChassis implements Chassis {
    */
   public SimulatedChassis(Path file, Pose start, SimulatedPower power, double noise, long seed)
       throws IOException {
-    this(file, start, power, noise, seed, Onlooker.NOBODY);
+    this(file, start, power, noise, seed, UNSEEING, Surroundings.EMPTY);
   }
 
-  /** The same, with an onlooker. */
+  /** The same, among other things. */
   public SimulatedChassis(
-      Path file, Pose start, SimulatedPower power, double noise, long seed, Onlooker onlooker)
+      Path file,
+      Pose start,
+      SimulatedPower power,
+      double noise,
+      long seed,
+      RangeSensors sensors,
+      Surroundings surroundings)
       throws IOException {
-    this(new SimulatedBodyFile(file), start, power, SimulatedWheels.omni(noise, 0), seed, onlooker);
+    this(
+        new SimulatedBodyFile(file),
+        start,
+        power,
+        SimulatedWheels.omni(noise, 0),
+        seed,
+        sensors,
+        surroundings);
   }
 
   /** A new body that nothing is kept of, with a full battery. */
   public SimulatedChassis(Pose start, SimulatedWheels wheels, long seed) {
-    this(new SimulatedBodyFile(), start, SimulatedPower.FULL, wheels, seed, Onlooker.NOBODY);
+    this(
+        new SimulatedBodyFile(),
+        start,
+        SimulatedPower.FULL,
+        wheels,
+        seed,
+        UNSEEING,
+        Surroundings.EMPTY);
   }
 
   private SimulatedChassis(
@@ -82,10 +108,12 @@ public final class SimulatedChassis implements Chassis {
       SimulatedPower power,
       SimulatedWheels wheels,
       long seed,
-      Onlooker onlooker) {
+      RangeSensors sensors,
+      Surroundings surroundings) {
     this.file = file;
     this.power = power;
-    this.onlooker = onlooker;
+    this.surroundings = surroundings;
+    this.ranges = new SimulatedRanges(sensors, surroundings, seed);
     this.kinematics = wheels.kinematics();
     this.noise = wheels.slip();
     this.sizes = sizes(wheels.sizeError(), seed);
@@ -110,14 +138,14 @@ public final class SimulatedChassis implements Chassis {
     lastNanos = nanos;
     body = body.commanded(command);
     file.write(body);
-    onlooker.sees(body.truth());
+    surroundings.isAt(body.truth());
     return new ChassisReading(
         body.powerCycle(),
         body.powerCycle() == 1 ? body.start() : null,
         body.odometry(),
         kinematics.twist(body.rates().values(kinematics.wheels())),
         body.battery(),
-        List.of(),
+        ranges.read(body.truth(), nanos),
         List.of());
   }
 
@@ -148,6 +176,15 @@ public final class SimulatedChassis implements Chassis {
     double[] grips = NO_SLIP.values(kinematics.wheels());
     grips[wheel] = 1 - share;
     grip = ThreeWheels.of(grips);
+  }
+
+  /**
+   * Fault switch: a range sensor sees nothing.
+   *
+   * @param sensor from 0, from right to left
+   */
+  public void blind(int sensor, boolean isBlind) {
+    ranges.blind(sensor, isBlind);
   }
 
   @Override
@@ -208,6 +245,10 @@ public final class SimulatedChassis implements Chassis {
                 ? power.charged(body.battery(), dt)
                 : power.drained(body.battery(), dt, metres, load),
             body.steps() + 1);
+    if (body.powerCycle() == 1 && surroundings.isMarked(body.truth().position())) {
+      body = body.corrected(body.start().relative(body.truth()));
+      odometry = odometryOf(body);
+    }
   }
 
   private double slip(double turns) {

@@ -15,7 +15,8 @@ import org.toqa.link.trust.PairingCode;
 /**
  * The way into a daemon, encrypted or not for as long as it is open: not where the robot was never
  * paired, shows no code, and may do without. A robot that may not do without and was never paired
- * shows a code by itself.
+ * shows a code by itself. While it is open an encrypted door takes new codes by {@link
+ * PairingRequest}.
  *
  * <p>Any thread may call it; none waits.
  */
@@ -26,6 +27,7 @@ public final class Door implements AutoCloseable {
   private final @Nullable LinkTls tls;
   private final @Nullable GuestList guests;
   private final @Nullable PairingOffer offer;
+  private final @Nullable PairingWatch watch;
   private final ServerDoor listening;
 
   /**
@@ -44,22 +46,40 @@ public final class Door implements AutoCloseable {
       tls = null;
       guests = null;
       offer = null;
+      watch = null;
       threshold = new PlainThreshold(taken);
     } else {
       LinkTls own = new LinkTls(IdentityFile.open(config.folder()));
       GuestList list = new GuestList(pin);
-      PairingOffer code = config.pair() || !paired ? offer(own.fingerprint(), config) : null;
+      Fingerprint robot = own.fingerprint();
+      PairingOffer code = config.pair() || !paired ? newOffer(robot) : null;
       PairingDesk desk = new PairingDesk(config.robot(), list, refusals, code);
       tls = own;
       guests = list;
       offer = code;
       threshold = new TlsThreshold(own, list, desk, refusals, taken);
+      watch =
+          new PairingWatch(
+              config.robot(),
+              new PairingRequest(config.folder()),
+              asked -> desk.show(new PairingOffer(asked, robot, config.nanos())));
     }
-    listening = new ServerDoor(config.robot(), config.address(), config.port(), threshold);
+    try {
+      listening = new ServerDoor(config.robot(), config.address(), config.port(), threshold);
+    } catch (IOException e) {
+      closeWatch();
+      throw e;
+    }
   }
 
-  private static PairingOffer offer(Fingerprint robot, DoorConfig config) {
+  private PairingOffer newOffer(Fingerprint robot) {
     return new PairingOffer(PairingCode.of(robot, new SecureRandom()), robot, config.nanos());
+  }
+
+  private void closeWatch() {
+    if (watch != null) {
+      watch.close();
+    }
   }
 
   public int port() {
@@ -71,7 +91,7 @@ public final class Door implements AutoCloseable {
     return Optional.ofNullable(tls);
   }
 
-  /** The code that is shown, as people read it. */
+  /** The code that is shown from the beginning, as people read it. */
   public Optional<String> code() {
     return Optional.ofNullable(offer).map(PairingOffer::shown);
   }
@@ -102,6 +122,7 @@ public final class Door implements AutoCloseable {
 
   @Override
   public void close() {
+    closeWatch();
     listening.close();
   }
 

@@ -35,7 +35,7 @@ final class PairingDesk {
   private final String robot;
   private final GuestList guests;
   private final Refusals refusals;
-  private final @Nullable PairingOffer offer;
+  private volatile @Nullable PairingOffer offer;
 
   /**
    * @param offer null: no code is shown
@@ -45,6 +45,11 @@ final class PairingDesk {
     this.guests = guests;
     this.refusals = refusals;
     this.offer = offer;
+  }
+
+  /** From now on this code is shown, in the place of any earlier one. */
+  void show(PairingOffer newer) {
+    offer = newer;
   }
 
   void converse(LinkSocket link) {

@@ -64,17 +64,25 @@ public final class FrameCodec {
     return frame.putShort(CRC, (short) Crc16.of(frame.array(), CRC)).array();
   }
 
+  /** Whether the bytes are one frame, with its sync and its check sum. */
+  static boolean isIntact(byte[] bytes) {
+    if (bytes.length != LENGTH) {
+      return false;
+    }
+    ByteBuffer frame = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    return frame.getShort(0) == SYNC
+        && Short.toUnsignedInt(frame.getShort(CRC)) == Crc16.of(bytes, CRC);
+  }
+
   /** Nothing when the bytes are no good status. */
   public static Optional<FirmwareStatus> decode(byte[] bytes) {
-    if (bytes.length != LENGTH) {
+    if (!isIntact(bytes)) {
       return Optional.empty();
     }
     ByteBuffer frame = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     int answer = frame.get(4);
     int state = frame.get(5);
-    if (frame.getShort(0) != SYNC
-        || Byte.toUnsignedInt(frame.get(2)) != STATUS
-        || Short.toUnsignedInt(frame.getShort(CRC)) != Crc16.of(bytes, CRC)
+    if (Byte.toUnsignedInt(frame.get(2)) != STATUS
         || !isCode(answer, Answer.values())
         || !isCode(state, State.values())) {
       return Optional.empty();

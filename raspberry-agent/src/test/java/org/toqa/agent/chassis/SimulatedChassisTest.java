@@ -7,13 +7,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.geometry.Vec2;
 
 class SimulatedChassisTest {
 
@@ -218,6 +221,55 @@ class SimulatedChassisTest {
       assertEquals(0, now.odometry().theta(), 0.01);
       assertTrue(START.compose(now.odometry()).distanceTo(body.truth()) > 0.1);
     }
+  }
+
+  @Test
+  void sensorsSeeWhatStandsRoundTheBodyAndABlindOneNothing() throws IOException {
+    RangeSensors sensors = new RangeSensors(0.2);
+    Path file = folder.resolve("seeing");
+    try (SimulatedChassis body =
+        new SimulatedChassis(file, START, SimulatedPower.FULL, 0, 1, sensors, wall(0.5))) {
+      body.blind(2, true);
+      List<Double> ranges = body.exchange(Twist.ZERO, nanos).ranges();
+
+      assertEquals(0.5, ranges.get(0), 0.015); // noise of 0.5 %
+      assertEquals(0.5, ranges.get(1), 0.015);
+      assertEquals(RangeSensors.FARTHEST, ranges.get(2));
+    }
+    try (SimulatedChassis body = body(0)) {
+      List<Double> ranges = body.exchange(Twist.ZERO, nanos).ranges();
+      assertEquals(Collections.nCopies(3, RangeSensors.FARTHEST), ranges);
+    }
+  }
+
+  @Test
+  void marksOnTheFloorTakeTheErrorOfOdometryAway() throws IOException {
+    RangeSensors sensors = new RangeSensors(0.2);
+    Path file = folder.resolve("marked");
+    try (SimulatedChassis body =
+        new SimulatedChassis(file, START, SimulatedPower.FULL, 0.05, 3, sensors, wall(9))) {
+      ChassisReading now = run(body, new Twist(0.2, 0, 0.1), 60 * SECOND);
+
+      assertEquals(0, START.compose(now.odometry()).distanceTo(body.truth()), 1e-9);
+    }
+  }
+
+  /** A floor with marks everywhere, and in each direction a wall. */
+  private static Surroundings wall(double metres) {
+    return new Surroundings() {
+      @Override
+      public void isAt(Pose truth) {}
+
+      @Override
+      public double distance(Pose ray, double farthest) {
+        return Math.min(metres, farthest);
+      }
+
+      @Override
+      public boolean isMarked(Vec2 point) {
+        return true;
+      }
+    };
   }
 
   private Pose truthAfterAMinute(Path file, long seed) throws IOException {

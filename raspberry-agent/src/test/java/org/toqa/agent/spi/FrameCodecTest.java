@@ -5,13 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
-import java.util.HexFormat;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,63 +21,21 @@ import org.toqa.geometry.Twist;
 /** The golden frames, which the firmware's own tests read too. */
 class FrameCodecTest {
 
-  private static final Path GOLDEN = Path.of("firmware/test/golden-frames.txt");
-
-  /** A line of the file: what its frame says, and the frame. */
-  record Golden(String kind, Map<String, String> values, byte[] frame) {
-
-    static Golden of(String line) {
-      int bar = line.indexOf(" | ");
-      List<String> words = List.of(line.substring(0, bar).split(" ", -1));
-      return new Golden(
-          words.getFirst(),
-          words.stream()
-              .skip(1)
-              .map(word -> word.split("=", 2))
-              .collect(Collectors.toMap(pair -> pair[0], pair -> pair[1])),
-          HexFormat.of().parseHex(line.substring(bar + 3)));
-    }
-
-    String text(String key) {
-      return Objects.requireNonNull(values.get(key), key);
-    }
-
-    long number(String key) {
-      return Long.parseLong(text(key));
-    }
-
-    double millionths(String key) {
-      return number(key) / 1e6;
-    }
-
-    @Override
-    public String toString() {
-      return kind + " " + values;
-    }
+  static Stream<GoldenFrame> commands() throws IOException {
+    return GoldenFrame.all().filter(g -> !g.kind().equals("status") && !g.kind().equals("bad"));
   }
 
-  private static List<Golden> golden() throws IOException {
-    return Files.readAllLines(GOLDEN).stream()
-        .filter(line -> line.contains("|") && !line.startsWith("#"))
-        .map(Golden::of)
-        .toList();
+  static Stream<GoldenFrame> statuses() throws IOException {
+    return GoldenFrame.all().filter(g -> g.kind().equals("status"));
   }
 
-  static Stream<Golden> commands() throws IOException {
-    return golden().stream().filter(g -> !g.kind().equals("status") && !g.kind().equals("bad"));
-  }
-
-  static Stream<Golden> statuses() throws IOException {
-    return golden().stream().filter(g -> g.kind().equals("status"));
-  }
-
-  static Stream<Golden> bad() throws IOException {
-    return golden().stream().filter(g -> g.kind().equals("bad"));
+  static Stream<GoldenFrame> bad() throws IOException {
+    return GoldenFrame.all().filter(g -> g.kind().equals("bad"));
   }
 
   @ParameterizedTest
   @MethodSource("commands")
-  void commandBecomesItsGoldenFrame(Golden golden) {
+  void commandBecomesItsGoldenFrame(GoldenFrame golden) {
     FirmwareCommand command =
         switch (golden.kind()) {
           case "poll" -> new Poll();
@@ -111,7 +63,7 @@ class FrameCodecTest {
 
   @ParameterizedTest
   @MethodSource("statuses")
-  void goldenFrameBecomesItsStatus(Golden golden) {
+  void goldenFrameBecomesItsStatus(GoldenFrame golden) {
     FirmwareStatus status = FrameCodec.decode(golden.frame()).orElseThrow();
 
     assertEquals(golden.number("sequence"), status.sequence());
@@ -144,7 +96,7 @@ class FrameCodecTest {
 
   @ParameterizedTest
   @MethodSource("bad")
-  void badFrameIsNoStatus(Golden golden) {
+  void badFrameIsNoStatus(GoldenFrame golden) {
     assertTrue(FrameCodec.decode(golden.frame()).isEmpty());
   }
 

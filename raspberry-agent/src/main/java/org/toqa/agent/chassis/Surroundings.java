@@ -1,0 +1,50 @@
+package org.toqa.agent.chassis;
+
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+
+/**
+ * What stands and lies round one simulated body, which itself is no part of it. Called by the
+ * body's thread.
+ */
+public interface Surroundings {
+
+  /** An endless empty floor. */
+  Surroundings EMPTY =
+      new Surroundings() {
+        @Override
+        public void isAt(Pose truth) {}
+
+        @Override
+        public double distance(Pose ray, double farthest) {
+          return farthest;
+        }
+
+        @Override
+        public boolean isMarked(Vec2 point) {
+          return false;
+        }
+      };
+
+  /**
+   * Told at every exchange where the body really is: what no robot knows of itself.
+   *
+   * @param truth map frame
+   */
+  void isAt(Pose truth);
+
+  /**
+   * Metres from a point to the first thing in a direction.
+   *
+   * @param ray from where and which way, map frame
+   * @param farthest metres; the answer where nothing is nearer
+   */
+  double distance(Pose ray, double farthest);
+
+  /**
+   * Whether a mark lies there on the floor that tells a body over it where it is.
+   *
+   * @param point map frame
+   */
+  boolean isMarked(Vec2 point);
+}

@@ -1,0 +1,202 @@
+package org.toqa.agent;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.locks.LockSupport;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.Timeout.ThreadMode;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.message.ServerMessage.Follow;
+import org.toqa.link.message.ServerMessage.Follower;
+import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.message.ServerMessage.Release;
+import org.toqa.link.trust.LinkSocket;
+import org.toqa.motion.Segment;
+import org.toqa.testbed.RobotNetwork;
+import org.toqa.testbed.ToqaProcess;
+
+/** Packaged daemons, each in a network of its own whose cable is pulled, in real time. */
+@Tag("full")
+@Timeout(value = 150, threadMode = ThreadMode.SEPARATE_THREAD)
+class LostNetworkIT {
+
+  private static final int PORT = 7275;
+  private static final long TASK = 5;
+  private static final double SPEED = 0.25;
+
+  /** 2 m each. */
+  private static final List<Segment> WAY =
+      List.of(new Segment(SPEED, 0, 8), new Segment(SPEED, 0, 8));
+
+  /** A group stands within 0.8 s; as much again for a machine that is busy with other things. */
+  private static final double STAND_SECONDS = 1.6;
+
+  /** Where the robots stand at first; y is 1. */
+  private static final int[] X = {1, 3, 1};
+
+  @TempDir Path folder;
+  private RobotNetwork network;
+  private final List<ToqaProcess> daemons = new ArrayList<>();
+  private final List<GroupServer> servers = new ArrayList<>();
+
+  @BeforeEach
+  void start() throws Exception {
+    assumeTrue(
+        RobotNetwork.isAllowed(),
+        "Cables are pulled between network namespaces: run it as root, with ip (Debian: iproute2)");
+    network = new RobotNetwork(3);
+    for (int robot = 0; robot < 3; robot++) {
+      daemons.add(daemon(robot));
+    }
+    for (int robot = 0; robot < 3; robot++) {
+      daemons.get(robot).awaitErr("listening on");
+    }
+  }
+
+  @AfterEach
+  void end() throws IOException {
+    servers.forEach(GroupServer::close);
+    daemons.forEach(ToqaProcess::close);
+    if (network != null) {
+      network.close();
+    }
+  }
+
+  /** Side by side, so that a minute is waited for only once. */
+  @Test
+  void robotFinishesWhatIsReleasedAndHoldsWhileItsNetworkIsGone() throws Exception {
+    GroupServer ofMinute = driving(2);
+    ofMinute.awaitState(s -> s.pose().x() > X[2] + 1);
+    network.cut(2);
+    long cut = System.nanoTime();
+
+    forOneSecondNothingIsNoticed();
+    GroupServer ofFiveSeconds = driving(1);
+    ofFiveSeconds.awaitState(s -> s.pose().x() > X[1] + 1.2);
+    network.cut(1);
+    holdsAfter(1, System.nanoTime(), 5);
+    holdsAfter(2, cut, 60);
+  }
+
+  private void forOneSecondNothingIsNoticed() throws Exception {
+    GroupServer server = driving(0);
+    double x = server.awaitState(s -> s.pose().x() > 1.3).pose().x();
+    network.cut(0);
+    waitUntil(System.nanoTime(), 1);
+    network.mend(0);
+
+    State after = server.awaitState(s -> s.pose().x() > x + 2 * SPEED);
+    assertEquals(Mode.DRIVING, after.mode());
+    State atEnd = server.awaitState(s -> s.segment() == 1);
+    assertEquals(3, atEnd.pose().x(), 0.02);
+    assertTrue(
+        server.states().stream().allMatch(s -> s.mode() != Mode.HOLDING && s.errors().isEmpty()));
+  }
+
+  /** The connection is new: the server has given the old one up after 5 s. */
+  private void holdsAfter(int robot, long cut, int seconds) throws Exception {
+    waitUntil(cut, seconds);
+    network.mend(robot);
+    GroupServer server = connect(robot);
+    Hello hello = server.awaitHello();
+
+    assertEquals(Mode.HOLDING, hello.mode());
+    assertEquals(1, hello.segment());
+    assertEquals(X[robot] + 2, hello.pose().x(), 0.02); // the first segment
+    assertEquals(TASK, hello.task());
+    server.accepted(new Release(2, 1, 2));
+    server.awaitState(
+        s -> s.mode() == Mode.DRIVING && s.pose().x() > X[robot] + 2.2); // nobody said resume
+  }
+
+  @Test
+  void groupStandsWhileItsLeaderIsGoneAndGoesOnWithIt() throws Exception {
+    GroupServer ofLeader = connect(1); // at (3, 1)
+    GroupServer ofFollower = connect(0); // at (1, 1)
+    ofFollower.accepted(new Follow(1, TASK, "r2", null, new Vec2(-2, 0), 0.05));
+    ofLeader.accepted(
+        new Lead(1, TASK, 0.05, List.of(new Follower("r1", network.address(0), PORT, null))));
+    List<Segment> way = List.of(new Segment(SPEED, 0, 60));
+    ofLeader.accepted(new Drive(2, TASK, 2, new Pose(3, 1, 0), way, 1, true, 0));
+    ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.3);
+    double x = ofLeader.awaitState(s -> s.pose().x() > 3.3).pose().x();
+
+    network.cut(1);
+    long cut = System.nanoTime();
+
+    State lost = ofFollower.awaitState(s -> s.mode() == Mode.HOLDING);
+    assertTrue(System.nanoTime() - cut < STAND_SECONDS * 1e9);
+    assertEquals("LEADER_LOST", lost.errors().getFirst().code());
+    waitUntil(cut, 4);
+    network.mend(1);
+    // it was told the place up to 0.2 s before the cut, and stood: 4 s at 0.25 m/s would be 1 m
+    double stood = connect(1).awaitHello().pose().x();
+    assertTrue(stood - x < (STAND_SECONDS + 0.2) * SPEED, "the leader went on to " + stood);
+    ofFollower.awaitState(
+        s -> s.mode() == Mode.FOLLOWING && s.errors().isEmpty() && s.pose().x() > stood - 2 + 0.2);
+  }
+
+  private ToqaProcess daemon(int robot) throws IOException {
+    Path config =
+        Files.writeString(
+            folder.resolve("r%d.yaml".formatted(robot + 1)),
+            """
+            name: r%d
+            address: %s
+            plainTcpOffLoopback: true
+            dataDir: r%1$d
+            chassis: {type: simulated, noise: 0, start: {x: %d, y: 1}}
+            """
+                .formatted(robot + 1, network.address(robot), X[robot]));
+    return ToqaProcess.command(
+        folder,
+        network.as(
+            robot,
+            List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Xmx64m",
+                "-jar",
+                Path.of("target/toqa-agent.jar").toAbsolutePath().toString(),
+                "--config",
+                config.toString())));
+  }
+
+  private GroupServer driving(int robot) throws IOException {
+    GroupServer server = connect(robot);
+    Pose start = server.awaitHello().pose();
+    server.accepted(new Drive(1, TASK, 1, start, WAY, 1, true, 0));
+    return server;
+  }
+
+  private GroupServer connect(int robot) throws IOException {
+    GroupServer server =
+        new GroupServer(LinkSocket.plain(new Socket(network.address(robot), PORT)));
+    servers.add(server);
+    return server;
+  }
+
+  private static void waitUntil(long begin, int seconds) {
+    long end = begin + seconds * 1_000_000_000L;
+    while (System.nanoTime() < end) {
+      LockSupport.parkNanos(end - System.nanoTime());
+    }
+  }
+}
