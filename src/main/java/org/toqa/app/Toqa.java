@@ -27,6 +27,7 @@ import org.toqa.link.TcpRobotLinks;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.sim.SimulatedFleet;
+import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedRobot;
 import org.toqa.sim.VirtualClock;
 import org.toqa.store.Accounts;
@@ -178,10 +179,7 @@ final class Toqa implements AutoCloseable {
     }
     SimulatedFleet simulated =
         SimulatedFleet.open(
-            configuration.data().resolve("robots"),
-            robots,
-            floor.charging().stream().map(Place::position).toList(),
-            clock);
+            configuration.data().resolve("robots"), robots, SimulatedFloor.of(floor), clock);
     try {
       for (int i = 0; i < robots.size(); i++) {
         String name = robots.get(i).name();

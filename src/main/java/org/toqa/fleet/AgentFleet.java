@@ -107,6 +107,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   @Override
+  public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
+    return ask(replyTo -> new ManagerMessage.PreviewTask(order, user, replyTo));
+  }
+
+  @Override
   public CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user) {
     return ask(replyTo -> new ManagerMessage.AddRobot(order, user, replyTo));
   }

@@ -1,10 +1,13 @@
 package org.toqa.fleet;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorRobot.Errand;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
@@ -12,6 +15,12 @@ import org.toqa.traffic.floor.Decision;
 
 /** Tells the traffic what each robot is to do, and the robots what the traffic decides. */
 final class Driving {
+  /** Who walks across a way is gone again after this; and what is not was looked at all round. */
+  private static final Duration PASSING = Duration.ofSeconds(5);
+
+  /** The robot's word that it stands before something. */
+  private static final String OBSTACLE = "OBSTACLE";
+
   private final FloorState state;
   private final FloorMissions missions;
 
@@ -34,7 +43,7 @@ final class Driving {
     Errand errand = robot.duty();
     boolean isOnOtherWay = !robot.isStanding() && (errand == null || !robot.isOnTheWayOf(errand));
     boolean mayEnd = robot.told != null && robot.told.task() == null && robot.toldGoal == null;
-    boolean isStray = isOnOtherWay && !(robot.inService && mayEnd);
+    boolean isStray = (isOnOtherWay && !(robot.inService && mayEnd)) || isObstructed(robot);
     if (isStray) {
       cancelWhenAllStand(robot);
     }
@@ -57,6 +66,24 @@ final class Driving {
     if (!isWaiting) {
       note(robot, errand == null ? null : state.traffic.reason(robot.name()));
     }
+  }
+
+  /**
+   * Whether it has stood for a while before something on a part of its way that it cannot be told
+   * otherwise any more: it is stopped, and begins anew round that.
+   */
+  private boolean isObstructed(FloorRobot robot) {
+    boolean isStopped =
+        robot.role == Role.ALONE
+            && robot.mode == Mode.DRIVING
+            && robot.errors.stream().anyMatch(fault -> fault.code().equals(OBSTACLE))
+            && state.traffic.isHeadingForObstacle(robot.name());
+    if (!isStopped) {
+      robot.obstructedSince = null;
+    } else if (robot.obstructedSince == null) {
+      robot.obstructedSince = state.now;
+    }
+    return robot.obstructedSince != null && !robot.obstructedSince.plus(PASSING).isAfter(state.now);
   }
 
   /** Nobody wants its drive any more, as when a returning robot is needed elsewhere. */

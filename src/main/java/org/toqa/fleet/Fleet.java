@@ -23,6 +23,9 @@ public interface Fleet {
 
   CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user);
 
+  /** What would become of this task; nothing is stored. */
+  CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user);
+
   CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user);
 
   /**

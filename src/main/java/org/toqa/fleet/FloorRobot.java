@@ -123,6 +123,9 @@ final class FloorRobot {
   /** When it last was to hold. */
   Instant lastHeld = Instant.MIN;
 
+  /** Since when it stands before an obstacle on its way; null: it does not. */
+  @Nullable Instant obstructedSince;
+
   /** Since when it stands and has nothing to do. */
   @Nullable Instant idleSince;
 

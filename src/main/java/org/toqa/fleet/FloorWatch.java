@@ -37,10 +37,12 @@ final class FloorWatch {
   }
 
   /**
+   * @param from where the robot is, map frame
    * @param percepts metres, map frame
    * @param robots all of the floor
    */
-  List<Remark> see(String robot, List<Vec2> percepts, Collection<String> robots, Instant now) {
+  List<Remark> see(
+      String robot, Vec2 from, List<Vec2> percepts, Collection<String> robots, Instant now) {
     if (percepts.isEmpty()) {
       return List.of();
     }
@@ -48,7 +50,8 @@ final class FloorWatch {
     robots.stream()
         .filter(other -> !other.equals(robot) && traffic.knows(other))
         .forEach(other -> others.or(traffic.held(other)));
-    return obstacles.see(robot, percepts, others, now).stream()
+    List<Vec2> seen = percepts.stream().map(percept -> beyondOwnCell(from, percept)).toList();
+    return obstacles.see(robot, seen, others, now).stream()
         .map(
             obstacle ->
                 new Remark(
@@ -59,6 +62,14 @@ final class FloorWatch {
                         + place(obstacle)
                         + " that the map does not show; robots go round it"))
         .toList();
+  }
+
+  /** What a robot sees in the cell that it stands in fills the next one: it cannot be there. */
+  private Vec2 beyondOwnCell(Vec2 from, Vec2 percept) {
+    Vec2 away = percept.minus(from);
+    boolean isInOwnCell = floor.grid().cellAt(percept).equals(floor.grid().cellAt(from));
+    double diagonal = Math.sqrt(2) * floor.grid().resolution();
+    return isInOwnCell && away.norm() > 0 ? from.plus(away.times(diagonal / away.norm())) : percept;
   }
 
   /** Tells the traffic which obstacles there are; to be called before it decides. */

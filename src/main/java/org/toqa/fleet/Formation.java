@@ -19,7 +19,7 @@ record Formation(Shape shape, Pose load, LoadSize size, Group group) {
   static final double TOLERANCE = 0.05;
 
   /** What is taken for a load whose size nobody said. */
-  static final LoadSize USUAL_SIZE = new LoadSize(0.4, 0.4);
+  static final LoadSize USUAL_SIZE = new LoadSize(0.3, 0.3);
 
   /**
    * Where each robot stands to pick the load up; all face alike.

@@ -204,6 +204,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private Behavior<ManagerMessage> on(ManagerMessage message) {
     switch (message) {
       case ManagerMessage.Submit m -> submit(m);
+      case ManagerMessage.PreviewTask m -> preview(m);
       case ManagerMessage.TaskStored m -> taskStored(m);
       case ManagerMessage.AddRobot m -> addRobot(m);
       case ManagerMessage.RobotStored m -> robotStored(m);
@@ -239,16 +240,43 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   // --- wishes -----------------------------------------------------------------------------------
 
   private void submit(ManagerMessage.Submit m) {
-    double together =
-        robots.isEmpty()
-            ? Double.MAX_VALUE
-            : robots.values().stream().mapToDouble(RobotRecord::maxLoad).sum();
-    Answer<TransportTask> checked = check.task(m.order(), m.user(), clock.instant(), together);
+    Answer<TransportTask> checked = checked(m.order(), m.user());
     if (checked instanceof Answer.Accepted<TransportTask>(TransportTask task)) {
       store(task, m.replyTo());
     } else {
       m.replyTo().tell(StatusReply.success(checked.refusal()));
     }
+  }
+
+  private Answer<TransportTask> checked(TaskOrder order, String user) {
+    double together =
+        robots.isEmpty()
+            ? Double.MAX_VALUE
+            : robots.values().stream().mapToDouble(RobotRecord::maxLoad).sum();
+    return check.task(order, user, clock.instant(), together);
+  }
+
+  private void preview(ManagerMessage.PreviewTask m) {
+    Answer<TransportTask> checked = checked(m.order(), m.user());
+    if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
+      m.replyTo().tell(StatusReply.success(checked.refusal()));
+      return;
+    }
+    FloorMap floor = requireNonNull(maps.get(task.floor()));
+    Situation situation =
+        situation(
+            floor, List.of(TaskQueue.job(task, task.start())), List.of(), candidates(floor.name()));
+    var _ =
+        CompletableFuture.supplyAsync(
+                () -> new TaskForesight(allocator, floor).of(task, situation),
+                work -> Thread.ofVirtual().name("preview").start(work))
+            .whenComplete(
+                (preview, failure) ->
+                    m.replyTo()
+                        .tell(
+                            failure == null
+                                ? StatusReply.success(new Answer.Accepted<>(preview))
+                                : StatusReply.error(failure)));
   }
 
   private void store(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo) {

@@ -17,6 +17,10 @@ sealed interface ManagerMessage {
   record Submit(TaskOrder order, String user, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements ManagerMessage {}
 
+  record PreviewTask(
+      TaskOrder order, String user, ActorRef<StatusReply<Answer<TaskPreview>>> replyTo)
+      implements ManagerMessage {}
+
   record TaskStored(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements ManagerMessage {}
 

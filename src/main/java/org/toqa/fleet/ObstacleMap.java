@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
@@ -29,6 +30,9 @@ final class ObstacleMap {
   /** So many cells are kept at most; a robot that sees more than that sees nothing sensible. */
   static final int MOST_CELLS = 500;
 
+  /** Metres that what is seen may be away from where it is. */
+  private static final double WRONG = 0.02;
+
   private final OccupancyGrid grid;
 
   /** By {@link OccupancyGrid#index}. */
@@ -47,7 +51,8 @@ final class ObstacleMap {
   }
 
   /**
-   * Takes in what a robot sees. Points off the map and in walls say nothing new.
+   * Takes in what a robot sees. Points off the map, in walls, and as near to these as sensors and
+   * odometry are wrong, say nothing new.
    *
    * @param percepts metres, map frame
    * @param others the cells that other robots hold: what is seen there is them
@@ -57,7 +62,7 @@ final class ObstacleMap {
     List<Obstacle> appeared = new ArrayList<>();
     for (Vec2 percept : percepts) {
       Cell cell = grid.cellAt(percept);
-      if (!grid.isFree(cell) || others.get(grid.index(cell))) {
+      if (!isOffWalls(percept) || others.get(grid.index(cell))) {
         continue;
       }
       Mark known = marks.get(grid.index(cell));
@@ -93,6 +98,12 @@ final class ObstacleMap {
     BitSet cells = new BitSet();
     marks.keySet().forEach(cells::set);
     return cells;
+  }
+
+  private boolean isOffWalls(Vec2 point) {
+    return Stream.of(Vec2.ZERO, new Vec2(WRONG, 0), new Vec2(0, WRONG))
+        .flatMap(aside -> Stream.of(point.plus(aside), point.minus(aside)))
+        .allMatch(grid::isFree);
   }
 
   private boolean isMarked(Obstacle obstacle) {

@@ -136,7 +136,13 @@ final class Reception {
       state.traffic.stands(robot.name(), said.pose(), robot.footprint, state.now);
     }
     if (said.localised()) {
-      state.note(watch.see(robot.name(), said.obstacles(), state.robots.keySet(), state.now));
+      state.note(
+          watch.see(
+              robot.name(),
+              said.pose().position(),
+              said.obstacles(),
+              state.robots.keySet(),
+              state.now));
     }
   }
 

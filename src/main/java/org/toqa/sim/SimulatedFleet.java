@@ -6,9 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.AgentConfig;
@@ -17,7 +15,6 @@ import org.toqa.agent.Daemon;
 import org.toqa.agent.MotionLimits;
 import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.geometry.Pose;
-import org.toqa.geometry.Vec2;
 
 /**
  * Simulated robots: real daemons over simulated bodies, each behind a TCP port of its own on
@@ -33,13 +30,10 @@ public final class SimulatedFleet implements AutoCloseable {
   private static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
   private static final double SLIP = 0.01;
 
-  private final List<Vec2> chargers;
+  private final SimulatedFloor floor;
   private final VirtualClock clock;
   private final List<Inhabitant> robots = new ArrayList<>();
   private final List<SimulatedMicrocontroller> microcontrollers = new ArrayList<>();
-
-  /** Where bodies really are, by their robots' names, map frame. */
-  private final Map<String, Pose> truths = new ConcurrentHashMap<>();
 
   /** A daemon in the world. */
   private record Inhabitant(Daemon daemon) implements Participant {
@@ -63,12 +57,12 @@ public final class SimulatedFleet implements AutoCloseable {
    * Makes the robots, or finds them again, and lets them live by the clock.
    *
    * @param folder one folder for each robot is kept in it, with the robot's name
-   * @param chargers where robots that stand there are charged, metres, map frame
+   * @param floor where they stand and drive
    */
   public static SimulatedFleet open(
-      Path folder, List<SimulatedRobot> robots, List<Vec2> chargers, VirtualClock clock)
+      Path folder, List<SimulatedRobot> robots, SimulatedFloor floor, VirtualClock clock)
       throws IOException {
-    SimulatedFleet fleet = new SimulatedFleet(chargers, clock);
+    SimulatedFleet fleet = new SimulatedFleet(floor, clock);
     try {
       for (SimulatedRobot robot : robots) {
         fleet.add(folder.resolve(robot.name()), robot);
@@ -80,8 +74,8 @@ public final class SimulatedFleet implements AutoCloseable {
     }
   }
 
-  private SimulatedFleet(List<Vec2> chargers, VirtualClock clock) {
-    this.chargers = List.copyOf(chargers);
+  private SimulatedFleet(SimulatedFloor floor, VirtualClock clock) {
+    this.floor = floor;
     this.clock = clock;
   }
 
@@ -97,7 +91,7 @@ public final class SimulatedFleet implements AutoCloseable {
 
   /** Where the robot really is, map frame; empty where its body is not simulated as a whole. */
   public Optional<Pose> truth(String robot) {
-    return Optional.ofNullable(truths.get(robot));
+    return floor.truth(robot);
   }
 
   /** Takes the robots out of the world, the last one first, and ends their daemons. */
@@ -121,11 +115,11 @@ public final class SimulatedFleet implements AutoCloseable {
     if (firmware == null) {
       return new Body.Simulated(
           robot.start(),
-          new SimulatedPower(robot.battery(), chargers),
+          new SimulatedPower(robot.battery(), floor.chargers()),
           SLIP,
           robot.name().hashCode(),
           1,
-          truth -> truths.put(robot.name(), truth));
+          floor.around(robot.name(), FOOTPRINT / 2));
     }
     Files.createDirectories(folder);
     SimulatedMicrocontroller microcontroller = SimulatedMicrocontroller.start(firmware, folder);

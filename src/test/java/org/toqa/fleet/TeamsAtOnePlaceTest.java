@@ -1,0 +1,36 @@
+package org.toqa.fleet;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.FloorReader;
+import org.toqa.mission.TaskState;
+import org.toqa.sim.SimulatedFloor;
+
+/** One team comes for its load to where another is about to leave with its own. */
+class TeamsAtOnePlaceTest {
+  private static final double SPEED = 15;
+
+  @TempDir private Path folder;
+
+  @Test
+  @Timeout(400)
+  void whoComesMakesRoomForWhoLeaves() throws Exception {
+    FloorMap lab = FloorReader.read(Path.of("maps", "lab.yaml"));
+    FloorMap floor =
+        new FloorMap(
+            lab.name(), lab.grid(), lab.stations(), lab.parking().subList(0, 4), lab.charging());
+    LiveFloor live = new LiveFloor(folder, floor, SimulatedFloor.of(floor), SPEED);
+    try {
+      live.start();
+      long first = live.order(8, "Packing 1", "Goods-in 2");
+      long second = live.order(8, "Packing 1", "Packing 2");
+      live.until(view -> LiveFloor.is(view, first, TaskState.DONE));
+      live.until(view -> LiveFloor.is(view, second, TaskState.DONE));
+    } finally {
+      live.close();
+    }
+  }
+}
