@@ -11,7 +11,7 @@
   <p class="faint"><fmt:message key="newTask.intro"/></p>
   <t:errors/>
   <div class="columns pick">
-    <form method="post" action="${root}/tasks/new" novalidate>
+    <form class="task" method="post" action="${root}/tasks/new" novalidate>
       <t:csrf/>
       <t:field name="name" label="newTask.name" hint="newTask.name.hint" focus="true"/>
       <t:field name="load" label="newTask.load" inputmode="decimal"/>
@@ -40,6 +40,21 @@
           <small id="${end}-help"><c:out value="${errors[end]}"/></small>
         </fieldset>
       </c:forTokens>
+      <div class="grid">
+        <div>
+          <label for="priority"><fmt:message key="newTask.priority"/></label>
+          <select id="priority" name="priority">
+            <c:forTokens items="10,0,-10" delims="," var="level"><option value="${level}" ${level == (empty param.priority ? '0' : param.priority) ? 'selected' : ''}><fmt:message key="newTask.priority.${level}"/></option></c:forTokens>
+          </select>
+        </div>
+        <fieldset class="size" ${not empty errors['size.length'] or not empty errors['size.width'] or not empty errors.size ? 'aria-invalid="true"' : ''}>
+          <legend><fmt:message key="newTask.size"/></legend>
+          <input id="length" name="length" inputmode="decimal" autocomplete="off" aria-label="<fmt:message key="newTask.size.length"/>" value="${fn:escapeXml(param.length)}" aria-describedby="size-help">
+          <span aria-hidden="true">×</span>
+          <input id="width" name="width" inputmode="decimal" autocomplete="off" aria-label="<fmt:message key="newTask.size.width"/>" value="${fn:escapeXml(param.width)}" aria-describedby="size-help">
+          <small id="size-help"><c:out value="${errors.size}${empty errors.size ? errors['size.length'] : ''}${empty errors.size and empty errors['size.length'] ? errors['size.width'] : ''}"/></small>
+        </fieldset>
+      </div>
       <label for="deadline"><fmt:message key="newTask.deadline"/></label>
       <input id="deadline" name="deadline" type="datetime-local" value="${fn:escapeXml(param.deadline)}" ${empty errors.deadline ? '' : 'aria-invalid="true"'} aria-describedby="deadline-help">
       <small id="deadline-help"><c:choose><c:when test="${not empty errors.deadline}"><c:out value="${errors.deadline}"/></c:when><c:otherwise><fmt:message key="newTask.deadline.zone"/>${" "}<span id="zone-name"><fmt:message key="newTask.deadline.utc"/></span></c:otherwise></c:choose></small>
@@ -54,7 +69,8 @@
       </fieldset>
       <canvas id="map" tabindex="0" role="img" aria-label="${mapLabel}" data-floor="${fn:escapeXml(floor.name)}"></canvas>
       <small><fmt:message key="newTask.map.hint"/></small>
+      <output id="preview" class="preview" for="load startStation goalStation" hidden></output>
     </div>
   </div>
-  <t:texts keys="newTask.start newTask.goal map.failed"/>
+  <t:texts keys="newTask.start newTask.goal map.failed newTask.preview.chosen newTask.preview.needs newTask.preview.waits newTask.preview.metres"/>
 </t:page>

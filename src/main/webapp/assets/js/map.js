@@ -107,6 +107,15 @@ function fillEntry(item, {state, letter, title, side, what}) {
   write(item.querySelector('.what'), what);
 }
 
+// Who does not trust whom: a sentence, or undefined.
+function refusal({alert, errors}) {
+  return alert ?? errors.find(({code}) => code === 'REFUSED')?.text;
+}
+
+function isInNeed(robot) {
+  return IN_NEED.has(robot.state) || refusal(robot) !== undefined;
+}
+
 function robotEntry(robot) {
   return {
     key: `robot ${robot.name}`,
@@ -115,7 +124,7 @@ function robotEntry(robot) {
     letter: text(`robot.letter.${robot.state}`),
     title: robot.name,
     side: robot.battery === null ? '' : percent.format(robot.battery),
-    what: robot.errors[0]?.text ?? robot.doing,
+    what: refusal(robot) ?? robot.errors[0]?.text ?? robot.doing,
   };
 }
 
@@ -178,7 +187,7 @@ function showNeeds() {
     ...floors.flatMap(({standstills}) => standstills.map(standstillEntry)),
     ...floors.flatMap(({faultyChargers}) => faultyChargers.map(chargerEntry)),
     ...tasks.filter((task) => task.needs).map(taskEntry),
-    ...robots.filter((robot) => IN_NEED.has(robot.state)).map(robotEntry),
+    ...robots.filter(isInNeed).map(robotEntry),
   ];
   showLinks($('#needs-list'), entries);
   $('#needs').hidden = entries.length === 0;

@@ -1,6 +1,7 @@
 import {Board} from './board.js';
 import {Floor} from './floor.js';
 import {drawLabel} from './labels.js';
+import {Preview} from './preview.js';
 import {text} from './texts.js';
 import './zone.js';
 
@@ -16,24 +17,26 @@ const ends = ['start', 'goal'].map((name) => ({
 }));
 
 let floor;
+let way = [];
 const board = new Board($('#map'), draw, pick);
+const preview = new Preview($('form.task'), $('#preview'), order, (found) => {
+  way = found;
+  board.refresh();
+});
 
 function draw(context, viewport, colours) {
   if (!floor) {
     return false;
   }
   floor.draw(context, viewport, colours);
-  const [start, goal] = ends.map(placeOf);
-  if (start && goal) {
-    context.strokeStyle = colours['map-goal'];
-    context.lineWidth = 2;
-    context.setLineDash([4, 6]);
-    context.beginPath();
-    context.moveTo(...viewport.toScreen(start.x, start.y));
-    context.lineTo(...viewport.toScreen(goal.x, goal.y));
-    context.stroke();
-    context.setLineDash([]);
-  }
+  context.strokeStyle = colours['map-goal'];
+  context.lineWidth = 2.5;
+  context.lineJoin = 'round';
+  context.setLineDash([7, 5]);
+  context.beginPath();
+  way.forEach(({x, y}) => context.lineTo(...viewport.toScreen(x, y)));
+  context.stroke();
+  context.setLineDash([]);
   ends.forEach((end) => drawEnd(context, viewport, colours, end));
   return false;
 }
@@ -64,8 +67,7 @@ function placeOf({station, x, y}) {
   if (station.value) {
     return floor.stations.find(({name}) => name === station.value);
   }
-  const place = {x: Number.parseFloat(x.value), y: Number.parseFloat(y.value)};
-  return Number.isFinite(place.x) && Number.isFinite(place.y) ? place : undefined;
+  return where({station, x, y});
 }
 
 function pick(x, y, metresPerPixel) {
@@ -78,7 +80,47 @@ function pick(x, y, metresPerPixel) {
   if (end.name === 'start') {
     ends[1].choice.checked = true;
   }
+  placesChanged();
+}
+
+/** A way is worth nothing once its ends have moved. */
+function placesChanged() {
+  way = [];
+  preview.changed();
   board.refresh();
+}
+
+/** What the form asks for; nothing while load, start or goal are missing. */
+function order() {
+  const load = number('load');
+  const [start, goal] = ends.map(where);
+  if (load === undefined || !start || !goal) {
+    return undefined;
+  }
+  const [length, width] = [number('length'), number('width')];
+  return {
+    name: $('#name').value.trim() || '?',
+    load, start, goal,
+    floor: floor?.name,
+    priority: number('priority'),
+    size: length && width ? {length, width} : undefined,
+  };
+}
+
+function where({station, x, y}) {
+  if (station.value) {
+    return {station: station.value};
+  }
+  const place = {x: numberIn(x), y: numberIn(y)};
+  return place.x === undefined || place.y === undefined ? undefined : place;
+}
+
+function number(id) {
+  return numberIn($(`#${id}`));
+}
+
+function numberIn({value}) {
+  return value.trim() === '' || !Number.isFinite(Number(value)) ? undefined : Number(value);
 }
 
 async function showFloor(name) {
@@ -97,12 +139,12 @@ for (const {station, x, y} of ends) {
       x.value = '';
       y.value = '';
     }
-    board.refresh();
+    placesChanged();
   });
   for (const coordinate of [x, y]) {
     coordinate.addEventListener('input', () => {
       station.value = '';
-      board.refresh();
+      placesChanged();
     });
   }
 }
@@ -113,3 +155,4 @@ $('select#floor')?.addEventListener('change', (event) => {
   location.assign(here);
 });
 await showFloor($('#map').dataset.floor);
+preview.changed();

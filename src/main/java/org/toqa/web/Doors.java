@@ -60,6 +60,7 @@ public final class Doors {
           new Door("GET", "/api/v1/events", USER),
           new Door("GET", "/api/v1/tasks", USER),
           new Door("POST", "/api/v1/tasks", USER),
+          new Door("POST", "/api/v1/tasks/preview", USER),
           new Door("GET", "/api/v1/tasks/{id}", USER),
           new Door("POST", "/api/v1/tasks/{id}/cancel", USER),
           new Door("POST", "/api/v1/tasks/{id}/hold", USER),

@@ -37,6 +37,7 @@ import org.toqa.link.TcpRobotLinks;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.sim.SimulatedFleet;
+import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedRobot;
 import org.toqa.sim.VirtualClock;
 import org.toqa.store.Database;
@@ -72,7 +73,7 @@ class SimulatedDocksTest {
             folder,
             List.of(
                 new SimulatedRobot("r1", DOCKED, 5, 1), new SimulatedRobot("r2", ELSEWHERE, 5, 1)),
-            List.of(),
+            SimulatedFloor.boundless(),
             clock);
     parts.add(robots);
     Database database = Database.inMemory("docks-" + System.nanoTime());

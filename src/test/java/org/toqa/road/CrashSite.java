@@ -1,7 +1,6 @@
 package org.toqa.road;
 
 import java.io.IOException;
-import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -26,13 +25,9 @@ final class CrashSite implements AutoCloseable {
 
   CrashSite(Path folder) throws Exception {
     String url = RealMySql.newDatabase();
-    URI address = URI.create(url.substring("jdbc:".length()));
-    database = new Cable(address.getPort());
+    database = Cable.toDatabase(url);
     Path config = folder.resolve("server.yaml");
-    Files.writeString(
-        config,
-        "database:\n  url: \"%s\"\n"
-            .formatted(url.replace(":" + address.getPort(), ":" + database.port())));
+    Files.writeString(config, "database:\n  url: \"%s\"\n".formatted(database.through(url)));
     agents =
         List.of(
             new RunningAgent(folder, "carl", 7.95, 3.15, SPEED),

@@ -38,12 +38,8 @@ class DatabaseAwayIT {
   @ValueSource(booleans = {true, false})
   void robotsStandEverybodyIsToldAndThenAllGoesOn(boolean silently) throws Exception {
     String url = RealMySql.newDatabase();
-    int port = URI.create(url.substring("jdbc:".length())).getPort();
-    try (Cable cable = new Cable(port)) {
-      goesAwayAndComesBack(
-          url.replace(":" + port, ":" + cable.port()),
-          silently ? cable::silence : cable::cut,
-          cable::mend);
+    try (Cable cable = Cable.toDatabase(url)) {
+      goesAwayAndComesBack(cable.through(url), silently ? cable::silence : cable::cut, cable::mend);
     }
   }
 

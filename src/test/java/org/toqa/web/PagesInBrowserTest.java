@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -92,6 +93,11 @@ class PagesInBrowserTest {
     assertThat(page.locator("#startStation")).hasValue("Dock A");
     clickMap(page, map, 9, 4.5);
     assertThat(page.locator("#goalX")).hasValue(Pattern.compile("^(8\\.9|9\\.0).*"));
+    assertThat(page.locator("#preview"))
+        .hasText(
+            Pattern.compile(
+                "It takes 2 robots together. As things stand, r1, r2 would carry it now: they are"
+                    + " near. The load travels about 8.0 m."));
     picture(page, "new-task-picked");
     page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task")).click();
 
@@ -147,6 +153,35 @@ class PagesInBrowserTest {
 
     page.waitForCondition(() -> !pictureOf(page).equals(crowded));
     assertThat(page.locator("#needs")).not().containsText("Standstill");
+  }
+
+  @Test
+  void theMapShowsWhoWasNotLetIn() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    assertThat(page.locator("#needs li")).hasCount(3);
+    Fault stranger =
+        new Fault(
+            "REFUSED", "10.0.0.9 was refused: it is neither this robot's server nor its leader.");
+
+    server
+        .fleet()
+        .changeRobots(
+            robots ->
+                robots.stream()
+                    .map(
+                        r ->
+                            switch (r.name()) {
+                              case "r2" -> troubled(r, List.of(stranger), null);
+                              case "r3" -> troubled(r, List.of(), "r3 has another key.");
+                              default -> r;
+                            })
+                    .toList());
+
+    assertThat(page.locator("#needs li")).hasCount(5);
+    assertThat(page.locator("#needs")).containsText("10.0.0.9 was refused");
+    assertThat(page.locator("#needs")).containsText("r3 has another key.");
+    picture(page, "map-not-let-in");
   }
 
   @Test
@@ -323,6 +358,32 @@ class PagesInBrowserTest {
         null,
         null,
         null);
+  }
+
+  private static RobotView troubled(RobotView still, List<Fault> errors, @Nullable String alert) {
+    return new RobotView(
+        still.name(),
+        still.floor(),
+        still.state(),
+        still.pose(),
+        still.battery(),
+        still.task(),
+        still.phase(),
+        still.maxLoad(),
+        still.footprint(),
+        still.host(),
+        still.port(),
+        still.parking(),
+        still.simulated(),
+        still.route(),
+        still.released(),
+        errors,
+        still.doing(),
+        still.lastSeen(),
+        still.held(),
+        still.charger(),
+        still.fingerprint(),
+        alert);
   }
 
   private static RobotView robot(String name, RobotState state, Pose pose) {

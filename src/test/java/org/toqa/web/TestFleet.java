@@ -31,6 +31,7 @@ import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -151,30 +152,10 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     }
     lock.lock();
     try {
-      Optional<TaskPlace> start = place(order.start());
-      Optional<TaskPlace> goal = place(order.goal());
-      if (order.load() > HEAVIEST) {
-        return refused("load", "No robots here carry that much together. Split the load.");
+      Answer<TransportTask> checked = checked(order, user);
+      if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
+        return CompletableFuture.completedFuture(checked.refusal());
       }
-      if (start.isEmpty()) {
-        return refused("start", "The start is not a free place of the floor. Choose another one.");
-      }
-      if (goal.isEmpty()) {
-        return refused("goal", "The goal is not a free place of the floor. Choose another one.");
-      }
-      TransportTask task =
-          new TransportTask(
-              tasks.size() + 1,
-              order.name(),
-              order.load(),
-              start.get(),
-              goal.get(),
-              floor.name(),
-              order.priority(),
-              order.deadline(),
-              order.size(),
-              user,
-              latest.at());
       TaskView view =
           new TaskView(
               task,
@@ -191,6 +172,56 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
           new EventRecord(latest.at(), "QUEUED", task.id(), null, user, "The task was ordered."));
       publish(latest.robots());
       return CompletableFuture.completedFuture(new Answer.Accepted<>(view));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private Answer<TransportTask> checked(TaskOrder order, String user) {
+    Optional<TaskPlace> start = place(order.start());
+    Optional<TaskPlace> goal = place(order.goal());
+    if (order.load() > HEAVIEST) {
+      return new Answer.Refused<>(
+          "load", "No robots here carry that much together. Split the load.");
+    }
+    if (start.isEmpty()) {
+      return new Answer.Refused<>(
+          "start", "The start is not a free place of the floor. Choose another one.");
+    }
+    if (goal.isEmpty()) {
+      return new Answer.Refused<>(
+          "goal", "The goal is not a free place of the floor. Choose another one.");
+    }
+    return new Answer.Accepted<>(
+        new TransportTask(
+            tasks.size() + 1,
+            order.name(),
+            order.load(),
+            start.get(),
+            goal.get(),
+            floor.name(),
+            order.priority(),
+            order.deadline(),
+            order.size(),
+            user,
+            latest.at()));
+  }
+
+  /** Two carry it, straight from start to goal. */
+  @Override
+  public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
+    lock.lock();
+    try {
+      Answer<TransportTask> checked = checked(order, user);
+      return CompletableFuture.completedFuture(
+          checked instanceof Answer.Accepted<TransportTask>(TransportTask task)
+              ? new Answer.Accepted<>(
+                  new TaskPreview(
+                      2,
+                      List.of("r1", "r2"),
+                      "they are near",
+                      List.of(task.start().position(), task.goal().position())))
+              : checked.refusal());
     } finally {
       lock.unlock();
     }

@@ -6,11 +6,13 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
+import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.InputRules;
@@ -56,11 +58,19 @@ public final class NewTaskServlet extends PageServlet {
             where("start", fields, rules),
             where("goal", fields, rules),
             fields.text("floor"),
-            0,
+            rules.priority("priority", fields.number("priority")),
             rules.deadlineToCome(
                 "deadline", fields.moment("deadline", "zone"), services().clock().instant()),
-            null);
+            size(fields, rules));
     return errors.isEmpty() ? Optional.of(order) : Optional.empty();
+  }
+
+  /** Both sides, or neither. */
+  private static @Nullable LoadSize size(FormFields fields, InputRules rules) {
+    boolean isGiven = fields.text("length") != null || fields.text("width") != null;
+    return isGiven
+        ? rules.size("size", fields.number("length", "size"), fields.number("width", "size"))
+        : null;
   }
 
   /** A station goes before coordinates. */

@@ -1,0 +1,37 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Map;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskPreview;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.InputRules;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+
+/** What would become of a task; nothing is stored. */
+public final class PreviewServlet extends ApiServlet {
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    Texts texts = Texts.of(request);
+    TaskOrder order = TaskOrderJson.read(fields, new InputRules(texts, errors), errors, texts);
+    refuseIfAny(errors);
+    TaskPreview preview =
+        accepted(FleetAnswers.await(services().fleet().preview(order, Caller.of(request).name())));
+    Json.send(
+        response,
+        200,
+        Map.of(
+            "robots", preview.robots(),
+            "chosen", preview.chosen(),
+            "reason", preview.reason(),
+            "metres", preview.metres(),
+            "way", preview.way().stream().map(p -> Map.of("x", p.x(), "y", p.y())).toList()));
+  }
+}
