@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.PriorityQueue;
-import org.toqa.formation.Shape;
 import org.toqa.formation.WayRules;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
@@ -17,6 +16,7 @@ import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.Segment;
 import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
 import org.toqa.planning.Heading;
@@ -123,14 +123,11 @@ final class GroupWays {
    */
   Optional<List<Stretch>> way(Mover m, Group group, Vec2 goal, BitSet closed) {
     Pose start = m.releasedEnd();
-    Shape shape = group.shape();
-    WayRules rules = new WayRules(shape, m.speeds.forward());
-    return new Search(group, start, goal, closed)
+    WayRules rules = new WayRules(group.shape(), m.speeds.forward());
+    SegmentFitter arcs = new SegmentFitter(m.speeds, rules.cornerLength(EIGHTH));
+    return new Search(group, start, goal, closed, arcs)
         .way()
-        .map(
-            way ->
-                rules.slowed(
-                    new SegmentFitter(m.speeds, rules.cornerLength(EIGHTH)).fit(start, way)))
+        .map(way -> rules.slowed(arcs.fit(start, way)))
         .filter(way -> rules.breach(way).isEmpty())
         .map(way -> stretches(m, way))
         .filter(way -> !way.isEmpty() && way.stream().noneMatch(s -> s.cells().intersects(closed)));
@@ -146,6 +143,7 @@ final class GroupWays {
     private final Pose start;
     private final Vec2 goal;
     private final BitSet closed;
+    private final SegmentFitter arcs;
     private final double radius;
     private final double[] lengths = new double[HEADINGS.length * columns * rows];
     private final int[] before = new int[lengths.length];
@@ -156,11 +154,12 @@ final class GroupWays {
 
     private record Reached(int state, double length, double estimate) {}
 
-    Search(Group group, Pose start, Vec2 goal, BitSet closed) {
+    Search(Group group, Pose start, Vec2 goal, BitSet closed, SegmentFitter arcs) {
       this.group = group;
       this.start = start;
       this.goal = goal;
       this.closed = closed;
+      this.arcs = arcs;
       this.radius = group.shape().smallestRadius();
       Arrays.fill(lengths, Double.POSITIVE_INFINITY);
       Arrays.fill(before, -1);
@@ -299,14 +298,23 @@ final class GroupWays {
       }
     }
 
+    /** By the way to the first point of the lattice from which the rest is moves on it. */
     private void enter(int state) {
       Pose to = pose(state);
       Pose seen = start.relative(to);
       double angle = Angles.difference(start.theta(), to.theta());
+      double leg = length(state & 7) - ROUNDING;
       if (Math.abs(angle) < PARALLEL) {
-        if (Math.abs(seen.y()) < ROUNDING && Math.abs(angle) < ROUNDING && seen.x() > -ROUNDING) {
+        boolean isAhead =
+            Math.abs(seen.y()) < ROUNDING
+                && Math.abs(angle) < ROUNDING
+                && seen.x() > -ROUNDING
+                && seen.x() < leg;
+        if (isAhead) {
           enter(state, List.of(to.position()));
-        } else if (Math.abs(seen.y()) < LARGEST_ASIDE && seen.x() > 4 * step) {
+        } else if (Math.abs(seen.y()) < LARGEST_ASIDE
+            && seen.x() > 4 * step
+            && seen.x() < 4 * step + leg) {
           Vec2 bend = start.compose(new Pose(seen.x() / 2, 0, 0)).position();
           enter(state, List.of(bend, to.position()));
         }
@@ -316,7 +324,7 @@ final class GroupWays {
       double u = seen.y() / Math.sin(angle);
       double s = seen.x() - u * Math.cos(angle);
       double least = tangent(angle) - ROUNDING;
-      if (s >= least && u >= least) {
+      if (s >= least && u >= least && u < least + leg) {
         enter(state, List.of(start.compose(new Pose(s, 0, 0)).position(), to.position()));
       }
     }
@@ -328,10 +336,21 @@ final class GroupWays {
         length += from.distanceTo(to);
         from = to;
       }
-      if (length < LONGEST_ENTRY && length < lengths[state] && isOpen(state)) {
+      if (length < LONGEST_ENTRY && length < lengths[state] && isOpen(state) && isOpen(way)) {
         reach(state, -1, length);
         entries.put(state, way);
       }
+    }
+
+    private boolean isOpen(List<Vec2> entry) {
+      Pose pose = start;
+      for (Segment segment : arcs.fit(start, bends(entry)).segments()) {
+        if (group.swept(grid, pose, segment).intersects(closed)) {
+          return false;
+        }
+        pose = pose.advanced(segment.twist(), segment.t());
+      }
+      return true;
     }
 
     private List<Waypoint> wayTo(int goalState) {

@@ -22,9 +22,9 @@ import org.toqa.traffic.Deadline;
 import org.toqa.traffic.oneshot.LacamFloorPlanner;
 
 /**
- * Drives discs over a floor exactly as they are told, each as late as chance will have it, and
- * looks on: no two discs may ever overlap, none may touch a wall, none may drive what was not
- * released. It shares nothing with the traffic but its decisions.
+ * Drives discs, and groups of them, over a floor exactly as they are told, each as late as chance
+ * will have it, and looks on: no two discs may ever overlap, none may touch a wall, none may drive
+ * what was not released. It shares nothing with the traffic but its decisions.
  */
 final class DrivenFloor {
   static final double DIAMETER = 0.255;
@@ -52,9 +52,25 @@ final class DrivenFloor {
     boolean isStuck;
     @Nullable Vec2 goal;
 
+    /** Who drives with it. */
+    @Nullable Group group;
+
     Body(Pose pose, double diameter) {
       this.pose = pose;
       this.diameter = diameter;
+    }
+
+    List<Round> discs() {
+      return group == null ? List.of(new Round(pose.position(), diameter / 2)) : group.discs(pose);
+    }
+
+    /** Where what it carries is. */
+    Vec2 carries() {
+      return group == null ? pose.position() : group.shape().loadAt(pose).position();
+    }
+
+    double arrived(OccupancyGrid grid) {
+      return group == null ? ARRIVED : GroupWays.nearness(grid) + ARRIVED;
     }
   }
 
@@ -91,10 +107,20 @@ final class DrivenFloor {
   }
 
   void putAt(String robot, Vec2 p, double diameter) {
-    Body body = new Body(new Pose(p.x(), p.y(), 0), diameter);
+    putAt(robot, new Pose(p.x(), p.y(), 0), diameter);
+  }
+
+  void putAt(String robot, Pose pose, double diameter) {
+    Body body = new Body(pose, diameter);
     bodies.put(robot, body);
     traffic.stands(robot, body.pose, diameter, now);
     traffic.isFixed(robot, false);
+  }
+
+  /** It leads a group from now on; its goals are where the load shall come. */
+  void lead(String robot, Group group) {
+    body(robot).group = group;
+    traffic.leads(robot, group);
   }
 
   void send(String robot, @Nullable Cell goal) {
@@ -136,7 +162,7 @@ final class DrivenFloor {
   boolean isArrived(String robot) {
     Body body = body(robot);
     return body.goal == null
-        || (body.way == null && body.pose.position().distanceTo(body.goal) < ARRIVED);
+        || (body.way == null && body.carries().distanceTo(body.goal) < body.arrived(grid));
   }
 
   boolean areAllArrived() {
@@ -241,25 +267,37 @@ final class DrivenFloor {
     List<Map.Entry<String, Body>> all = new ArrayList<>(bodies.entrySet());
     for (int i = 0; i < all.size(); i++) {
       Body a = all.get(i).getValue();
-      require(isOffTheWalls(a), all.get(i).getKey() + " touches a wall at " + a.pose);
+      require(
+          a.discs().stream().allMatch(this::isOffTheWalls),
+          all.get(i).getKey() + " touches a wall at " + a.pose);
       for (int j = i + 1; j < all.size(); j++) {
         Body b = all.get(j).getValue();
-        double gap = a.pose.distanceTo(b.pose) - (a.diameter + b.diameter) / 2;
         String pair = all.get(i).getKey() + " and " + all.get(j).getKey();
-        require(gap > -1e-6, pair + " overlap at " + a.pose + ", " + b.pose + " at " + now);
+        require(gap(a, b) > -1e-6, pair + " overlap at " + a.pose + ", " + b.pose + " at " + now);
       }
     }
   }
 
-  private boolean isOffTheWalls(Body body) {
-    double r = body.diameter / 2 - 1e-6;
-    Cell middle = grid.cellAt(body.pose.position());
+  private static double gap(Body a, Body b) {
+    return a.discs().stream()
+        .flatMapToDouble(
+            one ->
+                b.discs().stream()
+                    .mapToDouble(
+                        two -> one.middle().distanceTo(two.middle()) - one.radius() - two.radius()))
+        .min()
+        .orElseThrow();
+  }
+
+  boolean isOffTheWalls(Round disc) {
+    double r = disc.radius() - 1e-6;
+    Cell middle = grid.cellAt(disc.middle());
     int reach = (int) Math.ceil(r / grid.resolution());
     for (int row = middle.row() - reach; row <= middle.row() + reach; row++) {
       for (int column = middle.column() - reach; column <= middle.column() + reach; column++) {
         Cell cell = new Cell(column, row);
         if (!grid.isFree(cell)) {
-          Vec2 d = body.pose.position().minus(grid.centre(cell));
+          Vec2 d = disc.middle().minus(grid.centre(cell));
           double dx = Math.max(0, Math.abs(d.x()) - grid.resolution() / 2);
           double dy = Math.max(0, Math.abs(d.y()) - grid.resolution() / 2);
           if (Math.hypot(dx, dy) < r) {
