@@ -97,7 +97,8 @@ public final class ContractNet implements Allocator {
               situation.chargers(),
               situation.waiting().stream().filter(j -> !holders.containsKey(j.id())).toList(),
               List.of(),
-              situation.free().stream().filter(r -> !holders.containsValue(r.robot())).toList());
+              situation.free().stream().filter(r -> !holders.containsValue(r.robot())).toList(),
+              situation.inUse());
       boolean awarded = false;
       for (Decision decision : InTurn.decide(left, this::auction)) {
         if (decision instanceof Decision.Assigned award) {

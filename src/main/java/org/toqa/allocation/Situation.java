@@ -15,6 +15,7 @@ import org.toqa.geometry.Vec2;
  * @param given tasks that robots have but whose loads are not picked up, as far as they may still
  *     go to other robots; no two of one robot
  * @param robots all of the floor
+ * @param inUse places where tasks that have robots are being fetched or set down
  */
 public record Situation(
     Instant now,
@@ -24,7 +25,8 @@ public record Situation(
     List<Vec2> chargers,
     List<Job> waiting,
     List<Given> given,
-    List<Candidate> robots) {
+    List<Candidate> robots,
+    List<PlaceUse> inUse) {
 
   /** A task that a robot has and that another one may still take over. */
   public record Given(Job job, String robot) {}
@@ -34,6 +36,7 @@ public record Situation(
     waiting = waiting.stream().sorted(Job.BY_PRECEDENCE).toList();
     given = List.copyOf(given);
     robots = List.copyOf(robots);
+    inUse = List.copyOf(inUse);
   }
 
   List<Candidate> free() {

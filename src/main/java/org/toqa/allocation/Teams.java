@@ -16,7 +16,8 @@ import org.toqa.allocation.Costs.Cost;
  * free the ones nearest to the load, the nearest of all as the leader.
  *
  * <p>Robots seldom become free together. When such a load has waited longer than every other task,
- * robots that are free are kept for it, so that it does not wait for ever.
+ * robots that are free are kept for it, so that it does not wait for ever. Where it is fetched and
+ * set down its robots are alone: {@link PlacesInTurn}.
  */
 public final class Teams implements Allocator {
   private static final int MOST_ROBOTS = 12;
@@ -32,33 +33,72 @@ public final class Teams implements Allocator {
 
   @Override
   public List<Decision> allocate(Situation situation) {
-    List<Decision> decisions = new ArrayList<>();
-    List<Job> light = new ArrayList<>();
-    Map<String, Long> taken = new HashMap<>();
-    WaitingReason reason = new WaitingReason(situation);
-    Costs costs = new Costs(situation);
-    for (Job job : situation.waiting()) {
-      if (situation.robots().isEmpty()
-          || situation.robots().stream().anyMatch(r -> r.isStrongEnough(job))) {
+    Round round = new Round(situation);
+    situation.waiting().forEach(round::look);
+    List<Job> light = round.light();
+    round.decisions.addAll(alone.allocate(without(situation, light, round.taken)));
+    return round.decisions;
+  }
+
+  private static final class Round {
+    private final Situation situation;
+    private final WaitingReason reason;
+    private final Costs costs;
+    private final PlacesInTurn places;
+    private final List<Decision> decisions = new ArrayList<>();
+    private final List<Job> light = new ArrayList<>();
+    private final Map<String, Long> taken = new HashMap<>();
+
+    Round(Situation situation) {
+      this.situation = situation;
+      this.reason = new WaitingReason(situation);
+      this.costs = new Costs(situation);
+      this.places = new PlacesInTurn(situation.inUse());
+    }
+
+    /** Decides about a task for several robots; in the order of precedence. */
+    void look(Job job) {
+      boolean together =
+          !situation.robots().isEmpty()
+              && situation.robots().stream().noneMatch(r -> r.isStrongEnough(job));
+      if (waits(job, places.objection(job, together))) {
+        places.keepFor(job, together);
+      } else if (together) {
+        gather(job);
+      } else {
         light.add(job);
-        continue;
       }
+    }
+
+    private boolean waits(Job job, Optional<String> objection) {
+      objection.ifPresent(why -> decisions.add(new Decision.Waits(job.id(), why, List.of())));
+      return objection.isPresent();
+    }
+
+    private void gather(Job job) {
       List<Candidate> usable =
           situation.free().stream().filter(r -> !taken.containsKey(r.robot())).toList();
       List<Candidate> nearest = team(job, usable, situation.robots(), costs);
       int needed = size(job, situation.robots()).orElse(Integer.MAX_VALUE);
       if (nearest.size() == needed) {
         nearest.forEach(r -> taken.put(r.robot(), job.id()));
+        places.take(job, true);
         decisions.add(assigned(job, nearest, costs));
-      } else {
-        decisions.add(reason.waits(job));
-        if (light.isEmpty() && needed <= MOST_ROBOTS) {
-          nearest.forEach(r -> taken.put(r.robot(), job.id()));
-        }
+        return;
       }
+      if (light.isEmpty() && needed <= MOST_ROBOTS) {
+        nearest.forEach(r -> taken.put(r.robot(), job.id()));
+        places.keepFor(job, true);
+      }
+      decisions.add(reason.waits(job));
     }
-    decisions.addAll(alone.allocate(without(situation, light, taken)));
-    return decisions;
+
+    /** The tasks for one robot each whose places no team has taken. */
+    List<Job> light() {
+      return light.stream()
+          .filter(job -> !waits(job, places.objectionOfUsers(job, false)))
+          .toList();
+    }
   }
 
   /** How many robots share the load evenly, of those that are not broken; empty if all cannot. */
@@ -123,6 +163,7 @@ public final class Teams implements Allocator {
         situation.chargers(),
         waiting,
         situation.given(),
-        robots);
+        robots,
+        situation.inUse());
   }
 }

@@ -36,6 +36,7 @@ import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
 import org.toqa.allocation.Job;
+import org.toqa.allocation.PlaceUse;
 import org.toqa.allocation.Situation;
 import org.toqa.allocation.Situation.Given;
 import org.toqa.allocation.Standing;
@@ -94,6 +95,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   /** By floor: what its robots were last seen to be kept by. */
   private final Map<String, Map<String, Standing>> standings = new HashMap<>();
+
+  /** By floor: which of its places were last seen to be in use. */
+  private final Map<String, List<PlaceUse>> placesSeen = new HashMap<>();
 
   /** By floor and task: what the last round said of those that wait. */
   private final Map<String, Map<Long, String>> reasons = new HashMap<>();
@@ -560,7 +564,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     Map<String, Standing> now =
         candidates(m.floor().name()).stream()
             .collect(Collectors.toMap(Candidate::robot, Candidate::standing));
-    if (!now.equals(standings.put(m.floor().name(), now))) {
+    List<PlaceUse> inUse = placesInUse(m.floor().name());
+    boolean isNews = !now.equals(standings.put(m.floor().name(), now));
+    if (!inUse.equals(placesSeen.put(m.floor().name(), inUse)) || isNews) {
       due.add(m.floor().name());
     }
   }
@@ -644,7 +650,17 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         chargers(floor),
         jobs,
         given,
-        robotsHere);
+        robotsHere,
+        placesInUse(floor.name()));
+  }
+
+  private List<PlaceUse> placesInUse(String floor) {
+    Map<Long, TaskView> begun = new TreeMap<>();
+    handedOver.values().stream()
+        .filter(t -> t.task().floor().equals(floor))
+        .forEach(t -> begun.put(t.id(), t));
+    missions(floor).forEach(t -> begun.put(t.id(), t));
+    return PlacesInUse.of(begun.values().stream(), robotViews(floor));
   }
 
   private static List<Vec2> chargers(FloorMap floor) {

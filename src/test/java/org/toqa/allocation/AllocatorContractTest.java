@@ -131,7 +131,8 @@ class AllocatorContractTest {
             List.of(),
             List.of(job(1, 1, 60)),
             List.of(),
-            List.of(free("r1", 5, 20), free("r2", 5, 39)));
+            List.of(free("r1", 5, 20), free("r2", 5, 39)),
+            List.of());
 
     assertEquals(
         List.of(
@@ -170,7 +171,8 @@ class AllocatorContractTest {
         List.of(new Vec2(79, 6)),
         List.of(job(1, 1, 40)),
         List.of(),
-        List.of(new Candidate("r1", 5, place, place, battery, Standing.FREE, null)));
+        List.of(new Candidate("r1", 5, place, place, battery, Standing.FREE, null)),
+        List.of());
   }
 
   @ParameterizedTest

@@ -22,6 +22,15 @@ final class Floors {
 
   static Situation situation(
       Instant now, List<Job> waiting, List<Given> given, List<Candidate> robots) {
+    return situation(now, waiting, given, robots, List.of());
+  }
+
+  static Situation situation(
+      Instant now,
+      List<Job> waiting,
+      List<Given> given,
+      List<Candidate> robots,
+      List<PlaceUse> inUse) {
     return new Situation(
         now,
         Vec2.ZERO,
@@ -30,7 +39,8 @@ final class Floors {
         List.of(),
         waiting,
         given,
-        robots);
+        robots,
+        inUse);
   }
 
   /** One that came at noon, from (x, 5) to (x, 6). */

@@ -228,7 +228,8 @@ final class AllocationRun {
         List.of(),
         waiting.values().stream().limit(LOOKED_AT).toList(),
         given,
-        robots.values().stream().map(this::candidate).toList());
+        robots.values().stream().map(this::candidate).toList(),
+        List.of());
   }
 
   private Candidate candidate(Robot robot) {

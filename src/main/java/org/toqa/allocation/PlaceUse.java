@@ -1,0 +1,11 @@
+package org.toqa.allocation;
+
+import org.toqa.geometry.Vec2;
+
+/**
+ * A place where robots fetch or set down a load now, or soon will.
+ *
+ * @param place metres, map frame
+ * @param together whether several robots carry the load, who need the place for themselves
+ */
+public record PlaceUse(long task, Vec2 place, boolean together) {}
