@@ -6,10 +6,7 @@ import java.io.IOException;
 import java.util.Map;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.InputRules;
-import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
 /** What would become of a task; nothing is stored. */
@@ -17,11 +14,7 @@ public final class PreviewServlet extends ApiServlet {
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
-    Texts texts = Texts.of(request);
-    TaskOrder order = TaskOrderJson.read(fields, new InputRules(texts, errors), errors, texts);
-    refuseIfAny(errors);
+    TaskOrder order = TaskOrderJson.read(request);
     TaskPreview preview =
         accepted(FleetAnswers.await(services().fleet().preview(order, Caller.of(request).name())));
     Json.send(

@@ -1,5 +1,7 @@
 package org.toqa.web.api;
 
+import jakarta.servlet.http.HttpServletRequest;
+import java.io.IOException;
 import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.OffsetDateTime;
@@ -13,7 +15,7 @@ import org.toqa.web.FieldErrors;
 import org.toqa.web.InputRules;
 import org.toqa.web.Texts;
 
-/** Reads a task order from the wire; it means something only when no error was filed. */
+/** Reads a task order from the wire. */
 final class TaskOrderJson {
   private final JsonFields fields;
   private final InputRules rules;
@@ -27,8 +29,17 @@ final class TaskOrderJson {
     this.texts = texts;
   }
 
-  static TaskOrder read(JsonFields fields, InputRules rules, FieldErrors errors, Texts texts) {
-    return new TaskOrderJson(fields, rules, errors, texts).read();
+  /**
+   * @throws Problem.Raised with a sentence for each field that is wrong
+   */
+  static TaskOrder read(HttpServletRequest request) throws IOException {
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    Texts texts = Texts.of(request);
+    TaskOrder order =
+        new TaskOrderJson(fields, new InputRules(texts, errors), errors, texts).read();
+    ApiServlet.refuseIfAny(errors);
+    return order;
   }
 
   private TaskOrder read() {

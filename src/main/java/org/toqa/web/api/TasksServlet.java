@@ -7,11 +7,8 @@ import java.util.List;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.InputRules;
 import org.toqa.web.Tasks;
-import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
 /** All tasks, newest first, and new ones. */
@@ -32,11 +29,7 @@ public final class TasksServlet extends ApiServlet {
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
-    Texts texts = Texts.of(request);
-    TaskOrder order = TaskOrderJson.read(fields, new InputRules(texts, errors), errors, texts);
-    refuseIfAny(errors);
+    TaskOrder order = TaskOrderJson.read(request);
     TaskView task =
         accepted(FleetAnswers.await(services().fleet().submit(order, Caller.of(request).name())));
     response.setHeader("Location", request.getContextPath() + "/api/v1/tasks/" + task.id());
