@@ -20,6 +20,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 
 /** Robots that carry a load of 0.3 m together on the shipped floor. */
@@ -31,25 +32,22 @@ class GroupPropertyTest {
 
   private static final Duration LIMIT = Duration.ofMinutes(20);
 
-  /** Held at any moment, a group has a way on from where it comes to a stand. */
-  @Property(tries = 200, seed = "20261121")
-  void groupThatIsHeldOnItsWayGoesOn(@ForAll @LongRange(min = 0) long seed) throws IOException {
-    driveWithHolds(seed);
+  private final FloorMap lab;
+
+  GroupPropertyTest() throws IOException {
+    lab = FloorReader.read(Path.of("maps", "lab.yaml"));
   }
 
-  static void driveWithHolds(long seed) throws IOException {
-    FloorMap lab = FloorReader.read(Path.of("maps", "lab.yaml"));
+  /** Held at any moment, a group has a way on from where it comes to a stand. */
+  @Property(tries = 200, seed = "20261121")
+  void groupThatIsHeldOnItsWayGoesOn(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
-    Place from = lab.stations().get(random.nextInt(lab.stations().size()));
-    Place to = lab.stations().get(random.nextInt(lab.stations().size()));
-    int robots = 2 + random.nextInt(2);
-    DrivenFloor floor = new DrivenFloor(lab.grid(), seed);
-    Pose load = new Pose(from.position().x(), from.position().y(), random.nextInt(4) * Math.PI / 2);
-    if (!canCarry(lab, load, to.position(), robots)) {
+    Carry carry = carry(random, stations(random));
+    if (!carry.isPossible()) {
       return;
     }
-    put(floor, "group", load, robots);
-    floor.sendTo("group", to.position());
+    DrivenFloor floor = new DrivenFloor(lab.grid(), seed);
+    carry.begin(floor, "group");
     for (int i = 0; i < 8 && !floor.areAllArrived(); i++) {
       floor.drive(Duration.ofMillis(random.nextInt(8000)));
       floor.lose("group"); // nothing more can be told to it
@@ -57,51 +55,36 @@ class GroupPropertyTest {
       floor.find("group");
     }
     floor.drive(LIMIT);
-    assertTrue(floor.areAllArrived(), () -> from + " to " + to + " by " + robots + floor.reasons());
+    assertTrue(floor.areAllArrived(), () -> carry + " " + floor.reasons());
   }
 
   /** Among robots that drive to and fro, but not to its own places, it arrives, and so do they. */
   @Property(tries = 200, seed = "20261121")
-  void groupArrivesAmongOthers(@ForAll @LongRange(min = 0) long seed) throws IOException {
-    driveAmongOthers(seed);
-  }
-
-  static void driveAmongOthers(long seed) throws IOException {
-    FloorMap lab = FloorReader.read(Path.of("maps", "lab.yaml"));
+  void groupArrivesAmongOthers(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
-    Place from = lab.stations().get(random.nextInt(lab.stations().size()));
-    Place to = lab.stations().get(random.nextInt(lab.stations().size()));
-    int robots = 2 + random.nextInt(2);
-    Pose load = new Pose(from.position().x(), from.position().y(), random.nextInt(4) * Math.PI / 2);
-    if (!canCarry(lab, load, to.position(), robots)) {
+    Carry carry = carry(random, stations(random));
+    if (!carry.isPossible()) {
       return;
     }
     DrivenFloor floor = new DrivenFloor(lab.grid(), seed);
-    put(floor, "group", load, robots);
-    List<Vec2> places =
-        Stream.concat(lab.stations().stream(), lab.parking().stream())
-            .map(Place::position)
-            .filter(
-                p -> p.distanceTo(from.position()) > APART && p.distanceTo(to.position()) > APART)
-            .collect(Collectors.toCollection(ArrayList::new));
+    carry.begin(floor, "group");
+    List<Vec2> places = placesBeside(carry);
     Collections.shuffle(places, random);
     int others = Math.min(1 + random.nextInt(6), places.size());
     for (int i = 0; i < others; i++) {
       floor.putAt("r" + i, places.get(i), DrivenFloor.DIAMETER);
     }
-    floor.sendTo("group", to.position());
     Instant limit = floor.now.plus(LIMIT);
     while (!floor.isArrived("group") && floor.now.isBefore(limit)) {
       for (int i = 0; i < others; i++) {
         if (floor.isArrived("r" + i) && random.nextInt(100) == 0) {
-          floor.sendTo(
-              "r" + i, random.nextInt(4) == 0 ? null : places.get(random.nextInt(places.size())));
+          boolean isIdle = random.nextInt(4) == 0;
+          floor.sendTo("r" + i, isIdle ? null : places.get(random.nextInt(places.size())));
         }
       }
       floor.step();
     }
-    assertTrue(
-        floor.isArrived("group"), () -> from + " to " + to + " by " + robots + floor.reasons());
+    assertTrue(floor.isArrived("group"), () -> carry + " " + floor.reasons());
     for (int i = 0; i < others; i++) {
       floor.sendTo("r" + i, places.get(i));
     }
@@ -111,61 +94,77 @@ class GroupPropertyTest {
 
   /** Two groups, whose places are apart, each arrive. */
   @Property(tries = 200, seed = "20261121")
-  void twoGroupsArrive(@ForAll @LongRange(min = 0) long seed) throws IOException {
-    driveTwoGroups(seed);
-  }
-
-  static void driveTwoGroups(long seed) throws IOException {
-    FloorMap lab = FloorReader.read(Path.of("maps", "lab.yaml"));
+  void twoGroupsArrive(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
-    List<Place> places = new ArrayList<>(lab.stations());
-    Collections.shuffle(places, random);
-    List<Pose> loads =
-        places.subList(0, 2).stream()
-            .map(p -> new Pose(p.position().x(), p.position().y(), random.nextInt(4) * Math.PI / 2))
-            .toList();
-    int robots = 2 + random.nextInt(2);
-    for (int i = 0; i < 2; i++) {
-      if (!canCarry(lab, loads.get(i), places.get(2 + i).position(), robots)) {
-        return;
-      }
+    List<Place> places = stations(random);
+    Carry one = carry(random, places);
+    Carry two = carry(random, places.subList(2, 4));
+    if (!one.isPossible() || !two.isPossible()) {
+      return;
     }
     DrivenFloor floor = new DrivenFloor(lab.grid(), seed);
-    for (int i = 0; i < 2; i++) {
-      put(floor, "g" + i, loads.get(i), robots);
-      floor.sendTo("g" + i, places.get(2 + i).position());
-    }
+    one.begin(floor, "one");
+    two.begin(floor, "two");
     floor.drive(LIMIT);
-    assertTrue(floor.areAllArrived(), () -> places.subList(0, 4) + " " + floor.reasons());
+    assertTrue(floor.areAllArrived(), () -> one + " " + two + " " + floor.reasons());
   }
 
-  private static boolean canCarry(FloorMap lab, Pose load, Vec2 to, int robots) {
-    DrivenFloor empty = new DrivenFloor(lab.grid(), 1);
-    Group group = group(robots);
-    Pose leader = group.shape().leaderAt(load);
-    if (!group.discs(leader).stream().allMatch(empty::isOffTheWalls)) {
-      return false;
+  private List<Place> stations(Random random) {
+    List<Place> places = new ArrayList<>(lab.stations());
+    Collections.shuffle(places, random);
+    return places;
+  }
+
+  private Carry carry(Random random, List<Place> places) {
+    Vec2 from = places.get(0).position();
+    Pose load = new Pose(from.x(), from.y(), random.nextInt(4) * Math.PI / 2);
+    return new Carry(lab.grid(), load, places.get(1).position(), 2 + random.nextInt(2));
+  }
+
+  private List<Vec2> placesBeside(Carry carry) {
+    return Stream.concat(lab.stations().stream(), lab.parking().stream())
+        .map(Place::position)
+        .filter(p -> p.distanceTo(carry.load().position()) > APART)
+        .filter(p -> p.distanceTo(carry.goal()) > APART)
+        .collect(Collectors.toCollection(ArrayList::new));
+  }
+
+  /**
+   * @param load where it is picked up
+   * @param goal where it is carried
+   */
+  private record Carry(OccupancyGrid grid, Pose load, Vec2 goal, int robots) {
+
+    /** Whether a group has room there, and on an empty floor a way. */
+    boolean isPossible() {
+      DrivenFloor empty = new DrivenFloor(grid, 1);
+      if (!group().discs(leader()).stream().allMatch(empty::isOffTheWalls)) {
+        return false;
+      }
+      begin(empty, "group");
+      empty.step();
+      return empty.isArrived("group") || empty.body("group").way != null;
     }
-    put(empty, "group", load, robots);
-    empty.sendTo("group", to);
-    empty.step();
-    return empty.isArrived("group") || empty.body("group").way != null;
-  }
 
-  private static void put(DrivenFloor floor, String name, Pose load, int robots) {
-    Group group = group(robots);
-    floor.putAt(name, group.shape().leaderAt(load), DrivenFloor.DIAMETER);
-    floor.lead(name, group);
-  }
+    void begin(DrivenFloor floor, String name) {
+      floor.putAt(name, leader(), DrivenFloor.DIAMETER);
+      floor.lead(name, group());
+      floor.sendTo(name, goal);
+    }
 
-  private static Group group(int robots) {
-    double radius = DrivenFloor.DIAMETER / 2;
-    return new Group(
-        robots == 2
-            ? new Shape(new Vec2(LOAD, 0), List.of(new Vec2(-LOAD, 0)))
-            : Shape.around(robots, LOAD, LOAD, radius),
-        radius,
-        LOAD,
-        LOAD);
+    private Pose leader() {
+      return group().shape().leaderAt(load);
+    }
+
+    private Group group() {
+      double radius = DrivenFloor.DIAMETER / 2;
+      return new Group(
+          robots == 2
+              ? new Shape(new Vec2(LOAD, 0), List.of(new Vec2(-LOAD, 0)))
+              : Shape.around(robots, LOAD, LOAD, radius),
+          radius,
+          LOAD,
+          LOAD);
+    }
   }
 }
