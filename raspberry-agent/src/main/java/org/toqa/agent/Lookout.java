@@ -16,8 +16,8 @@ import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 
 /**
- * Watches the way that a robot alone is about to drive: lets it step aside for what only reaches
- * in, stops it before what stands there, and has it look how wide that is.
+ * Watches the way that a robot is about to drive: lets it step aside for what only reaches in,
+ * stops it before what stands there, and has it look how wide that is. A leader only stops.
  */
 final class Lookout {
 
@@ -69,11 +69,9 @@ final class Lookout {
    * @param onward whether the robot may move
    */
   void guide(Way way, double seconds, boolean onward) {
-    List<Vec2> seen = Stream.concat(inTheWay.points().stream(), fresh.stream()).toList();
+    List<Vec2> seen = seen();
     if (!seen.isEmpty() || !sidestep.isOnWay() || !glance.isStraight()) {
-      Corridor corridor = new Corridor(way.ahead(RangeSensors.FARTHEST + 2 * radius));
-      passage = Passage.through(corridor, seen, radius);
-      remember();
+      Corridor corridor = look(way, seen);
       sidestep.step(way.pose(), way.twist().vx(), passage.beside(), corridor.length(), seconds);
       if (onward) {
         glance.step(isStopped() && way.stands(), seconds);
@@ -82,6 +80,26 @@ final class Lookout {
       }
     }
     way.standWithin(glance.isStraight() ? passage.room() : 0);
+  }
+
+  /** The same for a leader, which has a load beside it: it neither steps aside nor turns. */
+  void guideLeader(Way way) {
+    List<Vec2> seen = seen();
+    if (!seen.isEmpty()) {
+      look(way, seen);
+    }
+    way.standWithin(passage.room());
+  }
+
+  private List<Vec2> seen() {
+    return Stream.concat(inTheWay.points().stream(), fresh.stream()).toList();
+  }
+
+  private Corridor look(Way way, List<Vec2> seen) {
+    Corridor corridor = new Corridor(way.ahead(RangeSensors.FARTHEST + 2 * radius));
+    passage = Passage.through(corridor, seen, radius);
+    remember();
+    return corridor;
   }
 
   private void remember() {

@@ -225,8 +225,8 @@ final class RobotControl {
     Way way = runner.way();
     if (leader == null) {
       lookout.guide(way, seconds, onward);
-    }
-    if (leader != null) {
+    } else {
+      lookout.guideLeader(way);
       way.limit(leader.paceLimits(now));
     }
     double pace = leader == null ? 1 : leader.pace(now);
