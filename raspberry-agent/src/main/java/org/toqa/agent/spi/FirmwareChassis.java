@@ -23,8 +23,9 @@ import org.toqa.motion.Odometry;
 import org.toqa.motion.ThreeWheelKinematics;
 
 /**
- * The real body: a microcontroller that is told a velocity at every tick. What may be cleared
- * without a person, a stop by power-up or by a link that was silent, is cleared by the way.
+ * The real body: a microcontroller that is told a velocity at every tick, and seldom while it
+ * stands, which spares the processor of the robot. What may be cleared without a person, a stop by
+ * power-up or by a link that was silent, is cleared by the way.
  */
 public final class FirmwareChassis implements Chassis {
 
@@ -44,6 +45,11 @@ public final class FirmwareChassis implements Chassis {
   /** Exchanges without an answer, 200 ms, until the daemon says so. */
   private static final int SILENT_EXCHANGES = 10;
 
+  private static final FirmwareCommand REST = new Velocity(Twist.ZERO);
+
+  /** Of a body that stands, every so many ticks are enough: 80 ms, and it takes 200 of silence. */
+  private static final int TICKS_AT_REST = 4;
+
   private static final Fault SILENT =
       new Fault("CHASSIS_SILENT", "The robot's microcontroller does not answer.");
 
@@ -52,8 +58,10 @@ public final class FirmwareChassis implements Chassis {
   private final @Nullable Pose start;
   private FirmwareStatus status;
   private Twist twist = Twist.ZERO;
+  private FirmwareCommand told = REST;
   private int sequence;
   private int unanswered;
+  private int ticksAtRest;
   private boolean captioned;
   private boolean cleared;
 
@@ -88,6 +96,11 @@ public final class FirmwareChassis implements Chassis {
   @Override
   public ChassisReading exchange(Twist wanted, long nanos) {
     FirmwareCommand command = next(wanted);
+    if (isAtRest(command) && ++ticksAtRest < TICKS_AT_REST) {
+      return reading();
+    }
+    ticksAtRest = 0;
+    told = command;
     sequence = (sequence + 1) % FrameCodec.SEQUENCES;
     try {
       FrameCodec.decode(transport.exchange(FrameCodec.encode(command, sequence), nanos))
@@ -98,6 +111,10 @@ public final class FirmwareChassis implements Chassis {
       }
     }
     return reading();
+  }
+
+  private boolean isAtRest(FirmwareCommand command) {
+    return command.equals(REST) && command.equals(told) && unanswered == 0 && reading().stands();
   }
 
   @Override
