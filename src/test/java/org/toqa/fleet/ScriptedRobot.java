@@ -255,7 +255,7 @@ final class ScriptedRobot {
     } else if (message instanceof Command command && command.seq() > lastSeq) {
       lastSeq = command.seq();
       boolean isChange = command instanceof Extend || command instanceof Release;
-      if (isChange && endsFirst) {
+      if (isChange && (endsFirst || way == null)) {
         endsFirst = false;
         way = null;
         drive = 0;
