@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.toqa.testbed.ApiClient;
@@ -103,12 +104,13 @@ final class RunningServer implements AutoCloseable {
     await("tasks/" + id, task -> task.get("state").asString().equals(state));
   }
 
+  /** Also while its database comes back. */
   JsonNode await(String path, Predicate<JsonNode> condition) throws Exception {
     long end = System.nanoTime() + LIMIT.toNanos();
     while (true) {
-      JsonNode answer = api.get(path);
-      if (condition.test(answer)) {
-        return answer;
+      Optional<JsonNode> answer = api.tryToGet(path);
+      if (answer.filter(condition).isPresent()) {
+        return answer.get();
       }
       if (System.nanoTime() > end) {
         throw new AssertionError(

@@ -43,10 +43,18 @@ public final class ApiClient implements AutoCloseable {
     return JSON.readTree(send(request(path).POST(body(body))));
   }
 
+  /** Empty where the server says that it cannot tell now. */
+  public Optional<JsonNode> tryToGet(String path) throws IOException, InterruptedException {
+    return unlessUnavailable(answer(request(path)));
+  }
+
   /** Empty where the server says that it cannot do it now. */
   public Optional<JsonNode> tryToPost(String path, Object body)
       throws IOException, InterruptedException {
-    HttpResponse<String> response = answer(request(path).POST(body(body)));
+    return unlessUnavailable(answer(request(path).POST(body(body))));
+  }
+
+  private static Optional<JsonNode> unlessUnavailable(HttpResponse<String> response) {
     return response.statusCode() == UNAVAILABLE
         ? Optional.empty()
         : Optional.of(JSON.readTree(good(response)));
