@@ -8,7 +8,7 @@
 <fmt:message key="${manager ? 'users.title' : 'users.own'}" var="title"/>
 <t:page title="${title}" here="user">
   <div class="heading"><h1>${title}</h1></div>
-  <c:if test="${param.done == 'added' or param.done == 'deleted' or param.done == 'password'}"><p class="notice good" role="status"><fmt:message key="users.done.${param.done}"/></p></c:if>
+  <c:if test="${param.done == 'added' or param.done == 'changed' or param.done == 'deleted' or param.done == 'password'}"><p class="notice good" role="status"><fmt:message key="users.done.${param.done}"/></p></c:if>
   <c:if test="${not empty errors}"><t:errors/></c:if>
   <div class="users">
     <c:forEach items="${users}" var="user">
@@ -18,7 +18,7 @@
         <div>
           <strong><c:out value="${user.name}"/></strong>
           <c:if test="${own}"><span class="faint">(<fmt:message key="users.you"/>)</span></c:if>
-          <p class="faint"><fmt:message key="users.role.${user.role}"/> · <fmt:message key="users.since"/>${" "}<t:time at="${user.createdAt}"/></p>
+          <p class="faint"><fmt:message key="users.role.${user.role}"/><c:if test="${user.disabled()}">, <strong><fmt:message key="users.disabled"/></strong></c:if> · <fmt:message key="users.since"/>${" "}<t:time at="${user.createdAt}"/></p>
           <c:if test="${not empty errors[field]}"><p class="wrong" id="${field}-help"><c:out value="${errors[field]}"/></p></c:if>
         </div>
         <div class="actions">
@@ -32,6 +32,20 @@
             </form>
           </details>
           <c:if test="${manager}">
+            <details>
+              <summary role="button" class="outline"><fmt:message key="users.change"/></summary>
+              <form method="post" action="${root}/users/${user.id}/change">
+                <t:csrf/>
+                <label for="role${user.id}"><fmt:message key="users.add.role"/></label>
+                <select id="role${user.id}" name="role">
+                  <option value="CLERK"><fmt:message key="users.role.CLERK"/></option>
+                  <option value="MANAGER" ${user.isManager() ? 'selected' : ''}><fmt:message key="users.role.MANAGER"/></option>
+                </select>
+                <label><input type="checkbox" name="disabled" ${user.disabled() ? 'checked' : ''}> <fmt:message key="users.change.disabled"/></label>
+                <small><fmt:message key="users.change.disabled.hint"/></small>
+                <button><fmt:message key="users.change.submit"/></button>
+              </form>
+            </details>
             <details>
               <summary role="button" class="outline secondary"><fmt:message key="users.delete"/></summary>
               <form method="post" action="${root}/users/${user.id}/delete">

@@ -20,6 +20,7 @@ public interface EventArchive {
    * @param user who did it, or {@code toqa}
    * @param from the first moment
    * @param until the first moment after it
+   * @param users whether what managers did with users is wanted too
    */
   record Filter(
       @Nullable Long task,
@@ -27,5 +28,6 @@ public interface EventArchive {
       @Nullable String user,
       @Nullable String kind,
       @Nullable Instant from,
-      @Nullable Instant until) {}
+      @Nullable Instant until,
+      boolean users) {}
 }

@@ -7,8 +7,10 @@ import java.time.Instant;
  *
  * @param name as it was typed; unique without regard to case
  * @param passwordHash with its parameters and salt; never shown
+ * @param disabled whether he may not log in
  */
-public record Account(long id, String name, String passwordHash, Role role, Instant createdAt) {
+public record Account(
+    long id, String name, String passwordHash, Role role, boolean disabled, Instant createdAt) {
 
   public boolean isManager() {
     return role == Role.MANAGER;

@@ -15,26 +15,28 @@ import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.JdbiException;
 import org.jdbi.v3.core.statement.StatementContext;
+import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.StoreException;
 
 /**
- * The users of the web application. There is always at least one manager once there has been one.
+ * The users of the web application. There is always at least one manager who can log in once there
+ * has been one. Every change is told in the history, by whom too.
  *
  * <p>One server writes to a database, so the two rules that span rows (the first manager, the last
  * manager) are kept by this object's lock rather than by the database's.
  */
 public final class Accounts {
 
-  /** What became of the wish to delete a user. */
-  public enum Deletion {
-    DELETED,
+  /** What became of the wish to change or delete a user. */
+  public enum Outcome {
+    DONE,
     UNKNOWN,
     /** Refused: nobody would be left to manage the others. */
     LAST_MANAGER
   }
 
   private static final String COLUMNS =
-      "u.id as user_id, u.name, u.password_hash, u.role, u.created_at";
+      "u.id as user_id, u.name, u.password_hash, u.role, u.disabled, u.created_at";
 
   private final Sql sql;
   private final InstantSource clock;
@@ -82,11 +84,20 @@ public final class Accounts {
                 .findOne());
   }
 
-  /** Empty when the name is taken. */
-  public Optional<Account> add(String name, String passwordHash, Role role) {
+  /**
+   * Empty when the name is taken.
+   *
+   * @param by who does it
+   */
+  public Optional<Account> add(String name, String passwordHash, Role role, String by) {
     try {
       return Optional.of(
-          sql.in(handle -> insert(handle, name, passwordHash, role, clock.instant())));
+          sql.inTransaction(
+              handle -> {
+                Account account = insert(handle, name, passwordHash, role, clock.instant());
+                tell(handle, "user.added", by, "%s added the user %s".formatted(by, name));
+                return account;
+              }));
     } catch (StoreException e) {
       if (e.getCause() instanceof JdbiException refused
           && refused.getCause() instanceof SQLIntegrityConstraintViolationException) {
@@ -96,33 +107,88 @@ public final class Accounts {
     }
   }
 
-  /** Empty when there is a manager already, or a user of that name. */
-  public synchronized Optional<Account> addFirstManager(String name, String passwordHash) {
-    return hasManager() ? Optional.empty() : add(name, passwordHash, Role.MANAGER);
+  private void tell(Handle handle, String kind, String by, String text) {
+    Events.addNew(handle, List.of(new EventRecord(clock.instant(), kind, null, null, by, text)));
   }
 
-  public synchronized Deletion delete(long id) {
+  /** Empty when there is a manager already, or a user of that name. */
+  public synchronized Optional<Account> addFirstManager(String name, String passwordHash) {
+    return hasManager() ? Optional.empty() : add(name, passwordHash, Role.MANAGER, name);
+  }
+
+  public synchronized Outcome delete(long id, String by) {
     return sql.inTransaction(
         handle -> {
           Optional<Account> account = byId(handle, id);
           if (account.isEmpty()) {
-            return Deletion.UNKNOWN;
+            return Outcome.UNKNOWN;
           }
-          if (account.get().isManager() && managers(handle) == 1) {
-            return Deletion.LAST_MANAGER;
+          if (isLastManager(handle, account.get())) {
+            return Outcome.LAST_MANAGER;
           }
           handle.execute("delete from users where id = ?", id);
-          return Deletion.DELETED;
+          tell(
+              handle,
+              "user.deleted",
+              by,
+              "%s deleted the user %s".formatted(by, account.get().name()));
+          return Outcome.DONE;
         });
   }
 
-  /** Also ends the user's API tokens. False when there is no such user. */
-  public boolean changePassword(long id, String passwordHash) {
+  /**
+   * Who is disabled, or has another role, finds so at his next request. A name stays: tasks and
+   * history go by it.
+   */
+  public synchronized Outcome change(long id, Role role, boolean disabled, String by) {
     return sql.inTransaction(
         handle -> {
+          Optional<Account> found = byId(handle, id);
+          if (found.isEmpty()) {
+            return Outcome.UNKNOWN;
+          }
+          Account old = found.get();
+          if ((disabled || role != Role.MANAGER) && isLastManager(handle, old)) {
+            return Outcome.LAST_MANAGER;
+          }
+          handle.execute(
+              "update users set role = ?, disabled = ? where id = ?", role.name(), disabled, id);
+          if (role != old.role() || disabled != old.disabled()) {
+            tell(handle, "user.changed", by, changed(old, role, disabled, by));
+          }
+          return Outcome.DONE;
+        });
+  }
+
+  private static String changed(Account old, Role role, boolean disabled, String by) {
+    return "%s made %s a %s%s"
+        .formatted(
+            by,
+            old.name(),
+            role.name().toLowerCase(Locale.ROOT),
+            disabled ? " who may not log in" : "");
+  }
+
+  private static boolean isLastManager(Handle handle, Account account) {
+    return account.isManager() && !account.disabled() && managers(handle) == 1;
+  }
+
+  /** Also ends the user's API tokens. False when there is no such user. */
+  public boolean changePassword(long id, String passwordHash, String by) {
+    return sql.inTransaction(
+        handle -> {
+          Optional<Account> account = byId(handle, id);
+          if (account.isEmpty()) {
+            return false;
+          }
           handle.execute("delete from api_tokens where user_id = ?", id);
-          return handle.execute("update users set password_hash = ? where id = ?", passwordHash, id)
-              == 1;
+          handle.execute("update users set password_hash = ? where id = ?", passwordHash, id);
+          tell(
+              handle,
+              "user.password",
+              by,
+              "%s changed the password of %s".formatted(by, account.get().name()));
+          return true;
         });
   }
 
@@ -132,6 +198,7 @@ public final class Accounts {
         row.getString("name"),
         row.getString("password_hash"),
         Role.valueOf(row.getString("role")),
+        row.getBoolean("disabled"),
         row.getObject("created_at", LocalDateTime.class).toInstant(ZoneOffset.UTC));
   }
 
@@ -164,12 +231,12 @@ public final class Accounts {
             .executeAndReturnGeneratedKeys("id")
             .mapTo(Long.class)
             .one();
-    return new Account(id, name, passwordHash, role, now.truncatedTo(ChronoUnit.MILLIS));
+    return new Account(id, name, passwordHash, role, false, now.truncatedTo(ChronoUnit.MILLIS));
   }
 
   private static int managers(Handle handle) {
     return handle
-        .createQuery("select count(*) from users where role = 'MANAGER'")
+        .createQuery("select count(*) from users where role = 'MANAGER' and not disabled")
         .mapTo(Integer.class)
         .one();
   }

@@ -29,6 +29,7 @@ public final class JdbiEventArchive implements EventArchive {
           isFamily ? "kind like :e" : "kind = :e",
           isFamily ? filter.kind().replaceAll("[%_]", "") + ".%" : filter.kind());
     }
+    add(conditions, "kind not like :h", filter.users() ? null : "user.%");
     add(conditions, "at >= :f", filter.from() == null ? null : Sql.utc(filter.from()));
     add(conditions, "at < :g", filter.until() == null ? null : Sql.utc(filter.until()));
     return sql.in(

@@ -16,6 +16,7 @@ import java.util.Optional;
 /** Every door of the server and who may pass it. What is not in this list is closed. */
 public final class Doors {
   private static final String PARAMETERS = Doors.class.getName();
+  private static final String NUMBER = "[1-9][0-9]{0,17}";
 
   /** A path with a fixed segment stands before one that would also take it as a parameter. */
   private static final List<Door> ALL =
@@ -49,6 +50,7 @@ public final class Doors {
           new Door("POST", "/fleet/resume", MANAGER),
           new Door("GET", "/users", USER),
           new Door("POST", "/users", MANAGER),
+          new Door("POST", "/users/{id}/change", MANAGER),
           new Door("POST", "/users/{id}/password", USER),
           new Door("POST", "/users/{id}/delete", MANAGER),
           new Door("GET", "/statistics", USER),
@@ -76,6 +78,11 @@ public final class Doors {
           new Door("POST", "/api/v1/robots/{name}/resume", MANAGER),
           new Door("POST", "/api/v1/robots/{name}/home", MANAGER),
           new Door("POST", "/api/v1/robots/{name}/pair", MANAGER),
+          new Door("GET", "/api/v1/users", USER),
+          new Door("POST", "/api/v1/users", MANAGER),
+          new Door("PUT", "/api/v1/users/{id}", MANAGER),
+          new Door("DELETE", "/api/v1/users/{id}", MANAGER),
+          new Door("POST", "/api/v1/users/{id}/password", USER),
           new Door("GET", "/api/v1/tracks/{name}", USER),
           new Door("GET", "/api/v1/history", USER),
           new Door("GET", "/api/v1/fleet", USER),
@@ -140,6 +147,12 @@ public final class Doors {
   public static String parameter(ServletRequest request, String name) {
     Map<?, ?> parameters = (Map<?, ?>) request.getAttribute(PARAMETERS);
     return (String) Objects.requireNonNull(parameters.get(name), name);
+  }
+
+  /** The number in the path that stands for {@code {name}}, or 0, which nothing has. */
+  public static long number(ServletRequest request, String name) {
+    String given = parameter(request, name);
+    return given.matches(NUMBER) ? Long.parseLong(given) : 0;
   }
 
   /** What the request asks of the thing in its path: the path's last segment. */

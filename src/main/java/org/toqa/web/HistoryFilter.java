@@ -8,6 +8,7 @@ import java.time.OffsetDateTime;
 import java.time.ZoneOffset;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventArchive.Filter;
+import org.toqa.web.access.Caller;
 
 /** Reads from a request's query which events are wanted. */
 public final class HistoryFilter {
@@ -24,7 +25,13 @@ public final class HistoryFilter {
   /** It means something only when no error was filed. */
   public Filter read() {
     return new Filter(
-        number("task"), text("robot"), text("user"), kind(), moment("from", 0), moment("until", 1));
+        number("task"),
+        text("robot"),
+        text("user"),
+        kind(),
+        moment("from", 0),
+        moment("until", 1),
+        Caller.of(request).isManager());
   }
 
   /** The id of the event before which it begins. */

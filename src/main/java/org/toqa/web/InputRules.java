@@ -3,9 +3,11 @@ package org.toqa.web;
 import java.time.Instant;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.store.Role;
 
 /**
  * What values from outside must be, whichever door they come through. Each method files a sentence
@@ -169,8 +171,23 @@ public final class InputRules {
     return name;
   }
 
+  /** A clerk where none is given. */
+  public Role role(String field, @Nullable String given) {
+    if (given == null) {
+      return Role.CLERK;
+    }
+    return Stream.of(Role.values())
+        .filter(role -> role.name().equals(given))
+        .findFirst()
+        .orElseGet(
+            () -> {
+              refuse(field, "error.role");
+              return Role.CLERK;
+            });
+  }
+
   /**
-   * A password that somebody chooses: long enough to resist guessing, and not the user's name.
+   * A password that somebody chooses: long enough to resist guessing, and none that is tried first.
    * Which characters it has is nobody's business.
    */
   public String newPassword(String field, @Nullable String given, String userName) {
@@ -181,6 +198,8 @@ public final class InputRules {
       refuse(field, "error.password.long", LONGEST_PASSWORD);
     } else if (password.equalsIgnoreCase(userName)) {
       refuse(field, "error.password.name");
+    } else if (GuessablePasswords.contain(password, userName)) {
+      refuse(field, "error.password.common");
     }
     return password;
   }

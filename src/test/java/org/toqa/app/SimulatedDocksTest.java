@@ -127,7 +127,7 @@ class SimulatedDocksTest {
   }
 
   private boolean hasSpoken(String dock, String ofRobot) {
-    Filter filter = new Filter(null, ofRobot, dock, null, null, null);
+    Filter filter = new Filter(null, ofRobot, dock, null, null, null, true);
     return !archive.events(filter, Long.MAX_VALUE, 1).isEmpty();
   }
 

@@ -148,7 +148,7 @@ class PairedFleetTest {
 
   private List<EventRecord> events() {
     return new JdbiEventArchive(database.jdbi())
-        .events(new Filter(null, "r1", null, null, null, null), Long.MAX_VALUE, 100).stream()
+        .events(new Filter(null, "r1", null, null, null, null, true), Long.MAX_VALUE, 100).stream()
             .map(Entry::event)
             .toList();
   }

@@ -27,7 +27,7 @@ import org.toqa.mission.TransportTask;
 /** What is kept, found again and pruned; here on H2, in {@code MySqlHistoryTest} on MySQL. */
 class HistoryTest {
   private static final Instant AT = Instant.parse("2026-11-21T10:00:00.123Z");
-  private static final Filter ALL = new Filter(null, null, null, null, null, null);
+  private static final Filter ALL = new Filter(null, null, null, null, null, null, true);
 
   private Database database;
   private JdbiFleetStore store;
@@ -61,15 +61,16 @@ class HistoryTest {
     store.addEvents(List.of(held, lost, seen));
 
     assertEquals(List.of(seen, lost, held), found(ALL));
-    assertEquals(List.of(lost, held), found(new Filter(null, "r1", null, null, null, null)));
-    assertEquals(List.of(lost), found(new Filter(7L, null, null, null, null, null)));
-    assertEquals(List.of(held), found(new Filter(null, null, "Max", null, null, null)));
-    assertEquals(List.of(seen), found(new Filter(null, null, null, "floor", null, null)));
-    assertEquals(List.of(seen), found(new Filter(null, null, null, "floor.obstacle", null, null)));
-    assertEquals(List.of(), found(new Filter(null, null, null, "obstacle", null, null)));
+    assertEquals(List.of(lost, held), found(new Filter(null, "r1", null, null, null, null, true)));
+    assertEquals(List.of(lost), found(new Filter(7L, null, null, null, null, null, true)));
+    assertEquals(List.of(held), found(new Filter(null, null, "Max", null, null, null, true)));
+    assertEquals(List.of(seen), found(new Filter(null, null, null, "floor", null, null, true)));
+    assertEquals(
+        List.of(seen), found(new Filter(null, null, null, "floor.obstacle", null, null, true)));
+    assertEquals(List.of(), found(new Filter(null, null, null, "obstacle", null, null, true)));
     assertEquals(
         List.of(lost),
-        found(new Filter(null, null, null, null, AT.plusSeconds(1), AT.plusSeconds(2))));
+        found(new Filter(null, null, null, null, AT.plusSeconds(1), AT.plusSeconds(2), true)));
   }
 
   @Test

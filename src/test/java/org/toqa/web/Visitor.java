@@ -74,11 +74,16 @@ final class Visitor implements AutoCloseable {
 
   /** Sends JSON with the session's token in the header. */
   HttpResponse<String> postJson(String path, String body) {
+    return sendJson("POST", path, body);
+  }
+
+  /** The same with another method. */
+  HttpResponse<String> sendJson(String method, String path, String body) {
     return send(
         request(path)
             .header("Content-Type", "application/json")
             .header("X-CSRF-Token", csrf())
-            .POST(BodyPublishers.ofString(body))
+            .method(method, BodyPublishers.ofString(body))
             .build());
   }
 

@@ -22,6 +22,7 @@ import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.flywaydb.core.Flyway;
 import org.jdbi.v3.core.Jdbi;
+import org.toqa.fleet.EventRecord;
 import org.toqa.store.Accounts;
 import org.toqa.store.ApiTokens;
 import org.toqa.store.JdbiEventArchive;
@@ -51,8 +52,8 @@ final class WebTestServer implements AutoCloseable {
   /** With a clerk and a manager. */
   static WebTestServer start() throws IOException, LifecycleException {
     WebTestServer server = startEmpty(0);
-    server.accounts.add(CLERK, PASSWORD_HASH, Role.CLERK);
-    server.accounts.add(MANAGER, PASSWORD_HASH, Role.MANAGER);
+    server.accounts.add(CLERK, PASSWORD_HASH, Role.CLERK, EventRecord.SYSTEM);
+    server.accounts.add(MANAGER, PASSWORD_HASH, Role.MANAGER, EventRecord.SYSTEM);
     return server;
   }
 

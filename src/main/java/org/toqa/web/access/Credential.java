@@ -9,8 +9,13 @@ import org.toqa.web.Services;
 /** What a request shows to prove whose it is; asked again, it tells whether it still does. */
 public sealed interface Credential {
 
+  /** The user it proves, while it does and he may come in. */
+  default Optional<Account> account(Services services) {
+    return proven(services).filter(account -> !account.disabled());
+  }
+
   /** The user it proves, while it does. */
-  Optional<Account> account(Services services);
+  Optional<Account> proven(Services services);
 
   /** A session that ends with the user or with his password. */
   record SessionLogin(HttpSession session) implements Credential {
@@ -24,7 +29,7 @@ public sealed interface Credential {
     }
 
     @Override
-    public Optional<Account> account(Services services) {
+    public Optional<Account> proven(Services services) {
       try {
         return session.getAttribute(USER_ID) instanceof Long id
             ? services
@@ -40,7 +45,7 @@ public sealed interface Credential {
 
   record BearerToken(String token) implements Credential {
     @Override
-    public Optional<Account> account(Services services) {
+    public Optional<Account> proven(Services services) {
       return services.tokens().owner(token);
     }
 

@@ -21,6 +21,9 @@ public final class Login {
     /** Name or password is wrong; which one is not said. */
     record Wrong() implements Outcome {}
 
+    /** Name and password are right, but a manager has disabled the user. */
+    record Disabled() implements Outcome {}
+
     /** Not even looked at: too many failures before it. */
     record TooSoon(Duration remaining) implements Outcome {
       /** The wait in whole seconds, at least one. */
@@ -58,7 +61,9 @@ public final class Login {
     boolean sensible = password.length() <= LONGEST_LOOKED_AT;
     if (passwords.matches(sensible ? password : "", account)) {
       throttle.succeeded(key);
-      return new Outcome.Welcome(account.orElseThrow());
+      return account.orElseThrow().disabled()
+          ? new Outcome.Disabled()
+          : new Outcome.Welcome(account.get());
     }
     throttle.failed(key, address);
     LOG.info("A login from {} failed.", address);

@@ -5,11 +5,9 @@ import jakarta.servlet.http.HttpServlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.util.Optional;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.mission.Question;
-import org.toqa.web.Doors;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
@@ -60,12 +58,6 @@ abstract class ApiServlet extends HttpServlet {
           throw Problem.conflict(sentence, needs).raised();
       case Answer.Unknown<T>(String sentence) -> throw Problem.of(404, sentence).raised();
     };
-  }
-
-  /** The number in the path; empty when it is none that could exist. */
-  static Optional<Long> pathNumber(HttpServletRequest request, String name) {
-    String given = Doors.parameter(request, name);
-    return given.matches("[1-9][0-9]{0,17}") ? Optional.of(Long.valueOf(given)) : Optional.empty();
   }
 
   /** A whole number from the query, at least {@code least}; a larger one than most is lowered. */

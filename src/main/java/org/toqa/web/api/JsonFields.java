@@ -85,6 +85,17 @@ final class JsonFields {
         .orElse(null);
   }
 
+  /** False where it is missing. */
+  boolean bool(String name) {
+    return value(name)
+        .flatMap(
+            value ->
+                value.isBoolean()
+                    ? Optional.of(value.booleanValue())
+                    : this.<Boolean>wrongType(name, "error.type.boolean"))
+        .orElse(false);
+  }
+
   Optional<JsonFields> object(String name) {
     return value(name)
         .flatMap(

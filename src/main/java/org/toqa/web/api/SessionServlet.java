@@ -41,6 +41,8 @@ public final class SessionServlet extends ApiServlet {
         response.setHeader("WWW-Authenticate", "Bearer");
         Problem.of(401, texts.get("error.login.wrong")).send(response);
       }
+      case Login.Outcome.Disabled() ->
+          Problem.of(403, texts.get("error.login.disabled")).send(response);
       case Login.Outcome.TooSoon tooSoon -> {
         response.setHeader("Retry-After", Long.toString(tooSoon.seconds()));
         Problem.of(429, texts.get("error.login.tooSoon", tooSoon.seconds())).send(response);

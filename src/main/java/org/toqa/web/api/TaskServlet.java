@@ -58,8 +58,8 @@ public final class TaskServlet extends ApiServlet {
   }
 
   private TaskView task(HttpServletRequest request) {
-    return pathNumber(request, "id")
-        .flatMap(new Tasks(services())::byId)
+    return new Tasks(services())
+        .byId(Doors.number(request, "id"))
         .orElseThrow(() -> Problem.of(404, Texts.of(request).get("problem.noSuchTask")).raised());
   }
 

@@ -5,21 +5,29 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
+import java.util.stream.Stream;
 import org.toqa.fleet.EventArchive.Entry;
 import org.toqa.fleet.EventArchive.Filter;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.HistoryFilter;
+import org.toqa.web.access.Caller;
 
 /** Everything that has happened, newest first, as far as it is wanted. */
 public final class HistoryServlet extends PageServlet {
   private static final int ON_A_PAGE = 100;
   private static final List<String> FAMILIES =
       List.of("task", "robot", "fleet", "floor", "traffic");
+  private static final String USERS = "user";
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    request.setAttribute("families", FAMILIES);
+    request.setAttribute(
+        "families",
+        Stream.concat(
+                FAMILIES.stream(),
+                Caller.of(request).isManager() ? Stream.of(USERS) : Stream.empty())
+            .toList());
     request.setAttribute("robots", services().fleet().feed().latest().robots());
     FieldErrors errors = new FieldErrors();
     HistoryFilter reader = new HistoryFilter(request, errors);

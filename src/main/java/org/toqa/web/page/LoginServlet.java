@@ -54,6 +54,10 @@ public final class LoginServlet extends PageServlet {
         errors.add("form", texts.get("error.login.wrong"));
         showAgain(request, response, "login", errors);
       }
+      case Login.Outcome.Disabled() -> {
+        errors.add("form", texts.get("error.login.disabled"));
+        showAgain(request, response, "login", errors);
+      }
       case Login.Outcome.TooSoon tooSoon -> {
         errors.add("form", texts.get("error.login.tooSoon", tooSoon.seconds()));
         response.setHeader("Retry-After", Long.toString(tooSoon.seconds()));

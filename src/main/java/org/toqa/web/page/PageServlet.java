@@ -66,12 +66,6 @@ abstract class PageServlet extends HttpServlet {
     ErrorServlet.send(request, response, 404, Texts.of(request).get(key));
   }
 
-  /** The number in the path, or 0, which nothing has. */
-  static long pathNumber(HttpServletRequest request, String name) {
-    String given = Doors.parameter(request, name);
-    return given.matches("[1-9][0-9]{0,17}") ? Long.parseLong(given) : 0;
-  }
-
   /** The value, if the fleet said yes; its no is filed under the field it names, or the form. */
   static <T> Optional<T> accepted(Answer<T> answer, FieldErrors errors) {
     return switch (answer) {

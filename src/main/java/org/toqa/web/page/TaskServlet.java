@@ -81,7 +81,7 @@ public final class TaskServlet extends PageServlet {
   }
 
   private Optional<TaskView> task(HttpServletRequest request) {
-    return new Tasks(services()).byId(pathNumber(request, "id"));
+    return new Tasks(services()).byId(Doors.number(request, "id"));
   }
 
   private void offer(HttpServletRequest request, TaskView task) {

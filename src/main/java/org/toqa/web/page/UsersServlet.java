@@ -30,10 +30,10 @@ public final class UsersServlet extends PageServlet {
     InputRules rules = new InputRules(texts, errors);
     String name = rules.userName("name", fields.text("name"));
     String password = rules.newPassword("password", fields.text("password"), name);
-    Role role = "MANAGER".equals(fields.text("role")) ? Role.MANAGER : Role.CLERK;
+    Role role = rules.role("role", fields.text("role"));
     if (errors.isEmpty()) {
       String hash = services().passwords().hash(password);
-      if (services().accounts().add(name, hash, role).isPresent()) {
+      if (services().accounts().add(name, hash, role, Caller.of(request).name()).isPresent()) {
         goTo(request, response, "/users?done=added");
         return;
       }

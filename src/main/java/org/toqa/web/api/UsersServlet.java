@@ -1,0 +1,45 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.List;
+import org.toqa.store.Account;
+import org.toqa.store.Role;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.InputRules;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+
+/** The users: a manager sees all and adds some, a clerk sees himself. */
+public final class UsersServlet extends ApiServlet {
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Caller caller = Caller.of(request);
+    List<Account> users =
+        caller.isManager() ? services().accounts().all() : List.of(caller.account());
+    Json.send(response, 200, users.stream().map(UserJson::of).toList());
+  }
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    Texts texts = Texts.of(request);
+    InputRules rules = new InputRules(texts, errors);
+    String name = rules.userName("name", fields.text("name"));
+    String password = rules.newPassword("password", fields.text("password"), name);
+    Role role = rules.role("role", fields.text("role"));
+    fields.refuseUnknown();
+    refuseIfAny(errors);
+    Account user =
+        services()
+            .accounts()
+            .add(name, services().passwords().hash(password), role, Caller.of(request).name())
+            .orElseThrow(() -> Problem.of(409, texts.get("error.userName.taken")).raised());
+    response.setHeader("Location", request.getContextPath() + "/api/v1/users/" + user.id());
+    Json.send(response, HttpServletResponse.SC_CREATED, UserJson.of(user));
+  }
+}
