@@ -17,8 +17,9 @@ usage() {
   cat <<'END'
 Usage: ./toqa test
 
-Runs the full test suite. On Debian it brings what it needs: Chromium, socat, iproute2 and the
-compilers of the firmware (installed when you are root, named when not) and a private MySQL server (unpacked into ~/.cache/toqa, not installed).
+Runs the full test suite. On Debian it brings what it needs: Chromium, socat, iproute2, faketime
+and the compilers of the firmware (installed when you are root, named when not) and a private MySQL
+server (unpacked into ~/.cache/toqa, not installed).
 TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours instead; its user must be allowed to
 create databases.
 END
@@ -54,6 +55,7 @@ require_file /usr/include/simavr/sim_avr.h libsimavr-dev
 require cppcheck cppcheck
 require socat socat
 require ip iproute2
+require faketime faketime
 
 cd "$root"
 say "testing the firmware"
