@@ -8,4 +8,7 @@ import org.toqa.geometry.Vec2;
  * @param place metres, map frame
  * @param together whether several robots carry the load, who need the place for themselves
  */
-public record PlaceUse(long task, Vec2 place, boolean together) {}
+public record PlaceUse(long task, Vec2 place, boolean together) {
+  /** Metres round a place that robots need who stand round a load there. */
+  public static final double REACH = 1.2;
+}

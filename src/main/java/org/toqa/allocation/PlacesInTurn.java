@@ -16,9 +16,6 @@ import org.toqa.geometry.Vec2;
  * <p>A task that waits for a place goes before later ones there. Confined to one round.
  */
 final class PlacesInTurn {
-  /** Nearer than this, metres, two places are one: robots round loads there would touch. */
-  private static final double NEAR = 1.2;
-
   private final List<PlaceUse> uses;
 
   /** Tasks that wait. */
@@ -60,7 +57,7 @@ final class PlacesInTurn {
       Job job, Vec2 place, String name, boolean together, List<PlaceUse> others) {
     return others.stream()
         .filter(use -> use.task() != job.id() && (together || use.together()))
-        .filter(use -> use.place().distanceTo(place) < NEAR)
+        .filter(use -> use.place().distanceTo(place) < PlaceUse.REACH)
         .findFirst()
         .map(use -> sentence(use, name, together));
   }

@@ -11,9 +11,6 @@ import org.toqa.mission.TaskState;
 
 /** Where the robots of a floor fetch loads and set them down, now or soon. */
 final class PlacesInUse {
-  /** A robot this far from a place, metres, has left it. */
-  private static final double LEFT = 1.2;
-
   private PlacesInUse() {}
 
   /**
@@ -34,7 +31,8 @@ final class PlacesInUse {
   private static void add(
       List<PlaceUse> uses, TaskView task, TaskPlace place, boolean isComing, List<Pose> stand) {
     boolean isThere =
-        stand.stream().anyMatch(pose -> pose.position().distanceTo(place.position()) < LEFT);
+        stand.stream()
+            .anyMatch(pose -> pose.position().distanceTo(place.position()) < PlaceUse.REACH);
     if (isComing || isThere) {
       uses.add(new PlaceUse(task.id(), place.position(), task.robots().size() > 1));
     }
