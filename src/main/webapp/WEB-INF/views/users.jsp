@@ -22,7 +22,7 @@
           <c:if test="${not empty errors[field]}"><p class="wrong" id="${field}-help"><c:out value="${errors[field]}"/></p></c:if>
         </div>
         <div class="actions">
-          <details ${not empty errors[field] ? 'open' : ''}>
+          <details ${not empty errors[field] and fn:endsWith(path, '/password') ? 'open' : ''}>
             <summary role="button" class="outline"><fmt:message key="users.password"/></summary>
             <form method="post" action="${root}/users/${user.id}/password" novalidate>
               <t:csrf/>
@@ -42,7 +42,7 @@
                   <option value="MANAGER" ${user.isManager() ? 'selected' : ''}><fmt:message key="users.role.MANAGER"/></option>
                 </select>
                 <label><input type="checkbox" name="disabled" ${user.disabled() ? 'checked' : ''}> <fmt:message key="users.change.disabled"/></label>
-                <small><fmt:message key="users.change.disabled.hint"/></small>
+                <p class="faint"><fmt:message key="users.change.disabled.hint"/></p>
                 <button><fmt:message key="users.change.submit"/></button>
               </form>
             </details>
@@ -71,7 +71,7 @@
             <label for="role"><fmt:message key="users.add.role"/></label>
             <select id="role" name="role">
               <option value="CLERK"><fmt:message key="users.role.CLERK"/></option>
-              <option value="MANAGER" ${param.role == 'MANAGER' ? 'selected' : ''}><fmt:message key="users.role.MANAGER"/></option>
+              <option value="MANAGER" ${path == '/users' and param.role == 'MANAGER' ? 'selected' : ''}><fmt:message key="users.role.MANAGER"/></option>
             </select>
           </div>
         </div>

@@ -209,6 +209,31 @@ class PagesInBrowserTest {
     assertThat(page.locator(".heading .state")).hasText("Idle");
   }
 
+  @ParameterizedTest
+  @CsvSource({"1280, 900, desktop", "390, 844, phone"})
+  void aManagerDisablesAUserAndIsNotDisabledHimself(int width, int height, String name) {
+    Page page = loggedIn(width, height, ColorScheme.LIGHT);
+    page.navigate(server.root() + "users");
+    Locator clara = page.locator(".user").filter(new Locator.FilterOptions().setHasText("Clara"));
+    clara.getByText("Change", exactly()).click();
+    clara.getByLabel("May not log in").check();
+    picture(page, name + "-users-change");
+    clara.getByText("Save", exactly()).click();
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("The user was changed.");
+    assertThat(clara).containsText("Clerk, may not log in");
+
+    Locator max = page.locator(".user").filter(new Locator.FilterOptions().setHasText("Max"));
+    max.getByText("Change", exactly()).click();
+    max.getByLabel("May not log in").check();
+    max.getByText("Save", exactly()).click();
+    assertThat(max).containsText("This is the last manager.");
+    picture(page, name + "-users-refused");
+  }
+
+  private static Locator.GetByTextOptions exactly() {
+    return new Locator.GetByTextOptions().setExact(true);
+  }
+
   @Test
   void theMapSaysWhenTheServerIsAway() throws Exception {
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
