@@ -31,6 +31,7 @@ class AgentJarIT {
       assertTrue(hello.contains("\"type\":\"hello\""), hello);
       assertTrue(hello.contains("\"robot\":\"r1\""), hello);
 
+      agent.awaitErr("r1: self-test passed: battery 100 %, 3 range sensors, knows where it is");
       agent.terminate();
 
       // 128 + SIGTERM: the end of a process that was told to end

@@ -1,0 +1,40 @@
+package org.toqa.agent;
+
+import java.util.Locale;
+import java.util.stream.Collectors;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.link.message.AgentMessage.Fault;
+
+/**
+ * Tells in the log what a robot is found to be like when its daemon has started: whoever puts it up
+ * need not wait for a server to see what is wrong.
+ */
+final class SelfTest {
+  /** Until then a body has answered and what the daemon may clear is cleared: 200 ms. */
+  static final int TICKS = 10;
+
+  private static final Logger log = LoggerFactory.getLogger(SelfTest.class);
+
+  private SelfTest() {}
+
+  static void tell(RobotReport robot) {
+    String name = robot.config().name();
+    String found =
+        String.format(
+            Locale.ROOT,
+            "battery %.0f %%, %d range sensors, %s",
+            100 * robot.body().battery(),
+            robot.body().ranges().size(),
+            robot.localised() ? "knows where it is" : "does not know where it is");
+    if (robot.errors().isEmpty()) {
+      log.info("{}: self-test passed: {}.", name, found);
+    } else {
+      log.warn(
+          "{}: self-test failed: {} ({}).",
+          name,
+          robot.errors().stream().map(Fault::text).collect(Collectors.joining(" ")),
+          found);
+    }
+  }
+}
