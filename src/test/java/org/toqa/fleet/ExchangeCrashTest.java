@@ -70,9 +70,12 @@ class ExchangeCrashTest {
       if (READS.contains(method) || --writesToLive >= 0) {
         return real.go();
       }
-      over = true;
-      if (lastIsWritten) {
-        real.go();
+      try {
+        if (lastIsWritten) {
+          real.go();
+        }
+      } finally {
+        over = true; // only now, when nothing of it is under way any more
       }
       throw new Killed();
     }
