@@ -113,15 +113,14 @@ class ObstacleOnTheWayTest {
   @Test
   void theRobotKeepsBehindAPersonWhoWalksAheadOfIt() throws Exception {
     open(ROOMS, cell(2, 2));
-    long task = live.order(2, "A", "B");
-    live.until(view -> LiveFloor.is(view, task, TaskState.CARRYING));
     AtomicLong walked = new AtomicLong();
-    AtomicReference<Optional<Vec2>> person = new AtomicReference<>(Optional.empty());
+    AtomicReference<Optional<Vec2>> person = new AtomicReference<>(Optional.of(cell(10, 4)));
     Duration stride = Duration.ofMillis(100);
     live.clock.add(
         nanos -> {
-          double x =
-              cell(10, 4).x() + WALKING * walked.incrementAndGet() * stride.toMillis() / 1000;
+          boolean isClose = nearest.get() < 0.4; // a person does not hurry before
+          long strides = isClose ? walked.incrementAndGet() : 0;
+          double x = cell(10, 4).x() + WALKING * strides * stride.toMillis() / 1000;
           Optional<Vec2> at =
               Optional.of(new Vec2(x, cell(10, 4).y())).filter(p -> x < cell(15, 4).x());
           person.set(at);
@@ -130,6 +129,7 @@ class ObstacleOnTheWayTest {
         },
         stride);
     watch("r1", person::get, 0.12);
+    long task = live.order(2, "A", "B");
     live.until(view -> LiveFloor.is(view, task, TaskState.DONE));
     assertTrue(nearest.get() > 0.02 && nearest.get() < 0.4, "came as near as " + nearest);
   }
