@@ -23,12 +23,14 @@ static volatile uint8_t silent_ms;
 static volatile bool is_paused; /* set by the clock's interrupt, reset by the main loop */
 
 /*
- * Two statuses: the interrupt sends one, the main loop writes the other. The main loop sets
- * is_offered, the interrupt changes them over and resets it, between exchanges only.
+ * Three statuses: the interrupt sends one, one is offered for the next exchange, the main loop
+ * writes another. So there is always a whole one to send, also for a master whose exchanges fall
+ * into the writing every time.
  */
-static uint8_t statuses[2][FRAME_LENGTH];
-static volatile uint8_t sent;
-static volatile bool is_offered;
+static uint8_t statuses[3][FRAME_LENGTH];
+static volatile uint8_t sent;    /* written by the interrupt, between exchanges only */
+static volatile uint8_t offered; /* written by the main loop */
+static uint8_t draft;            /* main loop only */
 static volatile uint8_t position; /* of the next byte to load; interrupts only */
 
 void spi_slave_begin(const uint8_t first[FRAME_LENGTH])
@@ -68,13 +70,18 @@ bool spi_slave_paused(void)
 
 uint8_t *spi_slave_draft(void)
 {
-    is_offered = false;
-    return statuses[sent ^ 1U];
+    uint8_t in_use = sent; /* may become the offered one meanwhile, which is left alone too */
+
+    draft = 0;
+    while (draft == in_use || draft == offered) {
+        draft++;
+    }
+    return statuses[draft];
 }
 
 void spi_slave_offer(void)
 {
-    is_offered = true;
+    offered = draft;
 }
 
 uint16_t spi_slave_lost(void)
@@ -113,9 +120,8 @@ ISR(SPI_STC_vect)
     uint8_t at = head;
     uint8_t after = (uint8_t)(at + 1U);
 
-    if (next == 1 && is_offered) {
-        sent ^= 1U;
-        is_offered = false;
+    if (next == 1) {
+        sent = offered;
     }
     if (next < FRAME_LENGTH) {
         SPDR = statuses[sent][next];

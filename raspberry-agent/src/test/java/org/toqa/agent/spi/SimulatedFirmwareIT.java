@@ -90,6 +90,21 @@ class SimulatedFirmwareIT {
     }
   }
 
+  /** The firmware looks at its wheels, too, every 20 ms: its clock and the daemon's drift. */
+  @Test
+  void statusIsNewWhereverTheExchangesFallInTheFirmwaresPeriod() throws IOException {
+    try (Chassis chassis = chassis()) {
+      run(chassis, new Twist(0.25, 0, 0), SECOND);
+      for (int phase = 0; phase < 80; phase++) {
+        ChassisReading now = run(chassis, new Twist(0.25, 0, 0), 4);
+        double driven = probe.truth().decimal("x");
+
+        assertEquals(driven, now.odometry().x(), 0.25 * 0.045, "phase " + phase);
+        nanos += TICK / 80;
+      }
+    }
+  }
+
   @Test
   void edgeWaitsForAPerson() throws IOException {
     try (Chassis chassis = chassis()) {
