@@ -75,4 +75,17 @@ sealed interface Halts {
       return covered > spacing - ROUNDING;
     }
   }
+
+  /** Not before the end of the way. */
+  record AtTheEnd() implements Halts {
+    @Override
+    public List<Double> along(Vec2 from, Vec2 forward, double length) {
+      return List.of();
+    }
+
+    @Override
+    public boolean isHalt(Vec2 point, double covered) {
+      return false;
+    }
+  }
 }

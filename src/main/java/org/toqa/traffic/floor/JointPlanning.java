@@ -232,7 +232,7 @@ final class JointPlanning {
         }
         List<Waypoint> middle = List.of(new Waypoint(lanes.lattice().centre(cell), false));
         double length = lanes.lattice().resolution();
-        List<Stretch> way = fitter.fit(m, from, middle, length, new Halts.Middles(lanes.lattice()));
+        List<Stretch> way = fitter.fit(m, from, middle, length, new Halts.AtTheEnd());
         if (way.size() == 1 && mayDrive(m, from, way.getFirst(), swept)) {
           way.getFirst().cells().addTo(swept);
           places.put(m, cell);

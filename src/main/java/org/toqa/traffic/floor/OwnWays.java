@@ -179,7 +179,20 @@ final class OwnWays {
     Predicate<List<Stretch>> isClearAndRight = way -> isClear(m, way) && isRight.test(way);
     return straight(m, goal)
         .flatMap(way -> firstFit(m, way, isClearAndRight))
-        .or(() -> way(planner, free, m, goal).flatMap(way -> firstFit(m, way, isClearAndRight)));
+        .or(
+            () ->
+                way(planner, free, m, goal)
+                    .flatMap(
+                        way ->
+                            firstFit(m, way, isClearAndRight)
+                                .or(() -> firstFit(m, overMiddle(free, m, way), isClearAndRight))));
+  }
+
+  /** From beside the middle of a cell the next one may lie behind a corner; from the middle not. */
+  private List<Waypoint> overMiddle(OccupancyGrid free, Mover m, List<Waypoint> way) {
+    List<Waypoint> longer = new ArrayList<>(way);
+    longer.addFirst(new Waypoint(ground.grid().centre(entry(free, m)), true));
+    return longer;
   }
 
   /** In an aisle hardly wider than the robot no cell's middle may be far enough from the walls. */

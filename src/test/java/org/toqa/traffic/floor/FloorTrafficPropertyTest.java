@@ -12,8 +12,10 @@ import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.LongRange;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.Disc;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.RoadGraph;
 
@@ -51,6 +53,67 @@ class FloorTrafficPropertyTest {
           floor.areAllArrived(),
           () -> floor.reasons() + " on\n" + String.join("\n", picture(grid)));
     }
+  }
+
+  /** Robots that were stopped anywhere go on from there: off the middle, in any heading. */
+  @Property(tries = 60, seed = "20261121")
+  void fromWhereverItStandsARobotArrives(@ForAll @LongRange(min = 0) long seed) {
+    driveFromAnywhere(seed);
+  }
+
+  static void driveFromAnywhere(long seed) {
+    Random random = new Random(seed);
+    OccupancyGrid coarse = aisles(random);
+    List<Cell> free = largestPart(coarse);
+    if (free.size() < 8) {
+      return;
+    }
+    int fine = random.nextBoolean() ? 1 : 3 + random.nextInt(4);
+    OccupancyGrid grid = fine == 1 ? coarse : finer(coarse, fine, 0.3 / fine, random);
+    double diameter = 0.2 + 0.08 * random.nextDouble(); // 2 cm less than the narrowest aisle
+    for (int i = 0; i < 20; i++) {
+      Collections.shuffle(free, random);
+      Vec2 goal = place(grid, coarse, free.getFirst(), fine);
+      Vec2 middle = place(grid, coarse, free.getLast(), fine);
+      Vec2 start;
+      do {
+        start =
+            new Vec2(
+                middle.x() + 0.3 * (random.nextDouble() - 0.5),
+                middle.y() + 0.3 * (random.nextDouble() - 0.5));
+      } while (!isClearOfWalls(grid, start, diameter / 2));
+      Pose pose = new Pose(start.x(), start.y(), 2 * Math.PI * random.nextDouble());
+      DrivenFloor floor = new DrivenFloor(grid, seed);
+      floor.putAt("a", pose, diameter);
+      floor.sendTo("a", goal);
+      floor.drive(Duration.ofMinutes(5));
+      assertTrue(
+          floor.areAllArrived(),
+          () ->
+              floor.reasons()
+                  + " "
+                  + diameter
+                  + " at "
+                  + pose
+                  + " fine "
+                  + fine
+                  + " on\n"
+                  + String.join("\n", picture(grid)));
+    }
+  }
+
+  private static boolean isClearOfWalls(OccupancyGrid grid, Vec2 point, double radius) {
+    int reach = (int) Math.ceil(radius / grid.resolution());
+    Cell here = grid.cellAt(point);
+    for (int row = here.row() - reach; row <= here.row() + reach; row++) {
+      for (int column = here.column() - reach; column <= here.column() + reach; column++) {
+        if (!grid.isFree(column, row)
+            && Disc.gap(grid, point, new Cell(column, row)) < radius + 1e-6) {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   /** Floors whose cells are far smaller than a robot, which stands anywhere, and is of any size. */

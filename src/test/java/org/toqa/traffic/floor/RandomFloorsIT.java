@@ -29,6 +29,11 @@ class RandomFloorsIT {
     return floors(FloorTrafficPropertyTest::driveOnAFineMap);
   }
 
+  @TestFactory
+  Stream<DynamicTest> fromWhereverItStandsARobotArrives() {
+    return floors(FloorTrafficPropertyTest::driveFromAnywhere);
+  }
+
   private static Stream<DynamicTest> floors(LongConsumer drive) {
     return LongStream.rangeClosed(1, FLOORS)
         .mapToObj(seed -> DynamicTest.dynamicTest("floor " + seed, () -> drive.accept(seed)));
