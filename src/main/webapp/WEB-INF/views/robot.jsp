@@ -7,6 +7,7 @@
 <fmt:message key="robot.title" var="title"><fmt:param value="${robot.name}"/></fmt:message>
 <fmt:formatNumber value="${robot.maxLoad}" maxFractionDigits="2" var="maxLoad"/>
 <fmt:formatNumber value="${robot.footprint}" maxFractionDigits="3" var="footprint"/>
+<fmt:formatNumber value="${robot.speed}" maxFractionDigits="2" var="speed"/>
 <t:page title="${title}" here="robot" script="track.js">
   <div id="live" data-live="robot" data-name="${fn:escapeXml(robot.name)}">
     <div class="heading">
@@ -38,6 +39,7 @@
         <c:if test="${not empty robot.charger}"><dt><fmt:message key="robot.charger"/></dt><dd><c:out value="${robot.charger}"/></dd></c:if>
         <dt><fmt:message key="robot.maxLoad"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></dd>
         <dt><fmt:message key="robot.footprint"/></dt><dd><fmt:message key="common.metres"><fmt:param value="${footprint}"/></fmt:message></dd>
+        <dt><fmt:message key="robot.speed"/></dt><dd><fmt:message key="common.metresPerSecond"><fmt:param value="${speed}"/></fmt:message></dd>
         <dt><fmt:message key="robot.floor"/></dt><dd><c:out value="${robot.floor}"/></dd>
         <dt><fmt:message key="robot.parking"/></dt><dd><c:out value="${robot.parking}"/></dd>
         <dt><fmt:message key="robot.address"/></dt><dd><c:out value="${robot.host}"/>:${robot.port}<c:if test="${robot.simulated}"> (<fmt:message key="robot.simulated"/>)</c:if></dd>

@@ -7,6 +7,8 @@ import org.toqa.geometry.Vec2;
  * A robot as an allocator sees it.
  *
  * @param maxLoad kilograms
+ * @param diameter metres
+ * @param speed metres a second, straight on
  * @param position metres, map frame
  * @param parking its parking point, metres, map frame; where it stands if it has none
  * @param battery 0 to 1; null where it is not known
@@ -15,6 +17,8 @@ import org.toqa.geometry.Vec2;
 public record Candidate(
     String robot,
     double maxLoad,
+    double diameter,
+    double speed,
     Vec2 position,
     Vec2 parking,
     @Nullable Double battery,
@@ -22,7 +26,8 @@ public record Candidate(
     @Nullable Long task) {
 
   Candidate busyWith(long job) {
-    return new Candidate(robot, maxLoad, position, parking, battery, Standing.BUSY, job);
+    return new Candidate(
+        robot, maxLoad, diameter, speed, position, parking, battery, Standing.BUSY, job);
   }
 
   boolean isFree() {

@@ -1,6 +1,8 @@
 package org.toqa.allocation;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
@@ -22,8 +24,11 @@ final class Costs {
   /** A share of the battery that is left to a robot for detours when it gets to a charger. */
   private static final double RESERVE = 0.05;
 
+  /** Metres a second: a robot that is slower by half is worth a detour as long as its way. */
+  private static final double USUAL_SPEED = 0.25;
+
   private final Travel travel;
-  private final List<ToDoubleFunction<Vec2>> fromChargers;
+  private final List<Vec2> chargers;
 
   /**
    * @param chargers the floor's charging points, metres, map frame; without any, nobody looks
@@ -31,7 +36,7 @@ final class Costs {
    */
   Costs(Travel travel, List<Vec2> chargers) {
     this.travel = travel;
-    fromChargers = chargers.stream().map(travel::from).toList();
+    this.chargers = List.copyOf(chargers);
   }
 
   Costs(Situation situation) {
@@ -65,11 +70,9 @@ final class Costs {
 
   /** The costs of a task, by robot, in the order of the robots. */
   List<Cost> of(Job job, List<Candidate> robots) {
-    ToDoubleFunction<Vec2> lengths = travel.from(job.start());
-    double carried = lengths.applyAsDouble(job.goal());
-    double toCharger = toCharger(job.goal());
+    Map<Double, Ways> byDiameter = new HashMap<>();
     return robots.stream()
-        .map(r -> cost(job, r, lengths.applyAsDouble(r.position()), carried, toCharger))
+        .map(r -> cost(job, r, byDiameter.computeIfAbsent(r.diameter(), d -> new Ways(job, d))))
         .toList();
   }
 
@@ -77,12 +80,37 @@ final class Costs {
     return of(job, List.of(robot)).getFirst();
   }
 
-  /** Metres to the nearest charger; 0 where there is none. */
-  private double toCharger(Vec2 place) {
-    return fromChargers.stream().mapToDouble(from -> from.applyAsDouble(place)).min().orElse(0);
+  /** Whether the way from start to goal is wide enough for the robot. */
+  boolean fits(Job job, Candidate robot) {
+    return Double.isFinite(travel.from(job.start(), robot.diameter()).applyAsDouble(job.goal()));
   }
 
-  private Cost cost(Job job, Candidate robot, double approach, double carried, double toCharger) {
+  /** How long the ways of a task are, metres, for robots of one diameter. */
+  private final class Ways {
+    final ToDoubleFunction<Vec2> toLoad;
+    final double carried;
+
+    /** To the nearest charger; 0 where there is none. */
+    final double toCharger;
+
+    Ways(Job job, double diameter) {
+      toLoad = travel.from(job.start(), diameter);
+      carried = toLoad.applyAsDouble(job.goal());
+      toCharger =
+          chargers.stream()
+              .mapToDouble(c -> travel.from(c, diameter).applyAsDouble(job.goal()))
+              .min()
+              .orElse(0);
+    }
+  }
+
+  private static double toll(Candidate robot) {
+    return Math.max(1, USUAL_SPEED / robot.speed());
+  }
+
+  private Cost cost(Job job, Candidate robot, Ways ways) {
+    double approach = ways.toLoad.applyAsDouble(robot.position());
+    double carried = ways.carried;
     if (!robot.isStrongEnough(job)) {
       return Cost.impossible(approach, Obstacle.TOO_WEAK);
     }
@@ -93,13 +121,15 @@ final class Costs {
     double used =
         Energy.joules(approach, 0)
             + Energy.joules(carried, job.load())
-            + Energy.joules(toCharger, 0);
-    if (!fromChargers.isEmpty() && used > (charge - RESERVE) * Energy.BATTERY) {
+            + Energy.joules(ways.toCharger, 0);
+    if (!chargers.isEmpty() && used > (charge - RESERVE) * Energy.BATTERY) {
       return Cost.impossible(approach, Obstacle.BATTERY);
     }
     double spare = robot.maxLoad() - job.load();
     double metres =
-        approach * (1 + EMPTY_BATTERY * (1 - charge)) + DETOUR_PER_SPARE_KILOGRAM * spare;
-    return new Cost(approach, Energy.joules(metres, 0) + Energy.joules(carried, job.load()), null);
+        toll(robot) * approach * (1 + EMPTY_BATTERY * (1 - charge))
+            + DETOUR_PER_SPARE_KILOGRAM * spare;
+    double joules = Energy.joules(metres, 0) + toll(robot) * Energy.joules(carried, job.load());
+    return new Cost(approach, joules, null);
   }
 }

@@ -11,9 +11,9 @@ import java.util.Optional;
 import org.toqa.allocation.Costs.Cost;
 
 /**
- * Gives loads that are too heavy for one robot to several, and leaves the rest to another
- * allocator. The team is the smallest whose robots can each carry an even share; of those that are
- * free the ones nearest to the load, the nearest of all as the leader.
+ * Gives loads that are too heavy for every robot that fits through their way to several, and leaves
+ * the rest to another allocator. The team is the smallest whose robots can each carry an even
+ * share; of those that are free the ones nearest to the load, the nearest of all as the leader.
  *
  * <p>Robots seldom become free together. When such a load has waited longer than every other task,
  * robots that are free are kept for it, so that it does not wait for ever. Where it is fetched and
@@ -58,9 +58,9 @@ public final class Teams implements Allocator {
 
     /** Decides about a task for several robots; in the order of precedence. */
     void look(Job job) {
+      List<Candidate> fitting = fitting(job);
       boolean together =
-          !situation.robots().isEmpty()
-              && situation.robots().stream().noneMatch(r -> r.isStrongEnough(job));
+          !fitting.isEmpty() && fitting.stream().noneMatch(r -> r.isStrongEnough(job));
       if (waits(job, places.objection(job, together))) {
         places.keepFor(job, together);
       } else if (together) {
@@ -68,6 +68,11 @@ public final class Teams implements Allocator {
       } else {
         light.add(job);
       }
+    }
+
+    /** The robots for which the way of the load is wide enough. */
+    private List<Candidate> fitting(Job job) {
+      return situation.robots().stream().filter(r -> costs.fits(job, r)).toList();
     }
 
     private boolean waits(Job job, Optional<String> objection) {
@@ -78,8 +83,8 @@ public final class Teams implements Allocator {
     private void gather(Job job) {
       List<Candidate> usable =
           situation.free().stream().filter(r -> !taken.containsKey(r.robot())).toList();
-      List<Candidate> nearest = team(job, usable, situation.robots(), costs);
-      int needed = size(job, situation.robots()).orElse(Integer.MAX_VALUE);
+      List<Candidate> nearest = team(job, usable, fitting(job), costs);
+      int needed = size(job, fitting(job)).orElse(Integer.MAX_VALUE);
       if (nearest.size() == needed) {
         nearest.forEach(r -> taken.put(r.robot(), job.id()));
         places.take(job, true);

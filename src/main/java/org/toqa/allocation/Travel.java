@@ -8,13 +8,14 @@ import org.toqa.geometry.Vec2;
 public interface Travel {
 
   /** As the crow flies, through whatever is in between. */
-  Travel STRAIGHT = place -> place::distanceTo;
+  Travel STRAIGHT = (place, diameter) -> place::distanceTo;
 
   /**
-   * The lengths of the ways between one place and others, metres; infinite where there is none. To
-   * be asked for once for many others.
+   * The lengths of a robot's ways between one place and others, metres; infinite where there is
+   * none that is wide enough for it. To be asked for once for many others.
    *
    * @param place metres, map frame
+   * @param diameter of the robot, metres
    */
-  ToDoubleFunction<Vec2> from(Vec2 place);
+  ToDoubleFunction<Vec2> from(Vec2 place, double diameter);
 }

@@ -99,7 +99,11 @@ public final class WaitingReason {
     return switch (costs.of(job, robot).obstacle()) {
       case null -> "is needed for another task first";
       case TOO_WEAK -> "is too weak";
-      case NO_WAY -> "finds no way to the load and its goal";
+      case NO_WAY ->
+          String.format(
+              Locale.ROOT,
+              "finds no way to the load and its goal that is wide enough for its %.2f m",
+              robot.diameter());
       case BATTERY ->
           robot.battery() == null
               ? "would not get to a charger after it"

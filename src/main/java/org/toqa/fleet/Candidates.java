@@ -30,6 +30,8 @@ final class Candidates {
     return new Candidate(
         robot.name(),
         robot.maxLoad(),
+        robot.footprint(),
+        robot.speed(),
         position,
         parking,
         robot.battery(),

@@ -151,9 +151,9 @@ final class Charging {
     Vec2 object = mission.object().position();
     Vec2 goal = mission.destination().position();
     double used =
-        Energy.joules(queues.metres(robot.pose.position(), object), 0)
-            + Energy.joules(queues.metres(object, goal), mission.task().load())
-            + Energy.joules(queues.metresToCharger(goal), 0);
+        Energy.joules(queues.metres(robot, robot.pose.position(), object), 0)
+            + Energy.joules(queues.metres(robot, object, goal), mission.task().load())
+            + Energy.joules(queues.metresToCharger(robot, goal), 0);
     return used < battery * Energy.BATTERY;
   }
 

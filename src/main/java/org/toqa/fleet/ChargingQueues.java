@@ -6,9 +6,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.geometry.Vec2;
-import org.toqa.grid.Inflation;
 import org.toqa.grid.Place;
-import org.toqa.motion.DriveSpeeds;
 
 /** Who charges where, who comes next, and when: an estimate from ways and batteries. */
 final class ChargingQueues {
@@ -30,8 +28,7 @@ final class ChargingQueues {
   ChargingQueues(FloorState state, ChargingRules rules) {
     this.state = state;
     this.rules = rules;
-    this.distances =
-        new FloorDistances(Inflation.of(state.floor.grid(), OrderCheck.SMALLEST_RADIUS));
+    this.distances = new FloorDistances(state.floor.grid());
   }
 
   /**
@@ -86,7 +83,7 @@ final class ChargingQueues {
   }
 
   private double drive(FloorRobot robot, Place point) {
-    return isAt(robot, point) ? 0 : metres(robot, point.position()) / DriveSpeeds.DEFAULT.forward();
+    return isAt(robot, point) ? 0 : metres(robot, point.position()) / robot.speeds.forward();
   }
 
   private double charge(FloorRobot robot) {
@@ -97,18 +94,18 @@ final class ChargingQueues {
   private double metres(FloorRobot robot, Vec2 place) {
     return robot.pose == null
         ? Double.POSITIVE_INFINITY
-        : distances.from(place).applyAsDouble(robot.pose.position());
+        : metres(robot, robot.pose.position(), place);
   }
 
-  /** The length of a way, metres; infinite where there is none. */
-  double metres(Vec2 from, Vec2 to) {
-    return distances.from(to).applyAsDouble(from);
+  /** The length of a robot's way, metres; infinite where there is none. */
+  double metres(FloorRobot robot, Vec2 from, Vec2 to) {
+    return distances.from(to, robot.footprint).applyAsDouble(from);
   }
 
   /** From a place to the charging point nearest to it. */
-  double metresToCharger(Vec2 place) {
+  double metresToCharger(FloorRobot robot, Vec2 place) {
     return state.floor.charging().stream()
-        .mapToDouble(point -> metres(place, point.position()))
+        .mapToDouble(point -> metres(robot, place, point.position()))
         .min()
         .orElse(Double.POSITIVE_INFINITY);
   }

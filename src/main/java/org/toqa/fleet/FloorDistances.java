@@ -3,27 +3,29 @@ package org.toqa.fleet;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.ToDoubleFunction;
 import org.toqa.allocation.Travel;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
+import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.DistanceField;
 
 /**
- * The lengths of ways on a floor by its map: the planner's distances, one field a place, the last
- * ones kept. Any thread may ask.
+ * The lengths of ways on a floor by its map: the planner's distances, one field for each place and
+ * size of robot, the last ones kept. Any thread may ask.
  */
 public final class FloorDistances implements Travel {
   /** Of all the fields that are kept: 64 MB. */
   private static final int CELLS_KEPT = 16_000_000;
 
   private final OccupancyGrid grid;
-  private final Map<Cell, DistanceField> fields;
+  private final Map<Double, OccupancyGrid> passable = new ConcurrentHashMap<>();
+  private final Map<Key, DistanceField> fields;
 
-  /**
-   * @param grid inflated by the robots' radius
-   */
+  private record Key(Cell cell, double diameter) {}
+
   public FloorDistances(OccupancyGrid grid) {
     this.grid = grid;
     int most = Math.max(16, CELLS_KEPT / (grid.width() * grid.height()));
@@ -33,17 +35,23 @@ public final class FloorDistances implements Travel {
               private static final long serialVersionUID = 1;
 
               @Override
-              protected boolean removeEldestEntry(Map.Entry<Cell, DistanceField> eldest) {
+              protected boolean removeEldestEntry(Map.Entry<Key, DistanceField> eldest) {
                 return size() > most;
               }
             });
   }
 
   @Override
-  public ToDoubleFunction<Vec2> from(Vec2 place) {
+  public ToDoubleFunction<Vec2> from(Vec2 place, double diameter) {
     DistanceField field =
-        fields.computeIfAbsent(grid.cellAt(place), cell -> new DistanceField(grid, cell));
+        fields.computeIfAbsent(
+            new Key(grid.cellAt(place), diameter),
+            key -> new DistanceField(passable(diameter), key.cell()));
     return other -> length(field, grid.cellAt(other)) * grid.resolution();
+  }
+
+  private OccupancyGrid passable(double diameter) {
+    return passable.computeIfAbsent(diameter, d -> Inflation.whereNothingFits(grid, d / 2));
   }
 
   /** A robot may stand a little nearer to a wall than it would drive: a cell beside it will do. */

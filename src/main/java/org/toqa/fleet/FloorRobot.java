@@ -21,6 +21,7 @@ import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
+import org.toqa.motion.DriveSpeeds;
 import org.toqa.traffic.floor.Route;
 
 /**
@@ -54,6 +55,7 @@ final class FloorRobot {
   @Nullable Pose pose;
   @Nullable Double battery;
   double footprint = UNKNOWN_FOOTPRINT;
+  DriveSpeeds speeds = DriveSpeeds.DEFAULT;
   double maxLoad;
   Mode mode = Mode.IDLE;
   Role role = Role.ALONE;
@@ -183,6 +185,7 @@ final class FloorRobot {
     localised = hello.localised();
     pose = hello.pose();
     footprint = hello.footprint();
+    speeds = DriveSpeeds.DEFAULT.atMost(hello.maxSpeed());
     maxLoad = Math.min(record.maxLoad(), hello.maxLoad());
     mode = hello.mode();
     role = hello.role();
@@ -289,6 +292,7 @@ final class FloorRobot {
         work == null ? 0 : work.phase(),
         maxLoad,
         footprint,
+        speeds.forward(),
         record.host(),
         record.port(),
         record.parking(),

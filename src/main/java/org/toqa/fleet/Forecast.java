@@ -11,7 +11,6 @@ import org.toqa.allocation.Travel;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskState;
-import org.toqa.motion.DriveSpeeds;
 
 /**
  * When a task can be delivered at the earliest: by the robot that has it, or else by the one that
@@ -45,8 +44,7 @@ final class Forecast {
   }
 
   private static Delivery at(RobotView robot, double metres) {
-    return new Delivery(
-        robot.name(), Duration.ofMillis(Math.round(1000 * metres / DriveSpeeds.DEFAULT.forward())));
+    return new Delivery(robot.name(), Duration.ofMillis(Math.round(1000 * metres / robot.speed())));
   }
 
   private Optional<Double> metres(TaskView task, RobotView robot, Map<Long, TaskView> tasks) {
@@ -55,28 +53,33 @@ final class Forecast {
       return Optional.empty();
     }
     TaskView current = robot.task() == null ? null : tasks.get(robot.task());
-    double metres = rest(pose.position(), task, current);
+    double metres = rest(robot, pose.position(), task, current);
     return Double.isFinite(metres) ? Optional.of(metres) : Optional.empty();
   }
 
-  private double rest(Vec2 position, TaskView task, @Nullable TaskView current) {
+  private double rest(RobotView robot, Vec2 position, TaskView task, @Nullable TaskView current) {
     if (current != null && current.id() == task.id()) {
-      return toDelivery(position, task);
+      return toDelivery(robot, position, task);
     }
     if (current == null || current.state() == TaskState.RETURNING) {
-      return toDelivery(position, task);
+      return toDelivery(robot, position, task);
     }
-    return toDelivery(position, current) + toDelivery(current.task().goal().position(), task);
+    return toDelivery(robot, position, current)
+        + toDelivery(robot, current.task().goal().position(), task);
   }
 
   /** With the load on board, or by way of where it is. */
-  private double toDelivery(Vec2 from, TaskView task) {
+  private double toDelivery(RobotView robot, Vec2 from, TaskView task) {
     Vec2 goal = task.task().goal().position();
     if (task.state() == TaskState.CARRYING) {
-      return travel.from(goal).applyAsDouble(from);
+      return metres(robot, from, goal);
     }
     Vec2 object = task.object().position();
-    return travel.from(object).applyAsDouble(from) + travel.from(goal).applyAsDouble(object);
+    return metres(robot, from, object) + metres(robot, object, goal);
+  }
+
+  private double metres(RobotView robot, Vec2 from, Vec2 to) {
+    return travel.from(to, robot.footprint()).applyAsDouble(from);
   }
 
   private static boolean isAtWork(RobotView robot) {

@@ -46,7 +46,6 @@ import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
-import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.link.RobotLinks;
@@ -186,8 +185,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               "floor-" + floors.size());
       floors.put(floor.name(), agent);
       maps.put(floor.name(), floor);
-      distances.put(
-          floor.name(), new FloorDistances(Inflation.of(floor.grid(), OrderCheck.SMALLEST_RADIUS)));
+      distances.put(floor.name(), new FloorDistances(floor.grid()));
       due.add(floor.name());
     }
     log.info(

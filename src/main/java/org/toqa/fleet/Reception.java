@@ -14,7 +14,6 @@ import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
-import org.toqa.motion.DriveSpeeds;
 
 /** Takes in what a floor's robots say, and tells the traffic and the missions. */
 final class Reception {
@@ -96,7 +95,7 @@ final class Reception {
     robot.told = stored.filter(d -> d.seq() == hello.drive()).orElse(null);
     if (!state.formations.isCovered(robot.name())) {
       state.traffic.stands(robot.name(), hello.pose(), hello.footprint(), state.now);
-      state.traffic.drivesAt(robot.name(), DriveSpeeds.DEFAULT.atMost(hello.maxSpeed()));
+      state.traffic.drivesAt(robot.name(), robot.speeds);
       state.formations.tellTraffic();
       if (robot.told != null && robot.role != Role.FOLLOWER) {
         isOnItsWay(robot, robot.told, hello.pose(), hello.segment(), hello.released());

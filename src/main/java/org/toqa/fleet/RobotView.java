@@ -17,6 +17,7 @@ import org.toqa.link.trust.Fingerprint;
  * @param task the task it works for, if any
  * @param phase 0 parked or going home without a task, else the phase it is in
  * @param footprint diameter in metres
+ * @param speed metres a second at which it drives straight on
  * @param route the rest of its way as a line, map frame; empty when it stands
  * @param released how many points of {@code route} it may already drive to
  * @param doing a sentence for people
@@ -35,6 +36,7 @@ public record RobotView(
     int phase,
     double maxLoad,
     double footprint,
+    double speed,
     String host,
     int port,
     @Nullable String parking,

@@ -2,6 +2,7 @@ package org.toqa.grid;
 
 import java.util.Arrays;
 import java.util.BitSet;
+import org.toqa.geometry.Vec2;
 
 /**
  * Grows the obstacles by a robot's radius, so that a planner may treat the robot as a point.
@@ -53,6 +54,39 @@ public final class Inflation {
     }
     blockBorder(blocked, width, height, cells);
     return grid.withOccupied(blocked);
+  }
+
+  /**
+   * Blocks only the cells in which the disc fits nowhere: neither in the middle nor on an edge's
+   * middle or a corner. So an aisle two cells wide has a way for whatever fits in it, which drives
+   * between the middles of its cells.
+   *
+   * @param radius metres
+   */
+  public static OccupancyGrid whereNothingFits(OccupancyGrid grid, double radius) {
+    OccupancyGrid inMiddle = of(grid, radius);
+    OccupancyGrid hopeless = of(grid, Math.max(0, radius - grid.resolution() * Math.sqrt(0.5)));
+    Disc disc = new Disc(radius);
+    BitSet blocked = inMiddle.occupied();
+    for (int i = blocked.nextSetBit(0); i >= 0; i = blocked.nextSetBit(i + 1)) {
+      if (hopeless.isFree(grid.cell(i)) && fitsBesideMiddle(grid, grid.cell(i), disc)) {
+        blocked.clear(i);
+      }
+    }
+    return grid.withOccupied(blocked);
+  }
+
+  private static boolean fitsBesideMiddle(OccupancyGrid grid, Cell cell, Disc disc) {
+    Vec2 middle = grid.centre(cell);
+    double half = grid.resolution() / 2;
+    for (int row = -1; row <= 1; row++) {
+      for (int column = -1; column <= 1; column++) {
+        if (disc.isFreeAt(grid, middle.plus(new Vec2(column, row).times(half)))) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /** Columns from each cell to the nearest occupied one in its row. */

@@ -21,6 +21,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.toqa.geometry.Vec2;
@@ -121,7 +122,8 @@ class AllocatorContractTest {
   @MethodSource("allocators")
   void aRobotWithoutAWayToTheLoadIsLeftOut(Allocator allocator) {
     Travel walled =
-        place -> other -> (place.x() < 40) == (other.x() < 40) ? 1 : Double.POSITIVE_INFINITY;
+        (place, diameter) ->
+            other -> (place.x() < 40) == (other.x() < 40) ? 1 : Double.POSITIVE_INFINITY;
     Situation situation =
         new Situation(
             NOON,
@@ -139,10 +141,87 @@ class AllocatorContractTest {
             new Decision.Waits(
                 1,
                 "None of the 2 robots that are strong enough can take it now:"
-                    + " r1 finds no way to the load and its goal,"
-                    + " r2 finds no way to the load and its goal.",
+                    + " r1 finds no way to the load and its goal that is wide enough for its 0.26 m,"
+                    + " r2 finds no way to the load and its goal that is wide enough for its"
+                    + " 0.26 m.",
                 List.of())),
         allocator.allocate(situation));
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void aRobotThatIsTooWideForTheWayIsNotChosen(Allocator allocator) {
+    Candidate wide = sized("wide", 0.6, 0.25, 39);
+    Candidate narrow = sized("narrow", 0.25, 0.25, 20);
+
+    assertEquals(List.of("narrow"), chosen(allocator, List.of(wide, narrow)));
+    assertEquals(
+        List.of(
+            new Decision.Waits(
+                1,
+                "The only robot, wide, finds no way to the load and its goal that is wide enough"
+                    + " for its 0.60 m.",
+                List.of())),
+        allocator.allocate(throughADoor(List.of(wide))));
+  }
+
+  @Test
+  void ofRobotsAsFarTheFasterOneIsChosen() {
+    Candidate slow = sized("slow", 0.25, 0.1, 39);
+    Candidate fast = sized("fast", 0.25, 0.25, 38);
+    for (Allocator allocator : List.of(new ContractNet(), new OptimalAllocator())) {
+      assertEquals(List.of("fast"), chosen(allocator, List.of(slow, fast)));
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("allocators")
+  void whereTheStrongRobotIsTooWideTheOthersCarryTogether(Allocator allocator) {
+    Candidate wide = sized("wide", 0.6, 0.25, 39);
+    List<Candidate> robots =
+        List.of(
+            new Candidate(
+                "strong", 50, 0.6, 0.25, wide.position(), wide.parking(), 1.0, Standing.FREE, null),
+            sized("a", 0.25, 0.25, 20),
+            sized("b", 0.25, 0.25, 21));
+    Situation situation =
+        throughADoor(robots, new Job(1, 8, new Vec2(40, 5), new Vec2(50, 5), NOON));
+
+    assertEquals(
+        List.of("b", "a"), Outcome.robots(new Teams(allocator).allocate(situation).getFirst()));
+  }
+
+  private static List<String> chosen(Allocator allocator, List<Candidate> robots) {
+    return Outcome.robots(allocator.allocate(throughADoor(robots)).getFirst());
+  }
+
+  private static Situation throughADoor(List<Candidate> robots) {
+    return throughADoor(robots, new Job(1, 1, new Vec2(40, 5), new Vec2(50, 5), NOON));
+  }
+
+  /** The goal lies behind a door of half a metre. */
+  private static Situation throughADoor(List<Candidate> robots, Job job) {
+    Travel door =
+        (place, diameter) ->
+            other ->
+                diameter > 0.5 && (place.x() < 45) != (other.x() < 45)
+                    ? Double.POSITIVE_INFINITY
+                    : place.distanceTo(other);
+    return new Situation(
+        NOON,
+        Vec2.ZERO,
+        new Vec2(80, 10),
+        door,
+        List.of(),
+        List.of(job),
+        List.of(),
+        robots,
+        List.of());
+  }
+
+  private static Candidate sized(String name, double diameter, double speed, double x) {
+    Vec2 place = new Vec2(x, 5);
+    return new Candidate(name, 5, diameter, speed, place, place, 1.0, Standing.FREE, null);
   }
 
   @ParameterizedTest
@@ -171,7 +250,7 @@ class AllocatorContractTest {
         List.of(new Vec2(79, 6)),
         List.of(job(1, 1, 40)),
         List.of(),
-        List.of(new Candidate("r1", 5, place, place, battery, Standing.FREE, null)),
+        List.of(new Candidate("r1", 5, 0.255, 0.25, place, place, battery, Standing.FREE, null)),
         List.of());
   }
 

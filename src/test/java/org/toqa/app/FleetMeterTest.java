@@ -74,6 +74,7 @@ class FleetMeterTest {
         0,
         5,
         name.equals("r1") ? 0.2 : 0.3,
+        0.25,
         "127.0.0.1",
         7275,
         null,

@@ -34,6 +34,7 @@ import org.toqa.mission.TaskState;
  * charges below 5                   percent; 20 where nothing is said, for the whole scenario
  * charges after 2                   seconds of work; six hours where nothing is said
  * charges within 20                 seconds, or the charger does not work; ten minutes where nothing is said
+ * a is 1.4 wide                     metres, for the whole scenario
  * a has 18                          percent in its battery, from now on
  * task box A B 2                    kilograms
  * task late A B 2 within 5          seconds to its deadline; "expect late answered ..." looks at
@@ -66,12 +67,14 @@ final class FleetScenario {
   private static final Pattern HAS = Pattern.compile("([a-z]) has (\\d+)");
   private static final Pattern ROBOT = Pattern.compile("([a-z]) (\\D+)");
   private static final Pattern CHARGES = Pattern.compile("charges (below|after|within) (\\d+)");
+  private static final Pattern WIDE = Pattern.compile("([a-z]) is ([0-9.]+) wide");
   private static final Pattern CANCEL = Pattern.compile("cancel (\\w+) ?(here|back)?");
   private static final Pattern HOLD = Pattern.compile("(hold|resume) (\\w+)");
   private static final Pattern ANSWER = Pattern.compile("answer (\\w+) (.+)");
 
   private final List<String> rows = new ArrayList<>();
   private final List<String> script = new ArrayList<>();
+  private final Map<String, Double> diameters = new HashMap<>();
   private ChargingRules charging = ChargingRules.USUAL;
   private final Map<String, Long> tasks = new HashMap<>();
   private final Map<String, TaskView> answered = new HashMap<>();
@@ -79,8 +82,11 @@ final class FleetScenario {
   FleetScenario(String text) {
     for (String line : text.lines().toList()) {
       Matcher threshold = CHARGES.matcher(line);
+      Matcher wide = WIDE.matcher(line);
       if (threshold.matches()) {
         charging = charges(threshold.group(1), Integer.parseInt(threshold.group(2)));
+      } else if (wide.matches()) {
+        diameters.put(wide.group(1), Double.parseDouble(wide.group(2)));
       } else if (!line.isBlank() && !line.startsWith("# ")) {
         (line.contains(" ") || line.equals("restart") ? script : rows).add(line);
       }
@@ -105,7 +111,9 @@ final class FleetScenario {
   @Nullable String fault() throws Exception {
     try (FleetStage stage = new FleetStage(floor(), charging)) {
       for (Place place : places('a', 'z')) {
-        stage.add(place.name(), place.position(), "P" + place.name()).isSlow(STEPS_A_SEGMENT);
+        ScriptedRobot robot = stage.add(place.name(), place.position(), "P" + place.name());
+        robot.isSlow(STEPS_A_SEGMENT);
+        robot.isWide(diameters.getOrDefault(place.name(), ScriptedRobot.FOOTPRINT));
       }
       stage.restart();
       stage.until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));

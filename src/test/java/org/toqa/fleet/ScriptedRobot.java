@@ -44,6 +44,7 @@ final class ScriptedRobot {
   private Pose pose;
   private List<Vec2> obstacles = List.of();
   private double battery = 0.8;
+  private double footprint = FOOTPRINT;
   private int stepsASegment = 1;
   private int steps;
   private boolean mute;
@@ -96,6 +97,15 @@ final class ScriptedRobot {
   /** It drives a segment only after so many steps. */
   synchronized void isSlow(int stepsForOne) {
     stepsASegment = stepsForOne;
+  }
+
+  /**
+   * To be said before the server hears of it.
+   *
+   * @param diameter metres
+   */
+  synchronized void isWide(double diameter) {
+    footprint = diameter;
   }
 
   /** From now on it says nothing, and drives nothing. */
@@ -363,7 +373,7 @@ final class ScriptedRobot {
         name,
         5,
         0.5,
-        FOOTPRINT,
+        footprint,
         true,
         pose,
         mode(),

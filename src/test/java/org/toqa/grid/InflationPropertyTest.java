@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.BitSet;
 import java.util.Random;
+import java.util.stream.IntStream;
 import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -22,18 +23,50 @@ class InflationPropertyTest {
       @ForAll @IntRange(min = 1, max = 25) int height,
       @ForAll @DoubleRange(min = 0.01, max = 2) double radius,
       @ForAll long seed) {
-    Random random = new Random(seed);
-    BitSet occupied = new BitSet();
-    for (int i = 0; i < width * height; i++) {
-      occupied.set(i, random.nextInt(20) == 0);
-    }
-    OccupancyGrid grid = new OccupancyGrid(width, height, 0.3, new Vec2(-3, 7), occupied);
+    OccupancyGrid grid = random(width, height, new Random(seed));
     OccupancyGrid inflated = Inflation.of(grid, radius);
     Disc disc = new Disc(radius);
     for (int i = 0; i < width * height; i++) {
       Cell cell = grid.cell(i);
       assertEquals(disc.isFreeAt(grid, grid.centre(cell)), inflated.isFree(cell), cell.toString());
     }
+  }
+
+  @Property
+  void onlyCellsInWhichTheDiscFitsNowhereAreBlocked(
+      @ForAll @IntRange(min = 1, max = 25) int width,
+      @ForAll @IntRange(min = 1, max = 25) int height,
+      @ForAll @DoubleRange(min = 0.01, max = 2) double radius,
+      @ForAll long seed) {
+    OccupancyGrid grid = random(width, height, new Random(seed));
+    OccupancyGrid nowhere = Inflation.whereNothingFits(grid, radius);
+    Disc disc = new Disc(radius);
+    for (int i = 0; i < width * height; i++) {
+      Vec2 middle = grid.centre(grid.cell(i));
+      boolean fits =
+          IntStream.range(0, 9)
+              .mapToObj(k -> middle.plus(new Vec2(k % 3 - 1, k / 3 - 1).times(0.15)))
+              .anyMatch(point -> disc.isFreeAt(grid, point));
+      assertEquals(fits, nowhere.isFree(grid.cell(i)), grid.cell(i).toString());
+    }
+  }
+
+  private static OccupancyGrid random(int width, int height, Random random) {
+    BitSet occupied = new BitSet();
+    for (int i = 0; i < width * height; i++) {
+      occupied.set(i, random.nextInt(20) == 0);
+    }
+    return new OccupancyGrid(width, height, 0.3, new Vec2(-3, 7), occupied);
+  }
+
+  @Example
+  void anAisleOfTwoCellsHasAWayBetweenTheirMiddles() {
+    OccupancyGrid aisle =
+        new OccupancyGrid(
+            4, 3, 0.3, Vec2.ZERO, OccupancyGrid.parse("#..#", "#..#", "#..#").occupied());
+    assertFalse(Inflation.of(aisle, 0.25).isFree(1, 1));
+    assertTrue(Inflation.whereNothingFits(aisle, 0.25).isFree(1, 1));
+    assertFalse(Inflation.whereNothingFits(aisle, 0.31).isFree(1, 1));
   }
 
   @Example

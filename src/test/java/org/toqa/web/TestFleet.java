@@ -461,6 +461,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         0,
         5,
         0.255,
+        0.25,
         host,
         port,
         "P1",

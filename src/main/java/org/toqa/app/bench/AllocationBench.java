@@ -36,9 +36,6 @@ import tools.jackson.databind.json.JsonMapper;
       "fifth of the loads needs a strong one."
     })
 public final class AllocationBench implements Callable<Integer> {
-  /** The robot's, metres (Tanta). */
-  private static final double RADIUS = 0.1275;
-
   private static final int SOLVER_RUNS = 15;
 
   private final Supplier<Path> shippedMap;
@@ -73,6 +70,14 @@ public final class AllocationBench implements Callable<Integer> {
       description =
           "The work as a part of what the robots could do, 1 to 200 (default: ${DEFAULT-VALUE}).")
   private int pressure;
+
+  @Option(
+      names = "--slow",
+      defaultValue = "0",
+      paramLabel = "PERCENT",
+      description =
+          "Of the robots, so many drive at half the speed, 0 to 100 (default: ${DEFAULT-VALUE}).")
+  private int slow;
 
   @Option(
       names = "--map",
@@ -123,6 +128,7 @@ public final class AllocationBench implements Callable<Integer> {
     arguments.mustBeBetween("--robots", robots, 1, 1000);
     arguments.mustBeBetween("--tasks", tasks, 1, 100_000);
     arguments.mustBeBetween("--pressure", pressure, 1, 200);
+    arguments.mustBeBetween("--slow", slow, 0, 100);
     if (solverSize != null) {
       arguments.mustBeBetween("--solver-size", solverSize, 1, 5000);
     }
@@ -143,7 +149,13 @@ public final class AllocationBench implements Callable<Integer> {
     FloorMap floor = arguments.floor(map == null ? shippedMap.get() : map);
     try {
       return Shift.of(
-          floor, Inflation.of(floor.grid(), RADIUS), robots, tasks, pressure / 100.0, seed);
+          floor,
+          Inflation.of(floor.grid(), Shift.DIAMETER / 2),
+          robots,
+          tasks,
+          pressure / 100.0,
+          slow / 100.0,
+          seed);
     } catch (IllegalArgumentException e) {
       throw arguments.wrong("--robots " + robots + ": " + e.getMessage());
     }

@@ -29,7 +29,7 @@ import org.toqa.grid.OccupancyGrid;
 
 /**
  * A shift's work under one allocator, from event to event: a task comes, or a robot has driven a
- * leg. Robots drive at the usual speed and do not hinder each other.
+ * leg. Robots do not hinder each other.
  */
 final class AllocationRun {
   /** As many as the fleet lets take part in a round. */
@@ -163,7 +163,7 @@ final class AllocationRun {
 
   private void drive(Robot robot, Phase phase, Vec2 to) {
     robot.phase = phase;
-    robot.leg = new Leg(shift.grid(), robot.position, to, now);
+    robot.leg = new Leg(shift.grid(), robot.position, to, now, robot.worker.speed());
   }
 
   /** It stands where it is now. */
@@ -237,6 +237,8 @@ final class AllocationRun {
     return new Candidate(
         robot.worker.name(),
         robot.worker.maxLoad(),
+        Shift.DIAMETER,
+        robot.worker.speed(),
         robot.leg == null ? robot.position : robot.leg.at(now),
         robot.worker.home(),
         null,

@@ -7,15 +7,15 @@ import java.util.List;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
-import org.toqa.motion.DriveSpeeds;
 import org.toqa.planning.JumpPointSearch;
 import org.toqa.planning.PlanResult;
 
-/** A way that a robot drives at the usual speed, beginning at some moment. */
+/** A way that a robot drives at its speed, beginning at some moment. */
 final class Leg {
   private static final JumpPointSearch PLANNER = new JumpPointSearch();
 
   private final Instant begin;
+  private final double speed;
   private final Vec2[] points;
 
   /** Metres from the beginning, by point. */
@@ -23,8 +23,10 @@ final class Leg {
 
   /**
    * @param grid inflated; there is a way from the one to the other
+   * @param speed metres a second
    */
-  Leg(OccupancyGrid grid, Vec2 from, Vec2 to, Instant begin) {
+  Leg(OccupancyGrid grid, Vec2 from, Vec2 to, Instant begin, double speed) {
+    this.speed = speed;
     this.begin = begin;
     List<Cell> cells =
         switch (PLANNER.plan(grid, grid.cellAt(from), grid.cellAt(to))) {
@@ -40,7 +42,7 @@ final class Leg {
   }
 
   Instant end() {
-    double seconds = metres[metres.length - 1] / DriveSpeeds.DEFAULT.forward();
+    double seconds = metres[metres.length - 1] / speed;
     return begin.plus(Duration.ofNanos(Math.round(seconds * 1e9)));
   }
 
@@ -55,8 +57,7 @@ final class Leg {
   }
 
   private int passed(Instant time) {
-    double driven =
-        Duration.between(begin, time).toNanos() / 1e9 * DriveSpeeds.DEFAULT.forward() + 1e-6;
+    double driven = Duration.between(begin, time).toNanos() / 1e9 * speed + 1e-6;
     int passed = Arrays.binarySearch(metres, driven);
     return passed >= 0 ? passed : -passed - 2;
   }

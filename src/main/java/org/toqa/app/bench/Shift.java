@@ -34,6 +34,9 @@ record Shift(OccupancyGrid grid, FloorDistances distances, List<Worker> robots, 
   /** Of the loads, those that only a strong robot can carry. */
   private static final double HEAVY = 0.2;
 
+  /** Of each robot, metres (Tanta). */
+  static final double DIAMETER = 0.255;
+
   /** Places between which things are carried, where the map names none. */
   private static final int PLACES = 40;
 
@@ -41,18 +44,26 @@ record Shift(OccupancyGrid grid, FloorDistances distances, List<Worker> robots, 
 
   /**
    * @param maxLoad kilograms
+   * @param speed metres a second
    * @param home where it parks, and begins
    */
-  record Worker(String name, double maxLoad, Vec2 home) {}
+  record Worker(String name, double maxLoad, double speed, Vec2 home) {}
 
   /**
    * @param grid inflated by the robots' radius
    * @param pressure the work as a part of what the robots could do, were each as far from its next
    *     load as half the usual way
+   * @param slow the part of the robots that drives at half the usual speed
    * @throws IllegalArgumentException the floor has too few places; says so
    */
   static Shift of(
-      FloorMap floor, OccupancyGrid grid, int robots, int tasks, double pressure, long seed) {
+      FloorMap floor,
+      OccupancyGrid grid,
+      int robots,
+      int tasks,
+      double pressure,
+      double slow,
+      long seed) {
     Random random = new Random(seed);
     RoadGraph roads = new RoadGraph(grid);
     List<Vec2> anywhere =
@@ -74,18 +85,27 @@ record Shift(OccupancyGrid grid, FloorDistances distances, List<Worker> robots, 
     if (places.size() < 2 || homes.size() < robots) {
       throw new IllegalArgumentException("the map has too few free cells for that");
     }
-    FloorDistances distances = new FloorDistances(grid);
+    FloorDistances distances = new FloorDistances(floor.grid());
     double interval = interval(distances, places) / (robots * pressure);
-    return new Shift(grid, distances, workers(homes), jobs(places, tasks, interval, random));
+    return new Shift(grid, distances, workers(homes, slow), jobs(places, tasks, interval, random));
   }
 
   private static List<Vec2> reachable(List<Place> named, List<Vec2> anywhere) {
     return named.stream().map(Place::position).filter(anywhere::contains).toList();
   }
 
-  private static List<Worker> workers(List<Vec2> homes) {
+  private static List<Worker> workers(List<Vec2> homes, double slow) {
+    double usual = DriveSpeeds.DEFAULT.forward();
     return IntStream.range(0, homes.size())
-        .mapToObj(i -> new Worker("r" + (i + 1), i % 3 == 0 ? STRONG : USUAL, homes.get(i)))
+        .mapToObj(
+            i -> {
+              boolean isSlow = Math.floor((i + 1) * slow) > Math.floor(i * slow);
+              return new Worker(
+                  "r" + (i + 1),
+                  i % 3 == 0 ? STRONG : USUAL,
+                  isSlow ? usual / 2 : usual,
+                  homes.get(i));
+            })
         .toList();
   }
 
@@ -93,7 +113,7 @@ record Shift(OccupancyGrid grid, FloorDistances distances, List<Worker> robots, 
   private static double interval(FloorDistances distances, List<Vec2> places) {
     double sum = 0;
     for (Vec2 from : places) {
-      sum += places.stream().mapToDouble(distances.from(from)).sum();
+      sum += places.stream().mapToDouble(distances.from(from, DIAMETER)).sum();
     }
     double mean = sum / (places.size() * (places.size() - 1.0));
     return 1.5 * mean / DriveSpeeds.DEFAULT.forward();
