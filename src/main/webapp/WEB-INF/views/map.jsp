@@ -50,6 +50,23 @@
       <ul id="robots" class="entries"></ul>
       <p id="no-robots" class="faint" hidden><fmt:message key="map.robots.none"/></p>
     </section>
+    <section id="floors" data-live="floors">
+      <c:forEach items="${floorViews}" var="view">
+        <c:if test="${not empty view.hold or caller.isManager()}">
+          <h2><fmt:message key="map.floorNamed"><fmt:param><c:out value="${view.name}"/></fmt:param></fmt:message></h2>
+          <c:if test="${not empty view.hold}">
+            <p class="notice warn"><fmt:message key="floor.held"><fmt:param><c:out value="${view.hold.user}"/></fmt:param></fmt:message>${" "}<t:time at="${view.hold.since}"/></p>
+          </c:if>
+          <c:if test="${caller.isManager()}">
+            <c:url value="/floors/${view.name}/${empty view.hold ? 'hold' : 'resume'}" var="holdOrResume"/>
+            <form method="post" action="<c:out value="${holdOrResume}"/>">
+              <t:csrf/>
+              <button class="outline wide"><fmt:message key="floor.${empty view.hold ? 'hold' : 'resume'}"/></button>
+            </form>
+          </c:if>
+        </c:if>
+      </c:forEach>
+    </section>
     <details>
       <summary><fmt:message key="map.legend"/></summary>
       <ul class="legend">

@@ -21,6 +21,7 @@ const subjects = {
     return robot && [robot.held, robot.task, pause];
   },
   pause: ({pause}) => pause,
+  floors: ({floors}) => floors.map(({floor, hold}) => [floor, hold]),
   service: ({robots, floors}, name) => [
     robots.find((robot) => robot.name === name)?.state === 'OUT_OF_SERVICE',
     floors.some(({kept}) => kept.some(({robot}) => robot === name)),

@@ -157,13 +157,23 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   @Override
-  public CompletionStage<Answer<Optional<FleetPause>>> pauseAll(String user) {
+  public CompletionStage<Answer<Optional<Hold>>> pauseAll(String user) {
     return ask(replyTo -> new ManagerMessage.Pause(true, user, replyTo));
   }
 
   @Override
-  public CompletionStage<Answer<Optional<FleetPause>>> resumeAll(String user) {
+  public CompletionStage<Answer<Optional<Hold>>> resumeAll(String user) {
     return ask(replyTo -> new ManagerMessage.Pause(false, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<Hold>>> holdFloor(String floor, String user) {
+    return ask(replyTo -> new ManagerMessage.HoldFloor(floor, true, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user) {
+    return ask(replyTo -> new ManagerMessage.HoldFloor(floor, false, user, replyTo));
   }
 
   private <T> CompletionStage<Answer<T>> ask(

@@ -59,9 +59,14 @@ public interface Fleet {
   CompletionStage<Answer<TaskView>> wish(long task, MissionEvent.Wish wish);
 
   /** All robots hold, those that connect later too. No safety function. */
-  CompletionStage<Answer<Optional<FleetPause>>> pauseAll(String user);
+  CompletionStage<Answer<Optional<Hold>>> pauseAll(String user);
 
-  CompletionStage<Answer<Optional<FleetPause>>> resumeAll(String user);
+  CompletionStage<Answer<Optional<Hold>>> resumeAll(String user);
+
+  /** All robots of a floor hold, those that connect later too. No safety function. */
+  CompletionStage<Answer<Optional<Hold>>> holdFloor(String floor, String user);
+
+  CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user);
 
   /** All floors, the first one the default. */
   List<FloorMap> floors();

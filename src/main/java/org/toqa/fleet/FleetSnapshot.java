@@ -23,7 +23,7 @@ public record FleetSnapshot(
     List<TaskView> tasks,
     int queued,
     List<FloorView> floors,
-    @Nullable FleetPause pause,
+    @Nullable Hold pause,
     List<String> alerts) {
 
   public FleetSnapshot {

@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
@@ -15,7 +16,8 @@ import org.toqa.motion.Trajectory;
  *
  * <ol>
  *   <li>At start the fleet reads {@link #robots}, {@link #outOfService}, {@link #held}, {@link
- *       #charges}, {@link #pause}, {@link #openTasks} and each robot's {@link #drive}.
+ *       #charges}, {@link #pause}, {@link #floorHolds}, {@link #openTasks} and each robot's {@link
+ *       #drive}.
  *   <li>From then on every change is written here before the command that follows from it is sent.
  * </ol>
  *
@@ -34,7 +36,10 @@ public interface FleetStore {
   Set<String> held();
 
   /** Whether all robots are paused. */
-  Optional<FleetPause> pause();
+  Optional<Hold> pause();
+
+  /** By name, the floors that are on hold. */
+  Map<String, Hold> floorHolds();
 
   /** How robots stand with charging. */
   List<ChargeRecord> charges();
@@ -69,7 +74,12 @@ public interface FleetStore {
   /**
    * @param pause null: the fleet goes on
    */
-  void savePause(@Nullable FleetPause pause, List<EventRecord> events);
+  void savePause(@Nullable Hold pause, List<EventRecord> events);
+
+  /**
+   * @param hold null: the floor's robots go on
+   */
+  void saveFloorHold(String floor, @Nullable Hold hold, List<EventRecord> events);
 
   /** All of them, or none. */
   void saveMissions(List<MissionChange> changes);

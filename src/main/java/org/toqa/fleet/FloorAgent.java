@@ -82,6 +82,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     missions =
         new FloorMissions(
             state, reports, new RobotWatch(rules.lostAfter()), context.getSelf(), manager);
+    state.hold = memory.hold();
     holding = new Holding(state, memory.pause());
     homing = new Homing(state);
     charging = new Charging(state, missions, rules.charging(), context.getSelf());
@@ -112,6 +113,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.Wished m -> missions.wished(m);
       case FloorMessage.Stored m -> missions.stored(m.step());
       case FloorMessage.Pause m -> holding.pause(m.pause());
+      case FloorMessage.HoldFloor m -> holding.holdFloor(m.hold());
       case FloorMessage.HoldRobot m -> wishes.hold(m);
       case FloorMessage.SendHome m -> wishes.sendHome(m);
       case FloorMessage.Locate m -> wishes.locate(m);

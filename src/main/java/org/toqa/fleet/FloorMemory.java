@@ -12,6 +12,7 @@ import org.toqa.fleet.FleetStore.OpenTask;
  * @param held names of robots
  * @param charges of its robots
  * @param pause null while the fleet is not paused
+ * @param hold null while the floor is not on hold
  * @param begun tasks that have robots
  */
 record FloorMemory(
@@ -19,5 +20,6 @@ record FloorMemory(
     Set<String> outOfService,
     Set<String> held,
     List<ChargeRecord> charges,
-    @Nullable FleetPause pause,
+    @Nullable Hold pause,
+    @Nullable Hold hold,
     List<OpenTask> begun) {}

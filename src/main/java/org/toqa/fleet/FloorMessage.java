@@ -39,7 +39,14 @@ sealed interface FloorMessage {
    *
    * @param pause null: they go on
    */
-  record Pause(@Nullable FleetPause pause) implements FloorMessage {}
+  record Pause(@Nullable Hold pause) implements FloorMessage {}
+
+  /**
+   * The floor's robots hold, or go on.
+   *
+   * @param hold null: they go on
+   */
+  record HoldFloor(@Nullable Hold hold) implements FloorMessage {}
 
   /** A person puts a robot on hold, or lets it go on. */
   record HoldRobot(

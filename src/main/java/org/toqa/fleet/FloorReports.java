@@ -43,7 +43,7 @@ final class FloorReports {
     state.robots.values().stream()
         .filter(state::isKept)
         .forEach(r -> kept.put(r.name(), CellRuns.of(state.traffic.held(r.name()))));
-    return watch.view(kept, state.chargers.faulty());
+    return watch.view(state.hold, kept, state.chargers.faulty());
   }
 
   RobotView view(FloorRobot robot) {

@@ -3,17 +3,20 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
 
 /**
- * What is in the way on a floor beside its walls and the robots that drive, as readers see it.
+ * A floor as readers see it: what is in the way beside its walls and the robots that drive.
  *
+ * @param hold by a person's word, of all its robots; null: they may drive
  * @param obstacles where robots have seen something that the map does not show
  * @param kept by name, the robots that are not heard of, with the cells that stay reserved for each
  */
 public record FloorView(
     String name,
+    @Nullable Hold hold,
     CellRuns obstacles,
     Map<String, CellRuns> kept,
     List<StandstillView> standstills,

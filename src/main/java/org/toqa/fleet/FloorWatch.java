@@ -7,6 +7,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.ObstacleMap.Obstacle;
@@ -111,11 +112,18 @@ final class FloorWatch {
   }
 
   /**
+   * @param hold as in {@link FloorView}
    * @param kept as in {@link FloorView}
    */
-  FloorView view(Map<String, CellRuns> kept, List<FaultyCharger> faultyChargers) {
+  FloorView view(
+      @Nullable Hold hold, Map<String, CellRuns> kept, List<FaultyCharger> faultyChargers) {
     return new FloorView(
-        floor.name(), CellRuns.of(obstacles.cells()), kept, standstills.lasting(), faultyChargers);
+        floor.name(),
+        hold,
+        CellRuns.of(obstacles.cells()),
+        kept,
+        standstills.lasting(),
+        faultyChargers);
   }
 
   private String place(Obstacle obstacle) {

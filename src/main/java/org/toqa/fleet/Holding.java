@@ -12,15 +12,24 @@ final class Holding {
   private static final Duration STARTS_WITHIN = Duration.ofSeconds(30);
 
   private final FloorState state;
-  private @Nullable FleetPause pause;
+  private @Nullable Hold pause;
 
-  Holding(FloorState state, @Nullable FleetPause pause) {
+  Holding(FloorState state, @Nullable Hold pause) {
     this.state = state;
     this.pause = pause;
   }
 
-  void pause(@Nullable FleetPause next) {
+  void pause(@Nullable Hold next) {
     pause = next;
+    lookAgain();
+  }
+
+  void holdFloor(@Nullable Hold next) {
+    state.hold = next;
+    lookAgain();
+  }
+
+  private void lookAgain() {
     state.changed = true;
     state.robots.values().forEach(this::holdOrGoOn);
   }
@@ -47,6 +56,9 @@ final class Holding {
   private @Nullable String reason(FloorRobot robot) {
     if (pause != null) {
       return "All robots are paused by " + pause.user();
+    }
+    if (state.hold != null) {
+      return "All robots of " + state.floor.name() + " are on hold by " + state.hold.user();
     }
     if (robot.held) {
       return "On hold by a person’s word";

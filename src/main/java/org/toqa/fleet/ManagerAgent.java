@@ -83,6 +83,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final Map<String, FloorMap> maps = new HashMap<>();
   private final Map<String, FloorDistances> distances = new HashMap<>();
 
+  private final Holds holds;
   private final TaskQueue queue = new TaskQueue();
   private final Exchanges exchanges = new Exchanges();
   private final DeadlineWatch deadlines;
@@ -111,8 +112,6 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final Set<String> deciding = new HashSet<>();
 
   private boolean changed = true;
-
-  private @Nullable FleetPause pause;
 
   static Behavior<ManagerMessage> of(
       List<FloorMap> floors,
@@ -160,7 +159,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     Set<String> outOfService = store.outOfService();
     Set<String> held = store.held();
     List<ChargeRecord> charges = store.charges();
-    this.pause = store.pause().orElse(null);
+    this.holds = new Holds(store, writer, clock, self, floors);
     stored.forEach(r -> robots.put(r.name(), r));
     for (OpenTask t : open) {
       if (t.mission().state() == TaskState.QUEUED) {
@@ -174,7 +173,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               outOfService,
               held,
               charges,
-              pause,
+              holds.pause(),
+              holds.of(floor.name()),
               open.stream()
                   .filter(t -> t.mission().state() != TaskState.QUEUED)
                   .filter(t -> t.mission().task().floor().equals(floor.name()))
@@ -226,8 +226,16 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               m.robot(), m.replyTo(), new FloorMessage.SendHome(m.robot(), m.user(), m.replyTo()));
       case ManagerMessage.Wished m -> wished(m);
       case ManagerMessage.WishStored m -> wishStored(m.mission());
-      case ManagerMessage.Pause m -> pause(m);
-      case ManagerMessage.PauseEnded m -> pauseEnded();
+      case ManagerMessage.Pause m -> {
+        holds.pause(m);
+        changed = true;
+      }
+      case ManagerMessage.PauseEnded m -> {
+        holds.pauseEnded();
+        changed = true;
+      }
+      case ManagerMessage.HoldFloor m -> holds.hold(m);
+      case ManagerMessage.FloorHoldEnded m -> holds.holdEnded(m.floor());
       case ManagerMessage.Returned m -> requeue(m.mission());
       case ManagerMessage.Begun m -> handedOver.remove(m.task());
       case ManagerMessage.NotBegun m -> requeue(m.mission());
@@ -495,46 +503,6 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         .filter(t -> t.id() == task)
         .findFirst()
         .flatMap(t -> floorAgent(t.task().floor()));
-  }
-
-  /** Robots hold at once, and go on only when that is stored. */
-  private void pause(ManagerMessage.Pause m) {
-    Instant at = clock.instant();
-    if (m.pause() == (pause != null)) {
-      m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(Optional.ofNullable(pause))));
-      return;
-    }
-    FleetPause next = m.pause() ? new FleetPause(m.user(), at) : null;
-    EventRecord event =
-        new EventRecord(
-            at,
-            m.pause() ? "fleet.paused" : "fleet.resumed",
-            null,
-            null,
-            m.user(),
-            m.user() + (m.pause() ? " paused all robots" : " let all robots go on"));
-    if (next != null) {
-      pauseIs(next);
-    }
-    ActorRef<ManagerMessage> self = getContext().getSelf();
-    writer.write(
-        () -> store.savePause(next, List.of(event)),
-        () -> {
-          if (next == null) {
-            self.tell(new ManagerMessage.PauseEnded());
-          }
-          m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(Optional.ofNullable(next))));
-        });
-  }
-
-  private void pauseEnded() {
-    pauseIs(null);
-  }
-
-  private void pauseIs(@Nullable FleetPause next) {
-    pause = next;
-    changed = true;
-    floors.values().forEach(f -> f.tell(new FloorMessage.Pause(next)));
   }
 
   private void tellFloorOf(
@@ -807,7 +775,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             newestFirst,
             queue.size(),
             floorViews(),
-            pause,
+            holds.pause(),
             List.copyOf(alerts)));
   }
 

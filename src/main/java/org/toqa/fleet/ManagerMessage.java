@@ -74,12 +74,22 @@ sealed interface ManagerMessage {
       implements ManagerMessage {}
 
   /** A person pauses all robots, or lets them go on. */
-  record Pause(
-      boolean pause, String user, ActorRef<StatusReply<Answer<Optional<FleetPause>>>> replyTo)
+  record Pause(boolean pause, String user, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
       implements ManagerMessage {}
 
   /** That they go on is safe. */
   record PauseEnded() implements ManagerMessage {}
+
+  /** A person puts a floor's robots on hold, or lets them go on. */
+  record HoldFloor(
+      String floor,
+      boolean hold,
+      String user,
+      ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
+      implements ManagerMessage {}
+
+  /** That the floor's robots go on is safe. */
+  record FloorHoldEnded(String floor) implements ManagerMessage {}
 
   /** A robot failed before it had the load: the task goes back to the queue, and that is safe. */
   record Returned(Mission mission) implements ManagerMessage {}

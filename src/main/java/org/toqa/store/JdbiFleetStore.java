@@ -7,19 +7,21 @@ import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.UUID;
+import java.util.stream.Collectors;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.EventRecord;
-import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
@@ -166,16 +168,16 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public Optional<FleetPause> pause() {
+  public Optional<Hold> pause() {
     return sql.in(
         h ->
             h.createQuery("select user_name, at from fleet_pause")
-                .map((rs, ctx) -> new FleetPause(rs.getString("user_name"), Rows.instant(rs, "at")))
+                .map((rs, ctx) -> new Hold(rs.getString("user_name"), Rows.instant(rs, "at")))
                 .findOne());
   }
 
   @Override
-  public void savePause(@Nullable FleetPause pause, List<EventRecord> events) {
+  public void savePause(@Nullable Hold pause, List<EventRecord> events) {
     sql.inTransaction(
         h -> {
           h.execute("delete from fleet_pause");
@@ -183,6 +185,37 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             h.createUpdate("insert into fleet_pause (id, user_name, at) values (1, :user, :at)")
                 .bind("user", pause.user())
                 .bind("at", Sql.utc(pause.since()))
+                .execute();
+          }
+          Events.add(h, events);
+          return null;
+        });
+  }
+
+  @Override
+  public Map<String, Hold> floorHolds() {
+    return sql.in(
+        h ->
+            h.createQuery("select floor, user_name, at from floor_holds")
+                .map(
+                    (rs, ctx) ->
+                        Map.entry(
+                            rs.getString("floor"),
+                            new Hold(rs.getString("user_name"), Rows.instant(rs, "at"))))
+                .collect(Collectors.toMap(Map.Entry::getKey, Map.Entry::getValue)));
+  }
+
+  @Override
+  public void saveFloorHold(String floor, @Nullable Hold hold, List<EventRecord> events) {
+    sql.inTransaction(
+        h -> {
+          h.execute("delete from floor_holds where floor = ?", floor);
+          if (hold != null) {
+            h.createUpdate(
+                    "insert into floor_holds (floor, user_name, at) values (:floor, :user, :at)")
+                .bind("floor", floor)
+                .bind("user", hold.user())
+                .bind("at", Sql.utc(hold.since()))
                 .execute();
           }
           Events.add(h, events);

@@ -48,6 +48,8 @@ public final class Doors {
           new Door("POST", "/robots/{name}/pair", MANAGER),
           new Door("POST", "/fleet/pause", USER),
           new Door("POST", "/fleet/resume", MANAGER),
+          new Door("POST", "/floors/{floor}/hold", MANAGER),
+          new Door("POST", "/floors/{floor}/resume", MANAGER),
           new Door("GET", "/users", USER),
           new Door("POST", "/users", MANAGER),
           new Door("POST", "/users/{id}/change", MANAGER),
@@ -87,7 +89,9 @@ public final class Doors {
           new Door("GET", "/api/v1/history", USER),
           new Door("GET", "/api/v1/fleet", USER),
           new Door("POST", "/api/v1/fleet/pause", USER),
-          new Door("POST", "/api/v1/fleet/resume", MANAGER));
+          new Door("POST", "/api/v1/fleet/resume", MANAGER),
+          new Door("POST", "/api/v1/floors/{floor}/hold", MANAGER),
+          new Door("POST", "/api/v1/floors/{floor}/resume", MANAGER));
 
   private Doors() {}
 

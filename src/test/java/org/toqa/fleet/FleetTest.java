@@ -13,6 +13,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
@@ -476,6 +477,32 @@ class FleetTest {
 
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(List.of("Max put r1 on hold"), history("robot.held"));
+  }
+
+  @Test
+  void whileAFloorIsOnHoldItsRobotsStandAlsoAfterARestart() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+    assertEquals(
+        new Answer.Unknown<>("There is no floor attic."),
+        stage.fleet.holdFloor("attic", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
+
+    assertEquals("Max", accepted(stage.fleet.holdFloor("hall", "Max")).orElseThrow().user());
+    until(view -> robot(view, "r1").state() == RobotState.HOLDING);
+    Vec2 stopped = played("r1").position();
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
+    FleetSnapshot held = stage.fleet.feed().latest();
+    assertEquals("Max", Objects.requireNonNull(held.floors().getFirst().hold()).user());
+    assertEquals("All robots of hall are on hold by Max", robot(held, "r1").doing());
+    assertEquals("All robots of hall are on hold by Max", task(held, task).waitingFor());
+    assertEquals(stopped, played("r1").position());
+
+    assertEquals(Optional.empty(), accepted(stage.fleet.resumeFloor("hall", "Boss")));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of("Max put all robots of hall on hold"), history("floor.held"));
+    assertEquals(List.of("Boss let the robots of hall go on"), history("floor.resumed"));
   }
 
   @Test

@@ -8,6 +8,7 @@ import java.sql.SQLException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
@@ -17,12 +18,12 @@ import org.junit.jupiter.api.Test;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.EventRecord;
-import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetStore.MissionChange;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.FleetStore.Submission;
+import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -214,7 +215,7 @@ class FleetStoreTest {
   void whoIsOnHoldAndWhetherAllArePausedComesBack() {
     store.saveRobot(R1);
     store.saveHold("r1", true, List.of());
-    FleetPause pause = new FleetPause("Ann", AT);
+    Hold pause = new Hold("Ann", AT);
     store.savePause(pause, List.of());
     store.savePause(pause, List.of()); // twice is as once
     assertEquals(Set.of("r1"), store.held());
@@ -224,6 +225,17 @@ class FleetStoreTest {
     store.savePause(null, List.of());
     assertEquals(Set.of(), store.held());
     assertEquals(Optional.empty(), store.pause());
+  }
+
+  @Test
+  void floorsOnHoldComeBack() {
+    Hold hold = new Hold("Ann", AT);
+    store.saveFloorHold("hall", hold, List.of());
+    store.saveFloorHold("hall", hold, List.of()); // twice is as once
+    store.saveFloorHold("attic", new Hold("Max", AT), List.of());
+    store.saveFloorHold("attic", null, List.of());
+
+    assertEquals(Map.of("hall", hold), store.floorHolds());
   }
 
   @Test

@@ -377,6 +377,7 @@ class AccessTest {
         .substring(1)
         .replace("{id}", "999999")
         .replace("{name}", "none")
+        .replace("{floor}", "none")
         .replace("*", "toqa.css");
   }
 }

@@ -423,6 +423,24 @@ class ApiTest {
     assertTrue(JSON.readTree(ofManager.body()).get("pause").isNull());
   }
 
+  @Test
+  void aManagerPutsAFloorOnHoldAndLetsItsRobotsGoOn() {
+    String clerk = tokenOf(WebTestServer.CLERK);
+    assertEquals(401, post(null, "api/v1/floors/hall/hold", "").statusCode());
+    assertEquals(403, post(clerk, "api/v1/floors/hall/hold", "").statusCode());
+    HttpResponse<String> unknown = post(token, "api/v1/floors/attic/hold", "");
+    assertEquals(404, unknown.statusCode());
+    assertEquals("There is no floor attic.", detail(unknown));
+
+    HttpResponse<String> held = post(token, "api/v1/floors/hall/hold", "");
+    assertEquals(200, held.statusCode());
+    assertEquals(
+        WebTestServer.MANAGER, JSON.readTree(held.body()).get("hold").get("user").stringValue());
+    HttpResponse<String> resumed = post(token, "api/v1/floors/hall/resume", "");
+    assertEquals(200, resumed.statusCode());
+    assertTrue(JSON.readTree(resumed.body()).get("hold").isNull());
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"cancel", "hold", "resume", "answer"})
   void aTaskIsChangedByItsOwnerAndByManagersOnly(String wish) {

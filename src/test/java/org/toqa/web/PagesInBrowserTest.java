@@ -149,10 +149,30 @@ class PagesInBrowserTest {
     Object crowded = pictureOf(page);
     server
         .fleet()
-        .changeFloor(new FloorView("hall", CellRuns.NONE, Map.of(), List.of(), List.of()));
+        .changeFloor(new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of()));
 
     page.waitForCondition(() -> !pictureOf(page).equals(crowded));
     assertThat(page.locator("#needs")).not().containsText("Standstill");
+  }
+
+  @Test
+  void aFloorIsPutOnHoldOnTheMap() {
+    server
+        .fleet()
+        .changeFloor(new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of()));
+    for (int width : List.of(1280, 390)) {
+      Page page = loggedIn(width, 900, ColorScheme.LIGHT);
+      assertThat(page.locator("#floors")).containsText("Floor hall");
+
+      page.getByText("Put its robots on hold").click();
+      assertThat(page.locator("#floors")).containsText("All its robots are on hold by Max");
+      page.getByText("Legend").scrollIntoViewIfNeeded();
+      picture(page, "map-floor-on-hold-" + width);
+
+      server.fleet().resumeFloor("hall", "Ann"); // elsewhere: the page follows
+      assertThat(page.locator("#floors")).not().containsText("on hold by");
+      assertThat(page.getByText("Put its robots on hold")).isVisible();
+    }
   }
 
   @Test
@@ -199,6 +219,7 @@ class PagesInBrowserTest {
         .changeFloor(
             new FloorView(
                 "hall",
+                null,
                 CellRuns.NONE,
                 Map.of("r2", new CellRuns(List.of(687, 1))),
                 List.of(),

@@ -17,12 +17,12 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
-import org.toqa.fleet.FleetPause;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
+import org.toqa.fleet.Hold;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
@@ -65,7 +65,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   private List<FloorView> floors = List.of();
   private boolean silent;
   private List<String> alerts = List.of();
-  private @Nullable FleetPause pause;
+  private @Nullable Hold pause;
 
   /** From now on the store does not answer. */
   void fallSilent() {
@@ -338,19 +338,44 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   @Override
-  public CompletionStage<Answer<Optional<FleetPause>>> pauseAll(String user) {
-    return pauseIs(new FleetPause(user, START));
+  public CompletionStage<Answer<Optional<Hold>>> pauseAll(String user) {
+    return pauseIs(new Hold(user, START));
   }
 
   @Override
-  public CompletionStage<Answer<Optional<FleetPause>>> resumeAll(String user) {
+  public CompletionStage<Answer<Optional<Hold>>> resumeAll(String user) {
     return pauseIs(null);
   }
 
-  private CompletionStage<Answer<Optional<FleetPause>>> pauseIs(@Nullable FleetPause next) {
+  private CompletionStage<Answer<Optional<Hold>>> pauseIs(@Nullable Hold next) {
     lock.lock();
     try {
       pause = next;
+      publish(latest.robots());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(Optional.ofNullable(next)));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<Hold>>> holdFloor(String floor, String user) {
+    return holdIs(floor, new Hold(user, START));
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user) {
+    return holdIs(floor, null);
+  }
+
+  private CompletionStage<Answer<Optional<Hold>>> holdIs(String floor, @Nullable Hold next) {
+    lock.lock();
+    try {
+      if (!floor.equals("hall")) {
+        return CompletableFuture.completedFuture(
+            new Answer.Unknown<>("There is no floor " + floor + "."));
+      }
+      floors = List.of(new FloorView(floor, next, CellRuns.NONE, Map.of(), List.of(), List.of()));
       publish(latest.robots());
       return CompletableFuture.completedFuture(new Answer.Accepted<>(Optional.ofNullable(next)));
     } finally {
@@ -481,6 +506,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   static FloorView crowdedFloor() {
     return new FloorView(
         "hall",
+        null,
         new CellRuns(List.of(375, 2, 415, 2)), // rows 9 and 10, columns 15 and 16
         Map.of("r6", new CellRuns(List.of(490, 2, 530, 2))), // rows 12 and 13, columns 10 and 11
         List.of(

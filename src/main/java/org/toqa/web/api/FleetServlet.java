@@ -8,7 +8,7 @@ import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
-import org.toqa.fleet.FleetPause;
+import org.toqa.fleet.Hold;
 import org.toqa.web.Doors;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.access.Caller;
@@ -19,9 +19,9 @@ public final class FleetServlet extends ApiServlet {
   /**
    * @param pause null while robots may drive
    */
-  private record FleetJson(@Nullable PauseJson pause) {
-    static FleetJson of(@Nullable FleetPause pause) {
-      return new FleetJson(PauseJson.of(pause));
+  private record FleetJson(@Nullable HoldJson pause) {
+    static FleetJson of(@Nullable Hold pause) {
+      return new FleetJson(HoldJson.of(pause));
     }
   }
 
@@ -36,7 +36,7 @@ public final class FleetServlet extends ApiServlet {
       throws IOException {
     Fleet fleet = services().fleet();
     String user = Caller.of(request).name();
-    CompletionStage<Answer<Optional<FleetPause>>> wish =
+    CompletionStage<Answer<Optional<Hold>>> wish =
         Doors.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user);
     Json.send(response, 200, FleetJson.of(accepted(FleetAnswers.await(wish)).orElse(null)));
   }

@@ -2,17 +2,19 @@ package org.toqa.web.api;
 
 import java.time.Instant;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.geometry.Vec2;
 
 /**
- * What is in the way on a floor, on the wire; the fields are those of {@link FloorView}. Cells are
- * runs as in {@link MapJson}.
+ * A floor on the wire; the fields are those of {@link FloorView}. Cells are runs as in {@link
+ * MapJson}.
  */
 record FloorJson(
     String floor,
+    @Nullable HoldJson hold,
     List<Integer> obstacles,
     List<KeptJson> kept,
     List<StandstillJson> standstills,
@@ -30,6 +32,7 @@ record FloorJson(
   static FloorJson of(FloorView view) {
     return new FloorJson(
         view.name(),
+        HoldJson.of(view.hold()),
         view.obstacles().runs(),
         view.kept().entrySet().stream()
             .map(e -> new KeptJson(e.getKey(), e.getValue().runs()))

@@ -17,7 +17,7 @@ final class SnapshotEvents {
       List<TaskJson> tasks,
       int queued,
       List<FloorJson> floors,
-      @Nullable PauseJson pause,
+      @Nullable HoldJson pause,
       List<String> alerts) {
 
     static SnapshotJson of(FleetSnapshot snapshot) {
@@ -28,7 +28,7 @@ final class SnapshotEvents {
           snapshot.tasks().stream().map(TaskJson::of).toList(),
           snapshot.queued(),
           snapshot.floors().stream().map(FloorJson::of).toList(),
-          PauseJson.of(snapshot.pause()),
+          HoldJson.of(snapshot.pause()),
           snapshot.alerts());
     }
   }

@@ -1,0 +1,144 @@
+package org.toqa.fleet;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What is on hold by a person's word: all robots, or those of a floor. Robots hold at once, and go
+ * on only when that is stored. Confined to the manager's agent.
+ */
+final class Holds {
+  private final FleetStore store;
+  private final StoreWriter writer;
+  private final InstantSource clock;
+  private final ActorRef<ManagerMessage> manager;
+  private final Map<String, ActorRef<FloorMessage>> floors;
+  private final Map<String, Hold> ofFloors;
+  private @Nullable Hold pause;
+
+  /**
+   * @param floors by name; to be filled before anybody wants something
+   */
+  Holds(
+      FleetStore store,
+      StoreWriter writer,
+      InstantSource clock,
+      ActorRef<ManagerMessage> manager,
+      Map<String, ActorRef<FloorMessage>> floors) {
+    this.store = store;
+    this.writer = writer;
+    this.clock = clock;
+    this.manager = manager;
+    this.floors = floors;
+    this.ofFloors = new HashMap<>(store.floorHolds());
+    this.pause = store.pause().orElse(null);
+  }
+
+  /** Null while not all robots are paused. */
+  @Nullable Hold pause() {
+    return pause;
+  }
+
+  @Nullable Hold of(String floor) {
+    return ofFloors.get(floor);
+  }
+
+  void pause(ManagerMessage.Pause m) {
+    if (m.pause() == (pause != null)) {
+      answer(m.replyTo(), pause);
+      return;
+    }
+    Instant at = clock.instant();
+    Hold next = m.pause() ? new Hold(m.user(), at) : null;
+    EventRecord event =
+        event(
+            at,
+            m.pause() ? "fleet.paused" : "fleet.resumed",
+            m.user(),
+            m.pause() ? " paused all robots" : " let all robots go on");
+    if (next != null) {
+      pauseIs(next);
+    }
+    writer.write(
+        () -> store.savePause(next, List.of(event)),
+        () -> {
+          if (next == null) {
+            manager.tell(new ManagerMessage.PauseEnded());
+          }
+          answer(m.replyTo(), next);
+        });
+  }
+
+  void pauseEnded() {
+    pauseIs(null);
+  }
+
+  private void pauseIs(@Nullable Hold next) {
+    pause = next;
+    floors.values().forEach(f -> f.tell(new FloorMessage.Pause(next)));
+  }
+
+  void hold(ManagerMessage.HoldFloor m) {
+    if (!floors.containsKey(m.floor())) {
+      m.replyTo()
+          .tell(StatusReply.success(new Answer.Unknown<>("There is no floor " + m.floor() + ".")));
+      return;
+    }
+    Hold now = ofFloors.get(m.floor());
+    if (m.hold() == (now != null)) {
+      answer(m.replyTo(), now);
+      return;
+    }
+    Instant at = clock.instant();
+    Hold next = m.hold() ? new Hold(m.user(), at) : null;
+    EventRecord event =
+        event(
+            at,
+            m.hold() ? "floor.held" : "floor.resumed",
+            m.user(),
+            m.hold()
+                ? " put all robots of " + m.floor() + " on hold"
+                : " let the robots of " + m.floor() + " go on");
+    if (next != null) {
+      holdIs(m.floor(), next);
+    }
+    writer.write(
+        () -> store.saveFloorHold(m.floor(), next, List.of(event)),
+        () -> {
+          if (next == null) {
+            manager.tell(new ManagerMessage.FloorHoldEnded(m.floor()));
+          }
+          answer(m.replyTo(), next);
+        });
+  }
+
+  void holdEnded(String floor) {
+    holdIs(floor, null);
+  }
+
+  private void holdIs(String floor, @Nullable Hold next) {
+    if (next == null) {
+      ofFloors.remove(floor);
+    } else {
+      ofFloors.put(floor, next);
+    }
+    Objects.requireNonNull(floors.get(floor)).tell(new FloorMessage.HoldFloor(next));
+  }
+
+  private static EventRecord event(Instant at, String kind, String user, String did) {
+    return new EventRecord(at, kind, null, null, user, user + did);
+  }
+
+  private static void answer(
+      ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo, @Nullable Hold hold) {
+    replyTo.tell(StatusReply.success(new Answer.Accepted<>(Optional.ofNullable(hold))));
+  }
+}

@@ -1,0 +1,37 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.Hold;
+import org.toqa.web.Doors;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.access.Caller;
+
+/** A floor: whether its robots are on hold. */
+public final class FloorServlet extends ApiServlet {
+
+  /**
+   * @param hold null while its robots may drive
+   */
+  private record FloorHoldJson(String floor, @Nullable HoldJson hold) {}
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Fleet fleet = services().fleet();
+    String floor = Doors.parameter(request, "floor");
+    String user = Caller.of(request).name();
+    CompletionStage<Answer<Optional<Hold>>> wish =
+        Doors.lastSegment(request).equals("hold")
+            ? fleet.holdFloor(floor, user)
+            : fleet.resumeFloor(floor, user);
+    Hold hold = accepted(FleetAnswers.await(wish)).orElse(null);
+    Json.send(response, 200, new FloorHoldJson(floor, HoldJson.of(hold)));
+  }
+}

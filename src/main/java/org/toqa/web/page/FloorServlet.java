@@ -1,0 +1,31 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.Fleet;
+import org.toqa.web.Doors;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.access.Caller;
+
+/** The button on the live map that puts a floor's robots on hold, and lets them go on. */
+public final class FloorServlet extends PageServlet {
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Fleet fleet = services().fleet();
+    String floor = Doors.parameter(request, "floor");
+    String user = Caller.of(request).name();
+    Answer<?> answer =
+        FleetAnswers.await(
+            Doors.lastSegment(request).equals("hold")
+                ? fleet.holdFloor(floor, user)
+                : fleet.resumeFloor(floor, user));
+    if (answer instanceof Answer.Unknown<?>(String sentence)) {
+      ErrorServlet.send(request, response, 404, sentence);
+    } else {
+      goTo(request, response, "/map");
+    }
+  }
+}
