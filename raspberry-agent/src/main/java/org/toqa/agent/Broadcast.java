@@ -14,15 +14,10 @@ import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.LeaderPose;
 
 /**
- * A leader's word to its followers: its pose every {@link #PERIOD_NANOS}, and at the end the end of
- * the formation until each has answered. For one thread.
+ * A leader's word to its followers: its pose every 200 ms, and at the end the end of the formation
+ * until each has answered. For one thread.
  */
 final class Broadcast implements AutoCloseable {
-
-  static final long PERIOD_NANOS = 200_000_000;
-
-  /** While the leader brakes: what followers do not know yet strains the shape. */
-  private static final long BRAKING_PERIOD_NANOS = 40_000_000;
 
   /** A follower that has not heard of the end by then has a server that asks what became of it. */
   private static final long LONGEST_END_NANOS = 10_000_000_000L;
@@ -36,13 +31,13 @@ final class Broadcast implements AutoCloseable {
   private final List<FollowerLink> links = new ArrayList<>();
   private final Set<String> released = new HashSet<>();
   private long seq;
-  private long due;
+  private BroadcastPace pace;
   private long endNanos;
   private boolean ending;
 
   Broadcast(String leader, Lead order, Dialer dialer, long nanos) {
     this.order = order;
-    this.due = nanos;
+    this.pace = new BroadcastPace(nanos);
     order.followers().forEach(f -> links.add(new FollowerLink(leader, f, dialer, answers)));
   }
 
@@ -61,24 +56,22 @@ final class Broadcast implements AutoCloseable {
    * Tells where the leader is, if it is time.
    *
    * @param stamp milliseconds since 1970
-   * @param pose map frame
+   * @param place map frame
    * @param braking whether the leader stops for a follower's sake and still moves
    */
-  void tell(Pose pose, Twist twist, boolean braking, long stamp, long nanos) {
-    if (nanos < due && !(braking && nanos >= due - PERIOD_NANOS + BRAKING_PERIOD_NANOS)) {
-      return;
+  void tell(Pose place, Twist twist, boolean braking, long stamp, long nanos) {
+    if (pace.isTime(braking, nanos)) {
+      LeaderPose message =
+          new LeaderPose(order.task(), ++seq, stamp, place, new Speed(twist.vx(), twist.w()));
+      links.forEach(link -> link.send(message));
     }
-    due = braking || nanos - due > PERIOD_NANOS ? nanos + PERIOD_NANOS : due + PERIOD_NANOS;
-    LeaderPose message =
-        new LeaderPose(order.task(), ++seq, stamp, pose, new Speed(twist.vx(), twist.w()));
-    links.forEach(link -> link.send(message));
   }
 
   /** From now on it tells of the end. */
   void end(long nanos) {
     ending = true;
     endNanos = nanos;
-    due = nanos;
+    pace = new BroadcastPace(nanos);
   }
 
   /** Tells of the end, if it is time, until {@link #isOver}. */
@@ -88,8 +81,7 @@ final class Broadcast implements AutoCloseable {
         released.add(answer.follower());
       }
     }
-    if (nanos >= due) {
-      due = nanos + PERIOD_NANOS;
+    if (pace.isTime(false, nanos)) {
       links.stream()
           .filter(link -> !released.contains(link.follower()))
           .forEach(link -> link.send(new FormationEnd(order.task())));

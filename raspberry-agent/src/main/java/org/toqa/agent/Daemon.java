@@ -263,7 +263,7 @@ public final class Daemon implements AutoCloseable {
     return leader != null
         && leader.ended() == null
         && inbox.isEmpty()
-        && now - leaderHeardNanos > Broadcast.PERIOD_NANOS + 2 * TICK.toNanos();
+        && now - leaderHeardNanos > BroadcastPace.PERIOD_NANOS + 2 * TICK.toNanos();
   }
 
   /**
