@@ -87,6 +87,7 @@ public final class Daemon implements AutoCloseable {
   private final Door door;
   private final Dialer dialer;
 
+  private volatile Runnable heard = () -> {};
   private int ticks;
   private Twist command = Twist.ZERO;
   private final Deque<ServerConnection> guests = new ArrayDeque<>();
@@ -235,7 +236,34 @@ public final class Daemon implements AutoCloseable {
   }
 
   private void greetLater(LinkSocket link) {
-    new ServerConnection(config.name(), link, inbox).start();
+    new ServerConnection(config.name(), link, this::hearLater).start();
+  }
+
+  private void hearLater(Inbound inbound) throws InterruptedException {
+    inbox.put(inbound);
+    heard.run();
+  }
+
+  /**
+   * @param listener is run on some thread when somebody has said something that waits for a tick
+   */
+  void onHeard(Runnable listener) {
+    heard = listener;
+  }
+
+  /** Whether something that somebody said waits for a tick. */
+  boolean hasHeard() {
+    return !inbox.isEmpty();
+  }
+
+  /** Whether it neither drives nor has to do with a formation, and would not miss some ticks. */
+  boolean isAtRest() {
+    return ticks == SelfTest.TICKS
+        && command.equals(Twist.ZERO)
+        && leader == null
+        && broadcast == null
+        && endings.isEmpty()
+        && control.isAtRest();
   }
 
   /**

@@ -4,11 +4,14 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * Ticks a daemon by the machine's monotonic clock, or by one that goes faster, on the thread that
- * calls {@link #run}.
+ * calls {@link #run}. A robot at rest is ticked less often, and at once when it is spoken to.
  */
 final class RealTimeLoop implements Runnable {
 
   private static final long PERIOD = Daemon.TICK.toNanos();
+
+  /** Three for each state that it tells, and well below what its microcontroller endures. */
+  private static final long AT_REST = 66_666_666;
 
   private final Daemon daemon;
   private final double speed;
@@ -25,16 +28,21 @@ final class RealTimeLoop implements Runnable {
 
   @Override
   public void run() {
+    Thread own = Thread.currentThread();
+    daemon.onHeard(() -> LockSupport.unpark(own));
+    long period = PERIOD;
     long next = time();
-    while (running && !Thread.currentThread().isInterrupted()) {
+    while (running && !own.isInterrupted()) {
       long now = time();
-      if (now - next < 0) {
+      boolean isCalled = period == AT_REST && daemon.hasHeard();
+      if (now - next < 0 && !isCalled) {
         LockSupport.parkNanos((long) ((next - now) / speed));
         continue;
       }
       daemon.tick(now);
+      period = daemon.isAtRest() ? AT_REST : PERIOD;
       // after a stall the ticks that were missed are not made up for
-      next = now - next > PERIOD ? now + PERIOD : next + PERIOD;
+      next = isCalled || now - next > period ? now + period : next + period;
     }
   }
 

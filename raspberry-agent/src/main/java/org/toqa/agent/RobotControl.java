@@ -471,6 +471,11 @@ final class RobotControl {
     return runner == null ? Mode.IDLE : Mode.DRIVING;
   }
 
+  /** Whether its body stands, and nothing but a word from outside would move it. */
+  boolean isAtRest() {
+    return body.stands() && (mode() == Mode.IDLE || mode() == Mode.HOLDING);
+  }
+
   private boolean isHeldBySilence() {
     return silent
         && runner != null

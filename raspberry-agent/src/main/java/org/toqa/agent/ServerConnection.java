@@ -27,16 +27,22 @@ final class ServerConnection implements AutoCloseable {
 
   private final String robot;
   private final LinkSocket socket;
-  private final BlockingQueue<Inbound> inbox;
+  private final Listener listener;
   private final BlockingQueue<byte[]> outbox = new ArrayBlockingQueue<>(QUEUED_LINES);
   private final Thread reader;
   private final Thread writer;
   private volatile @Nullable String ended;
 
-  ServerConnection(String robot, LinkSocket socket, BlockingQueue<Inbound> inbox) {
+  /** Takes what is heard; may wait. */
+  @FunctionalInterface
+  interface Listener {
+    void heard(Inbound inbound) throws InterruptedException;
+  }
+
+  ServerConnection(String robot, LinkSocket socket, Listener listener) {
     this.robot = robot;
     this.socket = socket;
-    this.inbox = inbox;
+    this.listener = listener;
     reader = Thread.ofVirtual().name(robot + "-reader").unstarted(this::read);
     writer = Thread.ofVirtual().name(robot + "-writer").unstarted(this::write);
   }
@@ -76,10 +82,10 @@ final class ServerConnection implements AutoCloseable {
 
   private void read() {
     try {
-      inbox.put(new Inbound.Opened(this));
+      listener.heard(new Inbound.Opened(this));
       LineReader lines = new LineReader(socket.in());
       for (LineReader.Line line = lines.next(); line != null; line = lines.next()) {
-        inbox.put(new Inbound.Heard(this, LinkCodec.serverMessage(line)));
+        listener.heard(new Inbound.Heard(this, LinkCodec.serverMessage(line)));
       }
       ended = "the server closed it";
     } catch (IOException e) {

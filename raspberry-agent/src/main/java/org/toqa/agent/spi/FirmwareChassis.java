@@ -47,8 +47,8 @@ public final class FirmwareChassis implements Chassis {
 
   private static final FirmwareCommand REST = new Velocity(Twist.ZERO);
 
-  /** Of a body that stands, every so many ticks are enough: 80 ms, and it takes 200 of silence. */
-  private static final int TICKS_AT_REST = 4;
+  /** A body that stands is spoken to no oftener; it takes 200 ms of silence. */
+  private static final long AT_REST_NANOS = 60_000_000;
 
   private static final Fault SILENT =
       new Fault("CHASSIS_SILENT", "The robot's microcontroller does not answer.");
@@ -61,7 +61,7 @@ public final class FirmwareChassis implements Chassis {
   private FirmwareCommand told = REST;
   private int sequence;
   private int unanswered;
-  private int ticksAtRest;
+  private long exchangedNanos;
   private boolean captioned;
   private boolean cleared;
 
@@ -96,10 +96,10 @@ public final class FirmwareChassis implements Chassis {
   @Override
   public ChassisReading exchange(Twist wanted, long nanos) {
     FirmwareCommand command = next(wanted);
-    if (isAtRest(command) && ++ticksAtRest < TICKS_AT_REST) {
+    if (isAtRest(command) && nanos - exchangedNanos < AT_REST_NANOS) {
       return reading();
     }
-    ticksAtRest = 0;
+    exchangedNanos = nanos;
     told = command;
     sequence = (sequence + 1) % FrameCodec.SEQUENCES;
     try {
