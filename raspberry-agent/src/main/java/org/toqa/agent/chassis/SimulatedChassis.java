@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
@@ -54,6 +55,9 @@ public final class SimulatedChassis implements Chassis {
   private Odometry odometry;
   private boolean started;
   private long lastNanos;
+  private long commandNanos;
+  private int framesToLose;
+  private @Nullable ChassisReading reading;
 
   /** Kilograms on board. */
   private double load;
@@ -136,9 +140,19 @@ public final class SimulatedChassis implements Chassis {
     }
     started = true;
     lastNanos = nanos;
-    body = body.commanded(command);
+    boolean isLost = framesToLose > 0;
+    framesToLose -= isLost ? 1 : 0;
+    body = isLost ? body : body.commanded(command);
+    commandNanos = isLost ? commandNanos : nanos;
     file.write(body);
     surroundings.isAt(body.truth());
+    if (!isLost || reading == null) {
+      reading = reading(nanos);
+    }
+    return reading;
+  }
+
+  private ChassisReading reading(long nanos) {
     return new ChassisReading(
         body.powerCycle(),
         body.powerCycle() == 1 ? body.start() : null,
@@ -159,6 +173,11 @@ public final class SimulatedChassis implements Chassis {
     body = body.powerCycled();
     odometry = odometryOf(body);
     file.write(body);
+  }
+
+  /** Fault switch: so many exchanges to come do not reach the body, and it is not heard in them. */
+  public void loseFrames(int count) {
+    framesToLose = count;
   }
 
   /** Fault switch: the wheels stand and obey nothing, and the body does not know why. */
@@ -193,7 +212,8 @@ public final class SimulatedChassis implements Chassis {
   }
 
   private void live(long nanos) {
-    double commanded = Math.min(nanos, COMMAND_LIFE_NANOS) / 1e9;
+    long left = Math.max(0, commandNanos + COMMAND_LIFE_NANOS - lastNanos);
+    double commanded = Math.min(nanos, left) / 1e9;
     move(body.command(), commanded);
     move(Twist.ZERO, nanos / 1e9 - commanded);
   }

@@ -50,6 +50,14 @@ public final class FirmwareChassis implements Chassis {
   /** A body that stands is spoken to no oftener; it takes 200 ms of silence. */
   private static final long AT_REST_NANOS = 60_000_000;
 
+  /** Failures are told in the log no oftener. */
+  private static final long TELL_NANOS = 60_000_000_000L;
+
+  private static final Fault POOR_LINK =
+      new Fault(
+          "CHASSIS_LINK",
+          "Of the exchanges with the robot's microcontroller one in five fails: check its cable.");
+
   private static final Fault SILENT =
       new Fault("CHASSIS_SILENT", "The robot's microcontroller does not answer.");
 
@@ -61,6 +69,9 @@ public final class FirmwareChassis implements Chassis {
   private FirmwareCommand told = REST;
   private int sequence;
   private int unanswered;
+  private final LinkQuality quality = new LinkQuality();
+  private long toldFailures;
+  private long toldNanos;
   private long exchangedNanos;
   private boolean captioned;
   private boolean cleared;
@@ -110,7 +121,23 @@ public final class FirmwareChassis implements Chassis {
         log.warn("The robot's microcontroller cannot be reached: {}", e.getMessage());
       }
     }
+    quality.count(unanswered == 0);
+    tellFailures(nanos);
     return reading();
+  }
+
+  private void tellFailures(long nanos) {
+    if (quality.failures() > toldFailures && nanos - toldNanos >= TELL_NANOS) {
+      log.warn(
+          "{} of {} exchanges with the robot's microcontroller have failed; it counts {} bad"
+              + " frames and {} lost bytes.",
+          quality.failures(),
+          quality.exchanges(),
+          status.badFrames(),
+          status.lostBytes());
+      toldFailures = quality.failures();
+      toldNanos = nanos;
+    }
   }
 
   private boolean isAtRest(FirmwareCommand command) {
@@ -187,6 +214,8 @@ public final class FirmwareChassis implements Chassis {
     List<Fault> faults = new ArrayList<>();
     if (unanswered >= SILENT_EXCHANGES) {
       faults.add(SILENT);
+    } else if (quality.isPoor()) {
+      faults.add(POOR_LINK);
     }
     status.stopReasons().stream().sorted().map(StopReason::fault).forEach(faults::add);
     return faults;

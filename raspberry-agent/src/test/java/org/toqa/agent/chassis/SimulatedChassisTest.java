@@ -212,6 +212,23 @@ class SimulatedChassisTest {
   }
 
   @Test
+  void lostFramesAreBorneUntilTheCommandRunsOut() {
+    try (SimulatedChassis body = new SimulatedChassis(START, SimulatedWheels.omni(0, 0), 1)) {
+      Twist ahead = new Twist(0.25, 0, 0);
+      run(body, ahead, SECOND);
+      body.loseFrames(5);
+      assertEquals(0.25, run(body, ahead, 6).twist().vx(), 0.01);
+
+      body.loseFrames(SECOND + 1);
+      Pose before = body.truth();
+      Pose heard = run(body, ahead, SECOND).odometry();
+      assertEquals(0.25 * 0.3, before.distanceTo(body.truth()), 0.03); // 0.2 s, and the roll-out
+      assertEquals(before.distanceTo(START), heard.x(), 0.02); // nothing new was heard
+      assertEquals(0.25, run(body, ahead, SECOND).twist().vx(), 0.01);
+    }
+  }
+
+  @Test
   void slippingWheelIsUnseenByTheEncoders() {
     try (SimulatedChassis body = new SimulatedChassis(START, SimulatedWheels.omni(0, 0), 1)) {
       body.slipWheel(0, 0.5);

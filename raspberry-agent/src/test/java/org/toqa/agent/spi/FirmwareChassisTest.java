@@ -12,11 +12,13 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.agent.spi.FirmwareCommand.Velocity;
 import org.toqa.geometry.Twist;
+import org.toqa.link.message.AgentMessage.Fault;
 
 /** Over a microcontroller that always says that it stands. */
 class FirmwareChassisTest {
   private static final int TICK = 20_000_000;
   private static final int SEQUENCE = 7;
+  private static final int SECOND = 50;
   private static final Twist FORWARD = new Twist(0.25, 0, 0);
 
   private final List<byte[]> sent = new ArrayList<>();
@@ -67,6 +69,33 @@ class FirmwareChassisTest {
     assertEquals(10, sent.size());
     tick(Twist.ZERO, 1);
     assertVelocity(Twist.ZERO);
+  }
+
+  @Test
+  void linkOnWhichEveryFourthFrameIsLostStopsTheRobotUntilItIsBetter() {
+    byte[] good = answer;
+    for (int i = 0; i < 5 * SECOND; i++) {
+      answer = i % 4 == 0 ? new byte[0] : good;
+      tick(FORWARD, 1);
+    }
+    assertEquals(List.of("CHASSIS_LINK"), codes());
+    answer = good;
+    tick(FORWARD, 5 * SECOND);
+    assertEquals(List.of(), codes());
+  }
+
+  @Test
+  void fewLostFramesAreBorne() {
+    byte[] good = answer;
+    for (int i = 0; i < 60 * SECOND; i++) {
+      answer = i % 10 == 0 ? new byte[0] : good;
+      tick(FORWARD, 1);
+      assertEquals(List.of(), codes());
+    }
+  }
+
+  private List<String> codes() {
+    return chassis.exchange(FORWARD, nanos).faults().stream().map(Fault::code).toList();
   }
 
   @Test
