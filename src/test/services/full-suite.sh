@@ -56,6 +56,7 @@ require cppcheck cppcheck
 require socat socat
 require ip iproute2
 require faketime faketime
+require python3 python3
 
 cd "$root"
 say "testing the firmware"

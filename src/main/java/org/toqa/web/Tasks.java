@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.TaskState;
 
@@ -20,7 +21,7 @@ public final class Tasks {
     return services.fleet().feed().latest().tasks().stream()
         .filter(task -> task.id() == id)
         .findFirst()
-        .or(() -> services.archive().task(id).map(Tasks::withReason));
+        .or(() -> services.archive().task(id).map(this::withReason));
   }
 
   /** Newest first. */
@@ -33,8 +34,8 @@ public final class Tasks {
         .toList();
   }
 
-  /** Snapshots hold the first ones of the queue; what else is queued comes after them. */
-  private static TaskView withReason(TaskView stored) {
+  /** Snapshots hold the first ones of the queue; what else is queued comes after them, or now. */
+  private TaskView withReason(TaskView stored) {
     return stored.state() == TaskState.QUEUED && stored.waitingFor() == null
         ? new TaskView(
             stored.task(),
@@ -42,11 +43,17 @@ public final class Tasks {
             stored.held(),
             stored.robots(),
             stored.loadAt(),
-            "Other tasks in the queue come before it.",
+            isQueueLong() ? "Other tasks in the queue come before it." : "Looking for a robot.",
             stored.needs(),
             stored.late(),
             stored.changedAt())
         : stored;
+  }
+
+  private boolean isQueueLong() {
+    FleetSnapshot latest = services.fleet().feed().latest();
+    return latest.queued()
+        > latest.tasks().stream().filter(t -> t.state() == TaskState.QUEUED).count();
   }
 
   public long count() {
