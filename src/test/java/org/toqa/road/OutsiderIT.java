@@ -23,18 +23,18 @@ class OutsiderIT {
 
   @Test
   void serverDrivesAForeignRobot() throws Exception {
-    try (ToqaProcess robot = program("robot.py", "foreign", "13.05", "9.75");
+    try (ToqaProcess robot = program("robot.py", "foreign", "2.55", "10.65");
         RunningServer server = new RunningServer(folder)) {
       int port = Integer.parseInt(robot.awaitErr("\\d+").group());
       Map<String, Object> order =
           Map.of("name", "foreign", "host", "127.0.0.1", "port", port, "maxLoad", 5);
       server.api().post("robots", order);
-      long task = server.addTask("box", "Store A", "Store C");
+      long task = server.addTask("box", "Workbench 2", "Mill");
 
       server.awaitState(task, "RETURNING");
 
       JsonNode pose = server.await("robots/foreign", r -> true).get("pose");
-      assertTrue(Math.hypot(pose.get("x").asDouble() - 14.85, pose.get("y").asDouble() - 7.95) < 1);
+      assertTrue(Math.hypot(pose.get("x").asDouble() - 3.45, pose.get("y").asDouble() - 9.45) < 1);
       assertEquals(1, server.happened(task, "Picked up"));
       assertEquals(1, server.happened(task, "Delivered"));
     }

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.net.ConnectException;
+import java.net.NoRouteToHostException;
 import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -51,6 +53,9 @@ class LostNetworkIT {
 
   /** Where the robots stand at first; y is 1. */
   private static final int[] X = {1, 3, 1};
+
+  private static final long CONNECT_NANOS = 20_000_000_000L;
+  private static final long BETWEEN_TRIES_NANOS = 250_000_000;
 
   @TempDir Path folder;
   private RobotNetwork network;
@@ -186,11 +191,22 @@ class LostNetworkIT {
     return server;
   }
 
+  /** As a server does: a cable that was just mended has no route yet, so it tries again. */
   private GroupServer connect(int robot) throws IOException {
-    GroupServer server =
-        new GroupServer(LinkSocket.plain(new Socket(network.address(robot), PORT)));
-    servers.add(server);
-    return server;
+    long end = System.nanoTime() + CONNECT_NANOS;
+    while (true) {
+      try {
+        GroupServer server =
+            new GroupServer(LinkSocket.plain(new Socket(network.address(robot), PORT)));
+        servers.add(server);
+        return server;
+      } catch (ConnectException | NoRouteToHostException e) {
+        if (System.nanoTime() > end) {
+          throw e;
+        }
+        LockSupport.parkNanos(BETWEEN_TRIES_NANOS);
+      }
+    }
   }
 
   private static void waitUntil(long begin, int seconds) {
