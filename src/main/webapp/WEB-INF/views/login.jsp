@@ -9,6 +9,7 @@
   <article class="card">
     <h1>${title}</h1>
     <p class="faint"><fmt:message key="product.claim"/></p>
+    <c:if test="${param.done == 'reset'}"><p class="notice good" role="status"><fmt:message key="login.done.reset"/></p></c:if>
     <t:errors/>
     <form method="post" action="${root}/" novalidate>
       <t:csrf/>
@@ -17,5 +18,6 @@
       <t:field name="password" label="login.password" type="password" autocomplete="current-password"/>
       <button><fmt:message key="login.submit"/></button>
     </form>
+    <a href="${root}/forgotten"><fmt:message key="login.forgotten"/></a>
   </article>
 </t:page>

@@ -36,6 +36,7 @@ import org.toqa.fleet.ChargingRules;
  * @param keepTracks how long it is kept where robots were
  * @param keepHistory how long ended tasks and events are kept
  * @param manager the manager to make while there is none
+ * @param mail who takes letters; null: none are sent
  * @param plainLinks whether robots on other machines may be spoken to without encryption
  */
 public record Configuration(
@@ -54,6 +55,7 @@ public record Configuration(
     Duration keepTracks,
     Duration keepHistory,
     @Nullable FirstManager manager,
+    @Nullable MailServer mail,
     boolean plainLinks,
     Level logLevel) {
 
@@ -65,6 +67,31 @@ public record Configuration(
     public String toString() {
       return "Database[" + url + "]";
     }
+  }
+
+  /**
+   * @param from an e-mail address
+   * @param site the address of the pages, for links in letters; without a slash at its end
+   */
+  public record MailServer(
+      String host,
+      int port,
+      MailSecurity security,
+      @Nullable String user,
+      @Nullable String password,
+      String from,
+      String site) {
+    @Override
+    public String toString() {
+      return "MailServer[" + host + ":" + port + "]";
+    }
+  }
+
+  /** How the way to the mail server is encrypted. */
+  public enum MailSecurity {
+    STARTTLS,
+    TLS,
+    NONE
   }
 
   /** The account that a new installation begins with. */
@@ -110,6 +137,7 @@ public record Configuration(
           Duration.ofDays(wholeNumber(Setting.KEEP_TRACKS, 1, 3650)),
           Duration.ofDays(wholeNumber(Setting.KEEP_HISTORY, 1, 3650)),
           manager(),
+          mail(),
           yesOrNo(Setting.PLAIN_LINKS),
           logLevel());
     }
@@ -271,6 +299,38 @@ public record Configuration(
         throw outside(Setting.MANAGER);
       }
       return new FirstManager(text.substring(0, colon), text.substring(colon + 1));
+    }
+
+    private @Nullable MailServer mail() throws ConfigurationException {
+      String host = text(Setting.MAIL_HOST).strip();
+      if (host.isEmpty()) {
+        return null;
+      }
+      return new MailServer(
+          host,
+          wholeNumber(Setting.MAIL_PORT, 1, 65_535),
+          mailSecurity(),
+          orNull(text(Setting.MAIL_USER)),
+          orNull(text(Setting.MAIL_PASSWORD)),
+          matching(Setting.MAIL_FROM, "[^\\s@<>,;]+@[^\\s@<>,;]+"),
+          matching(Setting.SITE, "https?://[^\\s/?#]+(/[^\\s?#]*)?").replaceFirst("/+$", ""));
+    }
+
+    private MailSecurity mailSecurity() throws ConfigurationException {
+      return switch (text(Setting.MAIL_SECURITY).strip()) {
+        case "starttls" -> MailSecurity.STARTTLS;
+        case "tls" -> MailSecurity.TLS;
+        case "none" -> MailSecurity.NONE;
+        default -> throw outside(Setting.MAIL_SECURITY);
+      };
+    }
+
+    private String matching(Setting setting, String pattern) throws ConfigurationException {
+      String text = text(setting).strip();
+      if (!text.matches(pattern)) {
+        throw outside(setting);
+      }
+      return text;
     }
 
     private boolean yesOrNo(Setting setting) throws ConfigurationException {

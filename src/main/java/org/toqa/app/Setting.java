@@ -29,6 +29,14 @@ enum Setting {
   KEEP_TRACKS("keepTracks", "90", "a whole number of days from 1 to 3650"),
   KEEP_HISTORY("keepHistory", "730", "a whole number of days from 1 to 3650"),
   MANAGER("manager", "", "name:password of the first manager"),
+  SITE(
+      "site", "", "the address of the pages as browsers have it, such as https://toqa.example.org"),
+  MAIL_HOST("mail.host", "", "the host name of a mail server (SMTP)"),
+  MAIL_PORT("mail.port", "587", "a whole number from 1 to 65535"),
+  MAIL_SECURITY("mail.security", "starttls", "starttls, tls or none"),
+  MAIL_USER("mail.user", "", "a user of the mail server"),
+  MAIL_PASSWORD("mail.password", "", "that user's password"),
+  MAIL_FROM("mail.from", "", "the e-mail address that letters come from, such as toqa@example.org"),
   PLAIN_LINKS("plainLinks", "false", "true or false"),
   LOG_LEVEL("logLevel", "INFO", "one of ERROR, WARN, INFO, DEBUG, TRACE");
 
@@ -68,7 +76,7 @@ enum Setting {
   }
 
   boolean isSecret() {
-    return this == DATABASE_PASSWORD || this == MANAGER;
+    return this == DATABASE_PASSWORD || this == MAIL_PASSWORD || this == MANAGER;
   }
 
   static Optional<Setting> ofKey(String key) {

@@ -31,13 +31,15 @@ import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedRobot;
 import org.toqa.sim.VirtualClock;
 import org.toqa.store.Accounts;
-import org.toqa.store.ApiTokens;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiTrackStore;
+import org.toqa.store.PasswordResets;
 import org.toqa.store.Pruning;
+import org.toqa.store.Sessions;
 import org.toqa.web.Services;
+import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.Passwords;
 
 /**
@@ -50,7 +52,6 @@ import org.toqa.web.access.Passwords;
 final class Toqa implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Toqa.class);
   private static final Duration FLEET_TICK = Duration.ofMillis(100);
-  private static final Duration TOKEN_LIFE = Duration.ofHours(12);
   private static final double SIMULATED_LOAD = 5;
 
   private final Configuration configuration;
@@ -122,7 +123,13 @@ final class Toqa implements AutoCloseable {
     }
     clock.start();
     parts.push(clock);
-    ApiTokens tokens = new ApiTokens(database.jdbi(), wallClock, TOKEN_LIFE);
+    Sessions sessions = new Sessions(database.jdbi(), wallClock);
+    PasswordLinks passwordLinks =
+        new PasswordLinks(
+            accounts,
+            new PasswordResets(database.jdbi(), wallClock),
+            configuration.mail() == null ? null : new SmtpMail(configuration.mail()),
+            wallClock);
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
     parts.push(new TrackRecorder(fleet.feed(), tracks));
     parts.push(
@@ -138,7 +145,8 @@ final class Toqa implements AutoCloseable {
             new JdbiEventArchive(database.jdbi()),
             tracks,
             accounts,
-            tokens,
+            sessions,
+            passwordLinks,
             passwords,
             wallClock);
     return new Toqa(configuration, clock, services, parts);

@@ -5,17 +5,16 @@ import java.sql.SQLException;
 import java.sql.SQLIntegrityConstraintViolationException;
 import java.time.Instant;
 import java.time.InstantSource;
-import java.time.LocalDateTime;
-import java.time.ZoneOffset;
 import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.JdbiException;
 import org.jdbi.v3.core.statement.StatementContext;
-import org.toqa.fleet.EventRecord;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoreException;
 
 /**
@@ -36,7 +35,7 @@ public final class Accounts {
   }
 
   private static final String COLUMNS =
-      "u.id as user_id, u.name, u.password_hash, u.role, u.disabled, u.created_at";
+      "u.id as user_id, u.name, u.email, u.password_hash, u.role, u.disabled, u.created_at";
 
   private final Sql sql;
   private final InstantSource clock;
@@ -84,17 +83,42 @@ public final class Accounts {
                 .findOne());
   }
 
+  /** The user of that name, or else all of that e-mail address, in any case. */
+  public List<Account> byNameOrEmail(String given) {
+    return byName(given).map(List::of).orElseGet(() -> byEmail(given));
+  }
+
+  private List<Account> byEmail(String email) {
+    return sql.in(
+        handle ->
+            handle
+                .createQuery("select " + COLUMNS + " from users u where lower(u.email) = :email")
+                .bind("email", key(email))
+                .map(Accounts::account)
+                .list());
+  }
+
   /**
    * Empty when the name is taken.
    *
    * @param by who does it
    */
   public Optional<Account> add(String name, String passwordHash, Role role, String by) {
+    return add(name, null, passwordHash, role, by);
+  }
+
+  /**
+   * The same with an e-mail address.
+   *
+   * @param email where a link goes when the password is forgotten; null: nowhere
+   */
+  public Optional<Account> add(
+      String name, @Nullable String email, String passwordHash, Role role, String by) {
     try {
       return Optional.of(
           sql.inTransaction(
               handle -> {
-                Account account = insert(handle, name, passwordHash, role, clock.instant());
+                Account account = insert(handle, name, email, passwordHash, role);
                 tell(handle, "user.added", by, "%s added the user %s".formatted(by, name));
                 return account;
               }));
@@ -108,7 +132,7 @@ public final class Accounts {
   }
 
   private void tell(Handle handle, String kind, String by, String text) {
-    Events.addNew(handle, List.of(new EventRecord(clock.instant(), kind, null, null, by, text)));
+    Events.addOfUsers(handle, clock.instant(), kind, by, text);
   }
 
   /** Empty when there is a manager already, or a user of that name. */
@@ -173,7 +197,7 @@ public final class Accounts {
     return account.isManager() && !account.disabled() && managers(handle) == 1;
   }
 
-  /** Also ends the user's API tokens. False when there is no such user. */
+  /** Also ends the user's sessions and tokens. False when there is no such user. */
   public boolean changePassword(long id, String passwordHash, String by) {
     return sql.inTransaction(
         handle -> {
@@ -181,8 +205,7 @@ public final class Accounts {
           if (account.isEmpty()) {
             return false;
           }
-          handle.execute("delete from api_tokens where user_id = ?", id);
-          handle.execute("update users set password_hash = ? where id = ?", passwordHash, id);
+          setPassword(handle, id, passwordHash);
           tell(
               handle,
               "user.password",
@@ -192,14 +215,48 @@ public final class Accounts {
         });
   }
 
+  /** Ends what the old password, or a link to replace it, opened. */
+  static void setPassword(Handle handle, long id, String passwordHash) {
+    Sessions.endAll(handle, id);
+    handle.execute("delete from password_resets where user_id = ?", id);
+    handle.execute("update users set password_hash = ? where id = ?", passwordHash, id);
+  }
+
+  /**
+   * Where a link goes when the password is forgotten.
+   *
+   * @param email null: nowhere
+   * @return false when there is no such user
+   */
+  public boolean changeEmail(long id, @Nullable String email, String by) {
+    return sql.inTransaction(
+        handle -> {
+          Optional<Account> found = byId(handle, id);
+          found
+              .filter(old -> !Objects.equals(old.email(), email))
+              .ifPresent(
+                  old -> {
+                    handle.execute("update users set email = ? where id = ?", email, id);
+                    handle.execute("delete from password_resets where user_id = ?", id);
+                    tell(
+                        handle,
+                        "user.changed",
+                        by,
+                        "%s changed the e-mail address of %s".formatted(by, old.name()));
+                  });
+          return found.isPresent();
+        });
+  }
+
   static Account account(ResultSet row, StatementContext context) throws SQLException {
     return new Account(
         row.getLong("user_id"),
         row.getString("name"),
+        row.getString("email"),
         row.getString("password_hash"),
         Role.valueOf(row.getString("role")),
         row.getBoolean("disabled"),
-        row.getObject("created_at", LocalDateTime.class).toInstant(ZoneOffset.UTC));
+        Rows.instant(row, "created_at"));
   }
 
   static String columns() {
@@ -214,24 +271,26 @@ public final class Accounts {
         .findOne();
   }
 
-  private static Account insert(
-      Handle handle, String name, String passwordHash, Role role, Instant now) {
+  private Account insert(
+      Handle handle, String name, @Nullable String email, String passwordHash, Role role) {
+    Instant now = clock.instant().truncatedTo(ChronoUnit.MILLIS);
     long id =
         handle
             .createUpdate(
                 """
-                insert into users (name, name_key, password_hash, role, created_at)
-                values (:name, :key, :hash, :role, :now)
+                insert into users (name, name_key, email, password_hash, role, created_at)
+                values (:name, :key, :email, :hash, :role, :now)
                 """)
             .bind("name", name)
             .bind("key", key(name))
+            .bind("email", email)
             .bind("hash", passwordHash)
             .bind("role", role.name())
             .bind("now", Sql.utc(now))
             .executeAndReturnGeneratedKeys("id")
             .mapTo(Long.class)
             .one();
-    return new Account(id, name, passwordHash, role, false, now.truncatedTo(ChronoUnit.MILLIS));
+    return new Account(id, name, email, passwordHash, role, false, now);
   }
 
   private static int managers(Handle handle) {

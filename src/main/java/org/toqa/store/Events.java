@@ -2,6 +2,7 @@ package org.toqa.store;
 
 import java.sql.ResultSet;
 import java.sql.SQLException;
+import java.time.Instant;
 import java.util.List;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.statement.PreparedBatch;
@@ -40,6 +41,11 @@ final class Events {
     if (batch.size() > 0) {
       batch.execute();
     }
+  }
+
+  /** What somebody did with a user. */
+  static void addOfUsers(Handle h, Instant at, String kind, String by, String text) {
+    addNew(h, List.of(new EventRecord(at, kind, null, null, by, text)));
   }
 
   private static boolean isThere(Handle h, EventRecord e) {

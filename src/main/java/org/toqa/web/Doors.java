@@ -27,6 +27,10 @@ public final class Doors {
           new Door("GET", "/", STRANGER),
           new Door("POST", "/", STRANGER),
           new Door("POST", "/logout", USER),
+          new Door("GET", "/forgotten", STRANGER),
+          new Door("POST", "/forgotten", STRANGER),
+          new Door("GET", "/reset", STRANGER),
+          new Door("POST", "/reset", STRANGER),
           new Door("GET", "/map", USER),
           new Door("GET", "/tasks", USER),
           new Door("GET", "/tasks/new", USER),
@@ -52,13 +56,21 @@ public final class Doors {
           new Door("POST", "/floors/{floor}/resume", MANAGER),
           new Door("GET", "/users", USER),
           new Door("POST", "/users", MANAGER),
+          new Door("GET", "/users/{id}", USER),
           new Door("POST", "/users/{id}/change", MANAGER),
           new Door("POST", "/users/{id}/password", USER),
+          new Door("POST", "/users/{id}/email", USER),
+          new Door("POST", "/users/{id}/tokens", USER),
+          new Door("POST", "/users/{id}/sessions/{session}/end", USER),
+          new Door("POST", "/users/{id}/reset-link", MANAGER),
           new Door("POST", "/users/{id}/delete", MANAGER),
           new Door("GET", "/statistics", USER),
           new Door("GET", "/history", USER),
           new Door("GET", "/api/v1/health", ANYBODY),
           new Door("POST", "/api/v1/session", STRANGER),
+          new Door("DELETE", "/api/v1/session", USER),
+          new Door("POST", "/api/v1/forgotten-password", STRANGER),
+          new Door("POST", "/api/v1/reset-password", STRANGER),
           new Door("GET", "/api/v1/openapi.json", USER),
           new Door("GET", "/api/v1/map", USER),
           new Door("GET", "/api/v1/events", USER),
@@ -82,9 +94,15 @@ public final class Doors {
           new Door("POST", "/api/v1/robots/{name}/pair", MANAGER),
           new Door("GET", "/api/v1/users", USER),
           new Door("POST", "/api/v1/users", MANAGER),
+          new Door("GET", "/api/v1/users/{id}", USER),
           new Door("PUT", "/api/v1/users/{id}", MANAGER),
           new Door("DELETE", "/api/v1/users/{id}", MANAGER),
           new Door("POST", "/api/v1/users/{id}/password", USER),
+          new Door("POST", "/api/v1/users/{id}/email", USER),
+          new Door("GET", "/api/v1/users/{id}/sessions", USER),
+          new Door("DELETE", "/api/v1/users/{id}/sessions/{session}", USER),
+          new Door("POST", "/api/v1/users/{id}/tokens", USER),
+          new Door("POST", "/api/v1/users/{id}/reset-link", MANAGER),
           new Door("GET", "/api/v1/tracks/{name}", USER),
           new Door("GET", "/api/v1/history", USER),
           new Door("GET", "/api/v1/fleet", USER),
@@ -153,10 +171,21 @@ public final class Doors {
     return (String) Objects.requireNonNull(parameters.get(name), name);
   }
 
+  public static boolean hasParameter(ServletRequest request, String name) {
+    return ((Map<?, ?>) request.getAttribute(PARAMETERS)).containsKey(name);
+  }
+
   /** The number in the path that stands for {@code {name}}, or 0, which nothing has. */
   public static long number(ServletRequest request, String name) {
     String given = parameter(request, name);
     return given.matches(NUMBER) ? Long.parseLong(given) : 0;
+  }
+
+  /** Where the browser found these pages, without a slash at its end. */
+  public static String site(HttpServletRequest request) {
+    String url = request.getRequestURL().toString();
+    return url.substring(0, url.length() - request.getRequestURI().length())
+        + request.getContextPath();
   }
 
   /** What the request asks of the thing in its path: the path's last segment. */

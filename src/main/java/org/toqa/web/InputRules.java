@@ -19,6 +19,9 @@ public final class InputRules {
   private static final int LONGEST_TASK_NAME = 100;
 
   private static final int LONGEST_HOST = 255;
+  private static final int LONGEST_EMAIL = 254;
+  private static final int LONGEST_TOKEN_NAME = 64;
+  private static final int MOST_DAYS = 365;
   private static final int SHORTEST_PASSWORD = 10;
   private static final int LONGEST_PASSWORD = 200;
   private static final int HIGHEST_PORT = 65_535;
@@ -41,6 +44,12 @@ public final class InputRules {
   private static final Pattern ROBOT_NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,63}");
   private static final Pattern USER_NAME =
       Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}._@-]{0,63}");
+
+  /** One address, and nothing that a letter's head would take for more. */
+  private static final Pattern EMAIL =
+      Pattern.compile(
+          "[A-Za-z0-9.!#$%&'*+/=?^_`{|}~-]{1,64}@[A-Za-z0-9]([A-Za-z0-9.-]*[A-Za-z0-9])?");
+
   private static final Pattern HOST =
       Pattern.compile("[A-Za-z0-9:]([A-Za-z0-9.:%_-]*[A-Za-z0-9])?");
 
@@ -169,6 +178,38 @@ public final class InputRules {
       refuse(field, "error.userName");
     }
     return name;
+  }
+
+  /** An e-mail address; null where none is given. */
+  public @Nullable String email(String field, @Nullable String given) {
+    if (given == null || given.isBlank()) {
+      return null;
+    }
+    String email = given.strip();
+    if (email.length() > LONGEST_EMAIL || !EMAIL.matcher(email).matches()) {
+      refuse(field, "error.email");
+    }
+    return email;
+  }
+
+  /** What its owner calls a token. */
+  public String tokenName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (name.isEmpty()
+        || name.length() > LONGEST_TOKEN_NAME
+        || name.codePoints().anyMatch(InputRules::isUnprintable)) {
+      refuse(field, "error.tokenName", LONGEST_TOKEN_NAME);
+    }
+    return name;
+  }
+
+  /** How many days a token is good. */
+  public int tokenDays(String field, @Nullable Double given) {
+    if (given == null || given != Math.rint(given) || !(given >= 1 && given <= MOST_DAYS)) {
+      refuse(field, "error.tokenDays", MOST_DAYS);
+      return 1;
+    }
+    return given.intValue();
   }
 
   /** A clerk where none is given. */

@@ -8,8 +8,9 @@ import org.toqa.fleet.Fleet;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TrackStore;
 import org.toqa.store.Accounts;
-import org.toqa.store.ApiTokens;
+import org.toqa.store.Sessions;
 import org.toqa.web.access.Login;
+import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.Passwords;
 
 /** What the web application stands on. Whoever starts it puts this into the servlet context. */
@@ -19,7 +20,8 @@ public record Services(
     EventArchive history,
     TrackStore tracks,
     Accounts accounts,
-    ApiTokens tokens,
+    Sessions sessions,
+    PasswordLinks passwordLinks,
     Passwords passwords,
     InstantSource clock,
     Login login) {
@@ -33,7 +35,8 @@ public record Services(
       EventArchive history,
       TrackStore tracks,
       Accounts accounts,
-      ApiTokens tokens,
+      Sessions sessions,
+      PasswordLinks passwordLinks,
       Passwords passwords,
       InstantSource clock) {
     return new Services(
@@ -42,7 +45,8 @@ public record Services(
         history,
         tracks,
         accounts,
-        tokens,
+        sessions,
+        passwordLinks,
         passwords,
         clock,
         Login.of(accounts, passwords, clock));

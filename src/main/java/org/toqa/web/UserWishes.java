@@ -1,10 +1,15 @@
 package org.toqa.web;
 
+import jakarta.servlet.http.HttpServletRequest;
+import java.time.Duration;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.store.Account;
 import org.toqa.store.Accounts;
+import org.toqa.store.Sessions;
 import org.toqa.web.access.Caller;
+import org.toqa.web.access.Login;
+import org.toqa.web.access.Origins;
 
 /** Does what a person wants of a user, whether it came by a form or by the wire. */
 public final class UserWishes {
@@ -18,8 +23,8 @@ public final class UserWishes {
     this.errors = errors;
   }
 
-  /** A user changes his own password, a manager all. */
-  public static boolean mayChangePassword(Caller caller, Account user) {
+  /** A user sees and changes himself, a manager all. */
+  public static boolean maySee(Caller caller, Account user) {
     return caller.isManager() || isOwn(caller, user);
   }
 
@@ -27,22 +32,77 @@ public final class UserWishes {
     return caller.account().id() == user.id();
   }
 
-  /**
-   * A user who changes his own must know the old one. Sessions and tokens of the user end.
-   *
-   * @param field that gets the sentence when it is refused
-   */
+  /** A user who changes his own must know the old one. Sessions and tokens of the user end. */
   public void changePassword(
-      Caller caller, Account user, String field, @Nullable String given, @Nullable String old) {
-    String password = new InputRules(texts, errors).newPassword(field, given, user.name());
-    if (isOwn(caller, user)
-        && !services.passwords().matches(old == null ? "" : old, Optional.of(user))) {
-      errors.add(field, texts.get("error.password.old"));
-    }
+      Caller caller, Account user, @Nullable String given, @Nullable String old) {
+    String password = new InputRules(texts, errors).newPassword("password", given, user.name());
+    refuseUnlessKnown(caller, user, "old", old);
     if (errors.isEmpty()) {
       services
           .accounts()
           .changePassword(user.id(), services.passwords().hash(password), caller.name());
+    }
+  }
+
+  /**
+   * A user who changes his own must know his password, for a link to replace it goes there.
+   *
+   * @param given null: none any more
+   * @param passwordField that gets the sentence when the password is wrong
+   */
+  public void changeEmail(
+      Caller caller,
+      Account user,
+      @Nullable String given,
+      String passwordField,
+      @Nullable String password) {
+    String email = new InputRules(texts, errors).email("email", given);
+    refuseUnlessKnown(caller, user, passwordField, password);
+    if (errors.isEmpty()) {
+      services.accounts().changeEmail(user.id(), email, caller.name());
+    }
+  }
+
+  /**
+   * A token for the user's own programs.
+   *
+   * @param nameField that gets the sentence when the name is refused
+   * @param days how long it is good
+   */
+  public Optional<Sessions.Begun> makeToken(
+      Caller caller,
+      Account user,
+      String nameField,
+      @Nullable String name,
+      @Nullable Double days,
+      HttpServletRequest request) {
+    InputRules rules = new InputRules(texts, errors);
+    String called = rules.tokenName(nameField, name);
+    int life = rules.tokenDays("days", days);
+    if (!isOwn(caller, user)) {
+      errors.add("form", texts.get("problem.notYourToken"));
+    }
+    return errors.isEmpty()
+        ? Optional.of(
+            services
+                .sessions()
+                .issueToken(user, called, Origins.of(request), Duration.ofDays(life)))
+        : Optional.empty();
+  }
+
+  private void refuseUnlessKnown(
+      Caller caller, Account user, String field, @Nullable String password) {
+    if (!isOwn(caller, user)) {
+      return;
+    }
+    switch (services
+        .login()
+        .attempt(
+            user.name(), password == null ? "" : password, caller.session().origin().address())) {
+      case Login.Outcome.Welcome welcome -> {}
+      case Login.Outcome.TooSoon tooSoon ->
+          errors.add(field, texts.get("error.login.tooSoon", tooSoon.seconds()));
+      default -> errors.add(field, texts.get("error.password.old"));
     }
   }
 

@@ -13,14 +13,18 @@ import org.jdbi.v3.core.Jdbi;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.EventArchive.Filter;
+import org.toqa.store.Session.Kind;
 
 class AccountsTest {
   private static final Instant START = Instant.parse("2026-11-21T08:00:00.123Z");
 
+  private static final Session.Origin ORIGIN = new Session.Origin("10.0.0.7", "a browser");
+
   private Instant now = START;
   private Jdbi jdbi;
   private Accounts accounts;
-  private ApiTokens tokens;
+  private Sessions sessions;
+  private PasswordResets resets;
 
   @BeforeEach
   void openEmptyDatabase() {
@@ -30,7 +34,8 @@ class AccountsTest {
     Flyway.configure().dataSource(url, "sa", "").locations("classpath:sql").load().migrate();
     jdbi = Jdbi.create(url, "sa", "");
     accounts = new Accounts(jdbi, () -> now);
-    tokens = new ApiTokens(jdbi, () -> now, Duration.ofHours(12));
+    sessions = new Sessions(jdbi, () -> now);
+    resets = new PasswordResets(jdbi, () -> now);
   }
 
   @Test
@@ -76,36 +81,130 @@ class AccountsTest {
 
   @Test
   void aTokenIsGoodUntilItExpires() {
-    Account ada = accounts.add("ada", "hash", Role.CLERK, "boss").orElseThrow();
-    String token = tokens.issue(ada.id());
+    Account ada = ada();
+    Sessions.Begun begun = sessions.issueToken(ada, "ci", ORIGIN, Duration.ofDays(2));
 
-    now = START.plus(Duration.ofHours(12)).minusMillis(1);
-    assertEquals(Optional.of(ada), tokens.owner(token));
-    assertEquals(Optional.empty(), tokens.owner(token + "x"));
-    now = START.plus(Duration.ofHours(12));
-    assertEquals(Optional.empty(), tokens.owner(token));
+    now = START.plus(Duration.ofDays(2)).minusMillis(1);
+    assertEquals(Optional.of(ada), owner(Kind.TOKEN, begun.secret()));
+    assertEquals(Optional.empty(), owner(Kind.TOKEN, begun.secret() + "x"));
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, begun.secret()), "shown in another way");
+    now = START.plus(Duration.ofDays(2));
+    assertEquals(Optional.empty(), owner(Kind.TOKEN, begun.secret()));
+    assertEquals(List.of(), sessions.of(ada.id()));
   }
 
   @Test
-  void aNewPasswordEndsTheUsersTokens() {
-    Account ada = accounts.add("ada", "hash", Role.CLERK, "boss").orElseThrow();
-    String token = tokens.issue(ada.id());
+  void aBrowsersSessionEndsTwelveHoursAfterItsLastUse() {
+    Account ada = ada();
+    String secret = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+
+    now = START.plus(Duration.ofHours(11));
+    assertEquals(Optional.of(ada), owner(Kind.BROWSER, secret));
+    now = START.plus(Duration.ofHours(22));
+    assertEquals(Optional.of(ada), owner(Kind.BROWSER, secret), "11 h after the last use");
+    assertEquals(now, sessions.of(ada.id()).getFirst().seenAt());
+    now = START.plus(Duration.ofHours(34));
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, secret));
+  }
+
+  @Test
+  void aSessionIsEndedByItsUserOnly() {
+    Account ada = ada();
+    Account bob = accounts.add("bob", "hash", Role.CLERK, "boss").orElseThrow();
+    Sessions.Begun begun = sessions.begin(ada, Kind.BROWSER, ORIGIN);
+
+    assertFalse(sessions.end(bob, begun.session().id(), "bob"));
+    assertEquals(List.of(begun.session()), sessions.of(ada.id()));
+    assertTrue(sessions.end(ada, begun.session().id(), "boss"));
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, begun.secret()));
+    assertFalse(begun.toString().contains(begun.secret()), "it reaches no log");
+  }
+
+  @Test
+  void aNewPasswordEndsTheUsersSessionsTokensAndLinks() {
+    Account ada = ada();
+    String browser = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    String token = sessions.issueToken(ada, "ci", ORIGIN, Duration.ofDays(2)).secret();
+    String link = resets.issue(ada, Duration.ofHours(1), "ada");
 
     assertTrue(accounts.changePassword(ada.id(), "new hash", "boss"));
 
-    assertEquals(Optional.empty(), tokens.owner(token));
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, browser));
+    assertEquals(Optional.empty(), owner(Kind.TOKEN, token));
+    assertEquals(Optional.empty(), resets.user(link));
     assertEquals("new hash", accounts.byId(ada.id()).orElseThrow().passwordHash());
     assertFalse(accounts.changePassword(ada.id() + 1, "new hash", "boss"));
   }
 
   @Test
-  void theTokensOfADeletedUserEndWithHim() {
-    Account ada = accounts.add("ada", "hash", Role.CLERK, "boss").orElseThrow();
-    String token = tokens.issue(ada.id());
+  void theSessionsOfADeletedUserEndWithHim() {
+    Account ada = ada();
+    String token = sessions.begin(ada, Kind.TOKEN, ORIGIN).secret();
+    String link = resets.issue(ada, Duration.ofHours(1), "boss");
 
     accounts.delete(ada.id(), "boss");
 
-    assertEquals(Optional.empty(), tokens.owner(token));
+    assertEquals(Optional.empty(), owner(Kind.TOKEN, token));
+    assertFalse(resets.replace(link, "new hash"));
+  }
+
+  @Test
+  void aLinkReplacesAPasswordOnce() {
+    Account ada = ada();
+    String browser = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    String first = resets.issue(ada, Duration.ofHours(1), "ada");
+    String second = resets.issue(ada, Duration.ofHours(1), "ada");
+
+    assertEquals(Optional.empty(), resets.user(first), "the second ended it");
+    assertEquals(Optional.of(ada), resets.user(second));
+    assertFalse(resets.replace(first, "new hash"));
+    assertTrue(resets.replace(second, "new hash"));
+    assertFalse(resets.replace(second, "newer hash"));
+    assertEquals("new hash", accounts.byId(ada.id()).orElseThrow().passwordHash());
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, browser));
+  }
+
+  @Test
+  void aLinkIsGoodForItsTime() {
+    String link = resets.issue(ada(), Duration.ofHours(1), "ada");
+
+    now = START.plus(Duration.ofHours(1)).minusMillis(1);
+    assertTrue(resets.user(link).isPresent());
+    now = START.plus(Duration.ofHours(1));
+    assertEquals(Optional.empty(), resets.user(link));
+    assertFalse(resets.replace(link, "new hash"));
+  }
+
+  @Test
+  void whoeverForgotIsFoundByNameOrElseByEmail() {
+    Account ada =
+        accounts.add("ada", "Shared@example.org", "hash", Role.CLERK, "boss").orElseThrow();
+    Account bob =
+        accounts.add("bob", "shared@example.org", "hash", Role.CLERK, "boss").orElseThrow();
+
+    assertEquals(List.of(ada), accounts.byNameOrEmail("ADA"));
+    assertEquals(List.of(ada, bob), accounts.byNameOrEmail("SHARED@example.org"));
+    assertEquals(List.of(), accounts.byNameOrEmail("nobody@example.org"));
+  }
+
+  @Test
+  void aNewEmailAddressEndsTheLinkThatWentToTheOldOne() {
+    Account ada = ada();
+    String link = resets.issue(ada, Duration.ofHours(1), "ada");
+
+    assertTrue(accounts.changeEmail(ada.id(), "ada@example.org", "ada"));
+    assertEquals(Optional.empty(), resets.user(link));
+    assertEquals("ada@example.org", accounts.byId(ada.id()).orElseThrow().email());
+    assertTrue(accounts.changeEmail(ada.id(), null, "boss"));
+    assertFalse(accounts.changeEmail(ada.id() + 1, null, "boss"));
+  }
+
+  private Account ada() {
+    return accounts.add("ada", "hash", Role.CLERK, "boss").orElseThrow();
+  }
+
+  private Optional<Account> owner(Kind kind, String secret) {
+    return sessions.login(kind, secret).map(Sessions.Login::account);
   }
 
   @Test

@@ -18,7 +18,7 @@ import org.toqa.testbed.RealMySql;
 /** The shipped {@code sql/}, on the databases that the product runs on. */
 class MigrationsTest {
   private static final Set<String> TABLES =
-      Set.of("users", "api_tokens", "robots", "tasks", "task_robots", "drives", "events");
+      Set.of("users", "sessions", "robots", "tasks", "task_robots", "drives", "events");
 
   @Test
   void runOnH2() throws SQLException {

@@ -235,20 +235,71 @@ class PagesInBrowserTest {
   void aManagerDisablesAUserAndIsNotDisabledHimself(int width, int height, String name) {
     Page page = loggedIn(width, height, ColorScheme.LIGHT);
     page.navigate(server.root() + "users");
-    Locator clara = page.locator(".user").filter(new Locator.FilterOptions().setHasText("Clara"));
-    clara.getByText("Change", exactly()).click();
-    clara.getByLabel("May not log in").check();
+    page.getByRole(AriaRole.LINK, link("Clara")).click();
+    page.getByLabel("May not log in").check();
     picture(page, name + "-users-change");
-    clara.getByText("Save", exactly()).click();
+    page.locator("main").getByText("Save", exactly()).last().click();
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("The user was changed.");
-    assertThat(clara).containsText("Clerk, may not log in");
+    assertThat(page.locator(".heading")).containsText("Clerk, may not log in");
 
-    Locator max = page.locator(".user").filter(new Locator.FilterOptions().setHasText("Max"));
-    max.getByText("Change", exactly()).click();
-    max.getByLabel("May not log in").check();
-    max.getByText("Save", exactly()).click();
-    assertThat(max).containsText("This is the last manager.");
+    page.getByText("All users").click();
+    page.getByRole(AriaRole.LINK, link("Max")).click();
+    page.getByLabel("May not log in").check();
+    page.locator("main").getByText("Save", exactly()).last().click();
+    assertThat(page.locator("main").getByRole(AriaRole.ALERT))
+        .containsText("This is the last manager.");
     picture(page, name + "-users-refused");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280, 900, LIGHT, desktop", "1280, 900, DARK, dark", "390, 844, LIGHT, phone"})
+  void aManagerMakesATokenAndALinkAndEndsASession(
+      int width, int height, ColorScheme scheme, String name) {
+    Page page = loggedIn(width, height, scheme);
+    Visitor.loggedIn(server.root(), WebTestServer.MANAGER).close();
+    page.navigate(server.root() + "users");
+    page.getByRole(AriaRole.LINK, link("Max")).click();
+    page.getByLabel("What it is for").fill("Night shift");
+    page.getByText("Make the token").click();
+    assertThat(page.locator(".secret")).hasText(Pattern.compile("[A-Za-z0-9_-]{43}"));
+    assertThat(page.locator("tbody tr")).hasCount(3);
+    picture(page, name + "-user-token");
+    assertFits(page);
+    Locator other =
+        page.locator("tbody tr")
+            .filter(new Locator.FilterOptions().setHasText("Browser").setHasNotText("this one"));
+    other.getByText("End", exactly()).click();
+    assertThat(page.locator("tbody tr")).hasCount(2);
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("The session has ended.");
+
+    page.getByText("All users").click();
+    picture(page, name + "-users");
+    page.getByRole(AriaRole.LINK, link("Clara")).click();
+    page.getByText("Make a link for a new password").click();
+    String reset = page.locator(".secret").textContent();
+    picture(page, name + "-user-link");
+    assertFits(page);
+    page.context().clearCookies();
+    page.navigate(server.root() + reset.substring(reset.indexOf("reset?")));
+    picture(page, name + "-reset");
+    page.getByLabel("New password").fill("a sentence of my own");
+    page.getByText("Replace the password").click();
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("The password was replaced.");
+    page.getByLabel("Name").fill("Clara");
+    page.getByLabel("Password", new Page.GetByLabelOptions().setExact(true))
+        .fill("a sentence of my own");
+    page.getByRole(AriaRole.BUTTON)
+        .filter(new Locator.FilterOptions().setHasText("Log in"))
+        .click();
+    assertThat(page.locator("#age")).containsText("Live");
+  }
+
+  private static void assertFits(Page page) {
+    assertFalse((Boolean) page.evaluate("document.documentElement.scrollWidth > innerWidth"));
+  }
+
+  private static Page.GetByRoleOptions link(String name) {
+    return new Page.GetByRoleOptions().setName(name).setExact(true);
   }
 
   private static Locator.GetByTextOptions exactly() {

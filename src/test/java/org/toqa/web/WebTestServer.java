@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Comparator;
 import java.util.List;
@@ -24,11 +23,13 @@ import org.flywaydb.core.Flyway;
 import org.jdbi.v3.core.Jdbi;
 import org.toqa.fleet.EventRecord;
 import org.toqa.store.Accounts;
-import org.toqa.store.ApiTokens;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiTrackStore;
+import org.toqa.store.PasswordResets;
 import org.toqa.store.Role;
+import org.toqa.store.Sessions;
+import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.Passwords;
 
 /** The shipped web application in an embedded Tomcat, over a fleet and a database in memory. */
@@ -43,6 +44,7 @@ final class WebTestServer implements AutoCloseable {
   private static final String PASSWORD_HASH = PASSWORDS.hash(PASSWORD);
 
   private final TestFleet fleet = new TestFleet();
+  private final Letters letters = new Letters();
   private final Accounts accounts;
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
@@ -73,7 +75,13 @@ final class WebTestServer implements AutoCloseable {
     Flyway.configure().dataSource(url, "sa", "").locations("classpath:sql").load().migrate();
     Jdbi jdbi = Jdbi.create(url, "sa", "");
     accounts = new Accounts(jdbi, InstantSource.system());
-    ApiTokens tokens = new ApiTokens(jdbi, InstantSource.system(), Duration.ofHours(12));
+    Sessions sessions = new Sessions(jdbi, InstantSource.system());
+    PasswordLinks links =
+        new PasswordLinks(
+            accounts,
+            new PasswordResets(jdbi, InstantSource.system()),
+            letters,
+            InstantSource.system());
     tracks = new JdbiTrackStore(jdbi);
     Services services =
         Services.of(
@@ -82,7 +90,8 @@ final class WebTestServer implements AutoCloseable {
             new JdbiEventArchive(jdbi),
             tracks,
             accounts,
-            tokens,
+            sessions,
+            links,
             PASSWORDS,
             InstantSource.system());
     store = new JdbiFleetStore(jdbi);
@@ -119,6 +128,10 @@ final class WebTestServer implements AutoCloseable {
   /** What the history is read from. */
   JdbiFleetStore store() {
     return store;
+  }
+
+  Letters letters() {
+    return letters;
   }
 
   JdbiTrackStore tracks() {

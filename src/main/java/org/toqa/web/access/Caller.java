@@ -5,9 +5,10 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.store.Account;
+import org.toqa.store.Session;
 
 /** The user whose request it is, and how he proved it. */
-public record Caller(Account account, Credential credential) {
+public record Caller(Account account, Session session, Credential credential) {
   /** Also the name under which views find the caller. */
   private static final String ATTRIBUTE = "caller";
 

@@ -19,8 +19,8 @@ public final class CallerFilter extends HttpFilter {
           .flatMap(
               shown ->
                   shown
-                      .account(Services.from(request.getServletContext()))
-                      .map(account -> new Caller(account, shown)))
+                      .login(Services.from(request.getServletContext()))
+                      .map(login -> new Caller(login.account(), login.session(), shown)))
           .ifPresent(caller -> caller.keepIn(request));
     }
     chain.doFilter(request, response);

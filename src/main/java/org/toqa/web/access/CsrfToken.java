@@ -1,16 +1,15 @@
 package org.toqa.web.access;
 
 import jakarta.servlet.http.HttpServletRequest;
-import jakarta.servlet.http.HttpSession;
+import jakarta.servlet.http.HttpServletResponse;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
-import java.security.SecureRandom;
-import java.util.Base64;
 import org.jspecify.annotations.Nullable;
+import org.toqa.store.Secret;
 
 /**
- * The secret of a session that its own pages send back with every write (synchronizer token
- * pattern).
+ * What a browser's own pages send back with every write. It follows from the secret of {@link
+ * SessionCookie}, which other sites can neither read nor, from the token, find out.
  */
 public final class CsrfToken {
   /** The name of the hidden field in every form. */
@@ -19,35 +18,25 @@ public final class CsrfToken {
   /** The header that carries it where there is no form. */
   public static final String HEADER = "X-CSRF-Token";
 
-  private static final String ATTRIBUTE = CsrfToken.class.getName();
-  private static final int RANDOM_BYTES = 24;
-  private static final SecureRandom RANDOM = new SecureRandom();
-
   private CsrfToken() {}
 
-  /** The session's token; makes both if there is none. */
-  public static String of(HttpServletRequest request) {
-    HttpSession session = request.getSession();
-    if (session.getAttribute(ATTRIBUTE) instanceof String token) {
-      return token;
-    }
-    return renew(session);
-  }
-
-  static String renew(HttpSession session) {
-    byte[] secret = new byte[RANDOM_BYTES];
-    RANDOM.nextBytes(secret);
-    String token = Base64.getUrlEncoder().withoutPadding().encodeToString(secret);
-    session.setAttribute(ATTRIBUTE, token);
-    return token;
+  /** The browser's token; makes its cookie if there is none. */
+  public static String of(HttpServletRequest request, HttpServletResponse response) {
+    return from(SessionCookie.ofStranger(request, response));
   }
 
   static boolean matches(HttpServletRequest request, @Nullable String given) {
-    HttpSession session = request.getSession(false);
     return given != null
-        && session != null
-        && session.getAttribute(ATTRIBUTE) instanceof String token
-        && MessageDigest.isEqual(
-            token.getBytes(StandardCharsets.UTF_8), given.getBytes(StandardCharsets.UTF_8));
+        && SessionCookie.of(request)
+            .filter(
+                secret ->
+                    MessageDigest.isEqual(
+                        from(secret).getBytes(StandardCharsets.UTF_8),
+                        given.getBytes(StandardCharsets.UTF_8)))
+            .isPresent();
+  }
+
+  private static String from(String secret) {
+    return Secret.hash("csrf " + secret);
   }
 }

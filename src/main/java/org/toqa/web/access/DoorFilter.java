@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
+import org.toqa.store.Session;
 import org.toqa.web.Door;
 import org.toqa.web.Doors;
 import org.toqa.web.Right;
@@ -94,7 +95,7 @@ public final class DoorFilter extends HttpFilter {
     }
     boolean bySession =
         Caller.ifKnown(request)
-            .filter(caller -> caller.credential() instanceof Credential.SessionLogin)
+            .filter(caller -> caller.session().kind() == Session.Kind.BROWSER)
             .isPresent();
     return door.right() == Right.STRANGER
         || !bySession

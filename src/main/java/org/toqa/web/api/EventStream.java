@@ -65,7 +65,7 @@ final class EventStream implements Runnable {
       Thread.sleep(PACE);
       FleetSnapshot newest = feed.awaitNewer(sent.version(), KEEP_ALIVE);
       if (System.nanoTime() - checked >= KEEP_ALIVE.toNanos()) {
-        if (caller.credential().account(services).isEmpty()) {
+        if (caller.credential().login(services).isEmpty()) {
           return;
         }
         checked = System.nanoTime();

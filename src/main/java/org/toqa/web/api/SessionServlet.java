@@ -4,11 +4,14 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Map;
+import org.toqa.store.Session;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
 import org.toqa.web.access.Login;
+import org.toqa.web.access.Origins;
 
-/** A name and a password for a bearer token. */
+/** A name and a password for a bearer token, and its end. */
 public final class SessionServlet extends ApiServlet {
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
@@ -27,16 +30,33 @@ public final class SessionServlet extends ApiServlet {
     }
     refuseIfAny(errors);
     if (name != null && password != null) {
-      answer(services().login().attempt(name, password, request.getRemoteAddr()), texts, response);
+      answer(
+          services().login().attempt(name, password, request.getRemoteAddr()), request, response);
     }
   }
 
-  private void answer(Login.Outcome outcome, Texts texts, HttpServletResponse response)
+  /** Logs out. */
+  @Override
+  protected void doDelete(HttpServletRequest request, HttpServletResponse response) {
+    services().sessions().end(Caller.of(request).credential().secret());
+    response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+  }
+
+  private void answer(
+      Login.Outcome outcome, HttpServletRequest request, HttpServletResponse response)
       throws IOException {
+    Texts texts = Texts.of(request);
     switch (outcome) {
       case Login.Outcome.Welcome welcome ->
           Json.send(
-              response, 200, Map.of("token", services().tokens().issue(welcome.account().id())));
+              response,
+              200,
+              Map.of(
+                  "token",
+                  services()
+                      .sessions()
+                      .begin(welcome.account(), Session.Kind.TOKEN, Origins.of(request))
+                      .secret()));
       case Login.Outcome.Wrong() -> {
         response.setHeader("WWW-Authenticate", "Bearer");
         Problem.of(401, texts.get("error.login.wrong")).send(response);

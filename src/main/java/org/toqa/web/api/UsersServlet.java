@@ -31,13 +31,15 @@ public final class UsersServlet extends ApiServlet {
     InputRules rules = new InputRules(texts, errors);
     String name = rules.userName("name", fields.text("name"));
     String password = rules.newPassword("password", fields.text("password"), name);
+    String email = rules.email("email", fields.text("email"));
     Role role = rules.role("role", fields.text("role"));
     fields.refuseUnknown();
     refuseIfAny(errors);
     Account user =
         services()
             .accounts()
-            .add(name, services().passwords().hash(password), role, Caller.of(request).name())
+            .add(
+                name, email, services().passwords().hash(password), role, Caller.of(request).name())
             .orElseThrow(() -> Problem.of(409, texts.get("error.userName.taken")).raised());
     response.setHeader("Location", request.getContextPath() + "/api/v1/users/" + user.id());
     Json.send(response, HttpServletResponse.SC_CREATED, UserJson.of(user));

@@ -9,7 +9,7 @@ import org.toqa.store.Account;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.InputRules;
 import org.toqa.web.Texts;
-import org.toqa.web.access.Sessions;
+import org.toqa.web.access.SessionCookie;
 
 /** Makes the first manager, once. */
 public final class FirstStartServlet extends PageServlet {
@@ -46,7 +46,7 @@ public final class FirstStartServlet extends PageServlet {
       showAgain(request, response, "first-start", errors);
       return;
     }
-    Sessions.begin(request, manager.get());
+    SessionCookie.begin(request, response, services(), manager.get());
     goTo(request, response, "/map");
   }
 }

@@ -11,7 +11,7 @@ import org.toqa.web.Right;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.access.Login;
-import org.toqa.web.access.Sessions;
+import org.toqa.web.access.SessionCookie;
 
 /** The front door: name and password. */
 public final class LoginServlet extends PageServlet {
@@ -47,7 +47,7 @@ public final class LoginServlet extends PageServlet {
     }
     switch (services().login().attempt(name, password, request.getRemoteAddr())) {
       case Login.Outcome.Welcome welcome -> {
-        Sessions.begin(request, welcome.account());
+        SessionCookie.begin(request, response, services(), welcome.account());
         goTo(request, response, next(request.getParameter("next")));
       }
       case Login.Outcome.Wrong() -> {

@@ -32,11 +32,11 @@ abstract class PageServlet extends HttpServlet {
   /** Shows a view; it finds the CSRF token for its forms as {@code csrf}. */
   static void show(HttpServletRequest request, HttpServletResponse response, String view)
       throws ServletException, IOException {
-    request.setAttribute("csrf", CsrfToken.of(request));
+    request.setAttribute("csrf", CsrfToken.of(request, response));
     showBare(request, response, view);
   }
 
-  /** Shows a view that has no form, without making a session for it. */
+  /** Shows a view that has no form, without giving the browser a cookie for it. */
   static void showBare(HttpServletRequest request, HttpServletResponse response, String view)
       throws ServletException, IOException {
     request.setAttribute("path", Doors.pathOf(request));

@@ -4,11 +4,9 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.util.List;
 import org.toqa.store.Role;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.InputRules;
-import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
@@ -17,8 +15,14 @@ public final class UsersServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    offerUsers(request, services());
-    show(request, response, "users");
+    Caller caller = Caller.of(request);
+    if (caller.isManager()) {
+      request.setAttribute("users", services().accounts().all());
+      show(request, response, "users");
+    } else {
+      UserServlet.offer(caller.account(), request, services());
+      show(request, response, "user");
+    }
   }
 
   @Override
@@ -30,22 +34,20 @@ public final class UsersServlet extends PageServlet {
     InputRules rules = new InputRules(texts, errors);
     String name = rules.userName("name", fields.text("name"));
     String password = rules.newPassword("password", fields.text("password"), name);
+    String email = rules.email("email", fields.text("email"));
     Role role = rules.role("role", fields.text("role"));
     if (errors.isEmpty()) {
       String hash = services().passwords().hash(password);
-      if (services().accounts().add(name, hash, role, Caller.of(request).name()).isPresent()) {
+      if (services()
+          .accounts()
+          .add(name, email, hash, role, Caller.of(request).name())
+          .isPresent()) {
         goTo(request, response, "/users?done=added");
         return;
       }
       errors.add("name", texts.get("error.userName.taken"));
     }
-    offerUsers(request, services());
+    request.setAttribute("users", services().accounts().all());
     showAgain(request, response, "users", errors);
-  }
-
-  static void offerUsers(HttpServletRequest request, Services services) {
-    Caller caller = Caller.of(request);
-    request.setAttribute(
-        "users", caller.isManager() ? services.accounts().all() : List.of(caller.account()));
   }
 }

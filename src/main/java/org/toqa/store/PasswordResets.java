@@ -1,0 +1,92 @@
+package org.toqa.store;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.Optional;
+import org.jdbi.v3.core.Handle;
+import org.jdbi.v3.core.Jdbi;
+
+/**
+ * Secrets by which a forgotten password is replaced, each once and for a while. A user has at most
+ * one: a new one ends the one before.
+ */
+public final class PasswordResets {
+  private final Sql sql;
+  private final InstantSource clock;
+
+  public PasswordResets(Jdbi jdbi, InstantSource clock) {
+    this.sql = new Sql(jdbi);
+    this.clock = clock;
+  }
+
+  /**
+   * A new secret for that user.
+   *
+   * @param by who asked for it, as the history tells
+   */
+  public String issue(Account user, Duration life, String by) {
+    String secret = Secret.fresh();
+    Instant now = clock.instant();
+    return sql.inTransaction(
+        handle -> {
+          handle.execute("delete from password_resets where user_id = ?", user.id());
+          handle.execute(
+              "insert into password_resets (user_id, secret_hash, expires_at) values (?, ?, ?)",
+              user.id(),
+              Secret.hash(secret),
+              Sql.utc(now.plus(life)));
+          Events.addOfUsers(
+              handle,
+              now,
+              "user.reset",
+              by,
+              "A link to replace the password of %s was made".formatted(user.name()));
+          return secret;
+        });
+  }
+
+  /** The user whose password the secret replaces, while it is good. */
+  public Optional<Account> user(String secret) {
+    return sql.in(handle -> user(handle, secret));
+  }
+
+  /** False when the secret is not good, or not any more: then nothing changes. */
+  public boolean replace(String secret, String passwordHash) {
+    return sql.inTransaction(
+        handle -> {
+          Optional<Account> user = user(handle, secret);
+          boolean isFirst =
+              handle.execute(
+                      "delete from password_resets where secret_hash = ?", Secret.hash(secret))
+                  > 0;
+          if (user.isEmpty() || !isFirst) {
+            return false;
+          }
+          String name = user.get().name();
+          Accounts.setPassword(handle, user.get().id(), passwordHash);
+          Events.addOfUsers(
+              handle,
+              clock.instant(),
+              "user.password",
+              name,
+              "%s replaced a forgotten password by a link".formatted(name));
+          return true;
+        });
+  }
+
+  private Optional<Account> user(Handle handle, String secret) {
+    return handle
+        .createQuery(
+            "select "
+                + Accounts.columns()
+                + """
+                   from users u join password_resets p on p.user_id = u.id
+                  where p.secret_hash = :hash and p.expires_at > :now
+                  """)
+        .bind("hash", Secret.hash(secret))
+        .bind("now", Sql.utc(clock.instant()))
+        .map(Accounts::account)
+        .findOne();
+  }
+}

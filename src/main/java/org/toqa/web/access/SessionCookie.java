@@ -1,0 +1,68 @@
+package org.toqa.web.access;
+
+import jakarta.servlet.http.Cookie;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.toqa.store.Account;
+import org.toqa.store.Secret;
+import org.toqa.store.Session;
+import org.toqa.web.Services;
+
+/**
+ * The secret that a browser keeps. A stranger's only ties his forms to his browser; whoever logs in
+ * gets a fresh one, so that one planted before is worth nothing.
+ */
+public final class SessionCookie {
+  private static final String NAME = "toqa-session";
+  private static final Pattern SECRET = Pattern.compile("[A-Za-z0-9_-]{43}");
+
+  private SessionCookie() {}
+
+  static Optional<String> of(HttpServletRequest request) {
+    Cookie[] cookies = request.getCookies();
+    return (cookies == null ? Stream.<Cookie>empty() : Arrays.stream(cookies))
+        .filter(cookie -> cookie.getName().equals(NAME))
+        .map(Cookie::getValue)
+        .filter(value -> SECRET.matcher(value).matches())
+        .findFirst();
+  }
+
+  /** The browser's secret; one that has none gets one. */
+  static String ofStranger(HttpServletRequest request, HttpServletResponse response) {
+    return of(request)
+        .orElseGet(
+            () -> {
+              String secret = Secret.fresh();
+              set(request, response, secret);
+              return secret;
+            });
+  }
+
+  /** Logs the user in, in this browser; what was logged in there ends. */
+  public static void begin(
+      HttpServletRequest request, HttpServletResponse response, Services services, Account user) {
+    end(request, services);
+    set(
+        request,
+        response,
+        services.sessions().begin(user, Session.Kind.BROWSER, Origins.of(request)).secret());
+  }
+
+  /** Logs out whoever is logged in, in this browser. */
+  public static void end(HttpServletRequest request, Services services) {
+    of(request).ifPresent(services.sessions()::end);
+  }
+
+  private static void set(HttpServletRequest request, HttpServletResponse response, String secret) {
+    Cookie cookie = new Cookie(NAME, secret);
+    cookie.setPath(request.getContextPath() + "/");
+    cookie.setHttpOnly(true);
+    cookie.setSecure(request.isSecure());
+    cookie.setAttribute("SameSite", "Lax");
+    response.addCookie(cookie);
+  }
+}

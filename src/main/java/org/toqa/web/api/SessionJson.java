@@ -1,0 +1,29 @@
+package org.toqa.web.api;
+
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+import org.toqa.store.Session;
+
+/** A session on the wire. */
+record SessionJson(
+    long id,
+    Session.Kind kind,
+    @Nullable String name,
+    String address,
+    String agent,
+    Instant createdAt,
+    Instant seenAt,
+    Instant expiresAt) {
+
+  static SessionJson of(Session session) {
+    return new SessionJson(
+        session.id(),
+        session.kind(),
+        session.name(),
+        session.origin().address(),
+        session.origin().agent(),
+        session.createdAt(),
+        session.seenAt(),
+        session.expiresAt());
+  }
+}

@@ -1,0 +1,121 @@
+<%@ page contentType="text/html;charset=UTF-8" session="false" %>
+<%@ taglib prefix="c" uri="jakarta.tags.core" %>
+<%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
+<%@ taglib prefix="fn" uri="jakarta.tags.functions" %>
+<%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
+<c:set var="root" value="${pageContext.request.contextPath}"/>
+<c:set var="manager" value="${caller.isManager()}"/>
+<c:set var="own" value="${user.id == caller.account.id}"/>
+<t:page title="${user.name}" here="user">
+  <div class="heading">
+    <div>
+      <h1><c:out value="${user.name}"/></h1>
+      <p class="faint"><c:if test="${own}"><fmt:message key="users.own"/> · </c:if><fmt:message key="users.role.${user.role}"/><c:if test="${user.disabled()}">, <strong><fmt:message key="users.disabled"/></strong></c:if> · <fmt:message key="users.since"/>${" "}<t:time at="${user.createdAt}"/></p>
+    </div>
+    <c:if test="${manager}"><a href="${root}/users"><fmt:message key="users.all"/></a></c:if>
+  </div>
+  <c:if test="${param.done == 'changed' or param.done == 'password' or param.done == 'email' or param.done == 'ended'}"><p class="notice good" role="status"><fmt:message key="users.done.${param.done}"/></p></c:if>
+  <t:errors/>
+  <c:if test="${not empty token}"><div class="notice good" role="status"><p><fmt:message key="users.token.once"/></p><code class="secret"><c:out value="${token}"/></code></div></c:if>
+  <c:if test="${not empty link}"><div class="notice good" role="status"><p><fmt:message key="users.link.once"><fmt:param value="${linkHours}"/></fmt:message></p><code class="secret"><c:out value="${link}"/></code></div></c:if>
+  <article class="card">
+    <h2><fmt:message key="users.sessions"/></h2>
+    <c:if test="${empty sessions}"><p class="faint"><fmt:message key="users.sessions.none"/></p></c:if>
+    <c:if test="${not empty sessions}">
+      <table class="stacks">
+        <thead>
+          <tr>
+            <th scope="col"><fmt:message key="users.session.what"/></th>
+            <th scope="col"><fmt:message key="users.session.address"/></th>
+            <th scope="col"><fmt:message key="users.session.begun"/></th>
+            <th scope="col"><fmt:message key="users.session.seen"/></th>
+            <th scope="col"><fmt:message key="users.session.expires"/></th>
+            <th scope="col"><span class="unseen"><fmt:message key="users.session.end"/></span></th>
+          </tr>
+        </thead>
+        <tbody>
+          <c:forEach items="${sessions}" var="session">
+            <tr>
+              <th scope="row" class="whole">
+                <c:choose><c:when test="${not empty session.name}"><fmt:message key="users.session.token"/>${" "}<q><c:out value="${session.name}"/></q></c:when><c:otherwise><fmt:message key="users.session.${session.kind}"/></c:otherwise></c:choose>
+                <c:if test="${session.id == caller.session.id}">${" "}(<fmt:message key="users.session.this"/>)</c:if>
+                <p class="faint agent"><c:out value="${session.origin.agent}"/></p>
+              </th>
+              <td data-label="<fmt:message key="users.session.address"/>"><c:out value="${session.origin.address}"/></td>
+              <td data-label="<fmt:message key="users.session.begun"/>"><t:time at="${session.createdAt}"/></td>
+              <td data-label="<fmt:message key="users.session.seen"/>"><t:time at="${session.seenAt}"/></td>
+              <td data-label="<fmt:message key="users.session.expires"/>"><t:time at="${session.expiresAt}"/></td>
+              <td>
+                <form method="post" action="${root}/users/${user.id}/sessions/${session.id}/end">
+                  <t:csrf/>
+                  <button class="outline"><fmt:message key="users.session.end"/></button>
+                </form>
+              </td>
+            </tr>
+          </c:forEach>
+        </tbody>
+      </table>
+    </c:if>
+    <c:if test="${own}">
+      <h3><fmt:message key="users.token.add"/></h3>
+      <p class="faint"><fmt:message key="users.token.hint"/></p>
+      <form method="post" action="${root}/users/${user.id}/tokens" novalidate>
+        <t:csrf/>
+        <div class="grid">
+          <div><t:field name="tokenName" label="users.token.name" hint="users.token.name.hint"/></div>
+          <div><t:field name="days" label="users.token.days" inputmode="numeric" value="90"/></div>
+        </div>
+        <button><fmt:message key="users.token.submit"/></button>
+      </form>
+    </c:if>
+  </article>
+  <article class="card">
+    <h2><fmt:message key="users.password"/></h2>
+    <form method="post" action="${root}/users/${user.id}/password" novalidate>
+      <t:csrf/>
+      <div class="grid">
+        <c:if test="${own}"><div><t:field name="old" label="users.password.old" type="password" autocomplete="current-password"/></div></c:if>
+        <div><t:field name="password" label="users.password.new" type="password" hint="firstStart.password.hint" autocomplete="new-password"/></div>
+      </div>
+      <button><fmt:message key="users.password.submit"/></button>
+    </form>
+    <c:if test="${manager and not own}">
+      <form class="or" method="post" action="${root}/users/${user.id}/reset-link">
+        <t:csrf/>
+        <p class="faint"><fmt:message key="users.link.hint"/></p>
+        <button class="outline"><fmt:message key="users.link.submit"/></button>
+      </form>
+    </c:if>
+  </article>
+  <article class="card">
+    <h2><fmt:message key="users.email"/></h2>
+    <form method="post" action="${root}/users/${user.id}/email" novalidate>
+      <t:csrf/>
+      <div class="grid">
+        <div><t:field name="email" label="users.email" type="email" hint="users.email.hint" optional="true" value="${user.email}" autocomplete="${own ? 'email' : 'off'}"/></div>
+        <c:if test="${own}"><div><t:field name="password" id="email-password" errorAt="emailPassword" label="users.password.old" type="password" autocomplete="current-password"/></div></c:if>
+      </div>
+      <button><fmt:message key="users.change.submit"/></button>
+    </form>
+  </article>
+  <c:if test="${manager}">
+    <article class="card">
+      <h2><fmt:message key="users.change"/></h2>
+      <form method="post" action="${root}/users/${user.id}/change">
+        <t:csrf/>
+        <t:role chosen="${user.role}"/>
+        <label><input type="checkbox" name="disabled" ${user.disabled() ? 'checked' : ''}> <fmt:message key="users.change.disabled"/></label>
+        <p class="faint"><fmt:message key="users.change.disabled.hint"/></p>
+        <button><fmt:message key="users.change.submit"/></button>
+      </form>
+      <details class="or">
+        <summary role="button" class="outline secondary"><fmt:message key="users.delete"/></summary>
+        <form method="post" action="${root}/users/${user.id}/delete">
+          <t:csrf/>
+          <p><fmt:message key="users.delete.sure"/></p>
+          <button class="danger"><fmt:message key="users.delete.submit"/></button>
+        </form>
+      </details>
+    </article>
+  </c:if>
+</t:page>
