@@ -22,6 +22,8 @@ import org.toqa.fleet.ChargingRules;
  *
  * @param address where HTTP listens
  * @param port 0: any free one
+ * @param tls what the pages are encrypted with; null: they are not
+ * @param proxy the address of the proxy that says for whom it asks; null: none
  * @param data the folder for what the server keeps
  * @param map the floor's map
  * @param allocator who decides which robots carry what
@@ -42,6 +44,8 @@ import org.toqa.fleet.ChargingRules;
 public record Configuration(
     InetAddress address,
     int port,
+    @Nullable Tls tls,
+    @Nullable InetAddress proxy,
     Path data,
     Path map,
     Database database,
@@ -68,6 +72,9 @@ public record Configuration(
       return "Database[" + url + "]";
     }
   }
+
+  /** PEM files. */
+  public record Tls(Path certificate, Path key) {}
 
   /**
    * @param from an e-mail address
@@ -124,6 +131,8 @@ public record Configuration(
       return new Configuration(
           address(),
           wholeNumber(Setting.PORT, 0, 65_535),
+          tls(),
+          proxy(),
           data,
           map(shippedMap),
           database(data),
@@ -178,6 +187,33 @@ public record Configuration(
         return InetAddress.getByName(text);
       } catch (UnknownHostException e) {
         throw outside(Setting.ADDRESS);
+      }
+    }
+
+    private @Nullable Tls tls() throws ConfigurationException {
+      if (text(Setting.TLS_CERTIFICATE).isEmpty() && text(Setting.TLS_KEY).isEmpty()) {
+        return null;
+      }
+      return new Tls(pem(Setting.TLS_CERTIFICATE), pem(Setting.TLS_KEY));
+    }
+
+    private Path pem(Setting setting) throws ConfigurationException {
+      if (text(setting).isEmpty()) {
+        throw outside(setting);
+      }
+      Path file = path(setting);
+      if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+        throw refused(setting, "there is no such file that can be read.");
+      }
+      return file;
+    }
+
+    private @Nullable InetAddress proxy() throws ConfigurationException {
+      String text = text(Setting.PROXY).strip();
+      try {
+        return text.isEmpty() ? null : InetAddress.ofLiteral(text);
+      } catch (IllegalArgumentException e) {
+        throw outside(Setting.PROXY);
       }
     }
 

@@ -8,6 +8,10 @@ import java.util.Optional;
 enum Setting {
   ADDRESS("address", "127.0.0.1", "a host name or IP address of this machine"),
   PORT("port", "8080", "a whole number from 0 to 65535; 0 takes any free port"),
+  TLS_CERTIFICATE(
+      "tls.certificate", "", "a PEM file with the certificate and those that vouch for it"),
+  TLS_KEY("tls.key", "", "a PEM file with the certificate's private key, without a password"),
+  PROXY("proxy", "", "the IP address of the proxy in front of this server"),
   DATA("data", "toqa-data", "a folder"),
   MAP("map", "", "a .yaml (ROS map_server) or .map (MovingAI) file"),
   DATABASE_URL("database.url", "", "a JDBC URL that begins with jdbc:mysql: or jdbc:h2:"),

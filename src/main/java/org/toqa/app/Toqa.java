@@ -38,6 +38,7 @@ import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.PasswordResets;
 import org.toqa.store.Pruning;
 import org.toqa.store.Sessions;
+import org.toqa.web.Metrics;
 import org.toqa.web.Services;
 import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.Passwords;
@@ -130,6 +131,9 @@ final class Toqa implements AutoCloseable {
             new PasswordResets(database.jdbi(), wallClock),
             configuration.mail() == null ? null : new SmtpMail(configuration.mail()),
             wallClock);
+    Metrics metrics = new Metrics(fleet.feed());
+    parts.push(metrics);
+    database.measure(metrics.registry());
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
     parts.push(new TrackRecorder(fleet.feed(), tracks));
     parts.push(
@@ -148,6 +152,7 @@ final class Toqa implements AutoCloseable {
             sessions,
             passwordLinks,
             passwords,
+            metrics,
             wallClock);
     return new Toqa(configuration, clock, services, parts);
   }

@@ -6,13 +6,18 @@ import java.net.InetAddress;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.regex.Pattern;
 import org.apache.catalina.LifecycleException;
 import org.apache.catalina.connector.Connector;
 import org.apache.catalina.core.StandardContext;
 import org.apache.catalina.loader.WebappLoader;
 import org.apache.catalina.startup.Tomcat;
+import org.apache.catalina.valves.RemoteIpValve;
+import org.apache.tomcat.util.net.SSLHostConfig;
+import org.apache.tomcat.util.net.SSLHostConfigCertificate;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
+import org.jspecify.annotations.Nullable;
 import org.toqa.web.Services;
 
 /**
@@ -46,25 +51,55 @@ final class WebServer implements AutoCloseable {
     int port = configuration.port();
     Tomcat tomcat = new Tomcat();
     tomcat.setBaseDir(Files.createDirectories(configuration.data().resolve("tomcat")).toString());
-    tomcat.setConnector(connector(address, port));
+    tomcat.setConnector(connector(address, port, configuration.tls()));
+    believe(tomcat, configuration.proxy());
     WebServer server = new WebServer(tomcat, context(tomcat, webapp), address);
     try {
       tomcat.init();
       return server;
     } catch (LifecycleException e) {
       server.close();
-      throw new IOException(sentence(e, address, port), e);
+      throw new IOException(sentence(e, configuration), e);
     }
   }
 
-  private static Connector connector(InetAddress address, int port) {
+  private static Connector connector(InetAddress address, int port, Configuration.@Nullable Tls tls)
+      throws IOException {
     Connector connector = new Connector("org.apache.coyote.http11.Http11NioProtocol");
     connector.setPort(port);
     connector.setProperty("address", address.getHostAddress());
     connector.setProperty("useVirtualThreads", "true");
     connector.setThrowOnFailure(true);
     connector.setXpoweredBy(false);
+    if (tls != null) {
+      PemPair.read(tls);
+      encrypt(connector, tls);
+    }
     return connector;
+  }
+
+  private static void encrypt(Connector connector, Configuration.Tls tls) {
+    SSLHostConfig host = new SSLHostConfig();
+    host.setProtocols("TLSv1.2+TLSv1.3");
+    SSLHostConfigCertificate certificate =
+        new SSLHostConfigCertificate(host, SSLHostConfigCertificate.Type.UNDEFINED);
+    certificate.setCertificateFile(tls.certificate().toString());
+    certificate.setCertificateKeyFile(tls.key().toString());
+    host.addCertificate(certificate);
+    connector.addSslHostConfig(host);
+    connector.setProperty("SSLEnabled", "true");
+    connector.setScheme("https");
+    connector.setSecure(true);
+  }
+
+  /** For whom the proxy asks, and whether the browser's way to it is encrypted. */
+  private static void believe(Tomcat tomcat, @Nullable InetAddress proxy) {
+    if (proxy != null) {
+      RemoteIpValve valve = new RemoteIpValve();
+      valve.setInternalProxies(Pattern.quote(proxy.getHostAddress()));
+      valve.setProtocolHeader("X-Forwarded-Proto");
+      tomcat.getHost().getPipeline().addValve(valve);
+    }
   }
 
   private static StandardContext context(Tomcat tomcat, Path webapp) {
@@ -94,13 +129,13 @@ final class WebServer implements AutoCloseable {
     return scanner;
   }
 
-  private static String sentence(LifecycleException e, InetAddress address, int port) {
+  private static String sentence(LifecycleException e, Configuration configuration) {
     for (Throwable cause = e; cause != null; cause = cause.getCause()) {
       if (cause instanceof BindException) {
         return "Port "
-            + port
+            + configuration.port()
             + " on "
-            + address.getHostAddress()
+            + configuration.address().getHostAddress()
             + " cannot be had ("
             + cause.getMessage()
             + "); another program may use it: choose another one by --port.";
@@ -142,7 +177,8 @@ final class WebServer implements AutoCloseable {
     URI uri() {
       String host = address.isAnyLocalAddress() ? "localhost" : address.getHostAddress();
       return URI.create(
-          "http://"
+          tomcat.getConnector().getScheme()
+              + "://"
               + (host.contains(":") ? "[" + host + "]" : host)
               + ":"
               + tomcat.getConnector().getLocalPort()

@@ -72,6 +72,7 @@ public final class Doors {
           new Door("POST", "/api/v1/forgotten-password", STRANGER),
           new Door("POST", "/api/v1/reset-password", STRANGER),
           new Door("GET", "/api/v1/openapi.json", USER),
+          new Door("GET", "/api/v1/metrics", USER),
           new Door("GET", "/api/v1/map", USER),
           new Door("GET", "/api/v1/events", USER),
           new Door("GET", "/api/v1/tasks", USER),

@@ -23,6 +23,7 @@ public record Services(
     Sessions sessions,
     PasswordLinks passwordLinks,
     Passwords passwords,
+    Metrics metrics,
     InstantSource clock,
     Login login) {
 
@@ -38,6 +39,7 @@ public record Services(
       Sessions sessions,
       PasswordLinks passwordLinks,
       Passwords passwords,
+      Metrics metrics,
       InstantSource clock) {
     return new Services(
         fleet,
@@ -48,6 +50,7 @@ public record Services(
         sessions,
         passwordLinks,
         passwords,
+        metrics,
         clock,
         Login.of(accounts, passwords, clock));
   }

@@ -1,6 +1,7 @@
 package org.toqa.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -69,12 +70,84 @@ class WebServerTest {
     }
   }
 
+  @Test
+  void withACertificateThePagesAreEncrypted() throws Exception {
+    TestCertificate certificate = TestCertificate.in(folder, "toqa");
+    Configuration configuration = with(certificate.file(), certificate.key());
+    try (WebServer web = WebServer.bind(WEBAPP, configuration);
+        Toqa toqa = Toqa.start(configuration);
+        WebServer.Site site = web.open(toqa);
+        HttpClient client =
+            HttpClient.newBuilder().sslContext(certificate.trustingNoOther()).build()) {
+      assertEquals("https", site.uri().getScheme());
+      HttpResponse<String> answer =
+          client.send(
+              HttpRequest.newBuilder(site.uri()).build(), HttpResponse.BodyHandlers.ofString());
+
+      assertEquals(200, answer.statusCode());
+      assertTrue(
+          answer.headers().firstValue("Set-Cookie").orElseThrow().contains("Secure"), "cookie");
+      assertTrue(answer.headers().firstValue("Strict-Transport-Security").isPresent());
+      URI plain = URI.create(site.uri().toString().replace("https", "http"));
+      assertNotEquals(200, get(plain).statusCode(), "nothing is served without encryption");
+    }
+  }
+
+  @Test
+  void aKeyOfAnotherCertificateIsRefusedInASentence() throws Exception {
+    Configuration configuration =
+        with(TestCertificate.in(folder, "one").file(), TestCertificate.in(folder, "two").key());
+
+    IOException refusal =
+        assertThrows(IOException.class, () -> WebServer.bind(WEBAPP, configuration).close());
+
+    assertTrue(String.valueOf(refusal.getMessage()).startsWith("tls.certificate "), "" + refusal);
+    assertTrue(String.valueOf(refusal.getMessage()).endsWith("both as PEM."), "" + refusal);
+  }
+
+  @Test
+  void onlyTheProxyIsBelievedForWhomItAsks() throws Exception {
+    for (String proxy : new String[] {"127.0.0.1", "127.0.0.2"}) {
+      Map<Setting, @Nullable String> options = options(0);
+      options.put(Setting.PROXY, proxy);
+      options.put(Setting.DATA, folder.resolve(proxy).toString());
+      Configuration configuration = Configuration.of(WEBAPP, List.of(Layer.ofCommandLine(options)));
+      try (WebServer web = WebServer.bind(WEBAPP, configuration);
+          Toqa toqa = Toqa.start(configuration);
+          WebServer.Site site = web.open(toqa);
+          HttpClient client = HttpClient.newHttpClient()) {
+        HttpResponse<String> answer =
+            client.send(
+                HttpRequest.newBuilder(site.uri())
+                    .header("X-Forwarded-For", "192.0.2.7")
+                    .header("X-Forwarded-Proto", "https")
+                    .build(),
+                HttpResponse.BodyHandlers.ofString());
+
+        boolean isSecure =
+            answer.headers().firstValue("Set-Cookie").orElseThrow().contains("Secure");
+        assertEquals(proxy.equals("127.0.0.1"), isSecure, proxy);
+      }
+    }
+  }
+
+  private Configuration with(Path certificate, Path key) throws ConfigurationException {
+    Map<Setting, @Nullable String> options = options(0);
+    options.put(Setting.TLS_CERTIFICATE, certificate.toString());
+    options.put(Setting.TLS_KEY, key.toString());
+    return Configuration.of(WEBAPP, List.of(Layer.ofCommandLine(options)));
+  }
+
   private Configuration onPort(int port) throws ConfigurationException {
+    return Configuration.of(WEBAPP, List.of(Layer.ofCommandLine(options(port))));
+  }
+
+  private Map<Setting, @Nullable String> options(int port) {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     options.put(Setting.PORT, String.valueOf(port));
     options.put(Setting.DATA, folder.toString());
     options.put(Setting.MANAGER, "boss:boss-password");
-    return Configuration.of(WEBAPP, List.of(Layer.ofCommandLine(options)));
+    return options;
   }
 
   private static HttpResponse<String> get(URI uri) throws IOException, InterruptedException {

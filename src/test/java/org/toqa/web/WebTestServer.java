@@ -93,6 +93,7 @@ final class WebTestServer implements AutoCloseable {
             sessions,
             links,
             PASSWORDS,
+            new Metrics(fleet.feed()),
             InstantSource.system());
     store = new JdbiFleetStore(jdbi);
     baseDir = Files.createTempDirectory("toqa-web-test");

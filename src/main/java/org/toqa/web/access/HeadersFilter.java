@@ -23,6 +23,9 @@ public final class HeadersFilter extends HttpFilter {
     response.setHeader("Referrer-Policy", "same-origin");
     response.setHeader("Cross-Origin-Opener-Policy", "same-origin");
     response.setHeader("Cross-Origin-Resource-Policy", "same-origin");
+    if (request.isSecure()) {
+      response.setHeader("Strict-Transport-Security", "max-age=31536000");
+    }
     response.setHeader(
         "Cache-Control", request.getServletPath().startsWith("/assets/") ? "no-cache" : "no-store");
     chain.doFilter(request, response);

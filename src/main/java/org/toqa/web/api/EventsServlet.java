@@ -26,6 +26,7 @@ public final class EventsServlet extends ApiServlet {
             .unstarted(new EventStream(async, services(), caller, events));
     async.addListener(new StreamEnd(thread));
     streams.add(thread);
+    services().metrics().streamBegun();
     thread.start();
   }
 
@@ -52,7 +53,9 @@ public final class EventsServlet extends ApiServlet {
 
     @Override
     public void onComplete(AsyncEvent event) {
-      streams.remove(thread);
+      if (streams.remove(thread)) {
+        services().metrics().streamEnded();
+      }
       thread.interrupt();
     }
 

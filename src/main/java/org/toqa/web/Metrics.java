@@ -1,0 +1,151 @@
+package org.toqa.web;
+
+import io.micrometer.core.instrument.Gauge;
+import io.micrometer.core.instrument.MeterRegistry;
+import io.micrometer.core.instrument.MultiGauge;
+import io.micrometer.core.instrument.Tags;
+import io.micrometer.core.instrument.Timer;
+import io.micrometer.core.instrument.binder.jvm.JvmGcMetrics;
+import io.micrometer.core.instrument.binder.jvm.JvmMemoryMetrics;
+import io.micrometer.core.instrument.binder.jvm.JvmThreadMetrics;
+import io.micrometer.core.instrument.binder.system.FileDescriptorMetrics;
+import io.micrometer.core.instrument.binder.system.ProcessorMetrics;
+import io.micrometer.core.instrument.binder.system.UptimeMetrics;
+import io.micrometer.prometheusmetrics.PrometheusConfig;
+import io.micrometer.prometheusmetrics.PrometheusMeterRegistry;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.SnapshotFeed;
+import org.toqa.mission.TaskState;
+
+/**
+ * What is measured of the fleet, the pages and the process, as Prometheus reads it. {@code
+ * docs/operations.md} explains each.
+ */
+public final class Metrics implements AutoCloseable {
+  private final PrometheusMeterRegistry registry =
+      new PrometheusMeterRegistry(PrometheusConfig.DEFAULT);
+
+  private final SnapshotFeed feed;
+  private final MultiGauge robots;
+  private final MultiGauge tasks;
+  private final MultiGauge batteries;
+  private final JvmGcMetrics collector = new JvmGcMetrics();
+  private final AtomicInteger streams = new AtomicInteger();
+
+  public Metrics(SnapshotFeed feed) {
+    this.feed = feed;
+    robots =
+        MultiGauge.builder("toqa.robots").description("Robots in each state").register(registry);
+    tasks =
+        MultiGauge.builder("toqa.tasks")
+            .description("Tasks in each state, those in the queue and those that robots have")
+            .register(registry);
+    batteries =
+        MultiGauge.builder("toqa.robot.battery.ratio")
+            .description("What each robot's battery has, 0 to 1")
+            .register(registry);
+    gauge("toqa.fleet.paused", "1 while all robots are paused", s -> s.pause() == null ? 0 : 1);
+    gauge("toqa.fleet.alerts", "What ails the whole fleet", s -> s.alerts().size());
+    gauge(
+        "toqa.robots.faulty",
+        "Robots that report an error or are not trusted",
+        s -> s.robots().stream().filter(r -> !r.errors().isEmpty() || r.alert() != null).count());
+    Gauge.builder("toqa.streams", streams, AtomicInteger::get)
+        .description("Readers of live events")
+        .register(registry);
+    new JvmMemoryMetrics().bindTo(registry);
+    new JvmThreadMetrics().bindTo(registry);
+    new ProcessorMetrics().bindTo(registry);
+    new UptimeMetrics().bindTo(registry);
+    new FileDescriptorMetrics().bindTo(registry);
+    collector.bindTo(registry);
+  }
+
+  private void gauge(String name, String description, ToDoubleFunction<FleetSnapshot> value) {
+    Gauge.builder(name, feed, f -> value.applyAsDouble(f.latest()))
+        .description(description)
+        .register(registry);
+  }
+
+  /** For parts that measure themselves. */
+  public MeterRegistry registry() {
+    return registry;
+  }
+
+  /**
+   * A request was answered.
+   *
+   * @param door its door's path, with braces, so that there are not more of them than doors
+   */
+  void answered(String method, String door, int status, Duration time) {
+    Timer.builder("toqa.http.requests")
+        .description("Answered requests of pages and API")
+        .publishPercentileHistogram()
+        .minimumExpectedValue(Duration.ofMillis(1))
+        .maximumExpectedValue(Duration.ofSeconds(10))
+        .tags("method", method, "door", door, "status", status / 100 + "xx")
+        .register(registry)
+        .record(time);
+  }
+
+  public void streamBegun() {
+    streams.incrementAndGet();
+  }
+
+  public void streamEnded() {
+    streams.decrementAndGet();
+  }
+
+  /** All of it, in Prometheus' text format. */
+  public String scrape() {
+    FleetSnapshot fleet = feed.latest();
+    robots.register(
+        states(
+            RobotState.values(),
+            state -> fleet.robots().stream().filter(r -> r.state() == state).count()),
+        true);
+    tasks.register(
+        states(
+            Arrays.stream(TaskState.values()).filter(s -> !s.isEnded()).toArray(TaskState[]::new),
+            state ->
+                state == TaskState.QUEUED
+                    ? fleet.queued()
+                    : fleet.tasks().stream().filter(t -> t.state() == state).count()),
+        true);
+    batteries.register(fleet.robots().stream().flatMap(Metrics::battery).toList(), true);
+    return registry.scrape();
+  }
+
+  private static <S extends Enum<S>> List<MultiGauge.Row<?>> states(
+      S[] states, Function<S, Number> count) {
+    return Arrays.stream(states)
+        .<MultiGauge.Row<?>>map(
+            state ->
+                MultiGauge.Row.of(
+                    Tags.of("state", state.name().toLowerCase(Locale.ROOT)), count.apply(state)))
+        .toList();
+  }
+
+  private static Stream<MultiGauge.Row<?>> battery(RobotView robot) {
+    Double battery = robot.battery();
+    return battery == null
+        ? Stream.empty()
+        : Stream.of(MultiGauge.Row.of(Tags.of("robot", robot.name()), battery));
+  }
+
+  @Override
+  public void close() {
+    collector.close();
+    registry.close();
+  }
+}

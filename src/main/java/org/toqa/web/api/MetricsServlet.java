@@ -1,0 +1,15 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+
+/** What is measured, for Prometheus. */
+public final class MetricsServlet extends ApiServlet {
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    response.setContentType("text/plain;version=0.0.4;charset=UTF-8");
+    response.getWriter().write(services().metrics().scrape());
+  }
+}

@@ -1,0 +1,100 @@
+package org.toqa.web;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.net.http.HttpResponse;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.RobotState;
+import org.toqa.geometry.Pose;
+import org.toqa.mission.TaskState;
+
+/** What Prometheus reads. */
+class MetricsTest {
+  private WebTestServer server;
+  private Visitor clerk;
+
+  @BeforeEach
+  void start() throws Exception {
+    server = WebTestServer.start();
+    clerk = Visitor.loggedIn(server.root(), WebTestServer.CLERK);
+    server
+        .fleet()
+        .changeRobots(
+            none ->
+                List.of(
+                    TestFleet.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "127.0.0.1", 7275),
+                    TestFleet.robot("r2", RobotState.IDLE, new Pose(2, 1, 0), "127.0.0.1", 7276),
+                    TestFleet.robot("r3", RobotState.LOST, new Pose(3, 1, 0), "127.0.0.1", 7277)));
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    clerk.close();
+    server.close();
+  }
+
+  @Test
+  void theFleetIsCounted() {
+    for (int i = 0; i < 3; i++) {
+      clerk.post(
+          "tasks/new",
+          Map.of("name", "x", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
+    }
+    server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
+
+    Map<String, Double> metrics = metrics();
+
+    assertEquals(2, metrics.get("toqa_robots{state=\"idle\"}"));
+    assertEquals(1, metrics.get("toqa_robots{state=\"lost\"}"));
+    assertEquals(0, metrics.get("toqa_robots{state=\"driving\"}"));
+    assertEquals(1, metrics.get("toqa_tasks{state=\"carrying\"}"));
+    assertEquals(0, metrics.get("toqa_fleet_paused"));
+    clerk.post("fleet/pause", Map.of());
+    assertEquals(1, metrics().get("toqa_fleet_paused"));
+  }
+
+  @Test
+  void requestsAreCountedByDoorAndNotByPath() {
+    for (int i = 1; i <= 3; i++) {
+      assertEquals(404, clerk.get("tasks/" + i).statusCode());
+      clerk.get("nothing-" + i);
+    }
+
+    Map<String, Double> metrics = metrics();
+
+    assertEquals(
+        3,
+        metrics.get(
+            "toqa_http_requests_seconds_count{door=\"/tasks/{id}\",method=\"GET\",status=\"4xx\"}"));
+    assertEquals(
+        3,
+        metrics.get(
+            "toqa_http_requests_seconds_count{door=\"none\",method=\"none\",status=\"4xx\"}"));
+  }
+
+  @Test
+  void theProcessIsMeasured() {
+    Map<String, Double> metrics = metrics();
+
+    assertTrue(metrics.keySet().stream().anyMatch(name -> name.startsWith("jvm_memory_used")));
+    assertTrue(metrics.containsKey("process_uptime_seconds"));
+    assertEquals(0, metrics.get("toqa_streams"));
+  }
+
+  private Map<String, Double> metrics() {
+    HttpResponse<String> answer = clerk.get("api/v1/metrics");
+    assertEquals(200, answer.statusCode());
+    Map<String, Double> metrics = new TreeMap<>();
+    for (String line : answer.body().lines().filter(l -> !l.startsWith("#")).toList()) {
+      int blank = line.lastIndexOf(' ');
+      metrics.put(line.substring(0, blank), Double.valueOf(line.substring(blank + 1)));
+    }
+    return metrics;
+  }
+}
