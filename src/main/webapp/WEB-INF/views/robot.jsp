@@ -118,6 +118,33 @@
         <button><fmt:message key="robot.locate.submit"/></button>
       </form>
     </article>
+    <article class="card" id="change">
+      <h2><fmt:message key="robot.change"/></h2>
+      <c:url value="/robots/${robot.name}/change" var="change"/>
+      <form method="post" action="<c:out value="${change}"/>" novalidate>
+        <t:csrf/>
+        <div class="grid">
+          <div><t:field name="host" id="change-host" label="robots.add.host" value="${robot.host}"/></div>
+          <div><t:field name="port" id="change-port" label="robots.add.port" inputmode="numeric" value="${robot.port}"/></div>
+        </div>
+        <div class="grid">
+          <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal" value="${robot.maxLoad}"/></div>
+          <div><t:parking chosen="${robot.parking}" none="robot.parking.none"/></div>
+        </div>
+        <button><fmt:message key="robot.change.submit"/></button>
+      </form>
+      <c:if test="${not robot.simulated}">
+        <c:url value="/robots/${robot.name}/remove" var="remove"/>
+        <details class="or">
+          <summary role="button" class="outline secondary"><fmt:message key="robot.remove"/></summary>
+          <form method="post" action="<c:out value="${remove}"/>">
+            <t:csrf/>
+            <p><fmt:message key="robot.remove.sure"/></p>
+            <button class="danger"><fmt:message key="robot.remove.submit"/></button>
+          </form>
+        </details>
+      </c:if>
+    </article>
     <c:if test="${not robot.simulated}">
       <article class="card" id="pair">
         <h2><fmt:message key="robot.pair.${empty robot.fingerprint ? 'first' : 'again'}"/></h2>

@@ -12,6 +12,7 @@
       <p class="faint"><fmt:message key="robots.count"><fmt:param value="${fn:length(robots)}"/></fmt:message></p>
     </div>
   </div>
+  <c:if test="${param.done == 'removed'}"><p class="notice good" role="status"><fmt:message key="robots.done.removed"/></p></c:if>
   <div id="live" data-live="robots">
     <c:if test="${empty robots}"><p class="notice"><fmt:message key="robots.empty"/></p></c:if>
     <c:if test="${not empty robots}">
@@ -57,12 +58,7 @@
         <div class="grid">
           <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal"/></div>
           <div>
-            <label for="parking"><fmt:message key="robots.add.parking"/></label>
-            <select id="parking" name="parking" ${not empty errors.parking ? 'aria-invalid="true" aria-describedby="parking-help"' : ''}>
-              <option value=""><fmt:message key="robots.add.parking.any"/></option>
-              <c:forEach items="${floors}" var="floor"><c:forEach items="${floor.parking}" var="place"><option ${place.name == param.parking ? 'selected' : ''}><c:out value="${place.name}"/></option></c:forEach></c:forEach>
-            </select>
-            <c:if test="${not empty errors.parking}"><small id="parking-help"><c:out value="${errors.parking}"/></small></c:if>
+            <t:parking chosen="${param.parking}" none="robots.add.parking.any"/>
           </div>
         </div>
         <t:field name="code" label="robots.add.code" hint="robots.add.code.hint" optional="true"/>

@@ -177,7 +177,10 @@ final class Toqa implements AutoCloseable {
     }
   }
 
-  /** Makes the robots r1 to rN, or finds them again, and tells the store where they listen. */
+  /**
+   * Makes the robots r1 to rN, or finds them again with what people have changed, and tells the
+   * store where they listen.
+   */
   private static SimulatedFleet simulate(
       Configuration configuration, FloorMap floor, FleetStore store, VirtualClock clock)
       throws IOException {
@@ -194,13 +197,21 @@ final class Toqa implements AutoCloseable {
         SimulatedFleet.open(
             configuration.data().resolve("robots"), robots, SimulatedFloor.of(floor), clock);
     try {
+      List<RobotRecord> known = store.robots();
       for (int i = 0; i < robots.size(); i++) {
         String name = robots.get(i).name();
         int port = simulated.port(name);
         String parking = i < floor.parking().size() ? places.get(i).name() : null;
-        store.saveRobot(
+        RobotRecord fresh =
             new RobotRecord(
-                name, floor.name(), "127.0.0.1", port, SIMULATED_LOAD, parking, true, null));
+                name, floor.name(), "127.0.0.1", port, SIMULATED_LOAD, parking, true, null);
+        store.saveRobot(
+            known.stream()
+                .filter(r -> r.simulated() && r.name().equals(name))
+                .filter(r -> r.floor().equals(floor.name()))
+                .map(r -> r.at("127.0.0.1", port))
+                .findFirst()
+                .orElse(fresh));
       }
       return simulated;
     } catch (StoreException e) {

@@ -122,6 +122,17 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   @Override
+  public CompletionStage<Answer<RobotView>> changeRobot(
+      String robot, RobotChange change, String user) {
+    return ask(replyTo -> new ManagerMessage.ChangeRobot(robot, change, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> removeRobot(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.RemoveRobot(robot, user, replyTo));
+  }
+
+  @Override
   public CompletionStage<Answer<RobotView>> locate(String robot, Pose pose, String user) {
     return ask(replyTo -> new ManagerMessage.Locate(robot, pose, user, replyTo));
   }

@@ -34,6 +34,14 @@ public interface Fleet {
    */
   CompletionStage<Answer<RobotView>> pair(String robot, PairingOrder order, String user);
 
+  CompletionStage<Answer<RobotView>> changeRobot(String robot, RobotChange change, String user);
+
+  /**
+   * A person removes a robot that is out of service. The history keeps it, and adding a robot of
+   * its name brings it back.
+   */
+  CompletionStage<Answer<RobotView>> removeRobot(String robot, String user);
+
   /** A person says where a robot is. */
   CompletionStage<Answer<RobotView>> locate(String robot, Pose pose, String user);
 

@@ -64,6 +64,12 @@ public interface FleetStore {
   /** Adds the robot, or gives the robot of that name another address. */
   void saveRobot(RobotRecord robot);
 
+  /**
+   * Forgets where the robot is and what it was at, but not which tasks it carried out. {@link
+   * #saveRobot} brings it back, in service.
+   */
+  void removeRobot(String robot, List<EventRecord> events);
+
   /** Whether the robot is in service; a robot that was never taken out is. */
   void saveService(String robot, boolean inService, List<EventRecord> events);
 

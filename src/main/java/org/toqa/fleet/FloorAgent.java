@@ -10,6 +10,7 @@ import org.apache.pekko.actor.typed.javadsl.AbstractBehavior;
 import org.apache.pekko.actor.typed.javadsl.ActorContext;
 import org.apache.pekko.actor.typed.javadsl.Behaviors;
 import org.apache.pekko.actor.typed.javadsl.Receive;
+import org.apache.pekko.pattern.StatusReply;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinks;
 import org.toqa.traffic.Deadline;
@@ -40,6 +41,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private final RobotWishes wishes;
   private final Reception reception;
   private final Driving driving;
+
+  /** How many robots have come, those included that were removed. */
+  private long joined;
 
   static Behavior<FloorMessage> of(
       FloorMap floor,
@@ -122,7 +126,9 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.Recharge m -> charging.isWanted(m);
       case FloorMessage.ChargeStored m -> charging.stored(m);
       case FloorMessage.RobotJoined m -> joined(m);
-      case FloorMessage.RobotPaired m -> wishes.paired(m);
+      case FloorMessage.RobotChanged m -> wishes.changed(m);
+      case FloorMessage.RemoveRobot m -> wishes.remove(m);
+      case FloorMessage.RobotRemoved m -> removed(m);
       case FloorMessage.FromRobot m -> reception.fromRobot(m);
       case FloorMessage.Tick m -> tick(m.now());
     }
@@ -135,12 +141,26 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     manager.tell(new ManagerMessage.RobotJoined(reports.view(robot), m.replyTo()));
   }
 
+  private void removed(FloorMessage.RobotRemoved m) {
+    FloorRobot robot = state.robots.remove(m.wish().robot());
+    if (robot == null) {
+      m.wish().replyTo().tell(StatusReply.success(FloorState.unknown(m.wish().robot())));
+      return;
+    }
+    if (state.traffic.knows(robot.name())) {
+      state.traffic.leaves(robot.name());
+    }
+    robot.agent.tell(new RobotMessage.Stop());
+    reports.send();
+    manager.tell(new ManagerMessage.RobotRemoved(reports.view(robot), m.wish().replyTo()));
+  }
+
   private FloorRobot join(RobotRecord record) {
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
                 RobotAgent.of(record, getContext().getSelf(), state.store, links, state.now),
-                "robot-" + state.robots.size());
+                "robot-" + ++joined);
     FloorRobot robot = new FloorRobot(record, agent, state.now);
     state.robots.put(record.name(), robot);
     state.changed = true;

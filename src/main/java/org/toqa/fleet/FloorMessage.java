@@ -60,8 +60,15 @@ sealed interface FloorMessage {
   record RobotJoined(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
-  /** A robot has another certificate, and perhaps another address. */
-  record RobotPaired(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+  /** A person removes a robot. */
+  record RemoveRobot(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
+
+  /** That it is removed is safe: now let it have its effect. */
+  record RobotRemoved(RemoveRobot wish) implements FloorMessage {}
+
+  /** A robot has another certificate, address, strength or parking point. */
+  record RobotChanged(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
   record Locate(

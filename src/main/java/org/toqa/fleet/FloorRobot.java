@@ -57,6 +57,10 @@ final class FloorRobot {
   double footprint = UNKNOWN_FOOTPRINT;
   DriveSpeeds speeds = DriveSpeeds.DEFAULT;
   double maxLoad;
+
+  /** What it says that it carries. */
+  private double strength = Double.MAX_VALUE;
+
   Mode mode = Mode.IDLE;
   Role role = Role.ALONE;
   boolean moving;
@@ -175,6 +179,11 @@ final class FloorRobot {
     this.maxLoad = record.maxLoad();
   }
 
+  void change(RobotRecord changed) {
+    record = changed;
+    maxLoad = Math.min(record.maxLoad(), strength);
+  }
+
   String name() {
     return record.name();
   }
@@ -186,7 +195,8 @@ final class FloorRobot {
     pose = hello.pose();
     footprint = hello.footprint();
     speeds = DriveSpeeds.DEFAULT.atMost(hello.maxSpeed());
-    maxLoad = Math.min(record.maxLoad(), hello.maxLoad());
+    strength = hello.maxLoad();
+    maxLoad = Math.min(record.maxLoad(), strength);
     mode = hello.mode();
     role = hello.role();
     drive = hello.drive();

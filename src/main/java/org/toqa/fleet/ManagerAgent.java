@@ -212,8 +212,16 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.RobotStored m -> robotStored(m);
       case ManagerMessage.RobotJoined m -> joined(m);
       case ManagerMessage.RobotNotStored m -> robots.remove(m.robot());
+      case ManagerMessage.RobotNotChanged m -> robots.put(m.robot().name(), m.robot());
       case ManagerMessage.PairRobot m -> pair(m);
-      case ManagerMessage.RobotPaired m -> paired(m);
+      case ManagerMessage.ChangeRobot m -> change(m);
+      case ManagerMessage.RobotChanged m -> changed(m);
+      case ManagerMessage.RemoveRobot m ->
+          tellFloorOf(
+              m.robot(),
+              m.replyTo(),
+              new FloorMessage.RemoveRobot(m.robot(), m.user(), m.replyTo()));
+      case ManagerMessage.RobotRemoved m -> removed(m);
       case ManagerMessage.Locate m -> locate(m);
       case ManagerMessage.Serve m -> serve(m);
       case ManagerMessage.HoldRobot m ->
@@ -404,14 +412,48 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             m.user() + " paired " + robot.name() + " with this server",
             new RobotAsker(
                 m.replyTo(),
-                stored -> self.tell(new ManagerMessage.RobotPaired(stored, m.replyTo())),
+                stored -> self.tell(new ManagerMessage.RobotChanged(stored, m.replyTo())),
                 () -> {})));
   }
 
-  private void paired(ManagerMessage.RobotPaired m) {
+  private void change(ManagerMessage.ChangeRobot m) {
+    RobotRecord robot = robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknown(m.robot())));
+      return;
+    }
+    Answer<RobotRecord> checked = check.change(robot, m.change(), List.copyOf(robots.values()));
+    if (!(checked instanceof Answer.Accepted<RobotRecord>(RobotRecord changed))) {
+      m.replyTo().tell(StatusReply.success(checked.refusal()));
+      return;
+    }
+    robots.put(changed.name(), changed); // its parking point is taken from now on
+    ActorRef<ManagerMessage> self = getContext().getSelf();
+    robotIntake.take(
+        changed,
+        null,
+        new RobotIntake.Wish(
+            m.user(),
+            "robot.changed",
+            m.user() + " changed " + robot.name(),
+            new RobotAsker(
+                m.replyTo(),
+                stored -> self.tell(new ManagerMessage.RobotChanged(stored, m.replyTo())),
+                () -> self.tell(new ManagerMessage.RobotNotChanged(robot)))));
+  }
+
+  private void changed(ManagerMessage.RobotChanged m) {
     robots.put(m.robot().name(), m.robot());
+    due.add(m.robot().floor()); // who was too weak or too far away may not be any more
     tellFloorOf(
-        m.robot().name(), m.replyTo(), new FloorMessage.RobotPaired(m.robot(), m.replyTo()));
+        m.robot().name(), m.replyTo(), new FloorMessage.RobotChanged(m.robot(), m.replyTo()));
+  }
+
+  /** Whoever removed the robot does not find it in the picture. */
+  private void removed(ManagerMessage.RobotRemoved m) {
+    robots.remove(m.robot().name());
+    publish();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(m.robot())));
   }
 
   private void robotStored(ManagerMessage.RobotStored m) {

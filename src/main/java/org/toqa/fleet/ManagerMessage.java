@@ -37,6 +37,9 @@ sealed interface ManagerMessage {
   /** A robot was not added after all. */
   record RobotNotStored(String robot) implements ManagerMessage {}
 
+  /** A robot stays as it was. */
+  record RobotNotChanged(RobotRecord robot) implements ManagerMessage {}
+
   record PairRobot(
       String robot,
       PairingOrder order,
@@ -44,8 +47,22 @@ sealed interface ManagerMessage {
       ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
-  /** That a robot is paired is safe. */
-  record RobotPaired(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+  record ChangeRobot(
+      String robot,
+      RobotChange change,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  record RemoveRobot(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** The floor has the robot no more, and its report before this does not tell of it. */
+  record RobotRemoved(RobotView robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** What a robot has become is safe: it is paired, or has another address or strength. */
+  record RobotChanged(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
   record Locate(

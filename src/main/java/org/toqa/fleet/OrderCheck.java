@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Pose;
@@ -91,11 +92,7 @@ final class OrderCheck {
           "name", "There is a robot " + order.name() + " already; choose another name.");
     }
     FloorMap floor = floors.getFirst();
-    Set<String> taken =
-        existing.stream()
-            .map(RobotRecord::parking)
-            .filter(p -> p != null)
-            .collect(Collectors.toSet());
+    Set<String> taken = parkingOf(existing.stream());
     String parking = order.parking();
     if (parking == null) {
       parking =
@@ -104,13 +101,11 @@ final class OrderCheck {
               .filter(p -> !taken.contains(p))
               .findFirst()
               .orElse(null);
-    } else if (floor.parking().stream().map(Place::name).noneMatch(parking::equals)) {
-      return new Answer.Refused<>(
-          "parking",
-          "There is no parking point " + parking + "; there are " + names(floor.parking()) + ".");
-    } else if (taken.contains(parking)) {
-      return new Answer.Refused<>(
-          "parking", "Another robot parks at " + parking + "; choose another parking point.");
+    } else {
+      Optional<String> objection = objectionToParking(parking, floor, taken);
+      if (objection.isPresent()) {
+        return new Answer.Refused<>("parking", objection.get());
+      }
     }
     return new Answer.Accepted<>(
         new RobotRecord(
@@ -122,6 +117,40 @@ final class OrderCheck {
             parking,
             false,
             null));
+  }
+
+  Answer<RobotRecord> change(RobotRecord robot, RobotChange change, List<RobotRecord> existing) {
+    RobotRecord changed = robot.changed(change);
+    if (robot.simulated() && !changed.address().equals(robot.address())) {
+      return new Answer.Refused<>(
+          "host", robot.name() + " is simulated: the server itself says where it listens.");
+    }
+    Set<String> taken =
+        parkingOf(existing.stream().filter(other -> !other.name().equals(robot.name())));
+    Optional<String> objection =
+        Optional.ofNullable(change.parking())
+            .flatMap(
+                parking ->
+                    floor(robot.floor())
+                        .flatMap(floor -> objectionToParking(parking, floor, taken)));
+    return objection.isPresent()
+        ? new Answer.Refused<>("parking", objection.get())
+        : new Answer.Accepted<>(changed);
+  }
+
+  private static Set<String> parkingOf(Stream<RobotRecord> robots) {
+    return robots.map(RobotRecord::parking).filter(p -> p != null).collect(Collectors.toSet());
+  }
+
+  private static Optional<String> objectionToParking(
+      String parking, FloorMap floor, Set<String> taken) {
+    if (floor.parking().stream().map(Place::name).noneMatch(parking::equals)) {
+      return Optional.of(
+          "There is no parking point " + parking + "; there are " + names(floor.parking()) + ".");
+    }
+    return taken.contains(parking)
+        ? Optional.of("Another robot parks at " + parking + "; choose another parking point.")
+        : Optional.empty();
   }
 
   private Optional<FloorMap> floor(@Nullable String name) {

@@ -26,8 +26,21 @@ public record RobotRecord(
     return new RobotAddress(name, host, port, fingerprint);
   }
 
-  RobotRecord at(String newHost, int newPort) {
+  /** The same robot at another address. */
+  public RobotRecord at(String newHost, int newPort) {
     return new RobotRecord(name, floor, newHost, newPort, maxLoad, parking, simulated, fingerprint);
+  }
+
+  RobotRecord changed(RobotChange change) {
+    return new RobotRecord(
+        name,
+        floor,
+        change.host(),
+        change.port(),
+        change.maxLoad(),
+        change.parking(),
+        simulated,
+        fingerprint);
   }
 
   RobotRecord pairedAs(Fingerprint paired) {

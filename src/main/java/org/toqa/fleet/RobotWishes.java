@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.util.List;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
 
 /** What people want of a floor's robots: to stand, to go home, to be out of service, to be told. */
 final class RobotWishes {
@@ -28,18 +29,59 @@ final class RobotWishes {
     this.self = self;
   }
 
-  /** From now on it is spoken to by its new certificate. */
-  void paired(FloorMessage.RobotPaired m) {
+  /** From now on it is spoken to at its new address, and by its new certificate. */
+  void changed(FloorMessage.RobotChanged m) {
     FloorRobot robot = state.robots.get(m.robot().name());
     if (robot == null) {
       m.replyTo().tell(StatusReply.success(FloorState.unknown(m.robot().name())));
       return;
     }
-    robot.record = m.robot();
-    robot.alert = null;
-    robot.agent.tell(new RobotMessage.Reconnect(m.robot()));
+    boolean isElsewhere = !m.robot().address().equals(robot.record.address());
+    robot.change(m.robot());
+    if (isElsewhere || robot.alert != null) {
+      robot.alert = null;
+      robot.agent.tell(new RobotMessage.Reconnect(m.robot()));
+    }
     reports.send();
     m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));
+  }
+
+  void remove(FloorMessage.RemoveRobot m) {
+    FloorRobot robot = state.robots.get(m.robot());
+    String objection = robot == null ? null : objectionToRemoval(robot);
+    if (robot == null || objection != null) {
+      m.replyTo()
+          .tell(
+              StatusReply.success(
+                  objection == null
+                      ? FloorState.unknown(m.robot())
+                      : new Answer.Conflict<>(objection, null)));
+      return;
+    }
+    EventRecord event =
+        state.event("robot.removed", m.robot(), m.user(), m.user() + " removed " + m.robot());
+    state.writer.tryOnce(
+        () -> state.store.removeRobot(m.robot(), List.of(event)),
+        () -> self.tell(new FloorMessage.RobotRemoved(m)),
+        failure -> m.replyTo().tell(StatusReply.error(failure)));
+  }
+
+  private @Nullable String objectionToRemoval(FloorRobot robot) {
+    if (robot.record.simulated()) {
+      return "%s is simulated: start the server with fewer simulated robots."
+          .formatted(robot.name());
+    }
+    if (robot.inService) {
+      return "Take %s out of service first; then it can be removed.".formatted(robot.name());
+    }
+    return state
+        .missions
+        .of(robot.name())
+        .map(
+            mission ->
+                "%s works for task %d. Cancel the task, or let it end, and remove the robot then."
+                    .formatted(robot.name(), mission.id()))
+        .orElse(null);
   }
 
   void locate(FloorMessage.Locate m) {
@@ -153,6 +195,7 @@ final class RobotWishes {
   void serviceStored(FloorMessage.Serve m, boolean clears) {
     FloorRobot robot = state.robots.get(m.robot());
     if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknown(m.robot())));
       return;
     }
     robot.inService = m.inService();

@@ -51,7 +51,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
     return sql.in(
         h ->
             h.createQuery(
-                    "select name, floor, host, port, max_load, parking, simulated, fingerprint from robots order by id")
+                    "select name, floor, host, port, max_load, parking, simulated, fingerprint from robots where not removed order by id")
                 .map(
                     (rs, ctx) ->
                         new RobotRecord(
@@ -76,7 +76,9 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                     values (:name, :floor, :host, :port, :maxLoad, :parking, :simulated, :fingerprint, 1, 0, 0)
                     on duplicate key update floor = values(floor), host = values(host), port = values(port),
                       max_load = values(max_load), parking = values(parking), simulated = values(simulated),
-                      fingerprint = values(fingerprint)
+                      fingerprint = values(fingerprint),
+                      out_of_service = case when removed then false else out_of_service end,
+                      removed = false
                     """)
                 .bind("name", robot.name())
                 .bind("floor", robot.floor())
@@ -87,6 +89,23 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                 .bind("simulated", robot.simulated())
                 .bind("fingerprint", Objects.toString(robot.fingerprint(), null))
                 .execute());
+  }
+
+  @Override
+  public void removeRobot(String robot, List<EventRecord> events) {
+    sql.inTransaction(
+        h -> {
+          h.createUpdate(
+                  """
+                  update robots set removed = true, out_of_service = true, held = false,
+                    parking = null, charger = null, charger_since = null, worked_s = 0
+                  where id = :id
+                  """)
+              .bind("id", robotId(h, robot))
+              .execute();
+          Events.add(h, events);
+          return null;
+        });
   }
 
   private static @Nullable Fingerprint fingerprint(@Nullable String hex) {

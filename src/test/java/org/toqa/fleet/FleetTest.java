@@ -249,6 +249,62 @@ class FleetTest {
   }
 
   @Test
+  void aRobotIsRemovedWhenItIsOutOfServiceAndComesBackWhenItIsAdded() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    long task = submit("East", "West");
+    until(view -> task(view, task).state() == TaskState.CARRYING);
+    assertEquals(List.of("r2"), task(stage.fleet.feed().latest(), task).robots());
+    assertInstanceOf(Answer.Conflict.class, answer(stage.fleet.removeRobot("r2", "Max")));
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+    assertInstanceOf(
+        Answer.Conflict.class, answer(stage.fleet.removeRobot("r2", "Max")), "it has a task");
+    accepted(stage.fleet.putInService("r2", "Max"));
+    until(view -> task(view, task).state() == TaskState.DONE);
+    until(view -> robot(view, "r2").task() == null);
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+
+    accepted(stage.fleet.removeRobot("r2", "Max"));
+
+    assertEquals(1, stage.fleet.feed().latest().robots().size());
+    assertEquals(List.of("Max removed r2"), history("robot.removed"));
+    assertInstanceOf(Answer.Unknown.class, answer(stage.fleet.removeRobot("r2", "Max")));
+    stage.restart();
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    assertEquals(1, stage.fleet.feed().latest().robots().size());
+    RobotOrder again = new RobotOrder("r2", "127.0.0.1", 1, 5, "P2", null);
+    accepted(stage.fleet.addRobot(again, "Max"));
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    long next = submit("East", "West");
+    until(view -> task(view, next).state() == TaskState.DONE);
+    assertEquals(List.of("r2"), stage.store.task(task).orElseThrow().robots(), "it is remembered");
+  }
+
+  @Test
+  void aRobotIsChangedAndStaysSo() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    assertInstanceOf(
+        Answer.Refused.class,
+        answer(stage.fleet.changeRobot("r2", new RobotChange("127.0.0.1", 1, 9, "P1"), "Max")),
+        "r1 parks there");
+    assertInstanceOf(
+        Answer.Refused.class,
+        answer(stage.fleet.changeRobot("r2", new RobotChange("127.0.0.1", 1, 9, "P9"), "Max")));
+
+    RobotView changed =
+        accepted(stage.fleet.changeRobot("r2", new RobotChange("127.0.0.1", 2, 3, null), "Max"));
+
+    assertEquals(3, changed.maxLoad());
+    assertEquals(2, changed.port());
+    assertNull(changed.parking());
+    assertEquals(List.of("Max changed r2"), history("robot.changed"));
+    stage.restart();
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    assertEquals(3, robot(stage.fleet.feed().latest(), "r2").maxLoad());
+  }
+
+  @Test
   void aRobotOutOfServiceGetsNoTask() throws Exception {
     reopenWith("r2", EAST, "P2");
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -87,6 +88,26 @@ class FleetStoreTest {
 
     assertEquals(Set.of("r1"), store.outOfService());
     assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
+  }
+
+  @Test
+  void aRobotThatWasRemovedIsGoneUntilItIsAddedAgain() {
+    store.saveRobot(R1);
+    store.saveRobot(R2);
+    store.saveService("r1", false, List.of());
+
+    store.removeRobot("r1", List.of());
+
+    assertEquals(List.of(R2), store.robots());
+    store.removeRobot("r1", List.of()); // it may be repeated
+    assertThrows(StoreException.class, () -> store.removeRobot("nobody", List.of()));
+    store.saveRobot(R1);
+    assertEquals(Set.of("r1", "r2"), names(store.robots()));
+    assertEquals(Set.of(), store.outOfService());
+  }
+
+  private static Set<String> names(List<RobotRecord> robots) {
+    return robots.stream().map(RobotRecord::name).collect(Collectors.toSet());
   }
 
   @Test

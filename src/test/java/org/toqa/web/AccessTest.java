@@ -331,6 +331,30 @@ class AccessTest {
     assertFalse(clerk.get("history?kind=user").body().contains("added the user Secret"));
   }
 
+  @Test
+  void aRobotIsChangedAndRemoved() {
+    assertEquals(
+        201,
+        manager
+            .postJson(
+                "api/v1/robots",
+                "{\"name\":\"leaving\",\"host\":\"127.0.0.1\",\"port\":7299,\"maxLoad\":5}")
+            .statusCode());
+    String path = "api/v1/robots/leaving";
+    String change = "{\"host\":\"%s\",\"port\":7300,\"maxLoad\":4,\"parking\":null}";
+    HttpResponse<String> changed = manager.sendJson("PUT", path, change.formatted("10.0.0.9"));
+    assertEquals(200, changed.statusCode());
+    assertTrue(changed.body().contains("10.0.0.9"), changed.body());
+    assertEquals(422, manager.sendJson("PUT", path, change.formatted("a b")).statusCode());
+    assertEquals(403, clerk.sendJson("PUT", path, change.formatted("10.0.0.9")).statusCode());
+
+    assertEquals(409, manager.sendJson("DELETE", path, "").statusCode(), "in service");
+    assertEquals(200, manager.postJson(path + "/out-of-service", "").statusCode());
+    assertEquals(204, manager.sendJson("DELETE", path, "").statusCode());
+    assertEquals(404, manager.get(path).statusCode());
+    assertEquals(404, manager.sendJson("DELETE", path, "").statusCode());
+  }
+
   private static String hash() {
     return server.accounts().byName(WebTestServer.CLERK).orElseThrow().passwordHash();
   }

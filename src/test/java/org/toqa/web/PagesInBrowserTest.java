@@ -294,6 +294,31 @@ class PagesInBrowserTest {
     assertThat(page.locator("#age")).containsText("Live");
   }
 
+  @ParameterizedTest
+  @CsvSource({"1280, 900, desktop", "390, 844, phone"})
+  void aManagerChangesARobotAndRemovesIt(int width, int height, String name) {
+    Page page = loggedIn(width, height, ColorScheme.LIGHT);
+    page.navigate(server.root() + "robots/r1");
+    Locator form = page.locator("#change");
+    form.getByLabel("Address").fill("not a host");
+    form.getByText("Save", exactly()).click();
+    assertThat(page.locator("#change-host-help")).isVisible();
+    form.getByLabel("Address").fill("10.0.0.8");
+    form.getByText("Save", exactly()).click();
+    assertThat(page.locator("dl").first()).containsText("10.0.0.8:");
+
+    page.getByText("Take it out of service").click();
+    page.locator("#service button.danger").click();
+    assertThat(page.locator(".heading .state")).hasText("Out of service");
+    form.getByText("Remove this robot").click();
+    form.scrollIntoViewIfNeeded();
+    picture(page, name + "-robot-change");
+    assertFits(page);
+    form.getByText("Remove it").click();
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("The robot was removed.");
+    assertThat(page.locator("main")).not().containsText("r1");
+  }
+
   private static void assertFits(Page page) {
     assertFalse((Boolean) page.evaluate("document.documentElement.scrollWidth > innerWidth"));
   }

@@ -24,6 +24,7 @@ import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -240,6 +241,34 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
       robots.add(robot);
       publish(robots);
       return CompletableFuture.completedFuture(new Answer.Accepted<>(robot));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> changeRobot(
+      String name, RobotChange change, String user) {
+    return change(
+        name, known -> robot(name, known.state(), known.pose(), change.host(), change.port()));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> removeRobot(String name, String user) {
+    lock.lock();
+    try {
+      Optional<RobotView> known =
+          latest.robots().stream().filter(r -> r.name().equals(name)).findFirst();
+      if (known.isEmpty()) {
+        return CompletableFuture.completedFuture(
+            new Answer.Unknown<>("There is no robot of that name."));
+      }
+      if (known.get().state() != RobotState.OUT_OF_SERVICE) {
+        return CompletableFuture.completedFuture(
+            new Answer.Conflict<>("Take " + name + " out of service first.", null));
+      }
+      publish(latest.robots().stream().filter(r -> !r.name().equals(name)).toList());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(known.get()));
     } finally {
       lock.unlock();
     }
@@ -490,7 +519,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         host,
         port,
         "P1",
-        true,
+        host.equals("127.0.0.1"), // else it is a real one
         List.of(),
         0,
         List.of(),

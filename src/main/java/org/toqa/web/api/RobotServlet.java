@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.Doors;
@@ -30,6 +31,37 @@ public final class RobotServlet extends ApiServlet {
             .orElseThrow(
                 () -> Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).raised());
     Json.send(response, 200, RobotJson.of(robot));
+  }
+
+  @Override
+  protected void doPut(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    InputRules rules = new InputRules(Texts.of(request), errors);
+    RobotChange change =
+        new RobotChange(
+            rules.host("host", fields.text("host")),
+            rules.port("port", fields.number("port")),
+            rules.load("maxLoad", fields.number("maxLoad")),
+            fields.text("parking"));
+    fields.refuseUnknown();
+    refuseIfAny(errors);
+    String robot = Doors.parameter(request, "name");
+    Json.send(
+        response,
+        200,
+        RobotJson.of(
+            accepted(
+                FleetAnswers.await(
+                    services().fleet().changeRobot(robot, change, Caller.of(request).name())))));
+  }
+
+  @Override
+  protected void doDelete(HttpServletRequest request, HttpServletResponse response) {
+    String robot = Doors.parameter(request, "name");
+    accepted(FleetAnswers.await(services().fleet().removeRobot(robot, Caller.of(request).name())));
+    response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 
   @Override

@@ -10,6 +10,7 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.Doors;
@@ -44,7 +45,8 @@ public final class RobotServlet extends PageServlet {
     FieldErrors errors = new FieldErrors();
     Optional<RobotView> robot = ask(request, errors).flatMap(wish -> answered(wish, errors));
     if (robot.isPresent()) {
-      goTo(request, response, "/robots/" + robot.get().name());
+      boolean isGone = Doors.lastSegment(request).equals("remove");
+      goTo(request, response, isGone ? "/robots?done=removed" : "/robots/" + robot.get().name());
     } else {
       showAgain(request, response, "robot", errors);
     }
@@ -62,6 +64,8 @@ public final class RobotServlet extends PageServlet {
       case "hold" -> Optional.of(fleet.hold(name, user));
       case "resume" -> Optional.of(fleet.resume(name, user));
       case "home" -> Optional.of(fleet.sendHome(name, user));
+      case "remove" -> Optional.of(fleet.removeRobot(name, user));
+      case "change" -> change(request, errors).map(change -> fleet.changeRobot(name, change, user));
       case "pair" -> pairing(request, errors).map(order -> fleet.pair(name, order, user));
       default -> read(request, errors).map(pose -> fleet.locate(name, pose, user));
     };
@@ -71,6 +75,18 @@ public final class RobotServlet extends PageServlet {
     FormFields fields = new FormFields(request, errors);
     return new PairingForm(fields.text("host"), fields.number("port"), fields.text("code"))
         .order(Texts.of(request), errors);
+  }
+
+  private static Optional<RobotChange> change(HttpServletRequest request, FieldErrors errors) {
+    FormFields fields = new FormFields(request, errors);
+    InputRules rules = new InputRules(Texts.of(request), errors);
+    RobotChange change =
+        new RobotChange(
+            rules.host("host", fields.text("host")),
+            rules.port("port", fields.number("port")),
+            rules.load("maxLoad", fields.number("maxLoad")),
+            fields.text("parking"));
+    return errors.isEmpty() ? Optional.of(change) : Optional.empty();
   }
 
   private static Optional<RobotView> answered(
@@ -96,6 +112,7 @@ public final class RobotServlet extends PageServlet {
     Optional<RobotView> robot =
         fleet.robots().stream().filter(r -> r.name().equals(name)).findFirst();
     robot.ifPresent(r -> request.setAttribute("robot", r));
+    request.setAttribute("floors", services().fleet().floors());
     request.setAttribute("trackHours", TRACK_HOURS);
     request.setAttribute(
         "keepsPlace", fleet.floors().stream().anyMatch(floor -> floor.kept().containsKey(name)));

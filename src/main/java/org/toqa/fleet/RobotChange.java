@@ -1,0 +1,11 @@
+package org.toqa.fleet;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A wish for another address, strength or parking point of a robot.
+ *
+ * @param maxLoad kilograms
+ * @param parking a parking point's name; null: it stays where its last task ends
+ */
+public record RobotChange(String host, int port, double maxLoad, @Nullable String parking) {}
