@@ -9,6 +9,7 @@ import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TrackStore;
 import org.toqa.store.Accounts;
 import org.toqa.store.ApiTokens;
+import org.toqa.store.Statistics;
 import org.toqa.web.access.Login;
 import org.toqa.web.access.Passwords;
 
@@ -18,6 +19,7 @@ public record Services(
     TaskArchive archive,
     EventArchive history,
     TrackStore tracks,
+    Statistics statistics,
     Accounts accounts,
     ApiTokens tokens,
     Passwords passwords,
@@ -32,6 +34,7 @@ public record Services(
       TaskArchive archive,
       EventArchive history,
       TrackStore tracks,
+      Statistics statistics,
       Accounts accounts,
       ApiTokens tokens,
       Passwords passwords,
@@ -41,6 +44,7 @@ public record Services(
         archive,
         history,
         tracks,
+        statistics,
         accounts,
         tokens,
         passwords,

@@ -28,7 +28,9 @@ import org.toqa.store.ApiTokens;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiTrackStore;
+import org.toqa.store.JdbiUseStore;
 import org.toqa.store.Role;
+import org.toqa.store.Statistics;
 import org.toqa.web.access.Passwords;
 
 /** The shipped web application in an embedded Tomcat, over a fleet and a database in memory. */
@@ -46,6 +48,7 @@ final class WebTestServer implements AutoCloseable {
   private final Accounts accounts;
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
+  private final JdbiUseStore uses;
   private final Tomcat tomcat = new Tomcat();
   private final Path baseDir;
 
@@ -75,12 +78,14 @@ final class WebTestServer implements AutoCloseable {
     accounts = new Accounts(jdbi, InstantSource.system());
     ApiTokens tokens = new ApiTokens(jdbi, InstantSource.system(), Duration.ofHours(12));
     tracks = new JdbiTrackStore(jdbi);
+    uses = new JdbiUseStore(jdbi);
     Services services =
         Services.of(
             fleet,
             fleet,
             new JdbiEventArchive(jdbi),
             tracks,
+            new Statistics(jdbi),
             accounts,
             tokens,
             PASSWORDS,
@@ -106,9 +111,10 @@ final class WebTestServer implements AutoCloseable {
     filter.setTldScan("jakarta.servlet.jsp.jstl-*.jar");
     ((StandardJarScanner) context.getJarScanner()).setJarScanFilter(filter);
     WebResourceRoot root = new StandardRoot(context);
-    root.addPreResources(
-        new DirResourceSet(
-            root, "/assets/pico", new File("target/webapp/assets/pico").getAbsolutePath(), "/"));
+    for (String library : List.of("/assets/pico", "/assets/chart")) {
+      String folder = new File("target/webapp" + library).getAbsolutePath();
+      root.addPreResources(new DirResourceSet(root, library, folder, "/"));
+    }
     context.setResources(root);
     context.addServletContainerInitializer(
         (classes, servletContext) -> servletContext.setAttribute(Services.ATTRIBUTE, services),
@@ -123,6 +129,10 @@ final class WebTestServer implements AutoCloseable {
 
   JdbiTrackStore tracks() {
     return tracks;
+  }
+
+  JdbiUseStore uses() {
+    return uses;
   }
 
   TestFleet fleet() {
