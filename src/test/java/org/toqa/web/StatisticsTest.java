@@ -185,6 +185,7 @@ class StatisticsTest {
         page);
     assertTrue(page.contains("data-value=\"0.6666666666666666\">66.7%</td>"), "1200 s of 1800 s");
     assertTrue(page.contains("kind=task.robot-failed"), "failures lead to the history");
+    assertTrue(page.contains("<details open>"), "without JavaScript the tables are seen");
     assertFalse(page.contains("style="), "the policy allows no style in a page");
   }
 
