@@ -5,36 +5,70 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="statistics.title" var="title"/>
-<t:page title="${title}" here="statistics">
+<t:page title="${title}" here="statistics" script="statistics.js">
   <div class="heading">
     <div>
       <h1>${title}</h1>
-      <p class="faint"><fmt:message key="statistics.basis"><fmt:param value="${statistics.looked}"/></fmt:message></p>
+      <c:if test="${not empty period}"><p class="faint"><fmt:message key="statistics.period"><fmt:param value="${firstDay}"/><fmt:param value="${lastDay}"/><fmt:param value="${period.zone()}"/></fmt:message></p></c:if>
     </div>
   </div>
-  <div class="figures">
-    <article><p class="faint"><fmt:message key="statistics.doneToday"/></p><p class="figure"><fmt:formatNumber value="${statistics.doneToday}"/></p></article>
-    <article>
-      <p class="faint"><fmt:message key="statistics.mean"/></p>
-      <p class="figure"><c:choose>
-        <c:when test="${empty statistics.meanSeconds}"><small><fmt:message key="statistics.mean.none"/></small></c:when>
-        <c:otherwise><fmt:formatNumber value="${statistics.meanSeconds}" maxFractionDigits="0" var="seconds"/><fmt:message key="statistics.seconds"><fmt:param value="${seconds}"/></fmt:message></c:otherwise>
-      </c:choose></p>
+  <fmt:message key="statistics.choose" var="choose"/>
+  <nav class="periods" aria-label="${choose}">
+    <c:forEach items="${names}" var="name">
+      <c:url value="/statistics" var="target"><c:param name="period" value="${name}"/><c:if test="${not empty param.zone and empty errors.zone}"><c:param name="zone" value="${param.zone}"/></c:if></c:url>
+      <a href="<c:out value="${target}"/>" ${name == chosen ? 'aria-current="page"' : ''}><fmt:message key="statistics.period.${name}"/></a>
+    </c:forEach>
+  </nav>
+  <form method="get" action="${root}/statistics" class="filter">
+    <c:forTokens items="from,to" delims="," var="name">
+      <label><fmt:message key="statistics.${name}"/>
+        <input name="${name}" type="date" value="${fn:escapeXml(param[name])}" required ${empty errors[name] ? '' : 'aria-invalid="true" aria-describedby="error-'.concat(name).concat('"')}>
+      </label>
+    </c:forTokens>
+    <input type="hidden" id="zone" name="zone" value="${empty param.zone or not empty errors.zone ? 'UTC' : fn:escapeXml(param.zone)}">
+    <button><fmt:message key="statistics.show"/></button>
+  </form>
+  <c:forTokens items="period,from,to,zone" delims="," var="name"><c:if test="${not empty errors[name]}"><p id="error-${name}" class="notice bad" role="alert"><c:out value="${errors[name]}"/></p></c:if></c:forTokens>
+  <c:if test="${not empty period}">
+    <div class="figures">
+      <c:forTokens items="ordered,done,failed,cancelled" delims="," var="name"><article><p class="faint"><fmt:message key="statistics.column.${name}"/></p><p class="figure"><fmt:formatNumber value="${total[name]}"/></p></article></c:forTokens>
+      <c:forTokens items="delivery,waiting,completion" delims="," var="name">
+        <fmt:message key="statistics.chart.${name}" var="what"/>
+        <article>
+          <p class="faint"><fmt:message key="statistics.median"><fmt:param value="${what}"/></fmt:message></p>
+          <p class="figure"><t:amount value="${total[name].median()}" unit="SECONDS"/></p>
+          <c:if test="${not empty total[name]}"><p class="faint"><fmt:message key="statistics.p90"/>${" "}<t:amount value="${total[name].p90()}" unit="SECONDS"/></p></c:if>
+        </article>
+      </c:forTokens>
+      <article><p class="faint"><fmt:message key="statistics.chart.distance"/></p><p class="figure"><t:amount value="${total.metres()}" unit="METRES"/></p></article>
+      <article><p class="faint"><fmt:message key="statistics.chart.battery"/></p><p class="figure"><t:amount value="${total.battery()}" unit="SHARE"/></p></article>
+      <article><p class="faint"><fmt:message key="statistics.chart.failures"/></p><p class="figure"><fmt:formatNumber value="${total.failureCount()}"/></p></article>
+    </div>
+    <div class="charts">
+      <c:forEach items="${series}" var="chart">
+        <t:chart chart="${chart}"/>
+      </c:forEach>
+      <article>
+        <h2><fmt:message key="statistics.causes"/></h2>
+        <p class="faint"><fmt:message key="statistics.causes.means"/></p>
+        <ul>
+          <c:forEach items="${total.failures()}" var="failure">
+            <c:url value="/history" var="history"><c:param name="kind" value="${failure.key.kind()}"/><c:param name="from" value="${period.begin()}"/><c:param name="until" value="${period.end()}"/></c:url>
+            <li><a href="<c:out value="${history}"/>"><fmt:message key="statistics.column.${failure.key}"/></a>: <fmt:formatNumber value="${failure.value}"/></li>
+          </c:forEach>
+        </ul>
+      </article>
+      <t:chart chart="${use}"/>
+    </div>
+    <article class="card">
+      <h2><fmt:message key="statistics.csv"/></h2>
+      <p class="faint"><fmt:message key="statistics.csv.means"/></p>
+      <div class="choices">
+        <c:forTokens items="series,robots" delims="," var="file">
+          <c:url value="/api/v1/statistics/${file}.csv" var="target"><c:param name="from" value="${period.from()}"/><c:param name="to" value="${period.to()}"/><c:param name="zone" value="${period.zone()}"/></c:url>
+          <a href="<c:out value="${target}"/>" role="button" class="outline" download><fmt:message key="statistics.csv.${file}"/></a>
+        </c:forTokens>
+      </div>
     </article>
-    <article><p class="faint"><fmt:message key="statistics.total"/></p><p class="figure"><fmt:formatNumber value="${count}"/></p></article>
-  </div>
-  <article>
-    <h2><fmt:message key="statistics.byState"/></h2>
-    <table class="bars">
-      <tbody>
-        <c:forEach items="${statistics.byState}" var="entry">
-          <tr>
-            <th scope="row"><t:state of="task" state="${entry.key}"/></th>
-            <td class="bar"><progress value="${entry.value}" max="${statistics.looked == 0 ? 1 : statistics.looked}" aria-hidden="true"></progress></td>
-            <td class="number"><fmt:formatNumber value="${entry.value}"/></td>
-          </tr>
-        </c:forEach>
-      </tbody>
-    </table>
-  </article>
+  </c:if>
 </t:page>

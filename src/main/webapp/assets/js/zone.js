@@ -1,5 +1,5 @@
-/** Times are entered in the reader's own time zone, as they are shown. */
-const zone = Intl.DateTimeFormat().resolvedOptions().timeZone;
+/** The reader's own time zone, in which times are entered as they are shown. */
+export const zone = Intl.DateTimeFormat().resolvedOptions().timeZone;
 
 document.querySelector('#zone').value = zone;
 const name = document.querySelector('#zone-name');

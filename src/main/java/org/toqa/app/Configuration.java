@@ -36,7 +36,7 @@ import org.toqa.fleet.ChargingRules;
  * @param charging when robots charge
  * @param speed how many times faster than real time the simulated robots live
  * @param keepTracks how long it is kept where robots were
- * @param keepHistory how long ended tasks and events are kept
+ * @param keepHistory how long ended tasks, events and what robots did are kept
  * @param manager the manager to make while there is none
  * @param mail who takes letters; null: none are sent
  * @param plainLinks whether robots on other machines may be spoken to without encryption

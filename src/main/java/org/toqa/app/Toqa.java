@@ -19,6 +19,7 @@ import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.TrackRecorder;
+import org.toqa.fleet.UseRecorder;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
@@ -35,9 +36,11 @@ import org.toqa.store.Database;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiTrackStore;
+import org.toqa.store.JdbiUseStore;
 import org.toqa.store.PasswordResets;
 import org.toqa.store.Pruning;
 import org.toqa.store.Sessions;
+import org.toqa.store.Statistics;
 import org.toqa.web.Metrics;
 import org.toqa.web.Services;
 import org.toqa.web.access.PasswordLinks;
@@ -47,7 +50,7 @@ import org.toqa.web.access.Passwords;
  * The product behind its web pages: store, fleet and simulated robots. It has one owner, the
  * command that started it or, on a stock Tomcat, {@link ToqaContextListener}.
  *
- * <p>Started in order: map, database, first manager, simulated robots, fleet, time, tracks. Closed
+ * <p>Started in order: map, database, first manager, simulated robots, fleet, time, records. Closed
  * in the reverse order.
  */
 final class Toqa implements AutoCloseable {
@@ -137,6 +140,9 @@ final class Toqa implements AutoCloseable {
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
     parts.push(new TrackRecorder(fleet.feed(), tracks));
     parts.push(
+        new UseRecorder(
+            fleet.feed(), new JdbiUseStore(database.jdbi()), wallClock, configuration.speed()));
+    parts.push(
         new Housekeeping(
             new Pruning(database.jdbi()),
             configuration.keepTracks(),
@@ -148,6 +154,7 @@ final class Toqa implements AutoCloseable {
             store,
             new JdbiEventArchive(database.jdbi()),
             tracks,
+            new Statistics(database.jdbi()),
             accounts,
             sessions,
             passwordLinks,

@@ -16,6 +16,15 @@ public enum TaskState {
   FAILED,
   CANCELLED;
 
+  /** Whether robots were chosen, and work for it or have done so to its end. */
+  public boolean isGiven() {
+    return this == ASSIGNED || this == TO_OBJECT || this == CARRYING || isDelivered();
+  }
+
+  public boolean isDelivered() {
+    return this == RETURNING || this == DONE;
+  }
+
   public boolean isEnded() {
     return this == DONE || this == FAILED || this == CANCELLED;
   }

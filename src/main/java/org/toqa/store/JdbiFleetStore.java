@@ -443,6 +443,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
     h.createUpdate(
             """
             update tasks set state = :state, changed_at = :at, held = :held, ending = :ending,
+              assigned_at = coalesce(assigned_at, :assigned), delivered_at = coalesce(delivered_at, :delivered),
               set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
               trouble_why = :troubleWhy, trouble_x = :troubleX, trouble_y = :troubleY,
               trouble_waits = :troubleWaits
@@ -450,6 +451,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             """)
         .bind("state", mission.state().name())
         .bind("at", Sql.utc(at))
+        .bind("assigned", mission.state().isGiven() ? Sql.utc(at) : null)
+        .bind("delivered", mission.state().isDelivered() ? Sql.utc(at) : null)
         .bind("held", mission.held())
         .bind("ending", mission.ending() == null ? null : mission.ending().name())
         .bind("setDownX", setDown == null ? null : setDown.position().x())

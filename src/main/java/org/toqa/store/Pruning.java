@@ -2,6 +2,7 @@ package org.toqa.store;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.function.IntSupplier;
 import org.jdbi.v3.core.Jdbi;
 import org.toqa.fleet.FleetStore.StoreException;
 
@@ -12,6 +13,8 @@ public final class Pruning {
   /** An event of a task stays as long as its task. */
   private static final String OLD_EVENTS =
       "delete from events where at < :before and task_id is null limit " + AT_ONCE;
+
+  private static final String OLD_USE = "delete from robot_use where at < :before limit " + AT_ONCE;
 
   private static final String OLD_TASKS =
       """
@@ -32,37 +35,39 @@ public final class Pruning {
    * @throws StoreException when the database does not answer
    */
   public long tracks(Instant before) {
+    return all(
+        () ->
+            sql.in(
+                h ->
+                    h.createUpdate("delete from tracks where at < :before limit " + AT_ONCE)
+                        .bind("before", before.toEpochMilli())
+                        .execute()));
+  }
+
+  /**
+   * How many tasks were removed, with their events, that ended before this; other events and what
+   * robots did go too, where they are older.
+   *
+   * @throws StoreException when the database does not answer
+   */
+  public long history(Instant before) {
+    all(() -> older(OLD_EVENTS, before));
+    all(() -> older(OLD_USE, before));
+    return all(() -> endedTasks(before));
+  }
+
+  private static long all(IntSupplier removeSome) {
     long removed = 0;
     int now;
     do {
-      now =
-          sql.in(
-              h ->
-                  h.createUpdate("delete from tracks where at < :before limit " + AT_ONCE)
-                      .bind("before", before.toEpochMilli())
-                      .execute());
+      now = removeSome.getAsInt();
       removed += now;
     } while (now == AT_ONCE);
     return removed;
   }
 
-  /**
-   * How many tasks were removed, with their events, that ended before this; other events that are
-   * older go too.
-   *
-   * @throws StoreException when the database does not answer
-   */
-  public long history(Instant before) {
-    long removed = 0;
-    int now;
-    do {
-      now = endedTasks(before);
-      removed += now;
-    } while (now == AT_ONCE);
-    do {
-      now = sql.in(h -> h.createUpdate(OLD_EVENTS).bind("before", Sql.utc(before)).execute());
-    } while (now == AT_ONCE);
-    return removed;
+  private int older(String statement, Instant before) {
+    return sql.in(h -> h.createUpdate(statement).bind("before", Sql.utc(before)).execute());
   }
 
   private int endedTasks(Instant before) {

@@ -9,6 +9,7 @@ import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TrackStore;
 import org.toqa.store.Accounts;
 import org.toqa.store.Sessions;
+import org.toqa.store.Statistics;
 import org.toqa.web.access.Login;
 import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.Passwords;
@@ -19,6 +20,7 @@ public record Services(
     TaskArchive archive,
     EventArchive history,
     TrackStore tracks,
+    Statistics statistics,
     Accounts accounts,
     Sessions sessions,
     PasswordLinks passwordLinks,
@@ -35,6 +37,7 @@ public record Services(
       TaskArchive archive,
       EventArchive history,
       TrackStore tracks,
+      Statistics statistics,
       Accounts accounts,
       Sessions sessions,
       PasswordLinks passwordLinks,
@@ -46,6 +49,7 @@ public record Services(
         archive,
         history,
         tracks,
+        statistics,
         accounts,
         sessions,
         passwordLinks,

@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.sql.SQLException;
 import java.time.Duration;
 import java.time.Instant;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.List;
+import java.util.Map;
 import java.util.UUID;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -17,7 +20,9 @@ import org.toqa.fleet.EventArchive.Filter;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.RobotUse;
 import org.toqa.fleet.TrackPoint;
+import org.toqa.fleet.UseRecord;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
@@ -143,10 +148,20 @@ class HistoryTest {
             .mapToObj(i -> new TrackPoint("r1", AT.plusSeconds(i), new Vec2(i, 0)))
             .toList());
 
+    JdbiUseStore uses = new JdbiUseStore(database.jdbi());
+    uses.save(
+        IntStream.of(0, 2)
+            .mapToObj(day -> AT.plus(Duration.ofDays(day)))
+            .map(at -> new UseRecord("r1", at, Map.of(RobotUse.IDLE, Duration.ofMinutes(30)), 7, 0))
+            .toList());
+
     assertEquals(2000, pruning.tracks(AT.plusSeconds(2000)));
     assertEquals(1, pruning.history(AT.plus(Duration.ofDays(1))));
 
     assertEquals(500, tracks.track("r1", AT).size());
+    LocalDate day = LocalDate.of(2026, 11, 21);
+    Period days = Period.of(day, day.plusDays(2), ZoneOffset.UTC);
+    assertEquals(7, new Statistics(database.jdbi()).of(days).total().metres()); // of the third day
     assertEquals(List.of(recent, EventRecord.added(open)), found(ALL));
     assertEquals(1, store.count());
   }

@@ -3,6 +3,7 @@ package org.toqa.web;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Instant;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -38,6 +39,7 @@ class OpenApiTest {
                 List.of(
                     TestFleet.robot(
                         "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
+    PastWork.in(server).anHour(Instant.now().minusSeconds(3600));
     clerk.post(
         "tasks/new",
         Map.of("name", "x", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
@@ -94,6 +96,11 @@ class OpenApiTest {
     assertDescribed("Robot", "api/v1/robots/r1", "");
     assertDescribed("Pose", "api/v1/robots/r1", "/pose");
     assertDescribed("NamedPlace", "api/v1/map", "/stations/0");
+    assertDescribed("Statistics", "api/v1/statistics", "");
+    assertDescribed("Figures", "api/v1/statistics", "/total");
+    assertDescribed("Spread", "api/v1/statistics", "/total/delivery");
+    assertDescribed("Bucket", "api/v1/statistics", "/series/0");
+    assertDescribed("RobotUse", "api/v1/statistics", "/robots/0");
   }
 
   @Test

@@ -26,9 +26,11 @@ import org.toqa.store.Accounts;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiTrackStore;
+import org.toqa.store.JdbiUseStore;
 import org.toqa.store.PasswordResets;
 import org.toqa.store.Role;
 import org.toqa.store.Sessions;
+import org.toqa.store.Statistics;
 import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.Passwords;
 
@@ -48,6 +50,7 @@ final class WebTestServer implements AutoCloseable {
   private final Accounts accounts;
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
+  private final JdbiUseStore uses;
   private final Tomcat tomcat = new Tomcat();
   private final Path baseDir;
 
@@ -83,12 +86,14 @@ final class WebTestServer implements AutoCloseable {
             letters,
             InstantSource.system());
     tracks = new JdbiTrackStore(jdbi);
+    uses = new JdbiUseStore(jdbi);
     Services services =
         Services.of(
             fleet,
             fleet,
             new JdbiEventArchive(jdbi),
             tracks,
+            new Statistics(jdbi),
             accounts,
             sessions,
             links,
@@ -116,9 +121,10 @@ final class WebTestServer implements AutoCloseable {
     filter.setTldScan("jakarta.servlet.jsp.jstl-*.jar");
     ((StandardJarScanner) context.getJarScanner()).setJarScanFilter(filter);
     WebResourceRoot root = new StandardRoot(context);
-    root.addPreResources(
-        new DirResourceSet(
-            root, "/assets/pico", new File("target/webapp/assets/pico").getAbsolutePath(), "/"));
+    for (String library : List.of("/assets/pico", "/assets/chart")) {
+      String folder = new File("target/webapp" + library).getAbsolutePath();
+      root.addPreResources(new DirResourceSet(root, library, folder, "/"));
+    }
     context.setResources(root);
     context.addServletContainerInitializer(
         (classes, servletContext) -> servletContext.setAttribute(Services.ATTRIBUTE, services),
@@ -137,6 +143,10 @@ final class WebTestServer implements AutoCloseable {
 
   JdbiTrackStore tracks() {
     return tracks;
+  }
+
+  JdbiUseStore uses() {
+    return uses;
   }
 
   TestFleet fleet() {

@@ -4,30 +4,41 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.time.Instant;
-import java.time.ZoneOffset;
-import java.time.temporal.ChronoUnit;
-import org.toqa.web.Tasks;
+import java.time.format.DateTimeFormatter;
+import java.time.format.FormatStyle;
+import java.util.Locale;
+import org.toqa.store.Period;
+import org.toqa.store.PeriodFigures;
+import org.toqa.web.FieldErrors;
+import org.toqa.web.PeriodChoice;
+import org.toqa.web.Texts;
 
-/** How the fleet does, from its newest tasks. */
+/** How the fleet does, in numbers of a period. */
 public final class StatisticsServlet extends PageServlet {
-  private static final int LOOKED_AT = 1000;
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    Instant midnight =
-        services()
-            .fleet()
-            .feed()
-            .latest()
-            .at()
-            .atOffset(ZoneOffset.UTC)
-            .truncatedTo(ChronoUnit.DAYS)
-            .toInstant();
-    Tasks tasks = new Tasks(services());
-    request.setAttribute("statistics", TaskStatistics.of(tasks.newest(0, LOOKED_AT), midnight));
-    request.setAttribute("count", tasks.count());
+    FieldErrors errors = new FieldErrors();
+    PeriodChoice choice = new PeriodChoice(request, errors);
+    Period period = choice.read(services().clock().instant());
+    request.setAttribute("names", PeriodChoice.NAMES);
+    request.setAttribute("chosen", choice.name());
+    if (!errors.isEmpty()) {
+      showAgain(request, response, "statistics", errors);
+      return;
+    }
+    PeriodFigures figures = services().statistics().of(period);
+    Locale locale = Texts.of(request).locale();
+    DateTimeFormatter day =
+        DateTimeFormatter.ofLocalizedDate(FormatStyle.MEDIUM).withLocale(locale);
+    request.setAttribute("period", period);
+    request.setAttribute("firstDay", day.format(period.from()));
+    request.setAttribute("lastDay", day.format(period.to()));
+    request.setAttribute("total", figures.total());
+    StatisticsCharts charts = new StatisticsCharts(figures, locale);
+    request.setAttribute("series", charts.series());
+    request.setAttribute("use", charts.use());
     show(request, response, "statistics");
   }
 }

@@ -1,0 +1,39 @@
+package org.toqa.fleet;
+
+/** What a robot spends its time with. */
+public enum RobotUse {
+  /** Fetches a load or carries it, also while it makes way for others. */
+  WORKING,
+  /** Drives without a load to fetch or carry: home, to a charging point, out of the way. */
+  TRAVELLING,
+  CHARGING,
+  /** Stands, and could be given a task. */
+  IDLE,
+  /** A person has it stand: by itself, with its task, its floor or the whole fleet. */
+  HELD,
+  /** Reports an error, or does not know where it is. */
+  TROUBLED,
+  /** Is not heard of. */
+  LOST,
+  OUT_OF_SERVICE;
+
+  static RobotUse of(RobotView robot) {
+    return switch (robot.state()) {
+      case OUT_OF_SERVICE -> OUT_OF_SERVICE;
+      case CONNECTING, LOST -> LOST;
+      case NOT_LOCALISED, ERROR -> TROUBLED;
+      case CHARGING -> CHARGING;
+      case IDLE, DRIVING, HOLDING -> ofOneThatIsWell(robot);
+    };
+  }
+
+  private static RobotUse ofOneThatIsWell(RobotView robot) {
+    if (robot.held()) {
+      return HELD;
+    }
+    if (robot.phase() == 1 || robot.phase() == 2) {
+      return WORKING;
+    }
+    return robot.state() == RobotState.IDLE ? IDLE : TRAVELLING;
+  }
+}
