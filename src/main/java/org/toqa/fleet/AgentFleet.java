@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
+import java.util.UUID;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -102,8 +103,8 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   @Override
-  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user) {
-    return ask(replyTo -> new ManagerMessage.Submit(order, user, replyTo));
+  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
+    return ask(replyTo -> new ManagerMessage.Submit(order, user, key, replyTo));
   }
 
   @Override

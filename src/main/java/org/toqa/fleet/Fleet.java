@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.UUID;
 import java.util.concurrent.CompletionStage;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
@@ -21,7 +22,14 @@ import org.toqa.mission.MissionEvent;
  */
 public interface Fleet {
 
-  CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user);
+  default CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user) {
+    return submit(order, user, UUID.randomUUID());
+  }
+
+  /**
+   * @param key by which the task is found again ({@link TaskArchive#taskOf}); no task has it yet
+   */
+  CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key);
 
   /** What would become of this task; nothing is stored. */
   CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user);

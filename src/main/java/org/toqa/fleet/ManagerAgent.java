@@ -18,6 +18,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -260,7 +261,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void submit(ManagerMessage.Submit m) {
     Answer<TransportTask> checked = checked(m.order(), m.user());
     if (checked instanceof Answer.Accepted<TransportTask>(TransportTask task)) {
-      store(task, m.replyTo());
+      store(task, m.key(), m.replyTo());
     } else {
       m.replyTo().tell(StatusReply.success(checked.refusal()));
     }
@@ -297,7 +298,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                                 : StatusReply.error(failure)));
   }
 
-  private void store(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo) {
+  private void store(
+      TransportTask task, UUID key, ActorRef<StatusReply<Answer<TaskView>>> replyTo) {
     if (!storeWatch.answers()) {
       refuse(replyTo);
       return;
@@ -305,6 +307,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     ActorRef<ManagerMessage> self = getContext().getSelf();
     intake.take(
         task,
+        key,
         stored -> self.tell(new ManagerMessage.TaskStored(stored, replyTo)),
         () -> refuse(replyTo));
   }

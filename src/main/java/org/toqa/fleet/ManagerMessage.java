@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.UUID;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.toqa.allocation.Decision;
@@ -14,7 +15,8 @@ import org.toqa.mission.TransportTask;
 /** What the manager agent is told: by users, by floors, by its store, by the clock. */
 sealed interface ManagerMessage {
 
-  record Submit(TaskOrder order, String user, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
+  record Submit(
+      TaskOrder order, String user, UUID key, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements ManagerMessage {}
 
   record PreviewTask(

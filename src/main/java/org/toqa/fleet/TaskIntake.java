@@ -45,16 +45,14 @@ final class TaskIntake {
   /**
    * Stores the task, in time or not at all.
    *
+   * @param key names the wish; no stored task has it
    * @param accepted gets the task with its id, on the writer's thread
    * @param refused called there when it was not stored
    */
-  void take(TransportTask task, Consumer<TransportTask> accepted, Runnable refused) {
+  void take(TransportTask task, UUID key, Consumer<TransportTask> accepted, Runnable refused) {
     waiting.add(
         new Entry(
-            new Submission(task, UUID.randomUUID()),
-            System.nanoTime() + LIMIT.toNanos(),
-            accepted,
-            refused));
+            new Submission(task, key), System.nanoTime() + LIMIT.toNanos(), accepted, refused));
     List<Entry> group = new ArrayList<>();
     writer.tryOnce(() -> store(group), () -> {}, failure -> group.forEach(this::refuse));
   }

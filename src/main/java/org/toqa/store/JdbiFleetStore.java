@@ -512,6 +512,17 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
+  public Optional<TaskView> taskOf(UUID key) {
+    return sql.in(
+            h ->
+                h.createQuery("select id from tasks where submission = :key")
+                    .bind("key", key.toString())
+                    .mapTo(Long.class)
+                    .findOne())
+        .flatMap(this::task);
+  }
+
+  @Override
   public long count() {
     return sql.in(h -> h.createQuery("select count(*) from tasks").mapTo(Long.class).one());
   }

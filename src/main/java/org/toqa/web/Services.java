@@ -27,7 +27,8 @@ public record Services(
     Passwords passwords,
     Metrics metrics,
     InstantSource clock,
-    Login login) {
+    Login login,
+    Submissions submissions) {
 
   /** The servlet context's attribute that holds the services. */
   public static final String ATTRIBUTE = Services.class.getName();
@@ -56,7 +57,8 @@ public record Services(
         passwords,
         metrics,
         clock,
-        Login.of(accounts, passwords, clock));
+        Login.of(accounts, passwords, clock),
+        new Submissions(fleet, archive));
   }
 
   public static Services from(ServletContext context) {

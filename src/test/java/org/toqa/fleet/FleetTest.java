@@ -363,10 +363,10 @@ class FleetTest {
     long task = submit("West", "East");
 
     until(view -> waitsFor(view, task).contains("an obstacle"));
-    assertTrue(waitsFor(stage.fleet.feed().latest(), task).contains("(4.50, 1.50)"));
-    assertEquals(
-        waitsFor(stage.fleet.feed().latest(), task),
-        robot(stage.fleet.feed().latest(), "r1").doing());
+    FleetSnapshot waiting = stage.fleet.feed().latest();
+    assertTrue(waitsFor(waiting, task).contains("(4.50, 1.50)"));
+    String carrier = task(waiting, task).robots().getFirst();
+    assertEquals(waitsFor(waiting, task), robot(waiting, carrier).doing(), carrier);
     played("r2").sees();
     until(view -> task(view, task).state() == TaskState.DONE);
   }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Instant;
 import java.util.List;
 import java.util.Queue;
+import java.util.UUID;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -87,6 +88,7 @@ class TaskIntakeTest {
   private void take(TaskIntake intake, int number) {
     intake.take(
         task(String.valueOf(number)),
+        UUID.randomUUID(),
         task -> {
           accepted.add(task);
           answered.countDown();

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.MissionChange;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoreException;
@@ -123,6 +124,18 @@ class FleetStoreTest {
     assertEquals(List.of(waits), store.charges());
     store.saveCharge(rested, List.of());
     assertEquals(List.of(rested), store.charges());
+  }
+
+  @Test
+  void aTaskIsFoundByTheKeyOfItsWish() {
+    UUID key = UUID.randomUUID();
+    assertEquals(Optional.empty(), store.taskOf(key));
+
+    long id =
+        store.addTasks(List.of(new FleetStore.Submission(task("wished"), key))).getFirst().id();
+
+    assertEquals(id, store.taskOf(key).orElseThrow().id());
+    assertEquals(Optional.empty(), store.taskOf(UUID.randomUUID()));
   }
 
   @Test

@@ -5,9 +5,11 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.locks.Condition;
@@ -58,6 +60,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
 
   private final FloorMap floor = floor();
   private final List<TaskView> tasks = new ArrayList<>();
+  private final Map<UUID, Long> keys = new HashMap<>();
   private final List<EventRecord> events = new ArrayList<>();
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition changed = lock.newCondition();
@@ -147,7 +150,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   @Override
-  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user) {
+  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
     if (silent) {
       return CompletableFuture.failedFuture(new StoreException("no store", null));
     }
@@ -169,6 +172,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
               null,
               latest.at());
       tasks.add(view);
+      keys.put(key, view.id());
       events.add(
           new EventRecord(latest.at(), "QUEUED", task.id(), null, user, "The task was ordered."));
       publish(latest.robots());
@@ -468,6 +472,16 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     lock.lock();
     try {
       return newestFirst().stream().skip(offset).limit(limit).toList();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public Optional<TaskView> taskOf(UUID key) {
+    lock.lock();
+    try {
+      return Optional.ofNullable(keys.get(key)).flatMap(this::task);
     } finally {
       lock.unlock();
     }

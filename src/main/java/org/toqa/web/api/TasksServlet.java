@@ -4,17 +4,20 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
+import java.util.UUID;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
-import org.toqa.web.FleetAnswers;
+import org.toqa.web.Submissions;
 import org.toqa.web.Tasks;
+import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
 /** All tasks, newest first, and new ones. */
 public final class TasksServlet extends ApiServlet {
   private static final int USUAL_LIMIT = 50;
   private static final int HIGHEST_LIMIT = 500;
+  private static final String KEY = "Idempotency-Key";
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
@@ -31,11 +34,31 @@ public final class TasksServlet extends ApiServlet {
       throws IOException {
     TaskOrder order = TaskOrderJson.read(request);
     TaskView task =
-        accepted(FleetAnswers.await(services().fleet().submit(order, Caller.of(request).name())));
+        switch (services()
+            .submissions()
+            .submit(order, Caller.of(request).account(), key(request))) {
+          case Submissions.Outcome.Answered(var answer) -> accepted(answer);
+          case Submissions.Outcome.Repeated(TaskView before) ->
+              new Tasks(services()).byId(before.id()).orElse(before);
+          case Submissions.Outcome.OtherOrder() ->
+              throw Problem.of(422, Texts.of(request).get("problem.idempotencyKey.used")).raised();
+        };
     response.setHeader("Location", request.getContextPath() + "/api/v1/tasks/" + task.id());
     Json.send(
         response,
         HttpServletResponse.SC_CREATED,
         TaskJson.withHistory(task, List.of(EventRecord.added(task.task()))));
+  }
+
+  /** Who sends none asks for a new task each time. */
+  private static UUID key(HttpServletRequest request) {
+    String given = request.getHeader(KEY);
+    if (given == null) {
+      return UUID.randomUUID();
+    }
+    if (!given.matches("[!-~]{1,128}")) {
+      throw Problem.of(400, Texts.of(request).get("problem.idempotencyKey")).raised();
+    }
+    return Submissions.key(Caller.of(request).account(), "header " + given);
   }
 }

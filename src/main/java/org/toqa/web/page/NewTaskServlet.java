@@ -5,7 +5,9 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
@@ -13,9 +15,11 @@ import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.store.Account;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.InputRules;
+import org.toqa.web.Submissions;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
@@ -25,6 +29,7 @@ public final class NewTaskServlet extends PageServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     offerFloors(request);
+    request.setAttribute("wish", UUID.randomUUID());
     show(request, response, "new-task");
   }
 
@@ -38,14 +43,28 @@ public final class NewTaskServlet extends PageServlet {
       goTo(request, response, "/tasks/" + task.get().id());
     } else {
       offerFloors(request);
+      request.setAttribute("wish", wish(request));
       showAgain(request, response, "new-task", errors);
     }
   }
 
   private Optional<TaskView> submit(
       TaskOrder order, HttpServletRequest request, FieldErrors errors) {
-    String user = Caller.of(request).name();
-    return accepted(FleetAnswers.await(services().fleet().submit(order, user)), errors);
+    Account user = Caller.of(request).account();
+    return switch (services()
+        .submissions()
+        .submit(order, user, Submissions.key(user, "form " + wish(request)))) {
+      case Submissions.Outcome.Answered(var answer) -> accepted(answer, errors);
+      case Submissions.Outcome.Repeated(TaskView before) -> Optional.of(before);
+      case Submissions.Outcome.OtherOrder() ->
+          accepted(FleetAnswers.await(services().fleet().submit(order, user.name())), errors);
+    };
+  }
+
+  /** The same form that was sent twice, as by a double click, wishes for one task. */
+  private static String wish(HttpServletRequest request) {
+    return Objects.requireNonNullElseGet(
+        request.getParameter("wish"), () -> UUID.randomUUID().toString());
   }
 
   private Optional<TaskOrder> read(HttpServletRequest request, FieldErrors errors) {

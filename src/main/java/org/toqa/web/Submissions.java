@@ -1,0 +1,95 @@
+package org.toqa.web;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.TaskArchive;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskView;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
+import org.toqa.store.Account;
+
+/**
+ * Puts tasks in, each of them once: an order that comes again with its key gets the task that it
+ * got before, also after a crash of the server. One server writes to a database, so two orders with
+ * the same key that come at once are kept apart by a lock here.
+ */
+public final class Submissions {
+  private static final int STRIPES = 64;
+
+  private final Fleet fleet;
+  private final TaskArchive archive;
+  private final Lock[] locks =
+      Stream.generate(ReentrantLock::new).limit(STRIPES).toArray(Lock[]::new);
+
+  Submissions(Fleet fleet, TaskArchive archive) {
+    this.fleet = fleet;
+    this.archive = archive;
+  }
+
+  /** What became of an order. */
+  public sealed interface Outcome {
+    record Answered(Answer<TaskView> answer) implements Outcome {}
+
+    /** It came before, and this is its task. */
+    record Repeated(TaskView task) implements Outcome {}
+
+    /** Its key came before with another order. */
+    record OtherOrder() implements Outcome {}
+  }
+
+  /** The key of a user's wish, which nobody else's is. */
+  public static UUID key(Account user, String wish) {
+    return UUID.nameUUIDFromBytes((user.id() + " " + wish).getBytes(StandardCharsets.UTF_8));
+  }
+
+  public Outcome submit(TaskOrder order, Account user, UUID key) {
+    Lock lock = locks[Math.floorMod(key.hashCode(), STRIPES)];
+    lock.lock();
+    try {
+      Optional<TaskView> before = archive.taskOf(key);
+      if (before.isEmpty()) {
+        return new Outcome.Answered(FleetAnswers.await(fleet.submit(order, user.name(), key)));
+      }
+      return isOf(order, before.get().task())
+          ? new Outcome.Repeated(before.get())
+          : new Outcome.OtherOrder();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private static boolean isOf(TaskOrder order, TransportTask task) {
+    return order.name().equals(task.name())
+        && order.load() == task.load()
+        && isAt(order.start(), task.start())
+        && isAt(order.goal(), task.goal())
+        && (order.floor() == null || order.floor().equals(task.floor()))
+        && order.priority() == task.priority()
+        && Objects.equals(stored(order.deadline()), stored(task.deadline()))
+        && Objects.equals(order.size(), task.size());
+  }
+
+  /** As far as the store keeps it. */
+  private static @Nullable Instant stored(@Nullable Instant moment) {
+    return moment == null ? null : moment.truncatedTo(ChronoUnit.MILLIS);
+  }
+
+  private static boolean isAt(TaskOrder.Where where, TaskPlace place) {
+    return switch (where) {
+      case TaskOrder.Where.Station(String name) -> name.equals(place.station());
+      case TaskOrder.Where.Point(var position) ->
+          place.station() == null && position.equals(place.position());
+    };
+  }
+}
