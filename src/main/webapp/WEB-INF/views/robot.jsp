@@ -30,7 +30,7 @@
               <fmt:formatNumber value="${robot.pose.x}" minFractionDigits="2" maxFractionDigits="2" var="x"/>
               <fmt:formatNumber value="${robot.pose.y}" minFractionDigits="2" maxFractionDigits="2" var="y"/>
               <fmt:formatNumber value="${robot.pose.theta * 57.29577951308232}" maxFractionDigits="0" var="heading"/>
-              <span data-live-pose><fmt:message key="common.position"><fmt:param value="${x}"/><fmt:param value="${y}"/></fmt:message>, <fmt:message key="robot.heading.degrees"><fmt:param value="${heading}"/></fmt:message></span>
+              <span data-live-pose><fmt:message key="common.position"><fmt:param value="${x}"/><fmt:param value="${y}"/></fmt:message><fmt:message key="common.comma"/><fmt:message key="robot.heading.degrees"><fmt:param value="${heading}"/></fmt:message></span>
             </c:otherwise>
           </c:choose>
         </dd>

@@ -38,7 +38,7 @@
           <dt><fmt:message key="task.start"/></dt><dd><t:place place="${task.task.start}"/></dd>
           <dt><fmt:message key="task.goal"/></dt><dd><t:place place="${task.task.goal}"/></dd>
           <dt><fmt:message key="task.floor"/></dt><dd><bdi><c:out value="${task.task.floor}"/></bdi></dd>
-          <dt><fmt:message key="task.robots"/></dt><dd><t:robots names="${task.robots}"/><c:if test="${task.robots.size() > 1}"><fmt:message key="task.leads" var="leads"><fmt:param value="${task.robots[0]}"/></fmt:message> <span class="faint"><c:out value="${leads}"/></span></c:if></dd>
+          <dt><fmt:message key="task.robots"/></dt><dd><t:robots names="${task.robots}"/><c:if test="${task.robots.size() > 1}"><fmt:message key="task.leads" var="leads"><fmt:param value="${task.robots[0]}"/></fmt:message>${" "}<span class="faint"><c:out value="${leads}"/></span></c:if></dd>
           <c:if test="${not empty task.task.deadline}"><dt><fmt:message key="task.deadline"/></dt><dd><t:time at="${task.task.deadline}"/></dd></c:if>
           <dt><fmt:message key="task.user"/></dt><dd><bdi><c:out value="${task.task.user}"/></bdi></dd>
           <dt><fmt:message key="task.created"/></dt><dd><t:time at="${task.task.createdAt}"/></dd>

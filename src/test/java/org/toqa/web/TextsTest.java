@@ -37,7 +37,6 @@ class TextsTest {
           "language.ar",
           "product.name",
           "newTask.deadline.utc",
-          "robot.heading.degrees",
           "robot.letter.ERROR");
 
   private static final Pattern PLACEHOLDER = Pattern.compile("\\{(\\d)");
