@@ -37,10 +37,16 @@
         </form>
       </nav>
     </c:if>
+    <c:forEach items="${languages}" var="other">
+      <c:if test="${other.tag() != language}">
+        <c:url value="/language/${other.tag()}" var="target"><c:param name="back" value="${address}"/></c:url>
+        <a class="language" lang="${other.tag()}" hreflang="${other.tag()}" rel="nofollow" href="<c:out value="${target}"/>"><fmt:message key="language.${other.tag()}"/></a>
+      </c:if>
+    </c:forEach>
   </header>
   <c:if test="${not empty caller}">
     <t:pause/>
-    <div id="alerts" role="alert"><c:forEach items="${alerts}" var="alert"><p class="notice bad"><c:out value="${alert}"/></p></c:forEach></div>
+    <div id="alerts" role="alert"><c:forEach items="${alerts}" var="alert"><p class="notice bad"><t:english text="${alert}"/></p></c:forEach></div>
   </c:if>
   <main id="content" class="${layout}">
     <jsp:doBody/>

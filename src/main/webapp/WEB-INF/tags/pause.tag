@@ -9,19 +9,19 @@
     <c:when test="${empty pause}">
       <form method="post" action="${root}/fleet/pause">
         <t:csrf/>
-        <input type="hidden" name="back" value="<c:out value="${path}"/>">
+        <input type="hidden" name="back" value="<c:out value="${address}"/>">
         <button class="danger"><fmt:message key="pause.all"/></button>
       </form>
       <small class="faint"><fmt:message key="pause.notSafety"/></small>
     </c:when>
     <c:otherwise>
-      <p role="status"><strong><fmt:message key="pause.paused"/></strong>${" "}<fmt:message key="pause.by"><fmt:param><c:out value="${pause.user}"/></fmt:param></fmt:message>${" "}<t:time at="${pause.since}"/>${" "}· <small><fmt:message key="pause.notSafety"/></small></p>
+      <p role="status"><strong><fmt:message key="pause.paused"/></strong>${" "}<fmt:message key="pause.by"><fmt:param><bdi><c:out value="${pause.user}"/></bdi></fmt:param></fmt:message>${" "}<t:time at="${pause.since}"/>${" "}· <small><fmt:message key="pause.notSafety"/></small></p>
       <c:if test="${caller.isManager()}">
         <details>
           <summary role="button"><fmt:message key="pause.resume"/></summary>
           <form method="post" action="${root}/fleet/resume">
             <t:csrf/>
-            <input type="hidden" name="back" value="<c:out value="${path}"/>">
+            <input type="hidden" name="back" value="<c:out value="${address}"/>">
             <p><fmt:message key="pause.resume.sure"/></p>
             <button><fmt:message key="pause.resume.submit"/></button>
           </form>

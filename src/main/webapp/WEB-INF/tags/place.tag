@@ -3,7 +3,7 @@
 <%@ taglib prefix="c" uri="jakarta.tags.core" %>
 <%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
 <c:choose>
-  <c:when test="${not empty place.station}"><c:out value="${place.station}"/></c:when>
+  <c:when test="${not empty place.station}"><bdi><c:out value="${place.station}"/></bdi></c:when>
   <c:otherwise>
     <fmt:formatNumber value="${place.position.x}" maxFractionDigits="2" var="x"/>
     <fmt:formatNumber value="${place.position.y}" maxFractionDigits="2" var="y"/>

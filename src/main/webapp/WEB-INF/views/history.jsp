@@ -15,14 +15,14 @@
   <form method="get" action="${root}/history" class="filter">
     <c:forTokens items="task,user,from,until" delims="," var="name">
       <label><fmt:message key="history.${name}"/>
-        <input name="${name}" type="${name == 'from' or name == 'until' ? 'date' : 'text'}" value="${fn:escapeXml(param[name])}" autocomplete="off" ${empty errors[name] ? '' : 'aria-invalid="true"'}>
-        <c:if test="${not empty errors[name]}"><small><c:out value="${errors[name]}"/></small></c:if>
+        <input name="${name}" type="${name == 'from' or name == 'until' ? 'date' : 'text'}" value="${fn:escapeXml(param[name])}" dir="auto" autocomplete="off" ${empty errors[name] ? '' : 'aria-invalid="true"'}>
+        <c:if test="${not empty errors[name]}"><small><bdi><c:out value="${errors[name]}"/></bdi></small></c:if>
       </label>
     </c:forTokens>
     <label><fmt:message key="history.robot"/>
       <select name="robot">
         <option value=""><fmt:message key="history.all"/></option>
-        <c:forEach items="${robots}" var="robot"><option ${param.robot == robot.name ? 'selected' : ''}><c:out value="${robot.name}"/></option></c:forEach>
+        <c:forEach items="${robots}" var="robot"><option dir="auto" ${param.robot == robot.name ? 'selected' : ''}><c:out value="${robot.name}"/></option></c:forEach>
       </select>
     </label>
     <label><fmt:message key="history.kind"/>
@@ -33,7 +33,7 @@
     </label>
     <button><fmt:message key="history.filter"/></button>
   </form>
-  <c:forTokens items="kind,before" delims="," var="name"><c:if test="${not empty errors[name]}"><p class="notice bad"><c:out value="${errors[name]}"/></p></c:if></c:forTokens>
+  <c:forTokens items="kind,before" delims="," var="name"><c:if test="${not empty errors[name]}"><p class="notice bad"><bdi><c:out value="${errors[name]}"/></bdi></p></c:if></c:forTokens>
   <c:if test="${empty errors and empty entries}"><p class="notice"><fmt:message key="history.empty"/></p></c:if>
   <c:if test="${not empty entries}">
     <table class="stacks">
@@ -50,9 +50,9 @@
         <c:forEach items="${entries}" var="entry">
           <tr>
             <td><t:time at="${entry.event.at}"/></td>
-            <th scope="row"><c:out value="${entry.event.text}"/></th>
-            <td data-label="<fmt:message key="history.column.who"/>"><c:out value="${entry.event.who}"/></td>
-            <td data-label="<fmt:message key="history.column.robot"/>"><c:if test="${not empty entry.event.robot}"><c:url value="/robots/${entry.event.robot}" var="robot"/><a href="<c:out value="${robot}"/>"><c:out value="${entry.event.robot}"/></a></c:if></td>
+            <th scope="row"><t:english text="${entry.event.text}"/></th>
+            <td data-label="<fmt:message key="history.column.who"/>"><bdi><c:out value="${entry.event.who}"/></bdi></td>
+            <td data-label="<fmt:message key="history.column.robot"/>"><c:if test="${not empty entry.event.robot}"><c:url value="/robots/${entry.event.robot}" var="robot"/><a href="<c:out value="${robot}"/>"><bdi><c:out value="${entry.event.robot}"/></bdi></a></c:if></td>
             <td data-label="<fmt:message key="history.column.task"/>"><c:if test="${not empty entry.event.task}"><a href="${root}/tasks/${entry.event.task}">${entry.event.task}</a></c:if></td>
           </tr>
         </c:forEach>

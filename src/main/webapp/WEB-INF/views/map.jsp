@@ -17,7 +17,7 @@
       <ul id="counts" class="counts" aria-label="${countsLabel}"></ul>
       <c:if test="${fn:length(floors) > 1}">
         <label class="floor"><span class="unseen"><fmt:message key="map.floor"/></span>
-          <select id="floor"><c:forEach items="${floors}" var="floor"><option><c:out value="${floor.name}"/></option></c:forEach></select>
+          <select id="floor"><c:forEach items="${floors}" var="floor"><option dir="auto"><c:out value="${floor.name}"/></option></c:forEach></select>
         </label>
       </c:if>
       <p id="age" class="age" data-state="away"><fmt:message key="map.connecting"/></p>
@@ -53,9 +53,9 @@
     <section id="floors" data-live="floors">
       <c:forEach items="${floorViews}" var="view">
         <c:if test="${not empty view.hold or caller.isManager()}">
-          <h2><fmt:message key="map.floorNamed"><fmt:param><c:out value="${view.name}"/></fmt:param></fmt:message></h2>
+          <h2><fmt:message key="map.floorNamed"><fmt:param><bdi><c:out value="${view.name}"/></bdi></fmt:param></fmt:message></h2>
           <c:if test="${not empty view.hold}">
-            <p class="notice warn"><fmt:message key="floor.held"><fmt:param><c:out value="${view.hold.user}"/></fmt:param></fmt:message>${" "}<t:time at="${view.hold.since}"/></p>
+            <p class="notice warn"><fmt:message key="floor.held"><fmt:param><bdi><c:out value="${view.hold.user}"/></bdi></fmt:param></fmt:message>${" "}<t:time at="${view.hold.since}"/></p>
           </c:if>
           <c:if test="${caller.isManager()}">
             <c:url value="/floors/${view.name}/${empty view.hold ? 'hold' : 'resume'}" var="holdOrResume"/>
@@ -77,5 +77,5 @@
   </aside>
   <c:set var="stateKeys" value=""/>
   <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
-  <t:texts keys="map.live map.age map.away map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.tasks.more common.kilograms task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+  <t:texts keys="map.live map.age map.away map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.tasks.more common.comma task.question.NOT_FETCHED task.question.ON_BOARD task.question.ON_BOARD_SOMEWHERE task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
 </t:page>

@@ -20,7 +20,7 @@
         <c:when test="${fn:length(floors) > 1}">
           <label for="floor"><fmt:message key="newTask.floor"/></label>
           <select id="floor" name="floor">
-            <c:forEach items="${floors}" var="f"><option value="${fn:escapeXml(f.name)}" ${f.name == floor.name ? 'selected' : ''}><c:out value="${f.name}"/></option></c:forEach>
+            <c:forEach items="${floors}" var="f"><option value="${fn:escapeXml(f.name)}" dir="auto" ${f.name == floor.name ? 'selected' : ''}><c:out value="${f.name}"/></option></c:forEach>
           </select>
         </c:when>
         <c:otherwise><input type="hidden" id="floor" name="floor" value="${fn:escapeXml(floor.name)}"></c:otherwise>
@@ -33,12 +33,12 @@
             <label for="${stationField}"><fmt:message key="newTask.station"/></label>
             <select id="${stationField}" name="${stationField}">
               <option value=""><fmt:message key="newTask.station.none"/></option>
-              <c:forEach items="${floor.stations}" var="station"><option value="${fn:escapeXml(station.name)}" ${station.name == param[stationField] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
+              <c:forEach items="${floor.stations}" var="station"><option value="${fn:escapeXml(station.name)}" dir="auto" ${station.name == param[stationField] ? 'selected' : ''}><c:out value="${station.name}"/></option></c:forEach>
             </select>
           </div>
-          <div><label for="${end}X"><fmt:message key="newTask.x"/></label><input id="${end}X" name="${end}X" inputmode="decimal" autocomplete="off" value="${fn:escapeXml(param[end += 'X'])}" aria-describedby="${end}-help"></div>
-          <div><label for="${end}Y"><fmt:message key="newTask.y"/></label><input id="${end}Y" name="${end}Y" inputmode="decimal" autocomplete="off" value="${fn:escapeXml(param[end += 'Y'])}" aria-describedby="${end}-help"></div>
-          <small id="${end}-help"><c:out value="${errors[end]}"/></small>
+          <div><label for="${end}X"><fmt:message key="newTask.x"/></label><input id="${end}X" name="${end}X" inputmode="decimal" dir="ltr" autocomplete="off" value="${fn:escapeXml(param[end += 'X'])}" aria-describedby="${end}-help"></div>
+          <div><label for="${end}Y"><fmt:message key="newTask.y"/></label><input id="${end}Y" name="${end}Y" inputmode="decimal" dir="ltr" autocomplete="off" value="${fn:escapeXml(param[end += 'Y'])}" aria-describedby="${end}-help"></div>
+          <small id="${end}-help"><bdi><c:out value="${errors[end]}"/></bdi></small>
         </fieldset>
       </c:forTokens>
       <div class="grid">
@@ -50,15 +50,15 @@
         </div>
         <fieldset class="size" ${not empty errors['size.length'] or not empty errors['size.width'] or not empty errors.size ? 'aria-invalid="true"' : ''}>
           <legend><fmt:message key="newTask.size"/></legend>
-          <input id="length" name="length" inputmode="decimal" autocomplete="off" aria-label="<fmt:message key="newTask.size.length"/>" value="${fn:escapeXml(param.length)}" aria-describedby="size-help">
+          <input id="length" name="length" inputmode="decimal" dir="ltr" autocomplete="off" aria-label="<fmt:message key="newTask.size.length"/>" value="${fn:escapeXml(param.length)}" aria-describedby="size-help">
           <span aria-hidden="true">×</span>
-          <input id="width" name="width" inputmode="decimal" autocomplete="off" aria-label="<fmt:message key="newTask.size.width"/>" value="${fn:escapeXml(param.width)}" aria-describedby="size-help">
-          <small id="size-help"><c:out value="${errors.size}${empty errors.size ? errors['size.length'] : ''}${empty errors.size and empty errors['size.length'] ? errors['size.width'] : ''}"/></small>
+          <input id="width" name="width" inputmode="decimal" dir="ltr" autocomplete="off" aria-label="<fmt:message key="newTask.size.width"/>" value="${fn:escapeXml(param.width)}" aria-describedby="size-help">
+          <small id="size-help"><bdi><c:out value="${errors.size}${empty errors.size ? errors['size.length'] : ''}${empty errors.size and empty errors['size.length'] ? errors['size.width'] : ''}"/></bdi></small>
         </fieldset>
       </div>
       <label for="deadline"><fmt:message key="newTask.deadline"/></label>
       <input id="deadline" name="deadline" type="datetime-local" value="${fn:escapeXml(param.deadline)}" ${empty errors.deadline ? '' : 'aria-invalid="true"'} aria-describedby="deadline-help">
-      <small id="deadline-help"><c:choose><c:when test="${not empty errors.deadline}"><c:out value="${errors.deadline}"/></c:when><c:otherwise><fmt:message key="newTask.deadline.zone"/>${" "}<span id="zone-name"><fmt:message key="newTask.deadline.utc"/></span></c:otherwise></c:choose></small>
+      <small id="deadline-help"><c:choose><c:when test="${not empty errors.deadline}"><bdi><c:out value="${errors.deadline}"/></bdi></c:when><c:otherwise><fmt:message key="newTask.deadline.zone"/>${" "}<bdi id="zone-name"><fmt:message key="newTask.deadline.utc"/></bdi></c:otherwise></c:choose></small>
       <input type="hidden" id="zone" name="zone" value="UTC">
       <button><fmt:message key="newTask.submit"/></button>
     </form>
@@ -70,8 +70,8 @@
       </fieldset>
       <canvas id="map" tabindex="0" role="img" aria-label="${mapLabel}" data-floor="${fn:escapeXml(floor.name)}"></canvas>
       <small><fmt:message key="newTask.map.hint"/></small>
-      <output id="preview" class="preview" for="load startStation goalStation" hidden></output>
+      <output id="preview" class="preview" dir="auto" for="load startStation goalStation" hidden></output>
     </div>
   </div>
-  <t:texts keys="newTask.start newTask.goal map.failed newTask.preview.chosen newTask.preview.needs newTask.preview.waits newTask.preview.metres"/>
+  <t:texts keys="common.comma newTask.start newTask.goal map.failed newTask.preview.chosen newTask.preview.needs newTask.preview.waits newTask.preview.metres"/>
 </t:page>

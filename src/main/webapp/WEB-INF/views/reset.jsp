@@ -11,7 +11,7 @@
     <c:choose>
       <c:when test="${empty user}"><p class="notice bad" role="alert"><fmt:message key="reset.over"/></p><a href="${root}/forgotten"><fmt:message key="reset.again"/></a></c:when>
       <c:otherwise>
-        <p class="faint"><fmt:message key="reset.intro"><fmt:param><c:out value="${user.name}"/></fmt:param></fmt:message></p>
+        <p class="faint"><fmt:message key="reset.intro"><fmt:param><bdi><c:out value="${user.name}"/></bdi></fmt:param></fmt:message></p>
         <form method="post" action="${root}/reset" novalidate>
           <t:csrf/>
           <input type="hidden" name="secret" value="<c:out value="${param.secret}"/>">

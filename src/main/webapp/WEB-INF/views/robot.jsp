@@ -14,11 +14,11 @@
       <h1><c:out value="${title}"/></h1>
       <t:state of="robot" state="${robot.state}"/>
     </div>
-    <c:forEach items="${robot.errors}" var="fault"><p class="notice bad"><c:out value="${fault.text}"/>${" "}<small>(<c:out value="${fault.code}"/>)</small></p></c:forEach>
-    <c:if test="${not empty robot.alert}"><p class="notice bad" role="alert"><c:out value="${robot.alert}"/></p></c:if>
+    <c:forEach items="${robot.errors}" var="fault"><p class="notice bad"><t:english text="${fault.text}"/>${" "}<small>(<bdi dir="ltr"><c:out value="${fault.code}"/></bdi>)</small></p></c:forEach>
+    <c:if test="${not empty robot.alert}"><p class="notice bad" role="alert"><t:english text="${robot.alert}"/></p></c:if>
     <article>
       <dl>
-        <dt><fmt:message key="robot.doing"/></dt><dd><c:out value="${robot.doing}"/></dd>
+        <dt><fmt:message key="robot.doing"/></dt><dd><t:english text="${robot.doing}"/></dd>
         <dt><fmt:message key="robot.task"/></dt>
         <dd><c:choose><c:when test="${empty robot.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.task}"><fmt:message key="task.title"><fmt:param value="${robot.task}"/></fmt:message></a></c:otherwise></c:choose></dd>
         <dt><fmt:message key="robot.phase"/></dt><dd><fmt:message key="robot.phase.${robot.phase}"/></dd>
@@ -30,19 +30,19 @@
               <fmt:formatNumber value="${robot.pose.x}" minFractionDigits="2" maxFractionDigits="2" var="x"/>
               <fmt:formatNumber value="${robot.pose.y}" minFractionDigits="2" maxFractionDigits="2" var="y"/>
               <fmt:formatNumber value="${robot.pose.theta * 57.29577951308232}" maxFractionDigits="0" var="heading"/>
-              <span data-live-pose><fmt:message key="common.position"><fmt:param value="${x}"/><fmt:param value="${y}"/></fmt:message>, <fmt:message key="robot.heading.degrees"><fmt:param value="${heading}"/></fmt:message></span>
+              <span data-live-pose><fmt:message key="common.position"><fmt:param value="${x}"/><fmt:param value="${y}"/></fmt:message><fmt:message key="common.comma"/><fmt:message key="robot.heading.degrees"><fmt:param value="${heading}"/></fmt:message></span>
             </c:otherwise>
           </c:choose>
         </dd>
         <dt><fmt:message key="robot.battery"/></dt>
         <dd><c:choose><c:when test="${empty robot.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.battery}" type="percent"/></c:otherwise></c:choose></dd>
-        <c:if test="${not empty robot.charger}"><dt><fmt:message key="robot.charger"/></dt><dd><c:out value="${robot.charger}"/></dd></c:if>
+        <c:if test="${not empty robot.charger}"><dt><fmt:message key="robot.charger"/></dt><dd><bdi><c:out value="${robot.charger}"/></bdi></dd></c:if>
         <dt><fmt:message key="robot.maxLoad"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></dd>
         <dt><fmt:message key="robot.footprint"/></dt><dd><fmt:message key="common.metres"><fmt:param value="${footprint}"/></fmt:message></dd>
         <dt><fmt:message key="robot.speed"/></dt><dd><fmt:message key="common.metresPerSecond"><fmt:param value="${speed}"/></fmt:message></dd>
-        <dt><fmt:message key="robot.floor"/></dt><dd><c:out value="${robot.floor}"/></dd>
-        <dt><fmt:message key="robot.parking"/></dt><dd><c:out value="${robot.parking}"/></dd>
-        <dt><fmt:message key="robot.address"/></dt><dd><c:out value="${robot.host}"/>:${robot.port}<c:if test="${robot.simulated}"> (<fmt:message key="robot.simulated"/>)</c:if></dd>
+        <dt><fmt:message key="robot.floor"/></dt><dd><bdi><c:out value="${robot.floor}"/></bdi></dd>
+        <dt><fmt:message key="robot.parking"/></dt><dd><bdi><c:out value="${robot.parking}"/></bdi></dd>
+        <dt><fmt:message key="robot.address"/></dt><dd><bdi dir="ltr"><c:out value="${robot.host}"/>:${robot.port}</bdi><c:if test="${robot.simulated}"> (<fmt:message key="robot.simulated"/>)</c:if></dd>
         <dt><fmt:message key="robot.link"/></dt>
         <dd><c:choose><c:when test="${empty robot.fingerprint}"><fmt:message key="robot.link.plain"/></c:when><c:otherwise><fmt:message key="robot.link.paired"><fmt:param value="${fn:substring(robot.fingerprint, 0, 16)}"/></fmt:message></c:otherwise></c:choose></dd>
         <dt><fmt:message key="robot.lastSeen"/></dt>
@@ -153,10 +153,10 @@
         <form method="post" action="<c:out value="${pair}"/>" novalidate>
           <t:csrf/>
           <div class="grid">
-            <div><t:field name="host" label="robots.add.host" value="${robot.host}"/></div>
+            <div><t:field name="host" label="robots.add.host" latin="true" value="${robot.host}"/></div>
             <div><t:field name="port" label="robots.add.port" inputmode="numeric" value="${robot.port}"/></div>
           </div>
-          <t:field name="code" label="robot.pair.code"/>
+          <t:field name="code" label="robot.pair.code" latin="true"/>
           <button><fmt:message key="robot.pair.submit"/></button>
         </form>
       </article>

@@ -32,9 +32,9 @@
             <fmt:formatNumber value="${robot.maxLoad}" maxFractionDigits="2" var="maxLoad"/>
             <c:url value="/robots/${robot.name}" var="link"/>
             <tr>
-              <th scope="row"><a href="<c:out value="${link}"/>"><c:out value="${robot.name}"/></a></th>
+              <th scope="row"><a href="<c:out value="${link}"/>"><bdi><c:out value="${robot.name}"/></bdi></a></th>
               <td><t:state of="robot" state="${robot.state}"/></td>
-              <td class="whole"><c:out value="${robot.doing}"/></td>
+              <td class="whole"><t:english text="${robot.doing}"/></td>
               <td class="number" data-label="<fmt:message key="robots.column.battery"/>"><c:choose><c:when test="${empty robot.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.battery}" type="percent"/></c:otherwise></c:choose></td>
               <td data-label="<fmt:message key="robots.column.task"/>"><c:choose><c:when test="${empty robot.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.task}"><fmt:message key="task.title"><fmt:param value="${robot.task}"/></fmt:message></a></c:otherwise></c:choose></td>
               <td class="number" data-label="<fmt:message key="robots.column.maxLoad"/>"><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></td>
@@ -51,8 +51,8 @@
       <form method="post" action="${root}/robots" novalidate>
         <t:csrf/>
         <div class="grid">
-          <div><t:field name="name" label="robots.add.name" hint="robots.add.name.hint"/></div>
-          <div><t:field name="host" label="robots.add.host" hint="robots.add.host.hint"/></div>
+          <div><t:field name="name" label="robots.add.name" hint="robots.add.name.hint" latin="true"/></div>
+          <div><t:field name="host" label="robots.add.host" hint="robots.add.host.hint" latin="true"/></div>
           <div><t:field name="port" label="robots.add.port" inputmode="numeric"/></div>
         </div>
         <div class="grid">
@@ -61,7 +61,7 @@
             <t:parking chosen="${param.parking}" none="robots.add.parking.any"/>
           </div>
         </div>
-        <t:field name="code" label="robots.add.code" hint="robots.add.code.hint" optional="true"/>
+        <t:field name="code" label="robots.add.code" hint="robots.add.code.hint" latin="true" optional="true"/>
         <button><fmt:message key="robots.add.submit"/></button>
       </form>
     </article>

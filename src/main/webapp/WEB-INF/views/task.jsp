@@ -11,15 +11,18 @@
     <div class="heading">
       <div>
         <p class="faint">${title}</p>
-        <h1><c:out value="${task.task.name}"/></h1>
+        <h1><bdi><c:out value="${task.task.name}"/></bdi></h1>
       </div>
       <t:state of="task" state="${task.state}"/>
     </div>
-    <c:if test="${not empty task.waitingFor}"><p class="notice"><strong><fmt:message key="task.waitingFor"/></strong>${" "}<c:out value="${task.waitingFor}"/></p></c:if>
-    <c:if test="${not empty task.late}"><p class="notice bad"><strong><fmt:message key="task.late"/></strong>${" "}<c:out value="${task.late}"/></p></c:if>
+    <c:if test="${not empty task.waitingFor}"><p class="notice"><strong><fmt:message key="task.waitingFor"/></strong>${" "}<t:english text="${task.waitingFor}"/></p></c:if>
+    <c:if test="${not empty task.late}"><p class="notice bad"><strong><fmt:message key="task.late"/></strong>${" "}<t:english text="${task.late}"/></p></c:if>
     <c:if test="${not empty task.loadAt}"><p class="notice"><strong><fmt:message key="task.loadAt"/></strong>${" "}<t:place place="${task.loadAt}"/></p></c:if>
     <c:if test="${task.held}"><p class="notice"><fmt:message key="task.held"/></p></c:if>
-    <c:if test="${not empty task.needs}"><p class="notice bad"><strong><fmt:message key="task.needs"/></strong>${" "}<c:out value="${task.needs.question}"/></p></c:if>
+    <c:if test="${not empty task.needs}">
+      <fmt:message key="task.question.${task.needs.kind}" var="question"><fmt:param value="${task.needs.robot}"/><fmt:param value="${task.needs.why}"/><fmt:param value="${task.needs.place}"/></fmt:message>
+      <p class="notice bad"><strong><fmt:message key="task.needs"/></strong>${" "}<c:out value="${question}"/></p>
+    </c:if>
     <c:if test="${reached >= 0}">
       <fmt:message key="task.road" var="label"/>
       <ol class="road" aria-label="${label}">
@@ -34,10 +37,10 @@
           <dt><fmt:message key="task.load"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></dd>
           <dt><fmt:message key="task.start"/></dt><dd><t:place place="${task.task.start}"/></dd>
           <dt><fmt:message key="task.goal"/></dt><dd><t:place place="${task.task.goal}"/></dd>
-          <dt><fmt:message key="task.floor"/></dt><dd><c:out value="${task.task.floor}"/></dd>
-          <dt><fmt:message key="task.robots"/></dt><dd><t:robots names="${task.robots}"/><c:if test="${task.robots.size() > 1}"><fmt:message key="task.leads" var="leads"><fmt:param value="${task.robots[0]}"/></fmt:message> <span class="faint"><c:out value="${leads}"/></span></c:if></dd>
+          <dt><fmt:message key="task.floor"/></dt><dd><bdi><c:out value="${task.task.floor}"/></bdi></dd>
+          <dt><fmt:message key="task.robots"/></dt><dd><t:robots names="${task.robots}"/><c:if test="${task.robots.size() > 1}"><fmt:message key="task.leads" var="leads"><fmt:param value="${task.robots[0]}"/></fmt:message>${" "}<span class="faint"><c:out value="${leads}"/></span></c:if></dd>
           <c:if test="${not empty task.task.deadline}"><dt><fmt:message key="task.deadline"/></dt><dd><t:time at="${task.task.deadline}"/></dd></c:if>
-          <dt><fmt:message key="task.user"/></dt><dd><c:out value="${task.task.user}"/></dd>
+          <dt><fmt:message key="task.user"/></dt><dd><bdi><c:out value="${task.task.user}"/></bdi></dd>
           <dt><fmt:message key="task.created"/></dt><dd><t:time at="${task.task.createdAt}"/></dd>
           <dt><fmt:message key="task.changed"/></dt><dd><t:time at="${task.changedAt}"/></dd>
         </dl>
@@ -48,7 +51,7 @@
         <c:if test="${empty history}"><p class="faint"><fmt:message key="task.history.empty"/></p></c:if>
         <ol class="history">
           <c:forEach items="${history}" var="event">
-            <li><p><c:out value="${event.text}"/></p><p class="faint"><t:time at="${event.at}"/> · <c:out value="${event.who}"/></p></li>
+            <li><p><t:english text="${event.text}"/></p><p class="faint"><t:time at="${event.at}"/> · <bdi><c:out value="${event.who}"/></bdi></p></li>
           </c:forEach>
         </ol>
       </article>

@@ -37,12 +37,12 @@
             <fmt:formatNumber value="${view.task.load}" maxFractionDigits="2" var="load"/>
             <tr>
               <td class="number">${view.task.id}</td>
-              <th scope="row"><a href="${root}/tasks/${view.task.id}"><c:out value="${view.task.name}"/></a></th>
+              <th scope="row"><a href="${root}/tasks/${view.task.id}"><bdi><c:out value="${view.task.name}"/></bdi></a></th>
               <td><t:state of="task" state="${view.state}"/></td>
               <td class="number" data-label="<fmt:message key="tasks.column.load"/>"><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></td>
               <td data-label="<fmt:message key="tasks.column.way"/>"><t:place place="${view.task.start}"/> – <t:place place="${view.task.goal}"/></td>
               <td data-label="<fmt:message key="tasks.column.robots"/>"><t:robots names="${view.robots}"/></td>
-              <td data-label="<fmt:message key="tasks.column.user"/>"><c:out value="${view.task.user}"/></td>
+              <td data-label="<fmt:message key="tasks.column.user"/>"><bdi><c:out value="${view.task.user}"/></bdi></td>
               <td data-label="<fmt:message key="tasks.column.created"/>"><t:time at="${view.task.createdAt}"/></td>
             </tr>
           </c:forEach>

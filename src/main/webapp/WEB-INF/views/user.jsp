@@ -9,15 +9,15 @@
 <t:page title="${user.name}" here="user">
   <div class="heading">
     <div>
-      <h1><c:out value="${user.name}"/></h1>
+      <h1><bdi><c:out value="${user.name}"/></bdi></h1>
       <p class="faint"><c:if test="${own}"><fmt:message key="users.own"/> · </c:if><fmt:message key="users.role.${user.role}"/><c:if test="${user.disabled()}">, <strong><fmt:message key="users.disabled"/></strong></c:if> · <fmt:message key="users.since"/>${" "}<t:time at="${user.createdAt}"/></p>
     </div>
     <c:if test="${manager}"><a href="${root}/users"><fmt:message key="users.all"/></a></c:if>
   </div>
   <c:if test="${param.done == 'changed' or param.done == 'password' or param.done == 'email' or param.done == 'ended'}"><p class="notice good" role="status"><fmt:message key="users.done.${param.done}"/></p></c:if>
   <t:errors/>
-  <c:if test="${not empty token}"><div class="notice good" role="status"><p><fmt:message key="users.token.once"/></p><code class="secret"><c:out value="${token}"/></code></div></c:if>
-  <c:if test="${not empty link}"><div class="notice good" role="status"><p><fmt:message key="users.link.once"><fmt:param value="${linkHours}"/></fmt:message></p><code class="secret"><c:out value="${link}"/></code></div></c:if>
+  <c:if test="${not empty token}"><div class="notice good" role="status"><p><fmt:message key="users.token.once"/></p><code class="secret" dir="ltr"><c:out value="${token}"/></code></div></c:if>
+  <c:if test="${not empty link}"><div class="notice good" role="status"><p><fmt:message key="users.link.once"><fmt:param value="${linkHours}"/></fmt:message></p><code class="secret" dir="ltr"><c:out value="${link}"/></code></div></c:if>
   <article class="card">
     <h2><fmt:message key="users.sessions"/></h2>
     <c:if test="${empty sessions}"><p class="faint"><fmt:message key="users.sessions.none"/></p></c:if>
@@ -37,11 +37,11 @@
           <c:forEach items="${sessions}" var="session">
             <tr>
               <th scope="row" class="whole">
-                <c:choose><c:when test="${not empty session.name}"><fmt:message key="users.session.token"/>${" "}<q><c:out value="${session.name}"/></q></c:when><c:otherwise><fmt:message key="users.session.${session.kind}"/></c:otherwise></c:choose>
+                <c:choose><c:when test="${not empty session.name}"><fmt:message key="users.session.token"/>${" "}<q><bdi><c:out value="${session.name}"/></bdi></q></c:when><c:otherwise><fmt:message key="users.session.${session.kind}"/></c:otherwise></c:choose>
                 <c:if test="${session.id == caller.session.id}">${" "}(<fmt:message key="users.session.this"/>)</c:if>
-                <p class="faint agent"><c:out value="${session.origin.agent}"/></p>
+                <p class="faint agent"><bdi dir="ltr"><c:out value="${session.origin.agent}"/></bdi></p>
               </th>
-              <td data-label="<fmt:message key="users.session.address"/>"><c:out value="${session.origin.address}"/></td>
+              <td data-label="<fmt:message key="users.session.address"/>"><bdi dir="ltr"><c:out value="${session.origin.address}"/></bdi></td>
               <td data-label="<fmt:message key="users.session.begun"/>"><t:time at="${session.createdAt}"/></td>
               <td data-label="<fmt:message key="users.session.seen"/>"><t:time at="${session.seenAt}"/></td>
               <td data-label="<fmt:message key="users.session.expires"/>"><t:time at="${session.expiresAt}"/></td>

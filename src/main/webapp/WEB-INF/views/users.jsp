@@ -21,9 +21,9 @@
     <tbody>
       <c:forEach items="${users}" var="user">
         <tr>
-          <th scope="row"><a href="${root}/users/${user.id}"><c:out value="${user.name}"/></a><c:if test="${user.id == caller.account.id}">${" "}<span class="faint">(<fmt:message key="users.you"/>)</span></c:if></th>
+          <th scope="row"><a href="${root}/users/${user.id}"><bdi><c:out value="${user.name}"/></bdi></a><c:if test="${user.id == caller.account.id}">${" "}<span class="faint">(<fmt:message key="users.you"/>)</span></c:if></th>
           <td><fmt:message key="users.role.${user.role}"/><c:if test="${user.disabled()}">, <strong><fmt:message key="users.disabled"/></strong></c:if></td>
-          <td data-label="<fmt:message key="users.column.email"/>"><c:choose><c:when test="${empty user.email}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><c:out value="${user.email}"/></c:otherwise></c:choose></td>
+          <td data-label="<fmt:message key="users.column.email"/>"><c:choose><c:when test="${empty user.email}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><bdi dir="ltr"><c:out value="${user.email}"/></bdi></c:otherwise></c:choose></td>
           <td data-label="<fmt:message key="users.column.since"/>"><t:time at="${user.createdAt}"/></td>
         </tr>
       </c:forEach>

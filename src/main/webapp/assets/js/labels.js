@@ -1,7 +1,8 @@
 const HEIGHT = 14; // pixels of a line of text
 
-/** Text that can be read on any ground. */
-export function drawLabel(context, colours, label, x, y, baseline, colour = colours['map-text']) {
+/** Text that can be read on any ground, and by itself, whichever way the page runs. */
+export function drawLabel(context, colours, words, x, y, baseline, colour = colours['map-text']) {
+  const label = `\u2068${words}\u2069`;
   context.font = `600 12px ${colours.font}`;
   context.textAlign = 'center';
   context.textBaseline = baseline;

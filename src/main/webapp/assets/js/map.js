@@ -4,13 +4,15 @@ import {drawRobots, drawTasks, isOpen, radius} from './fleet.js';
 import {Floor} from './floor.js';
 import {Glide} from './glide.js';
 import {drawCells, drawStandstills} from './hazards.js';
+import {locale} from './locale.js';
 import {showParts} from './parts.js';
 import {address} from './server.js';
 import {follow} from './stream.js';
 import {text} from './texts.js';
 
 const $ = (selector) => document.querySelector(selector);
-const percent = new Intl.NumberFormat(document.documentElement.lang, {style: 'percent'});
+const percent = new Intl.NumberFormat(locale, {style: 'percent'});
+const whole = new Intl.NumberFormat(locale);
 const STATES = [
   'ERROR', 'NOT_LOCALISED', 'LOST', 'CONNECTING', 'OUT_OF_SERVICE', 'HOLDING', 'CHARGING', 'DRIVING',
   'IDLE',
@@ -87,24 +89,33 @@ function showCounts() {
       letter.ariaHidden = 'true';
       return element('li', '', letter, element('b'), element('span', '', text(`robot.state.${state}`)));
     },
-    (item, {count}) => write(item.querySelector('b'), String(count)),
+    (item, {count}) => write(item.querySelector('b'), whole.format(count)),
   );
 }
 
 function makeEntry(href) {
   const link = element(
-    'a', '', element('span', 'letter'), element('strong'), element('span', 'side'), element('span', 'what'));
+    'a',
+    '',
+    element('span', 'letter'),
+    element('strong', '', element('bdi')),
+    element('span', 'side'),
+    element('span', 'what', element('bdi')));
   link.href = address(href);
   return element('li', '', link);
 }
 
-function fillEntry(item, {state, letter, title, side, what}) {
+/** What the fleet says is English; where it says nothing there is a text in the page's language. */
+function fillEntry(item, {state, letter, title, side, said, what}) {
   const sign = item.querySelector('.letter');
   sign.dataset.state = state;
   write(sign, letter);
-  write(item.querySelector('strong'), title);
+  write(item.querySelector('strong bdi'), title);
   write(item.querySelector('.side'), side);
-  write(item.querySelector('.what'), what);
+  const words = item.querySelector('.what bdi');
+  words.lang = said ? 'en' : document.documentElement.lang;
+  words.dir = said ? 'ltr' : 'auto';
+  write(words, said ?? what);
 }
 
 // Who does not trust whom: a sentence, or undefined.
@@ -124,7 +135,7 @@ function robotEntry(robot) {
     letter: text(`robot.letter.${robot.state}`),
     title: robot.name,
     side: robot.battery === null ? '' : percent.format(robot.battery),
-    what: refusal(robot) ?? robot.errors[0]?.text ?? robot.doing,
+    said: refusal(robot) ?? robot.errors[0]?.text ?? robot.doing,
   };
 }
 
@@ -136,8 +147,13 @@ function taskEntry(task) {
     letter: String(task.id),
     title: task.name,
     side: text(`task.state.${task.state}`),
-    what: task.needs?.question ?? task.late ?? task.waitingFor ?? task.robots.join(', '),
+    said: task.needs ? undefined : task.late ?? task.waitingFor,
+    what: task.needs ? question(task.needs) : task.robots.join(text('common.comma')),
   };
+}
+
+function question({kind, robot, why, place}) {
+  return text(`task.question.${kind}`, robot, why, place);
 }
 
 function showLinks(list, entries) {
@@ -154,11 +170,11 @@ function showTasks() {
   showLinks($('#tasks'), open.map(taskEntry));
   $('#no-tasks').hidden = open.length > 0;
   const more = queued - open.filter((task) => task.state === 'QUEUED').length;
-  write($('#more-tasks'), text('map.tasks.more', more));
+  write($('#more-tasks'), text('map.tasks.more', whole.format(more)));
   $('#more-tasks').hidden = more <= 0;
 }
 
-function standstillEntry({robots: names, since, text: what}) {
+function standstillEntry({robots: names, since, text: said}) {
   return {
     key: `standstill ${since} ${names}`,
     href: `robots/${encodeURIComponent(names[0])}`,
@@ -166,11 +182,11 @@ function standstillEntry({robots: names, since, text: what}) {
     letter: '!',
     title: text('map.standstill'),
     side: '',
-    what,
+    said,
   };
 }
 
-function chargerEntry({name, since, text: what}) {
+function chargerEntry({name, since, text: said}) {
   return {
     key: `charger ${since} ${name}`,
     href: 'history?kind=robot.charger-fails',
@@ -178,7 +194,7 @@ function chargerEntry({name, since, text: what}) {
     letter: '!',
     title: text('map.charger'),
     side: '',
-    what,
+    said,
   };
 }
 
@@ -196,7 +212,7 @@ function showNeeds() {
 function showAge() {
   if ($('#age').dataset.state === 'live') {
     const seconds = Math.round((performance.now() - changed) / 1000);
-    write($('#age'), `${text('map.live')} · ${text('map.age', seconds)}`);
+    write($('#age'), `${text('map.live')} · ${text('map.age', whole.format(seconds))}`);
   }
 }
 

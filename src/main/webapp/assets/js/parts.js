@@ -64,7 +64,11 @@ function showAlerts(alerts) {
     place.replaceChildren(...alerts.map((alert) => {
       const line = document.createElement('p');
       line.className = 'notice bad';
-      line.textContent = alert;
+      const words = document.createElement('bdi');
+      words.lang = 'en';
+      words.dir = 'ltr';
+      words.textContent = alert;
+      line.append(words);
       return line;
     }));
   }

@@ -1,6 +1,7 @@
 import {Board} from './board.js';
 import {Floor} from './floor.js';
 import {drawLabel} from './labels.js';
+import {numberIn} from './locale.js';
 import {Preview} from './preview.js';
 import {text} from './texts.js';
 import './zone.js';
@@ -117,10 +118,6 @@ function where({station, x, y}) {
 
 function number(id) {
   return numberIn($(`#${id}`));
-}
-
-function numberIn({value}) {
-  return value.trim() === '' || !Number.isFinite(Number(value)) ? undefined : Number(value);
 }
 
 async function showFloor(name) {

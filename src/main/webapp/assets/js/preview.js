@@ -1,3 +1,4 @@
+import {locale} from './locale.js';
 import {address} from './server.js';
 import {text} from './texts.js';
 
@@ -61,6 +62,12 @@ export class Preview {
   }
 }
 
+function about(metres) {
+  const digits = metres < 10 ? 1 : 0;
+  return new Intl.NumberFormat(
+    locale, {minimumFractionDigits: digits, maximumFractionDigits: digits}).format(metres);
+}
+
 function sentence({robots, chosen, reason, metres}) {
   const sentences = [];
   if (robots > 1) {
@@ -68,10 +75,10 @@ function sentence({robots, chosen, reason, metres}) {
   }
   sentences.push(
     chosen.length > 0
-      ? text('newTask.preview.chosen', chosen.join(', '), reason)
+      ? text('newTask.preview.chosen', chosen.join(text('common.comma')), reason)
       : text('newTask.preview.waits', reason));
   if (metres > 0) {
-    sentences.push(text('newTask.preview.metres', metres.toFixed(metres < 10 ? 1 : 0)));
+    sentences.push(text('newTask.preview.metres', about(metres)));
   }
   return sentences.join(' ');
 }

@@ -1,5 +1,7 @@
+import {locale} from './locale.js';
+
 /** Shows every time element in the reader's own time zone and manner. */
-const format = new Intl.DateTimeFormat(document.documentElement.lang, {
+const format = new Intl.DateTimeFormat(locale, {
   dateStyle: 'medium',
   timeStyle: 'short',
 });

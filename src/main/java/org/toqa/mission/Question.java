@@ -1,10 +1,47 @@
 package org.toqa.mission;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
-/** What a person must decide, and the words to answer it with. */
-public record Question(String question, List<String> answers) {
+/**
+ * What a person must decide, and the words to answer it with.
+ *
+ * @param question a sentence; who asks in another language has what it is made of
+ * @param robot that cannot go on; null where it is about none
+ * @param why a clause about that robot, such as {@code is not heard of}
+ * @param place where that robot is; null where nobody knows
+ */
+public record Question(
+    Kind kind,
+    String question,
+    List<String> answers,
+    @Nullable String robot,
+    @Nullable String why,
+    @Nullable String place) {
+
+  public enum Kind {
+    /** A robot is in trouble before it has the load. */
+    NOT_FETCHED,
+    /** A robot is in trouble with the load on board. */
+    ON_BOARD,
+    /** The same, and nobody knows where. */
+    ON_BOARD_SOMEWHERE,
+    /** Where the load of a cancelled task goes. */
+    SET_DOWN
+  }
+
   public Question {
     answers = List.copyOf(answers);
+  }
+
+  static Question about(Trouble trouble, Kind kind, String question, List<String> answers) {
+    TaskPlace place = trouble.place();
+    return new Question(
+        kind,
+        question,
+        answers,
+        trouble.robot(),
+        trouble.why(),
+        place == null ? null : place.text());
   }
 }

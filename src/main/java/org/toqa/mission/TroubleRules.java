@@ -82,13 +82,17 @@ final class TroubleRules {
     List<String> answers = answers(mission, trouble).map(Reply::word).toList();
     if (!isCarrying(mission)) {
       return Optional.of(
-          new Question(
+          Question.about(
+              trouble,
+              Question.Kind.NOT_FETCHED,
               trouble.text() + " and has not fetched the load. Shall another robot do it?",
               answers));
     }
     String fetch = answers.contains(Reply.ANOTHER.word()) ? "another robot fetch it there, " : "";
     return Optional.of(
-        new Question(
+        Question.about(
+            trouble,
+            trouble.place() == null ? Question.Kind.ON_BOARD_SOMEWHERE : Question.Kind.ON_BOARD,
             trouble.text()
                 + " with the load on board, "
                 + where(trouble)

@@ -40,7 +40,9 @@ final class WishRules {
             + " back to "
             + mission.task().start().text()
             + "?";
-    return new Objection(question, new Question(question, List.of("here", "back")));
+    return new Objection(
+        question,
+        new Question(Question.Kind.SET_DOWN, question, List.of("here", "back"), null, null, null));
   }
 
   private static Optional<Objection> toChanging(Mission mission) {

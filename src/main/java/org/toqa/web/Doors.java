@@ -22,6 +22,7 @@ public final class Doors {
   private static final List<Door> ALL =
       List.of(
           new Door("GET", "/assets/*", ANYBODY),
+          new Door("GET", "/language/{language}", ANYBODY),
           new Door("GET", "/first-start", ANYBODY),
           new Door("POST", "/first-start", ANYBODY),
           new Door("GET", "/", STRANGER),

@@ -53,11 +53,12 @@ public final class HistoryFilter {
     if (given == null) {
       return null;
     }
-    if (!given.matches("[1-9][0-9]{0,17}")) {
+    String number = Digits.latin(given);
+    if (!number.matches("[1-9][0-9]{0,17}")) {
       errors.add(name, Texts.of(request).get("error.history.number"));
       return null;
     }
-    return Long.valueOf(given);
+    return Long.valueOf(number);
   }
 
   /** A moment with its offset from UTC, or a day in UTC, of which the end counts for an end. */

@@ -1,6 +1,7 @@
 package org.toqa.web;
 
 import jakarta.servlet.ServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
 import java.text.MessageFormat;
 import java.util.Locale;
 import java.util.Objects;
@@ -35,6 +36,11 @@ public final class Texts {
 
   public void keepIn(ServletRequest request) {
     request.setAttribute(ATTRIBUTE, this);
+  }
+
+  /** Names the language in the answer's header. */
+  public void tell(HttpServletResponse response) {
+    response.setHeader("Content-Language", locale.toLanguageTag());
   }
 
   public Locale locale() {

@@ -8,6 +8,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import net.jqwik.api.Example;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
 class MissionTest {
@@ -122,6 +123,11 @@ class MissionTest {
     assertEquals(
         List.of("another robot", "wait", "cancel"), asked.question().orElseThrow().answers());
     assertEquals(THERE, asked.loadAt());
+    Question question = asked.question().orElseThrow();
+    assertEquals(Question.Kind.ON_BOARD, question.kind());
+    assertEquals(
+        List.of("r1", "reports an error", THERE.text()),
+        List.of(question.robot(), question.why(), question.place()));
 
     Mission queued = asked.on(new MissionEvent.Answer("max", Reply.ANOTHER)).mission();
 
@@ -131,6 +137,22 @@ class MissionTest {
     again = again.on(new MissionEvent.PhaseEnded("r2", 1)).mission();
     assertEquals(TaskState.CARRYING, again.state());
     assertEquals(null, again.loadAt());
+  }
+
+  @Example
+  void theQuestionSaysWhetherTheLoadIsOnBoardAndWhetherItsPlaceIsKnown() {
+    assertEquals(Question.Kind.NOT_FETCHED, kindWhenLost(toObject("r1"), THERE));
+    assertEquals(Question.Kind.ON_BOARD, kindWhenLost(carrying("r1"), THERE));
+    assertEquals(Question.Kind.ON_BOARD_SOMEWHERE, kindWhenLost(carrying("r1"), null));
+  }
+
+  private static Question.Kind kindWhenLost(Mission mission, @Nullable TaskPlace place) {
+    return mission
+        .on(new MissionEvent.RobotLost("r1", place))
+        .mission()
+        .question()
+        .orElseThrow()
+        .kind();
   }
 
   @Example

@@ -406,6 +406,7 @@ class AccessTest {
     return door.path()
         .substring(1)
         .replace("{id}", "999999")
+        .replace("{language}", "en")
         .replace("{name}", "none")
         .replace("{session}", "1")
         .replace("{floor}", "none")

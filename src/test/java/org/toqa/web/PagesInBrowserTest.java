@@ -427,7 +427,7 @@ class PagesInBrowserTest {
   /**
    * Clicks where the floor of 12 m x 6 m, fitted into the canvas with its margin, has the point.
    */
-  private static void clickMap(Page page, Locator map, double x, double y) {
+  static void clickMap(Page page, Locator map, double x, double y) {
     page.waitForFunction("document.querySelector('#map').width > 300");
     double width = map.boundingBox().width;
     double height = map.boundingBox().height;
@@ -445,7 +445,7 @@ class PagesInBrowserTest {
     page.screenshot(new Page.ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")));
   }
 
-  private static List<RobotView> fleetAtWork() {
+  static List<RobotView> fleetAtWork() {
     return List.of(
         driving("r1", new Pose(4.2, 4.6, 0.3), 2),
         robot("r2", RobotState.IDLE, new Pose(2.25, 0.75, Math.PI / 2)),

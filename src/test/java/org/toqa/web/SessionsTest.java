@@ -25,7 +25,8 @@ import tools.jackson.databind.json.JsonMapper;
 /** Where users are logged in, their tokens, and how a forgotten password is replaced. */
 class SessionsTest {
   private static final JsonMapper JSON = new JsonMapper();
-  private static final Pattern SECRET = Pattern.compile("<code class=\"secret\">([^<]+)</code>");
+  private static final Pattern SECRET =
+      Pattern.compile("<code class=\"secret\" dir=\"ltr\">([^<]+)</code>");
   private static final Pattern LINK = Pattern.compile("/reset\\?secret=([A-Za-z0-9_-]{43})");
   private static final String NEW_PASSWORD = "quite another password";
 

@@ -127,7 +127,7 @@ public final class DoorFilter extends HttpFilter {
       throws IOException {
     String sentence = Texts.of(request).get(key, values);
     if (Door.isApi(Doors.pathOf(request))) {
-      Problem.of(status, sentence).send(response);
+      Problem.of(status, sentence).send(request, response);
     } else {
       ErrorServlet.send(request, response, status, sentence);
     }

@@ -21,9 +21,9 @@ abstract class ApiServlet extends HttpServlet {
     try {
       super.service(request, response);
     } catch (Problem.Raised e) {
-      e.problem().send(response);
+      e.problem().send(request, response);
     } catch (StoreException e) {
-      Problem.of(503, Texts.of(request).get("problem.databaseAway")).send(response);
+      Problem.of(503, Texts.of(request).get("problem.databaseAway")).send(request, response);
     }
   }
 

@@ -1,12 +1,14 @@
 package org.toqa.web.api;
 
 import com.fasterxml.jackson.annotation.JsonInclude;
+import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Question;
 import org.toqa.web.FieldErrors;
+import org.toqa.web.Texts;
 
 /**
  * An error of the API as RFC 9457 has it.
@@ -65,7 +67,8 @@ public record Problem(
     return new Raised(this);
   }
 
-  public void send(HttpServletResponse response) throws IOException {
+  public void send(HttpServletRequest request, HttpServletResponse response) throws IOException {
+    Texts.of(request).tell(response);
     Json.send(response, status, "application/problem+json", this);
   }
 

@@ -59,13 +59,14 @@ public final class SessionServlet extends ApiServlet {
                       .secret()));
       case Login.Outcome.Wrong() -> {
         response.setHeader("WWW-Authenticate", "Bearer");
-        Problem.of(401, texts.get("error.login.wrong")).send(response);
+        Problem.of(401, texts.get("error.login.wrong")).send(request, response);
       }
       case Login.Outcome.Disabled() ->
-          Problem.of(403, texts.get("error.login.disabled")).send(response);
+          Problem.of(403, texts.get("error.login.disabled")).send(request, response);
       case Login.Outcome.TooSoon tooSoon -> {
         response.setHeader("Retry-After", Long.toString(tooSoon.seconds()));
-        Problem.of(429, texts.get("error.login.tooSoon", tooSoon.seconds())).send(response);
+        Problem.of(429, texts.get("error.login.tooSoon", tooSoon.seconds()))
+            .send(request, response);
       }
     }
   }

@@ -36,7 +36,7 @@ public final class ErrorServlet extends PageServlet {
     String sentence = sentence(request, status);
     response.setStatus(status);
     if (isForApi(request)) {
-      Problem.of(status, sentence).send(response);
+      Problem.of(status, sentence).send(request, response);
       return;
     }
     Texts texts = Texts.of(request);

@@ -7,6 +7,7 @@ import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
+import org.toqa.web.Digits;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.Texts;
 
@@ -42,7 +43,7 @@ final class FormFields {
     if (given == null) {
       return null;
     }
-    String number = given.strip();
+    String number = Digits.latin(given);
     if (number.length() > LONGEST_NUMBER || !NUMBER.matcher(number).matches()) {
       errors.add(shownAt, Texts.of(request).get("error.notANumber"));
       return null;
@@ -62,7 +63,7 @@ final class FormFields {
     }
     String place = text(zone);
     try {
-      return LocalDateTime.parse(given.strip())
+      return LocalDateTime.parse(Digits.latin(given))
           .atZone(ZoneId.of(place == null ? "UTC" : place))
           .toInstant();
     } catch (DateTimeException e) {

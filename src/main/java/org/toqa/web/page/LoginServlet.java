@@ -4,10 +4,7 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import org.jspecify.annotations.Nullable;
-import org.toqa.web.Doors;
 import org.toqa.web.FieldErrors;
-import org.toqa.web.Right;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.access.Login;
@@ -48,7 +45,7 @@ public final class LoginServlet extends PageServlet {
     switch (services().login().attempt(name, password, request.getRemoteAddr())) {
       case Login.Outcome.Welcome welcome -> {
         SessionCookie.begin(request, response, services(), welcome.account());
-        goTo(request, response, next(request.getParameter("next")));
+        goTo(request, response, OwnPages.at(request.getParameter("next")).orElse(FIRST_PAGE));
       }
       case Login.Outcome.Wrong() -> {
         errors.add("form", texts.get("error.login.wrong"));
@@ -64,17 +61,5 @@ public final class LoginServlet extends PageServlet {
         showAgain(request, response, "login", errors);
       }
     }
-  }
-
-  /** Where the stranger wanted to go, if that is a page of ours. */
-  private static String next(@Nullable String wanted) {
-    if (wanted == null) {
-      return FIRST_PAGE;
-    }
-    return Doors.at(wanted)
-        .flatMap(place -> place.door("GET"))
-        .filter(door -> !door.isApi() && door.right() == Right.USER)
-        .map(page -> wanted)
-        .orElse(FIRST_PAGE);
   }
 }

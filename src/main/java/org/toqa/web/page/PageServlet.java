@@ -39,7 +39,10 @@ abstract class PageServlet extends HttpServlet {
   /** Shows a view that has no form, without giving the browser a cookie for it. */
   static void showBare(HttpServletRequest request, HttpServletResponse response, String view)
       throws ServletException, IOException {
-    request.setAttribute("path", Doors.pathOf(request));
+    Texts.of(request).tell(response);
+    String path = Doors.pathOf(request);
+    String query = request.getQueryString();
+    request.setAttribute("address", query == null ? path : path + "?" + query);
     FleetSnapshot fleet = Services.from(request.getServletContext()).fleet().feed().latest();
     request.setAttribute("pause", fleet.pause());
     request.setAttribute("alerts", fleet.alerts());

@@ -1,0 +1,27 @@
+package org.toqa.web;
+
+/** How people type numbers. */
+public final class Digits {
+  private Digits() {}
+
+  /**
+   * The number as a program reads it: digits and decimal separator of the Arabic script become
+   * those of the Latin one; the marks of direction that copied text brings along go.
+   */
+  public static String latin(String typed) {
+    StringBuilder latin = new StringBuilder();
+    for (int i = 0; i < typed.length(); i++) {
+      char c = typed.charAt(i);
+      switch (c) {
+        case '\u200E', '\u200F', '\u061C' -> {}
+        case '\u066B' -> latin.append('.');
+        default -> latin.append(isArabic(c) ? (char) ('0' + Character.digit(c, 10)) : c);
+      }
+    }
+    return latin.toString().strip();
+  }
+
+  private static boolean isArabic(char c) {
+    return (c >= '\u0660' && c <= '\u0669') || (c >= '\u06F0' && c <= '\u06F9');
+  }
+}

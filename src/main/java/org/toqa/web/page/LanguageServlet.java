@@ -1,0 +1,48 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.web.Doors;
+import org.toqa.web.Language;
+import org.toqa.web.access.LanguageCookie;
+
+/**
+ * The switch on every page that chooses the language. It is a link, for it also stands where no
+ * form may; it chooses nothing when another site leads here.
+ */
+public final class LanguageServlet extends PageServlet {
+  /** Segments from the address of a form to the page on which it stands, at most. */
+  private static final int DEEPEST_FORM = 3;
+
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Optional<Language> chosen = Language.ofTag(Doors.parameter(request, "language"));
+    if (chosen.isEmpty()) {
+      notFound(request, response, "problem.noSuchPage");
+      return;
+    }
+    if (!"cross-site".equals(request.getHeader("Sec-Fetch-Site"))) {
+      LanguageCookie.set(request, response, chosen.get());
+    }
+    goTo(request, response, page(request.getParameter("back")));
+  }
+
+  /** Where a refused form was shown again, the page on which it stands. */
+  private static String page(@Nullable String address) {
+    return Stream.iterate(Objects.requireNonNullElse(address, ""), LanguageServlet::above)
+        .limit(1 + DEEPEST_FORM)
+        .flatMap(at -> OwnPages.at(at).stream())
+        .findFirst()
+        .orElse("/");
+  }
+
+  private static String above(String address) {
+    return address.substring(0, Math.max(0, address.lastIndexOf('/')));
+  }
+}

@@ -1,0 +1,15 @@
+/** The page's language; digits are Western in each, as the server writes them. */
+export const locale = `${document.documentElement.lang}-u-nu-latn`;
+
+const ARABIC_DIGITS = /[\u0660-\u0669\u06f0-\u06f9]/g;
+const MARKS_OF_DIRECTION = /[\u200e\u200f\u061c]/g;
+
+/** The number in a form's field, typed as the server understands it; undefined if it is none. */
+export function numberIn({value}) {
+  const latin = value
+    .replace(MARKS_OF_DIRECTION, '')
+    .replace(ARABIC_DIGITS, (digit) => digit.charCodeAt(0) & 0xf)
+    .replace('\u066b', '.')
+    .trim();
+  return latin === '' || !Number.isFinite(Number(latin)) ? undefined : Number(latin);
+}
