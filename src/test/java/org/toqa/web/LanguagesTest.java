@@ -203,7 +203,7 @@ class LanguagesTest {
             .matcher(visible)
             .results()
             .map(found -> found.group(1).strip())
-            .filter(words1 -> !words1.matches("Toqa|.* · Toqa|UTC"))
+            .filter(text -> !text.matches("Toqa|.* · Toqa|UTC"))
             .toList();
     assertEquals(List.of(), words);
   }
