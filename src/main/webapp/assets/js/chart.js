@@ -1,7 +1,7 @@
 import '../chart/chart.umd.min.js'; // puts Chart where every script finds it
 import {hatched} from './hatching.js';
+import {locale} from './locale.js';
 
-const language = document.documentElement.lang;
 const isRightToLeft = document.dir === 'rtl';
 
 /** How lines differ without their colours: dashes and points. */
@@ -101,7 +101,7 @@ function line(colour, index) {
 }
 
 function optionsOf(columns, scale, isLying, colours) {
-  const number = new Intl.NumberFormat(language, scale.as);
+  const number = new Intl.NumberFormat(locale, scale.as);
   const ofRows = {
     reverse: isRightToLeft && !isLying,
     stacked: true,
@@ -120,7 +120,7 @@ function optionsOf(columns, scale, isLying, colours) {
   return {
     animation: false,
     maintainAspectRatio: false,
-    locale: language,
+    locale,
     indexAxis: isLying ? 'y' : 'x',
     interaction: {mode: 'index', intersect: false, axis: isLying ? 'y' : 'x'},
     scales: isLying ? {x: ofValues, y: ofRows} : {x: ofRows, y: ofValues},

@@ -79,6 +79,27 @@ class StatisticsInBrowserTest extends BrowserTest {
     assertFalse((Boolean) page().evaluate("document.documentElement.scrollWidth > innerWidth"));
   }
 
+  @ParameterizedTest
+  @CsvSource({"1280, 800, ar-desktop", "390, 844, ar-phone"})
+  void inArabicTheChartsRunFromRightToLeft(int width, int height, String name) {
+    PastWork.in(server).days(Instant.parse("2026-11-21T20:00:00Z"), 14);
+    page().setViewportSize(width, height);
+    page().navigate(server.root() + "language/ar");
+    page().navigate(server.root() + DAYS + "&zone=UTC");
+
+    assertThat(page().locator("html")).hasAttribute("dir", "rtl");
+    assertThat(charts()).hasCount(8);
+    for (Locator chart : charts().all()) {
+      assertTrue(isDrawn(chart), chart.textContent());
+    }
+    page()
+        .screenshot(
+            new Page.ScreenshotOptions()
+                .setPath(PICTURES.resolve(name + "-statistics.png"))
+                .setFullPage(true));
+    assertFalse((Boolean) page().evaluate("document.documentElement.scrollWidth > innerWidth"));
+  }
+
   @Test
   void daysBeginAtTheReadersOwnMidnight() {
     String zone = (String) page().evaluate("Intl.DateTimeFormat().resolvedOptions().timeZone");

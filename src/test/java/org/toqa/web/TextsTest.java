@@ -38,7 +38,8 @@ class TextsTest {
           "language.ar",
           "product.name",
           "newTask.deadline.utc",
-          "robot.letter.ERROR");
+          "robot.letter.ERROR",
+          "statistics.none");
 
   private static final Pattern PLACEHOLDER = Pattern.compile("\\{(\\d)");
   private static final Texts IN_ARABIC = Texts.in(Language.ARABIC.locale());
