@@ -84,14 +84,15 @@ final class DriveRules {
   }
 
   Optional<String> objectionTo(Locate locate) {
-    Pose pose = locate.pose();
-    boolean sane =
-        Math.abs(pose.x()) <= LARGEST_COORDINATE
-            && Math.abs(pose.y()) <= LARGEST_COORDINATE
-            && Double.isFinite(pose.theta());
-    return sane
+    return isOnAnyMap(locate.pose())
         ? Optional.empty()
         : no("The pose lies more than %.0f m from the map's origin.", LARGEST_COORDINATE);
+  }
+
+  static boolean isOnAnyMap(Pose pose) {
+    return Math.abs(pose.x()) <= LARGEST_COORDINATE
+        && Math.abs(pose.y()) <= LARGEST_COORDINATE
+        && Double.isFinite(pose.theta());
   }
 
   private Optional<String> objectionTo(List<Segment> segments, int from) {

@@ -34,9 +34,9 @@ final class FollowerPart {
     lastSeq = 0;
   }
 
-  /** A pose that is no newer than the last one counts for nothing. */
+  /** A pose that is no newer than the last one, or lies off any map, counts for nothing. */
   void heard(LeaderPose pose, double now) {
-    if (pose.seq() > lastSeq) {
+    if (pose.seq() > lastSeq && DriveRules.isOnAnyMap(pose.pose())) {
       lastSeq = pose.seq();
       follower.hear(pose.pose(), new Twist(pose.twist().v(), 0, pose.twist().w()), now);
     }

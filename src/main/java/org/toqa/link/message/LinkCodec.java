@@ -42,9 +42,6 @@ public final class LinkCodec {
   /** 2^53: up to here every whole number is exact in any language's JSON. */
   private static final double LARGEST_NUMBER = 0x1p53;
 
-  /** Metres: no robot is so far from its map's origin, and distances stay numbers of the link. */
-  private static final double FARTHEST = 1e6;
-
   private static final int LONGEST_ECHO = 40;
 
   private static final JsonMapper MAPPER =
@@ -168,7 +165,7 @@ public final class LinkCodec {
   /** What can be said back in an answer; else 0. */
   private static long seqOf(JsonNode message) {
     JsonNode seq = message.path("seq");
-    return seq.isIntegralNumber() && isWithin(seq, LARGEST_NUMBER) ? seq.asLong(0) : 0;
+    return seq.isIntegralNumber() && isSane(seq) ? seq.asLong(0) : 0;
   }
 
   /** Fields that a peer of an earlier release does not send. */
@@ -202,15 +199,11 @@ public final class LinkCodec {
   }
 
   private static boolean numbersAreSane(JsonNode node) {
-    return node.isNumber()
-        ? isWithin(node, LARGEST_NUMBER)
-        : isWithin(node.path("x"), FARTHEST)
-            && isWithin(node.path("y"), FARTHEST)
-            && node.valueStream().allMatch(LinkCodec::numbersAreSane);
+    return node.isNumber() ? isSane(node) : node.valueStream().allMatch(LinkCodec::numbersAreSane);
   }
 
-  private static boolean isWithin(JsonNode node, double most) {
-    return !node.isNumber() || Math.abs(node.doubleValue()) <= most;
+  private static boolean isSane(JsonNode number) {
+    return Math.abs(number.doubleValue()) <= LARGEST_NUMBER;
   }
 
   private static String sentence(String type, JacksonException e) {

@@ -95,7 +95,6 @@ class LinkCodecTest {
           {"type":"locate","seq":4,"pose":{"x":1,"y":2}}             | 4 | The field "pose.theta" of the locate is missing
           {"type":"locate","seq":4,"pose":{"x":1,"y":2,"theta":"NaN"}}| 4 | The field "pose.theta" of the locate is missing
           {"type":"locate","seq":4,"pose":{"x":1e300,"y":2,"theta":0}}| 4 | A number of the locate is not finite or absurdly large.
-          {"type":"locate","seq":4,"pose":{"x":1,"y":-1000001,"theta":0}}| 4 | A number of the locate is not finite or absurdly large.
           {"type":"locate","seq":4,"pose":{"x":NaN,"y":2,"theta":0}}  | 0 | The line is not one JSON object in UTF-8.
           {"type":"extend","seq":4,"drive":1,"from":0,"segments":[{"v":1,"w":0,"t":"x"}],"released":0,"final":true} | 4 | The field "segments[0].t" of the extend is missing
           {"type":"follow","seq":4,"task":1,"leader":5.0,"fingerprint":null,"offset":{"x":1,"y":0},"tolerance":0.1} | 4 | The field "leader" of the follow is missing
