@@ -52,6 +52,7 @@ public final class Main implements Runnable {
     requireNonNull(line.getSubcommands().get("bench"))
         .addSubcommand(new FleetBench())
         .addSubcommand(new TaskBench())
+        .addSubcommand(new WebBench())
         .addSubcommand(new AllocationBench(Webapp::shippedMap))
         .addSubcommand(new FormationBench(Webapp::shippedMap));
     return line.setParameterExceptionHandler((e, args) -> complain(e))

@@ -30,20 +30,26 @@ final class TaskClients implements AutoCloseable {
   private final String token;
   private int named;
 
-  private TaskClients(URI root, String name, String password, int count)
-      throws IOException, InterruptedException {
+  private TaskClients(URI root, String token, int count) {
     this.root = root;
+    this.token = token;
     this.count = count;
-    HttpRequest.Builder session = HttpRequest.newBuilder(root.resolve("api/v1/session"));
-    token =
-        json(send(post(session, Map.of("name", name, "password", password)), 200))
-            .get("token")
-            .asString();
   }
 
   static TaskClients logIn(URI root, String name, String password, int count)
       throws IOException, InterruptedException {
-    return new TaskClients(root, name, password, count);
+    return new TaskClients(root, token(root, name, password), count);
+  }
+
+  /** A bearer token for that user. */
+  static String token(URI root, String name, String password)
+      throws IOException, InterruptedException {
+    HttpRequest.Builder session = HttpRequest.newBuilder(root.resolve("api/v1/session"));
+    try (HttpClient client = HttpClient.newHttpClient()) {
+      return json(send(client, post(session, Map.of("name", name, "password", password)), 200))
+          .get("token")
+          .asString();
+    }
   }
 
   /** Puts tasks in, each with a name of its own; answers how many milliseconds each took. */
@@ -121,8 +127,13 @@ final class TaskClients implements AutoCloseable {
 
   private String send(HttpRequest.Builder request, int wanted)
       throws IOException, InterruptedException {
+    return send(http, request, wanted);
+  }
+
+  private static String send(HttpClient client, HttpRequest.Builder request, int wanted)
+      throws IOException, InterruptedException {
     HttpResponse<String> answer =
-        http.send(request.timeout(LIMIT).build(), BodyHandlers.ofString());
+        client.send(request.timeout(LIMIT).build(), BodyHandlers.ofString());
     if (answer.statusCode() != wanted) {
       throw new IOException("The server answered " + answer.statusCode() + ": " + answer.body());
     }

@@ -355,6 +355,31 @@ class AccessTest {
     assertEquals(404, manager.sendJson("DELETE", path, "").statusCode());
   }
 
+  @Test
+  void nobodyOverwritesWhatAnotherChangedMeanwhile() {
+    long id = server.accounts().add("Etta", hash(), Role.CLERK, "Max").orElseThrow().id();
+    String path = "api/v1/users/" + id;
+    String read = manager.get(path).headers().firstValue("ETag").orElseThrow();
+    assertEquals(200, put(path, "{\"role\":\"MANAGER\",\"disabled\":false}", read));
+    assertEquals(412, put(path, "{\"role\":\"CLERK\",\"disabled\":true}", read));
+    assertEquals(Role.MANAGER, server.accounts().byId(id).orElseThrow().role());
+    assertEquals(200, put(path, "{\"role\":\"CLERK\",\"disabled\":false}", "\"x\", *"));
+    assertEquals(200, put(path, "{\"role\":\"MANAGER\",\"disabled\":false}", read), "as it was");
+  }
+
+  private static int put(String path, String body, String version) {
+    return manager
+        .send(
+            manager
+                .request(path)
+                .header("Content-Type", "application/json")
+                .header("X-CSRF-Token", manager.csrf())
+                .header("If-Match", version)
+                .PUT(BodyPublishers.ofString(body))
+                .build())
+        .statusCode();
+  }
+
   private static String hash() {
     return server.accounts().byName(WebTestServer.CLERK).orElseThrow().passwordHash();
   }

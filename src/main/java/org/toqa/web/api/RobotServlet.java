@@ -23,19 +23,27 @@ public final class RobotServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
+    send(robot(request), response);
+  }
+
+  private RobotView robot(HttpServletRequest request) {
     String name = Doors.parameter(request, "name");
-    RobotView robot =
-        services().fleet().feed().latest().robots().stream()
-            .filter(r -> r.name().equals(name))
-            .findFirst()
-            .orElseThrow(
-                () -> Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).raised());
+    return services().fleet().feed().latest().robots().stream()
+        .filter(r -> r.name().equals(name))
+        .findFirst()
+        .orElseThrow(() -> Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).raised());
+  }
+
+  private static void send(RobotView robot, HttpServletResponse response) throws IOException {
+    response.setHeader("ETag", Version.of(robot).tag());
     Json.send(response, 200, RobotJson.of(robot));
   }
 
   @Override
   protected void doPut(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
+    RobotView robot = robot(request);
+    Version.of(robot).refuseOther(request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     InputRules rules = new InputRules(Texts.of(request), errors);
@@ -47,14 +55,10 @@ public final class RobotServlet extends ApiServlet {
             fields.text("parking"));
     fields.refuseUnknown();
     refuseIfAny(errors);
-    String robot = Doors.parameter(request, "name");
-    Json.send(
-        response,
-        200,
-        RobotJson.of(
-            accepted(
-                FleetAnswers.await(
-                    services().fleet().changeRobot(robot, change, Caller.of(request).name())))));
+    String user = Caller.of(request).name();
+    send(
+        accepted(FleetAnswers.await(services().fleet().changeRobot(robot.name(), change, user))),
+        response);
   }
 
   @Override

@@ -28,14 +28,20 @@ public final class UserServlet extends ApiServlet {
           200,
           services().sessions().of(user.id()).stream().map(SessionJson::of).toList());
     } else {
-      Json.send(response, 200, UserJson.of(user));
+      send(user, response);
     }
+  }
+
+  private static void send(Account user, HttpServletResponse response) throws IOException {
+    response.setHeader("ETag", Version.of(user).tag());
+    Json.send(response, 200, UserJson.of(user));
   }
 
   @Override
   protected void doPut(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Account user = user(request);
+    Version.of(user).refuseOther(request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     Texts texts = Texts.of(request);
@@ -49,7 +55,7 @@ public final class UserServlet extends ApiServlet {
     refuseUnlessDone(
         services().accounts().change(user.id(), role, disabled, Caller.of(request).name()),
         request);
-    Json.send(response, 200, UserJson.of(user(request)));
+    send(user(request), response);
   }
 
   @Override

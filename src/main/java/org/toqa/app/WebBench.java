@@ -1,0 +1,168 @@
+package org.toqa.app;
+
+import java.net.URI;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.toqa.app.bench.Timings;
+import org.toqa.app.command.Arguments;
+import org.toqa.fleet.FleetSnapshot;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import tools.jackson.databind.json.JsonMapper;
+
+/** {@code toqa bench web}: how long people wait for pages, and for what robots do to be seen. */
+@Command(
+    name = "web",
+    description = "Watches a whole server with simulated robots by many browsers.",
+    footer = {
+      "",
+      "Prints JSON: pages (requests at the rate that was asked for, each counted from",
+      "when it was due; failed: how many were not answered by 200), poses (from when",
+      "the server heard of a robot until a browser has the event), eventsSeen by all browsers together, pace (the fleet's",
+      "seconds a second; below 1 where the machine cannot keep up) and cores (processor",
+      "seconds a second, of the whole process, the browsers included)."
+    })
+final class WebBench implements Callable<Integer> {
+  private static final String USER = "bench";
+  private static final Duration LOOK_EVERY = Duration.ofMillis(250);
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Option(
+      names = "--robots",
+      defaultValue = "100",
+      paramLabel = "N",
+      description = "How many drive, 2 to 500 (default: ${DEFAULT-VALUE}).")
+  private int robots;
+
+  @Option(
+      names = "--browsers",
+      defaultValue = "200",
+      paramLabel = "N",
+      description = "How many watch live, 1 to 2000 (default: ${DEFAULT-VALUE}).")
+  private int browsers;
+
+  @Option(
+      names = "--rate",
+      defaultValue = "50",
+      paramLabel = "N",
+      description = "How many pages are asked for a second, 1 to 1000 (default: ${DEFAULT-VALUE}).")
+  private int rate;
+
+  @Option(
+      names = "--seconds",
+      defaultValue = "60",
+      paramLabel = "S",
+      description = "How long it is measured, 1 to 3600 (default: ${DEFAULT-VALUE}).")
+  private int seconds;
+
+  @Option(
+      names = "--warm-up",
+      defaultValue = "30",
+      paramLabel = "S",
+      description = "How long it runs before that, 0 to 3600 (default: ${DEFAULT-VALUE}).")
+  private int warmUp;
+
+  @Option(
+      names = "--map",
+      paramLabel = "FILE",
+      description = "The floor's map, .yaml or .map (default: the shipped map).")
+  private @Nullable String map;
+
+  private record Milliseconds(long count, double p50Ms, double p99Ms, double maxMs) {
+    static Milliseconds of(double[] millis) {
+      Timings timings = new Timings(millis);
+      return new Milliseconds(
+          millis.length, timings.percentile(0.5), timings.percentile(0.99), timings.max());
+    }
+  }
+
+  private record Report(
+      int robots,
+      int browsers,
+      Milliseconds pages,
+      int failed,
+      Milliseconds poses,
+      long eventsSeen,
+      double pace,
+      double cores) {}
+
+  @Override
+  public Integer call() throws Exception {
+    Arguments arguments = new Arguments(spec);
+    arguments.mustBeBetween("--robots", robots, 2, 500);
+    arguments.mustBeBetween("--browsers", browsers, 1, 2000);
+    arguments.mustBeBetween("--rate", rate, 1, 1000);
+    arguments.mustBeBetween("--seconds", seconds, 1, 3600);
+    arguments.mustBeBetween("--warm-up", warmUp, 0, 3600);
+    Path webapp = Webapp.folder();
+    try (StopSignal stop = new StopSignal();
+        TemporaryFolder data = TemporaryFolder.create("toqa-bench")) {
+      String password = UUID.randomUUID().toString();
+      Configuration configuration =
+          Configuration.of(webapp, List.of(options(data.path(), password)));
+      Operation measurement = (toqa, address, wish) -> measure(toqa, address, password, wish);
+      return measurement.runOn(configuration, webapp, stop);
+    }
+  }
+
+  private int measure(Toqa toqa, URI address, String password, StopSignal stop) throws Exception {
+    Demand demand = Demand.on(toqa.fleet(), robots, 1);
+    String token = TaskClients.token(address, USER, password);
+    try (LiveReaders readers = LiveReaders.open(address, token, browsers, InstantSource.system());
+        PageVisitors visitors = PageVisitors.begin(address, token, rate)) {
+      keepBusy(toqa, demand, warmUp, stop);
+      readers.forget();
+      visitors.forget();
+      FleetMeter meter = new FleetMeter(toqa.fleetTime());
+      keepBusy(toqa, demand, seconds, stop);
+      FleetMeter.Report fleet = meter.report();
+      Report report =
+          new Report(
+              robots,
+              browsers,
+              Milliseconds.of(visitors.millis()),
+              visitors.failed(),
+              Milliseconds.of(readers.millis()),
+              readers.events(),
+              fleet.pace(),
+              fleet.cores());
+      spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+      return report.failed() == 0 ? ExitCode.OK : Main.FAILED;
+    }
+  }
+
+  private static void keepBusy(Toqa toqa, Demand demand, int seconds, StopSignal stop)
+      throws Exception {
+    long end = System.nanoTime() + Duration.ofSeconds(seconds).toNanos();
+    long version = -1;
+    while (System.nanoTime() < end && !stop.isWished()) {
+      FleetSnapshot snapshot = toqa.fleet().feed().awaitNewer(version, LOOK_EVERY);
+      if (snapshot.version() > version) {
+        version = snapshot.version();
+        demand.fill(snapshot);
+      }
+    }
+  }
+
+  private Layer options(Path data, String password) {
+    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    options.put(Setting.SIMULATE, String.valueOf(robots));
+    options.put(Setting.LOG_LEVEL, "ERROR");
+    options.put(Setting.DATA, data.toString());
+    options.put(Setting.MAP, map);
+    options.put(Setting.MANAGER, USER + ":" + password);
+    options.put(Setting.PORT, "0");
+    return Layer.ofCommandLine(options);
+  }
+}

@@ -1,0 +1,111 @@
+package org.toqa.web;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.deque.html.axecore.playwright.AxeBuilder;
+import com.deque.html.axecore.results.CheckedNode;
+import com.deque.html.axecore.results.Rule;
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.options.ColorScheme;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.mission.TaskState;
+import org.toqa.testbed.BrowserTest;
+
+/** Every page by the rules of WCAG 2.2, levels A and AA, that axe can check. */
+class AccessibilityInBrowserTest extends BrowserTest {
+  private static final List<String> RULES =
+      List.of("wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa");
+
+  private static final List<String> PAGES =
+      List.of(
+          "map",
+          "tasks",
+          "tasks/new",
+          "tasks/2",
+          "robots",
+          "robots/r5",
+          "users",
+          "users/1",
+          "statistics?from=2026-11-08&to=2026-11-21&zone=UTC",
+          "history",
+          "nothing");
+
+  private WebTestServer server;
+
+  @BeforeEach
+  void start() throws Exception {
+    server = WebTestServer.start();
+    server.fleet().changeRobots(none -> PagesInBrowserTest.fleetAtWork());
+    try (Visitor clerk = Visitor.loggedIn(server.root(), WebTestServer.CLERK)) {
+      for (int i = 0; i < 3; i++) {
+        clerk.post(
+            "tasks/new",
+            Map.of("name", "x", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
+      }
+    }
+    server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
+    server.fleet().changeFloor(TestFleet.crowdedFloor());
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    server.close();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"en, LIGHT, 1280", "en, DARK, 1280", "ar, LIGHT, 390", "ar, DARK, 1280"})
+  void nothingIsInAnybodysWay(String language, ColorScheme scheme, int width) {
+    page().setViewportSize(width, 900);
+    page().emulateMedia(new Page.EmulateMediaOptions().setColorScheme(scheme));
+    page().navigate(server.root() + "language/" + language);
+    List<String> found = new ArrayList<>();
+    page().navigate(server.root().toString());
+    look("login", found);
+    page().navigate(server.root() + "forgotten");
+    look("forgotten", found);
+    page().navigate(server.root().toString());
+    page().locator("#name").fill(WebTestServer.MANAGER);
+    page().locator("#password").fill(WebTestServer.PASSWORD);
+    page().locator("main button").click();
+    assertThat(page().locator("#map")).isVisible();
+    for (String path : PAGES) {
+      page().navigate(server.root() + path);
+      if (path.equals("map")) {
+        assertThat(page().locator("#robots li")).hasCount(6);
+      }
+      look(path, found);
+    }
+
+    assertEquals(List.of(), found, () -> String.join("\n", found));
+  }
+
+  @Test
+  void whatIsInSomebodysWayIsFound() {
+    page().navigate(server.root().toString());
+    page()
+        .evaluate(
+            "document.body.insertAdjacentHTML('beforeend', '<img src=\"/assets/toqa.svg\">')");
+    List<String> found = new ArrayList<>();
+    look("login", found);
+
+    assertEquals(1, found.size(), found::toString);
+    assertTrue(found.getFirst().startsWith("login: image-alt "), found::toString);
+  }
+
+  private void look(String path, List<String> found) {
+    for (Rule rule : new AxeBuilder(page()).withTags(RULES).analyze().getViolations()) {
+      for (CheckedNode node : rule.getNodes()) {
+        found.add(path + ": " + rule.getId() + " " + node.getHtml() + " " + rule.getHelp());
+      }
+    }
+  }
+}
