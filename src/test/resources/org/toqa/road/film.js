@@ -7,13 +7,19 @@
 
   const fillText = CanvasRenderingContext2D.prototype.fillText;
   CanvasRenderingContext2D.prototype.fillText = function (text, x, y, ...more) {
-    const {way, ...before} = places.get(text) ?? {x, y, way: 0};
-    places.set(text, {x, y, way: way + Math.hypot(x - before.x, y - before.y)});
+    const words = text.replace(/[\u2068\u2069]/g, ''); // marks of direction
+    const {way, ...before} = places.get(words) ?? {x, y, way: 0};
+    places.set(words, {x, y, way: way + Math.hypot(x - before.x, y - before.y)});
     return fillText.call(this, text, x, y, ...more);
   };
 
   /** Pixels that a text has gone since the film began. */
-  window.wayOf = (text) => places.get(text)?.way ?? 0;
+  window.wayOf = (text) => {
+    if (!places.has(text)) {
+      throw new Error(`The map never showed "${text}".`);
+    }
+    return places.get(text).way;
+  };
 
   const base64 = (blob) =>
     new Promise((resolve) => {
