@@ -32,6 +32,23 @@ const shown = new Map(); // by the part's id, what its subject was
 const wanted = new Set(); // ids of the parts that are old
 let busy = false;
 
+const nameOf = (disclosure) => disclosure.querySelector('summary').textContent;
+
+/** Puts a fresh part into the place of the old one: what was open stays open, what had the focus keeps it. */
+function replace(old, fresh) {
+  const open = [...old.querySelectorAll('details[open]')].map(nameOf);
+  for (const disclosure of fresh.querySelectorAll('details')) {
+    disclosure.open ||= open.includes(nameOf(disclosure));
+  }
+  if (fresh.isEqualNode(old)) {
+    return; // whoever is just pressing a button in it shall find it
+  }
+  const focused = old.contains(document.activeElement) ? document.activeElement : null;
+  const heir = focused && [...fresh.querySelectorAll('*')].find((element) => element.isEqualNode(focused));
+  old.replaceWith(fresh);
+  heir?.focus({preventScroll: true});
+}
+
 async function refresh() {
   if (busy || wanted.size === 0) {
     return;
@@ -46,7 +63,7 @@ async function refresh() {
       const fresh = page.getElementById(id);
       if (fresh) {
         showTimes(fresh);
-        document.getElementById(id).replaceWith(fresh);
+        replace(document.getElementById(id), fresh);
       }
     }
   } finally {

@@ -1,6 +1,7 @@
 package org.toqa.web;
 
 import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
@@ -10,12 +11,14 @@ import com.microsoft.playwright.BrowserType;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.Playwright;
+import com.microsoft.playwright.Route;
 import com.microsoft.playwright.options.AriaRole;
 import com.microsoft.playwright.options.ColorScheme;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
@@ -317,6 +320,33 @@ class PagesInBrowserTest {
     form.getByText("Remove it").click();
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("The robot was removed.");
     assertThat(page.locator("main")).not().containsText("r1");
+  }
+
+  @Test
+  void aPartThatComesAnewLeavesOpenWhatTheReaderOpened() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    AtomicReference<@Nullable Route> refresh = new AtomicReference<>();
+    page.route(
+        server.root() + "robots/r1",
+        route -> {
+          if (!route.request().resourceType().equals("fetch")
+              || !refresh.compareAndSet(null, route)) {
+            route.resume();
+          }
+        });
+    page.navigate(server.root() + "robots/r1");
+    page.waitForCondition(() -> refresh.get() != null);
+    Locator summary = page.getByText("Take it out of service");
+    summary.focus();
+    page.keyboard().press("Enter");
+    assertThat(page.locator("#service button.danger")).isVisible();
+
+    Route route = requireNonNull(refresh.get());
+    String anew = route.fetch().text().replace("id=\"service\"", "id=\"service\" data-anew");
+    route.fulfill(new Route.FulfillOptions().setBody(anew).setContentType("text/html"));
+
+    assertThat(page.locator("#service[data-anew] button.danger")).isVisible();
+    assertThat(summary).isFocused();
   }
 
   private static void assertFits(Page page) {
