@@ -6,16 +6,10 @@
 #include <simavr/sim_time.h>
 #include <string.h>
 
-/* Data space addresses of the ATmega128's registers. */
-enum { PORTA_ADDRESS = 0x3B, PORTD_ADDRESS = 0x32 };
+/* Data space address of the ATmega128's register. */
+enum { PORTD_ADDRESS = 0x32 };
 
 enum {
-    LM629_PS = 1 << 0,
-    LM629_RD = 1 << 1,
-    LM629_WR = 1 << 2,
-    LM629_CS_0 = 1 << 3,
-    LM629_RST = 1 << 6,
-
     LCD_RS = 1 << 0,
     LCD_E = 1 << 1,
 
@@ -33,57 +27,6 @@ enum {
 static avr_irq_t *port(struct board_model *board, char name, int irq)
 {
     return avr_io_getirq(board->avr, (uint32_t)AVR_IOCTL_IOPORT_GETIRQ(name), irq);
-}
-
-static struct lm629_model *selected(struct board_model *board, uint8_t lines)
-{
-    for (int i = 0; i < RIG_WHEELS; i++) {
-        if ((lines & (LM629_CS_0 << i)) == 0) {
-            return &board->rig->wheels[i];
-        }
-    }
-    return NULL;
-}
-
-static void drive_bus(struct board_model *board, uint8_t byte)
-{
-    for (int i = 0; i < 8; i++) {
-        avr_raise_irq(port(board, 'A', IOPORT_IRQ_PIN0 + i), (byte >> i) & 1U);
-    }
-}
-
-static void on_lm629_lines(avr_irq_t *irq, uint32_t value, void *parameter)
-{
-    struct board_model *board = parameter;
-    uint8_t before = board->lm629_lines;
-    uint8_t lines = (uint8_t)value;
-    uint8_t fallen = (uint8_t)(before & ~lines);
-    uint8_t risen = (uint8_t)(lines & ~before);
-    bool is_command = (lines & LM629_PS) == 0;
-    struct lm629_model *lm629 = selected(board, lines);
-
-    (void)irq;
-    board->lm629_lines = lines;
-    if ((fallen & LM629_RST) != 0) {
-        for (int i = 0; i < RIG_WHEELS; i++) {
-            lm629_model_reset(&board->rig->wheels[i]);
-        }
-    }
-    if (lm629 == NULL) {
-        return;
-    }
-    if ((risen & LM629_WR) != 0) {
-        uint8_t byte = board->avr->data[PORTA_ADDRESS];
-
-        if (is_command) {
-            lm629_model_command(lm629, byte);
-        } else {
-            lm629_model_write(lm629, byte);
-        }
-    }
-    if ((fallen & LM629_RD) != 0) {
-        drive_bus(board, is_command ? lm629_model_status(lm629) : lm629_model_read(lm629));
-    }
 }
 
 static void on_lcd_lines(avr_irq_t *irq, uint32_t value, void *parameter)
@@ -138,8 +81,6 @@ static void silence_uart(struct board_model *board)
 
 void board_model_wire(struct board_model *board)
 {
-    board->lm629_lines = 0xFF;
-    avr_irq_register_notify(port(board, 'C', IOPORT_IRQ_REG_PORT), on_lm629_lines, board);
     avr_irq_register_notify(port(board, 'G', IOPORT_IRQ_REG_PORT), on_lcd_lines, board);
     silence_uart(board);
     board_model_restart(board);

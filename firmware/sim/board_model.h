@@ -1,4 +1,7 @@
-/* The wires between the simulated chip's pins and what is soldered around it (src/avr/board.h). */
+/*
+ * The wires between the simulated chip's pins and what is soldered around it (src/avr/board.h); the
+ * motors are wired apart, see drive_model.h.
+ */
 #ifndef BOARD_MODEL_H
 #define BOARD_MODEL_H
 
@@ -8,11 +11,9 @@
 
 struct board_model {
     avr_t *avr;
-    struct rig *rig;
     struct lcd_model *lcd;
     const struct surroundings *surroundings;
-    uint8_t lm629_lines; /* as they were last */
-    uint8_t lcd_lines;
+    uint8_t lcd_lines; /* as they were last */
     uint8_t range_message[8];
     uint8_t range_sent; /* bytes of it */
 };

@@ -1,22 +1,20 @@
 #include "chip.h"
 
 #include <math.h>
-#include <simavr/avr_spi.h>
 #include <simavr/sim_avr.h>
 #include <simavr/sim_time.h>
 #include <simavr/sim_hex.h>
-#include <simavr/sim_interrupts.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "board_model.h"
 #include "eeprom_file.h"
+#include "interrupt_meter.h"
+#include "load_meter.h"
+#include "spi_master.h"
 
 enum {
-    SPSR_ADDRESS = 0x2E,
-    SPIF = 0x80,
-    SPI_VECTOR = 17,
     SUPPLY_MV = 5000,
     FEEL_PERIOD_US = 1000,
     HANG_LENGTH = 2,
@@ -25,22 +23,15 @@ enum {
 static const double STANDS = 0.010; /* metres a second at the rim */
 
 static avr_t *avr;
+static const struct drive_model *drive;
 static struct rig rig;
 static struct lcd_model lcd;
 static struct surroundings surroundings;
 static struct board_model board;
 
-static uint64_t samples; /* of the motor controllers */
+static uint64_t samples; /* of the motors */
 static uint64_t exchanged_us;
 static uint64_t moved_us;
-
-static struct {
-    uint8_t *bytes;
-    uint16_t length;
-    uint16_t sent;
-    uint8_t answer;
-    uint32_t overruns;
-} spi;
 
 static struct {
     bool is_hung;
@@ -48,42 +39,16 @@ static struct {
     uint8_t instruction[HANG_LENGTH]; /* that is there else */
 } hung;
 
-static struct {
-    avr_cycle_count_t begun;
-    uint32_t longest;
-    bool is_running;
-} interrupts[CHIP_VECTORS];
-
-static void on_interrupt(avr_irq_t *irq, uint32_t is_running, void *parameter)
-{
-    uint8_t vector = (uint8_t)(uintptr_t)parameter;
-
-    (void)irq;
-    interrupts[vector].is_running = is_running != 0;
-    if (is_running != 0) {
-        interrupts[vector].begun = avr->cycle;
-    } else if (avr->cycle - interrupts[vector].begun > interrupts[vector].longest) {
-        interrupts[vector].longest = (uint32_t)(avr->cycle - interrupts[vector].begun);
-    }
-}
-
-static void on_spi_answer(avr_irq_t *irq, uint32_t value, void *parameter)
-{
-    (void)irq;
-    (void)parameter;
-    spi.answer = (uint8_t)value;
-}
-
 static avr_cycle_count_t sample_rig(avr_t *chip, avr_cycle_count_t when, void *parameter)
 {
     (void)when;
     (void)parameter;
     samples++;
-    rig_sample(&rig);
+    drive->sample();
     if (rig_fastest_rim(&rig) > STANDS) {
         moved_us = chip_us();
     }
-    return (avr_cycle_count_t)llround((double)(samples + 1) * LM629_MODEL_SAMPLE *
+    return (avr_cycle_count_t)llround((double)(samples + 1) * drive->seconds *
                                       chip->frequency);
 }
 
@@ -133,7 +98,8 @@ static bool load(const char *hex_file)
     return true;
 }
 
-bool chip_begin(const char *hex_file, const char *eeprom_file, uint32_t hertz)
+bool chip_begin(const char *hex_file, const char *eeprom_file, uint32_t hertz,
+                const struct drive_model *its_drive)
 {
     avr_global_logger_set(say_errors_only);
     avr = avr_make_mcu_by_name("atmega128");
@@ -150,19 +116,12 @@ bool chip_begin(const char *hex_file, const char *eeprom_file, uint32_t hertz)
     }
     surroundings = (struct surroundings){.range_mm = {800, 800, 800}, .battery_mv = 16000};
     lcd_model_begin(&lcd);
-    board = (struct board_model){
-        .avr = avr, .rig = &rig, .lcd = &lcd, .surroundings = &surroundings};
+    board = (struct board_model){.avr = avr, .lcd = &lcd, .surroundings = &surroundings};
     board_model_wire(&board);
-    avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_SPI_GETIRQ(0), SPI_IRQ_OUTPUT),
-                            on_spi_answer, NULL);
-    for (uint8_t vector = 1; vector < CHIP_VECTORS; vector++) {
-        avr_irq_t *irq = avr_get_interrupt_irq(avr, vector);
-
-        if (irq != NULL) {
-            avr_irq_register_notify(irq + AVR_INT_IRQ_RUNNING, on_interrupt,
-                                    (void *)(uintptr_t)vector);
-        }
-    }
+    drive = its_drive;
+    drive->wire(avr, &rig);
+    spi_master_wire(avr);
+    interrupt_meter_begin(avr);
     begin_timers();
     return true;
 }
@@ -206,6 +165,9 @@ static void on_reset(void)
 {
     begin_timers();
     board_model_restart(&board);
+    drive->restart();
+    interrupt_meter_restart();
+    load_meter_restart();
     if (hung.is_hung) {
         memcpy(avr->flash + hung.at, hung.instruction, HANG_LENGTH);
         hung.is_hung = false;
@@ -216,8 +178,11 @@ static void on_reset(void)
 static void run_until(avr_cycle_count_t cycle)
 {
     while (avr->cycle < cycle) {
+        avr_cycle_count_t begun = avr->cycle;
+        int before = avr->state;
         int state = avr_run(avr);
 
+        load_meter_step(avr, begun, before);
         if (state == cpu_Done || state == cpu_Crashed) {
             fprintf(stderr, "toqa-sim: the program ended at %#x.\n", avr->pc);
             exit(1);
@@ -236,30 +201,18 @@ void chip_run_us(uint32_t us)
     eeprom_file_keep();
 }
 
-static avr_cycle_count_t send_byte(avr_t *chip, avr_cycle_count_t when, void *parameter)
-{
-    bool is_unread = (chip->data[SPSR_ADDRESS] & SPIF) != 0 || interrupts[SPI_VECTOR].is_running;
-
-    (void)parameter;
-    spi.overruns += is_unread;
-    spi.answer = 0xFF;
-    avr_raise_irq(avr_io_getirq(chip, AVR_IOCTL_SPI_GETIRQ(0), SPI_IRQ_INPUT),
-                  spi.bytes[spi.sent]);
-    spi.bytes[spi.sent] = spi.answer;
-    spi.sent++;
-    return spi.sent == spi.length ? 0 : when + CHIP_CYCLES_A_BYTE;
-}
-
 void chip_exchange(uint8_t *bytes, uint16_t length)
 {
-    avr_cycle_count_t end = avr->cycle + (avr_cycle_count_t)length * CHIP_CYCLES_A_BYTE;
+    avr_cycle_count_t cycles = (avr_cycle_count_t)length * SPI_MASTER_CYCLES_A_BYTE;
 
-    spi.bytes = bytes;
-    spi.length = length;
-    spi.sent = 0;
-    avr_cycle_timer_register(avr, CHIP_CYCLES_A_BYTE, send_byte, NULL);
-    run_until(end + 1);
+    spi_master_send(bytes, length);
+    run_until(avr->cycle + cycles);
     exchanged_us = chip_us();
+}
+
+uint32_t chip_exchange_us(uint16_t length)
+{
+    return avr_cycles_to_usec(avr, (avr_cycle_count_t)length * SPI_MASTER_CYCLES_A_BYTE);
 }
 
 uint64_t chip_exchanged_us(void)
@@ -270,14 +223,4 @@ uint64_t chip_exchanged_us(void)
 uint64_t chip_moved_us(void)
 {
     return moved_us;
-}
-
-uint32_t chip_overrun_bytes(void)
-{
-    return spi.overruns;
-}
-
-uint32_t chip_longest_interrupt(uint8_t vector)
-{
-    return interrupts[vector].longest;
 }

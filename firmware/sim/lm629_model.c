@@ -5,26 +5,29 @@
 
 #include "lm629_codes.h"
 
-enum { BUSY_LOOKS = 8 };
+void lm629_model_begin(struct lm629_model *model, const struct motor *motor)
+{
+    memset(model, 0, sizeof *model);
+    model->motor = motor;
+    lm629_model_reset(model);
+}
 
 void lm629_model_reset(struct lm629_model *model)
 {
-    struct motor motor = model->motor;
-    bool is_dead = model->is_dead;
-    uint32_t rudenesses = model->rudenesses;
+    struct lm629_model before = *model;
 
     memset(model, 0, sizeof *model);
+    model->motor = before.motor;
+    model->home = floor(before.motor->angle);
+    model->is_dead = before.is_dead;
+    model->rudenesses = before.rudenesses;
     model->status = LM629_MOTOR_OFF | LM629_COMPLETE;
-    model->motor = motor;
-    model->motor.angle -= floor(motor.angle);
-    model->is_dead = is_dead;
-    model->rudenesses = rudenesses;
     model->most_error = 0x7FFF;
 }
 
 static bool is_rude(struct lm629_model *model)
 {
-    if (model->busy_looks == 0 && !model->is_dead) {
+    if (!model->is_busy && !model->is_dead) {
         return false;
     }
     model->rudenesses++;
@@ -33,7 +36,7 @@ static bool is_rude(struct lm629_model *model)
 
 static int32_t position(const struct lm629_model *model)
 {
-    return (int32_t)(int64_t)floor(model->motor.angle);
+    return (int32_t)(int64_t)floor(model->motor->angle - model->home);
 }
 
 static uint16_t word_at(const struct lm629_model *model, uint8_t at)
@@ -114,7 +117,10 @@ static void start(struct lm629_model *model)
         model->last_error = 0;
     }
     model->status &= (uint8_t)~(LM629_MOTOR_OFF | LM629_COMPLETE);
-    if ((word & LM629_STOP_ABRUPTLY) != 0) {
+    if ((word & LM629_TURN_MOTOR_OFF) != 0) {
+        model->is_driving = false;
+        model->status |= LM629_MOTOR_OFF | LM629_COMPLETE;
+    } else if ((word & LM629_STOP_ABRUPTLY) != 0) {
         hold_here(model);
         model->is_driving = false;
         model->status |= LM629_COMPLETE;
@@ -141,7 +147,7 @@ void lm629_model_command(struct lm629_model *model, uint8_t command)
     model->written = 0;
     model->expected = 0;
     model->answered = sizeof model->answer;
-    model->busy_looks = BUSY_LOOKS;
+    model->is_busy = true;
     switch (command) {
     case LM629_RESET:
         lm629_model_reset(model);
@@ -205,7 +211,7 @@ void lm629_model_write(struct lm629_model *model, uint8_t data)
     if (is_first_of_word) {
         return;
     }
-    model->busy_looks = BUSY_LOOKS;
+    model->is_busy = true;
     if (model->written == 2 && model->command == LM629_LOAD_TRAJECTORY) {
         model->expected = trajectory_length(word_at(model, 0));
     }
@@ -217,16 +223,17 @@ void lm629_model_write(struct lm629_model *model, uint8_t data)
     }
 }
 
-uint8_t lm629_model_status(struct lm629_model *model)
+uint8_t lm629_model_status(const struct lm629_model *model)
 {
     if (model->is_dead) {
         return LM629_BUSY;
     }
-    if (model->busy_looks != 0) {
-        model->busy_looks--;
-        return model->status | LM629_BUSY;
-    }
-    return model->status;
+    return model->is_busy ? model->status | LM629_BUSY : model->status;
+}
+
+void lm629_model_rest(struct lm629_model *model)
+{
+    model->is_busy = false;
 }
 
 uint8_t lm629_model_read(struct lm629_model *model)
@@ -240,7 +247,7 @@ uint8_t lm629_model_read(struct lm629_model *model)
             return 0;
         }
     } else {
-        model->busy_looks = BUSY_LOOKS;
+        model->is_busy = true;
     }
     return model->answer[model->answered++];
 }
@@ -266,21 +273,19 @@ static double pid(struct lm629_model *model, int32_t error)
     return floor(fmax(-128, fmin(127, output))) / 128;
 }
 
-void lm629_model_sample(struct lm629_model *model)
+double lm629_model_sample(struct lm629_model *model)
 {
-    model->duty = 0;
-    if ((model->status & LM629_MOTOR_OFF) == 0) {
-        int32_t error;
+    int32_t error;
 
-        model->velocity =
-            approached(model->velocity, model->target_velocity, model->acceleration);
-        model->desired_q16 += model->velocity;
-        error = (int32_t)(model->desired_q16 >> 16) - position(model);
-        model->duty = pid(model, error);
-        if (error > model->most_error || error < -(int32_t)model->most_error) {
-            model->status |= LM629_POSITION_ERROR | LM629_MOTOR_OFF;
-            model->is_driving = false;
-        }
+    if ((model->status & LM629_MOTOR_OFF) != 0) {
+        return 0;
     }
-    motor_turn(&model->motor, model->duty, LM629_MODEL_SAMPLE);
+    model->velocity = approached(model->velocity, model->target_velocity, model->acceleration);
+    model->desired_q16 += model->velocity;
+    error = (int32_t)(model->desired_q16 >> 16) - position(model);
+    if (error > model->most_error || error < -(int32_t)model->most_error) {
+        model->status |= LM629_POSITION_ERROR | LM629_MOTOR_OFF;
+        model->is_driving = false;
+    }
+    return pid(model, error);
 }

@@ -1,5 +1,5 @@
 /*
- * One LM629 with its motor and encoder, as the data sheet tells it (SNVS781): host interface with
+ * One LM629 on its motor and encoder, as the data sheet tells it (SNVS781): host interface with
  * busy bit and command errors, trajectory generator in velocity mode, PID filter, 8-bit PWM. Of the
  * commands, those that firmware/src/lm629.c uses; any other one is a command error.
  */
@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "motor.h"
+#include "rig.h"
 
 /* Seconds: 2048 clocks at 6 MHz. */
 #define LM629_MODEL_SAMPLE (2048 / 6e6)
@@ -21,10 +21,13 @@ struct lm629_trajectory {
 };
 
 struct lm629_model {
+    const struct motor *motor;
+    double home; /* counts of the motor where the position was 0 */
+
     /* host interface */
     uint8_t status;
-    uint8_t busy_looks; /* looks at the status until it is ready */
-    bool is_dead;       /* never ready again */
+    bool is_busy;
+    bool is_dead; /* never ready again */
     uint8_t command;
     uint8_t data[16];
     uint8_t written;
@@ -51,18 +54,21 @@ struct lm629_model {
     int32_t last_error;
     int32_t derivative;
     uint8_t derivative_age; /* samples */
-
-    double duty; /* -1 to 1 */
-    struct motor motor;
 };
+
+/* Switched on, at this motor, which must last as long. */
+void lm629_model_begin(struct lm629_model *model, const struct motor *motor);
 
 void lm629_model_reset(struct lm629_model *model);
 void lm629_model_command(struct lm629_model *model, uint8_t command);
 void lm629_model_write(struct lm629_model *model, uint8_t data);
-uint8_t lm629_model_status(struct lm629_model *model);
+uint8_t lm629_model_status(const struct lm629_model *model);
 uint8_t lm629_model_read(struct lm629_model *model);
 
-/* Lets LM629_MODEL_SAMPLE pass. */
-void lm629_model_sample(struct lm629_model *model);
+/* What made it busy is done. */
+void lm629_model_rest(struct lm629_model *model);
+
+/* Begins the next sample. Returns the duty that the motor gets in it, -1 to 1. */
+double lm629_model_sample(struct lm629_model *model);
 
 #endif

@@ -7,7 +7,9 @@
 struct motor {
     double rate;  /* counts a second */
     double angle; /* counts */
+    double load;  /* that it moves beside the robot, as a share of the robot's own mass */
     bool is_blocked;
+    bool is_pushed; /* from outside, at the rated speed */
 };
 
 /* duty: -1 to 1, held for so many seconds; they must be few against the motor's 0.04 s. */

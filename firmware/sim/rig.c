@@ -24,15 +24,15 @@ static void carry(struct rig *rig, const double m[RIG_WHEELS])
     rig->theta += turn;
 }
 
-void rig_sample(struct rig *rig)
+void rig_turn(struct rig *rig, const double duties[RIG_WHEELS], double seconds)
 {
     double moved[RIG_WHEELS];
 
     for (int i = 0; i < RIG_WHEELS; i++) {
-        double before = rig->wheels[i].motor.angle;
+        double before = rig->motors[i].angle;
 
-        lm629_model_sample(&rig->wheels[i]);
-        moved[i] = metres(rig->wheels[i].motor.angle - before);
+        motor_turn(&rig->motors[i], duties[i], seconds);
+        moved[i] = metres(rig->motors[i].angle - before);
     }
     carry(rig, moved);
 }
@@ -42,7 +42,7 @@ double rig_fastest_rim(const struct rig *rig)
     double fastest = 0;
 
     for (int i = 0; i < RIG_WHEELS; i++) {
-        fastest = fmax(fastest, fabs(metres(rig->wheels[i].motor.rate)));
+        fastest = fmax(fastest, fabs(metres(rig->motors[i].rate)));
     }
     return fastest;
 }

@@ -1,20 +1,20 @@
-/* Three wheels with their controllers, and where they carry the body. */
+/* Three wheels with their motors, and where they carry the body. */
 #ifndef RIG_H
 #define RIG_H
 
-#include "lm629_model.h"
+#include "motor.h"
 
 enum { RIG_WHEELS = 3 };
 
 struct rig {
-    struct lm629_model wheels[RIG_WHEELS];
-    double x;     /* metres, where the body really is, from where it began */
+    struct motor motors[RIG_WHEELS];
+    double x; /* metres, where the body really is, from where it began */
     double y;
     double theta; /* radians, counter-clockwise, not wrapped */
 };
 
-/* Lets LM629_MODEL_SAMPLE pass. */
-void rig_sample(struct rig *rig);
+/* duties: -1 to 1, held for so many seconds. */
+void rig_turn(struct rig *rig, const double duties[RIG_WHEELS], double seconds);
 
 /* Metres a second at the rim of the fastest wheel. */
 double rig_fastest_rim(const struct rig *rig);

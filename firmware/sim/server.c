@@ -82,7 +82,7 @@ static bool exchange(struct client *client, bool *is_whole)
     }
     *is_whole = true;
     client->owns_time = true;
-    chip_run_us(us);
+    chip_run_us(us > chip_exchange_us(length) ? us - chip_exchange_us(length) : 0);
     if (length == 0) {
         bool sent = send_all(client->socket, "", 1);
 

@@ -5,24 +5,52 @@
 #include <string.h>
 
 #include "chip.h"
+#include "interrupt_meter.h"
+#include "lm629_board.h"
+#include "load_meter.h"
+#include "spi_master.h"
 
-enum { TIMER0_VECTOR = 15, SPI_VECTOR = 17, UART1_VECTOR = 30 };
+/* Puts a piece of the line behind the others. */
+#define ADD(...) at += snprintf(line + at, at < (int)size ? size - (size_t)at : 0, __VA_ARGS__)
+
+static const struct {
+    const char *name;
+    uint8_t vector;
+} INTERRUPTS[] = {
+    {"encoder1_cycles", 5}, {"encoder2_cycles", 6}, {"encoder3_cycles", 7},
+    {"clock_cycles", 15},   {"spi_cycles", 17},     {"uart_cycles", 30},
+};
+
+static uint32_t rudenesses(void)
+{
+    uint32_t sum = 0;
+
+    for (int i = 0; i < RIG_WHEELS; i++) {
+        sum += lm629_board_controllers()[i].rudenesses;
+    }
+    return sum;
+}
 
 void truth_write(char *line, size_t size)
 {
     const struct rig *rig = chip_rig();
     const struct lcd_model *lcd = chip_lcd();
+    int at = 0;
 
-    snprintf(line, size,
-             "us=%" PRIu64 " exchanged_us=%" PRIu64 " moved_us=%" PRIu64
-             " x=%.6f y=%.6f theta=%.6f rim=%.6f overruns=%" PRIu32 " rudenesses=%" PRIu32
-             " spi_cycles=%" PRIu32 " clock_cycles=%" PRIu32 " uart_cycles=%" PRIu32
-             " lcd1=\"%s\" lcd2=\"%s\"\n",
-             chip_us(), chip_exchanged_us(), chip_moved_us(), rig->x, rig->y, rig->theta,
-             rig_fastest_rim(rig), chip_overrun_bytes(),
-             rig->wheels[0].rudenesses + rig->wheels[1].rudenesses + rig->wheels[2].rudenesses,
-             chip_longest_interrupt(SPI_VECTOR), chip_longest_interrupt(TIMER0_VECTOR),
-             chip_longest_interrupt(UART1_VECTOR), lcd->lines[0], lcd->lines[1]);
+    ADD("us=%" PRIu64 " exchanged_us=%" PRIu64 " moved_us=%" PRIu64, chip_us(),
+        chip_exchanged_us(), chip_moved_us());
+    ADD(" x=%.6f y=%.6f theta=%.6f rim=%.6f", rig->x, rig->y, rig->theta, rig_fastest_rim(rig));
+    for (int i = 0; i < RIG_WHEELS; i++) {
+        ADD(" counts%d=%.3f", i + 1, rig->motors[i].angle);
+    }
+    ADD(" overruns=%" PRIu32 " late_answers=%" PRIu32 " answer_cycles=%" PRIu32, spi_master_overruns(),
+        spi_master_late_answers(), spi_master_longest_answer());
+    for (size_t i = 0; i < sizeof INTERRUPTS / sizeof INTERRUPTS[0]; i++) {
+        ADD(" %s=%" PRIu32, INTERRUPTS[i].name, interrupt_meter_longest(INTERRUPTS[i].vector));
+    }
+    ADD(" busiest_us=%" PRIu32 " awake_us=%" PRIu32 " rudenesses=%" PRIu32, load_meter_take_busiest_us(),
+        load_meter_take_longest_us(), rudenesses());
+    ADD(" lcd1=\"%s\" lcd2=\"%s\"\n", lcd->lines[0], lcd->lines[1]);
 }
 
 static bool change_numbered(const char *what, unsigned number, const char *how)
@@ -32,17 +60,31 @@ static bool change_numbered(const char *what, unsigned number, const char *how)
         return true;
     }
     if (strcmp(what, "wheel") == 0 && number < RIG_WHEELS) {
-        chip_rig()->wheels[number].motor.is_blocked = strcmp(how, "blocked") == 0;
+        chip_rig()->motors[number].is_blocked = strcmp(how, "blocked") == 0;
+        chip_rig()->motors[number].is_pushed = strcmp(how, "pushed") == 0;
         return true;
     }
     if (strcmp(what, "controller") == 0 && number < RIG_WHEELS) {
-        chip_rig()->wheels[number].is_dead = strcmp(how, "dead") == 0;
+        lm629_board_controllers()[number].is_dead = strcmp(how, "dead") == 0;
         return true;
     }
     if (strcmp(what, "range") == 0 && number < CHIP_RANGES) {
         return sscanf(how, "%" SCNu16, &chip_surroundings()->range_mm[number]) == 1;
     }
     return false;
+}
+
+static bool load(const char *percent)
+{
+    unsigned share;
+
+    if (sscanf(percent, "%u", &share) != 1) {
+        return false;
+    }
+    for (int i = 0; i < RIG_WHEELS; i++) {
+        chip_rig()->motors[i].load = share / 100.0;
+    }
+    return true;
 }
 
 static bool change(const char *what, const char *how)
@@ -64,6 +106,9 @@ static bool change(const char *what, const char *how)
             *flags[i].flag = strcmp(how, flags[i].how) == 0;
             return true;
         }
+    }
+    if (strcmp(what, "load") == 0) {
+        return load(how);
     }
     return strcmp(what, "battery") == 0 && sscanf(how, "%" SCNu16, &surroundings->battery_mv) == 1;
 }

@@ -11,6 +11,9 @@
 /* The motors' rated speed, in wheel turns a minute. */
 #define BODY_RATED_RPM 220
 
+/* The fastest that a wheel is told to turn: the rest is left to correct with. */
+#define BODY_FASTEST_RPM 150
+
 #define BODY_WHEELS 3
 
 #endif

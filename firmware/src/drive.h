@@ -3,7 +3,9 @@
  * the microcontroller's own PWM and encoders (pwm_drive.c).
  *
  *   1. drive_begin: the wheels stand, the counts are 0.
- *   2. every 10 ms: drive_read_counts, then drive_turn, or drive_stop and, when they stand, drive_hold.
+ *   2. every 10 ms: drive_read_counts, then drive_turn.
+ *   3. while the wheels shall stand, drive_stop at once and every millisecond instead of drive_turn,
+ *      and drive_rest when they have not turned for 10 ms.
  *
  * Each returns false when the hardware does not answer or reports an error.
  */
@@ -22,10 +24,10 @@ bool drive_begin(void);
 bool drive_read_counts(int32_t counts[BODY_WHEELS]);
 bool drive_turn(const struct wheel_rates *rates);
 
-/* Brakes as hard as the motors can; to be called in every period while the wheels shall stand. */
+/* Brakes as hard as the motors can. */
 bool drive_stop(void);
 
-/* For wheels that stand: holds them where they are, and pushes no longer against what blocks them. */
-bool drive_hold(void);
+/* Leaves wheels that stand to themselves: they push no longer against what blocks them. */
+bool drive_rest(void);
 
 #endif

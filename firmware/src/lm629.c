@@ -1,7 +1,12 @@
 /*
  * The drive of the ED-7275: three LM629 motion controllers in velocity mode, whose velocity is
- * changed in motion. Each keeps its trajectory and its PID by itself; here it is only told.
+ * changed in motion. Each keeps its trajectory and its PID by itself; here it is only told. All are
+ * told the same thing before any is told the next: so they are busy at the same time, and not one
+ * after the other. What is told to axes returns those of them that took it.
  */
+#include <string.h>
+
+#include "brake.h"
 #include "drive.h"
 #include "lm629_bus.h"
 #include "lm629_codes.h"
@@ -16,22 +21,42 @@ enum {
 
     PROPORTIONAL = 400,
     DERIVATIVE = 4400,
+    REVERSING_PROPORTIONAL = 4000, /* full voltage from 8 counts on */
+
+    LOOK_MS = 2, /* at braked wheels: it takes half a millisecond */
+
+    /* Counts a second, 0.27 m/s at the rim: what is slower, the filter brakes as soon. */
+    SLOWEST_REVERSED = 3000,
     DERIVATIVE_INTERVAL = 9, /* samples, less 1 */
     MOST_POSITION_ERROR = 2808, /* counts: a turn; then the LM629 stops by itself */
-    
+
+    ALL_AXES = (1 << BODY_WHEELS) - 1, /* bit 0 to 2 */
 };
 
 /* Counts a sample times 2^16, for a rate of 1 (counts a second times 2^8); times 2^24. */
 static const int64_t VELOCITY_Q24 =
     (INT64_C(1) << (24 + 16 - 8)) * CLOCKS_A_SAMPLE / CLOCK_HZ;
 
-/* 33 m/s2 at the rim, to brake with; what else is told is slewed already. */
+/* 33 m/s2 at the rim: more than what is told, which is slewed already. */
 #define ACCELERATION_COUNTS_S2 366600
 
 /* Counts a sample squared, times 2^16. */
 static const int32_t ACCELERATION =
     (int32_t)(INT64_C(65536) * ACCELERATION_COUNTS_S2 * CLOCKS_A_SAMPLE / CLOCK_HZ *
               CLOCKS_A_SAMPLE / CLOCK_HZ);
+
+static enum motion { TURNING, BRAKED, OFF } motion;
+static int32_t counts_now[BODY_WHEELS];
+static int32_t moved[BODY_WHEELS];        /* counts in the last period */
+static int32_t moved_before[BODY_WHEELS]; /* and in the one before */
+static struct brake brake;
+static uint8_t reversed; /* axes that are still to be */
+static uint8_t braked_ms;
+
+static bool is_in(uint8_t axes, uint8_t axis)
+{
+    return ((unsigned)axes >> axis & 1U) != 0;
+}
 
 static bool is_ready(uint8_t axis)
 {
@@ -43,96 +68,137 @@ static bool is_ready(uint8_t axis)
     return false;
 }
 
-static bool command(uint8_t axis, enum lm629_command code)
+static uint8_t ready(uint8_t axes)
 {
-    if (!is_ready(axis)) {
-        return false;
-    }
-    lm629_bus_command(axis, (uint8_t)code);
-    return true;
-}
+    uint8_t found = 0;
 
-static bool write_word(uint8_t axis, uint16_t word)
-{
-    if (!is_ready(axis)) {
-        return false;
-    }
-    lm629_bus_write(axis, (uint8_t)(word >> 8));
-    lm629_bus_write(axis, (uint8_t)(word & 0xFFU));
-    return true;
-}
-
-static bool write_long(uint8_t axis, uint32_t value)
-{
-    return write_word(axis, (uint16_t)(value >> 16)) &&
-           write_word(axis, (uint16_t)(value & 0xFFFFU));
-}
-
-static bool read_word(uint8_t axis, uint16_t *word)
-{
-    uint8_t high;
-
-    if (!is_ready(axis)) {
-        return false;
-    }
-    high = lm629_bus_read(axis);
-    *word = (uint16_t)((uint16_t)((uint16_t)high << 8) | lm629_bus_read(axis));
-    return true;
-}
-
-static bool load_filter(uint8_t axis)
-{
-    return command(axis, LM629_LOAD_FILTER) &&
-           write_word(axis, (DERIVATIVE_INTERVAL << 8) | LM629_HAS_PROPORTIONAL |
-                                LM629_HAS_DERIVATIVE) &&
-           write_word(axis, PROPORTIONAL) && write_word(axis, DERIVATIVE) &&
-           command(axis, LM629_UPDATE_FILTER);
-}
-
-static bool load_limits(uint8_t axis)
-{
-    return command(axis, LM629_LIMIT_AND_STOP) && write_word(axis, MOST_POSITION_ERROR) &&
-           command(axis, LM629_LOAD_TRAJECTORY) &&
-           write_word(axis, LM629_VELOCITY_MODE | LM629_HAS_ACCELERATION | LM629_HAS_VELOCITY) &&
-           write_long(axis, (uint32_t)ACCELERATION) && write_long(axis, 0);
-}
-
-static bool begin(uint8_t axis)
-{
-    return command(axis, LM629_RESET_INTERRUPTS) && write_word(axis, 0) && load_filter(axis) &&
-           load_limits(axis) && is_ready(axis) &&
-           (lm629_bus_status(axis) & LM629_COMMAND_ERROR) == 0;
-}
-
-bool drive_begin(void)
-{
-    bool is_good = true;
-
-    lm629_bus_reset();
     for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
-        is_good = begin(axis) && is_good;
+        if (is_in(axes, axis) && is_ready(axis)) {
+            found = (uint8_t)(found | 1U << axis);
+        }
     }
-    return is_good;
+    return found;
 }
 
-static bool read_position(uint8_t axis, int32_t *counts)
+static uint8_t command(uint8_t axes, enum lm629_command code)
 {
-    uint16_t high;
-    uint16_t low;
+    uint8_t told = ready(axes);
 
-    if (!command(axis, LM629_READ_POSITION) || !read_word(axis, &high) || !read_word(axis, &low)) {
-        return false;
+    for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
+        if (is_in(told, axis)) {
+            lm629_bus_command(axis, (uint8_t)code);
+        }
     }
-    *counts = (int32_t)(((uint32_t)high << 16) | low);
-    return true;
+    return told;
+}
+
+static uint8_t write_words(uint8_t axes, const uint16_t words[BODY_WHEELS])
+{
+    uint8_t told = ready(axes);
+
+    for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
+        if (is_in(told, axis)) {
+            lm629_bus_write(axis, (uint8_t)(words[axis] >> 8));
+            lm629_bus_write(axis, (uint8_t)(words[axis] & 0xFFU));
+        }
+    }
+    return told;
+}
+
+static uint8_t write_word(uint8_t axes, uint16_t word)
+{
+    const uint16_t words[BODY_WHEELS] = {word, word, word};
+
+    return write_words(axes, words);
+}
+
+static uint8_t write_longs(uint8_t axes, const uint32_t values[BODY_WHEELS])
+{
+    uint16_t high[BODY_WHEELS];
+    uint16_t low[BODY_WHEELS];
+
+    for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
+        high[axis] = (uint16_t)(values[axis] >> 16);
+        low[axis] = (uint16_t)(values[axis] & 0xFFFFU);
+    }
+    return write_words(write_words(axes, high), low);
+}
+
+static uint8_t write_long(uint8_t axes, uint32_t value)
+{
+    const uint32_t values[BODY_WHEELS] = {value, value, value};
+
+    return write_longs(axes, values);
+}
+
+static uint8_t read_words(uint8_t axes, uint16_t words[BODY_WHEELS])
+{
+    uint8_t told = ready(axes);
+
+    for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
+        if (is_in(told, axis)) {
+            uint8_t high = lm629_bus_read(axis);
+
+            words[axis] = (uint16_t)((uint16_t)((uint16_t)high << 8) | lm629_bus_read(axis));
+        }
+    }
+    return told;
+}
+
+/* Takes effect by LM629_UPDATE_FILTER. */
+static uint8_t load_filter(uint8_t axes, uint16_t proportional, uint16_t derivative)
+{
+    axes = write_word(command(axes, LM629_LOAD_FILTER),
+                      (DERIVATIVE_INTERVAL << 8) | LM629_HAS_PROPORTIONAL | LM629_HAS_DERIVATIVE);
+    return write_word(write_word(axes, proportional), derivative);
+}
+
+static uint8_t set_filter(uint8_t axes, uint16_t proportional, uint16_t derivative)
+{
+    return command(load_filter(axes, proportional, derivative), LM629_UPDATE_FILTER);
+}
+
+static uint8_t load_limits(uint8_t axes)
+{
+    axes = write_word(command(axes, LM629_LIMIT_AND_STOP), MOST_POSITION_ERROR);
+    axes = write_word(command(axes, LM629_LOAD_TRAJECTORY),
+                      LM629_VELOCITY_MODE | LM629_HAS_ACCELERATION | LM629_HAS_VELOCITY);
+    return write_long(write_long(axes, (uint32_t)ACCELERATION), 0);
+}
+
+static bool has_error(uint8_t axes, uint8_t errors)
+{
+    for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
+        if (is_in(axes, axis) && (lm629_bus_status(axis) & errors) != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static uint8_t read_positions(uint8_t axes, int32_t counts[BODY_WHEELS])
+{
+    uint16_t high[BODY_WHEELS];
+    uint16_t low[BODY_WHEELS];
+
+    axes = read_words(read_words(command(axes, LM629_READ_POSITION), high), low);
+    for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
+        if (is_in(axes, axis)) {
+            counts[axis] = (int32_t)(((uint32_t)high[axis] << 16) | low[axis]);
+        }
+    }
+    return axes;
 }
 
 bool drive_read_counts(int32_t counts[BODY_WHEELS])
 {
+    if (read_positions(ALL_AXES, counts) != ALL_AXES) {
+        return false;
+    }
     for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
-        if (!read_position(axis, &counts[axis])) {
-            return false;
-        }
+        moved_before[axis] = moved[axis];
+        moved[axis] = counts[axis] - counts_now[axis];
+        counts_now[axis] = counts[axis];
     }
     return true;
 }
@@ -141,60 +207,147 @@ bool drive_read_counts(int32_t counts[BODY_WHEELS])
  * False after a command error, or an error of position after which the LM629 has stopped its motor.
  * The LM629 tells it once, and can be used again.
  */
-static bool is_faultless(uint8_t axis)
+static bool is_faultless(uint8_t axes)
 {
-    if ((lm629_bus_status(axis) & (LM629_COMMAND_ERROR | LM629_POSITION_ERROR)) == 0) {
-        return true;
+    bool is_ready = ready(axes) == axes;
+
+    if (has_error(axes, LM629_COMMAND_ERROR | LM629_POSITION_ERROR)) {
+        (void)write_word(command(axes, LM629_RESET_INTERRUPTS), 0);
+        return false;
     }
-    if (command(axis, LM629_RESET_INTERRUPTS)) {
-        (void)write_word(axis, 0);
-    }
-    return false;
+    return is_ready;
 }
 
-static bool turn(uint8_t axis, int32_t rate_q8)
+/* Lets axes do what was loaded into all of those that took it. */
+static bool start(uint8_t axes, uint8_t loaded)
 {
-    uint16_t direction = rate_q8 < 0 ? 0 : LM629_FORWARD;
-    int64_t speed_q8 = rate_q8 < 0 ? -(int64_t)rate_q8 : rate_q8;
-    uint32_t velocity = (uint32_t)((speed_q8 * VELOCITY_Q24 + (INT64_C(1) << 23)) >> 24);
+    return command(loaded, LM629_START) == axes && is_faultless(axes);
+}
 
-    return command(axis, LM629_LOAD_TRAJECTORY) &&
-           write_word(axis,
-                      (uint16_t)(LM629_VELOCITY_MODE | LM629_HAS_VELOCITY | direction)) &&
-           write_long(axis, velocity) && command(axis, LM629_START) && is_ready(axis) &&
-           is_faultless(axis);
+static bool stop(uint8_t axes, uint16_t manner)
+{
+    return start(axes, write_word(command(axes, LM629_LOAD_TRAJECTORY),
+                                  LM629_VELOCITY_MODE | manner));
+}
+
+bool drive_begin(void)
+{
+    uint8_t axes;
+
+    lm629_bus_reset();
+    memset(counts_now, 0, sizeof counts_now);
+    memset(moved, 0, sizeof moved);
+    memset(moved_before, 0, sizeof moved_before);
+    axes = load_limits(write_word(command(ALL_AXES, LM629_RESET_INTERRUPTS), 0));
+    motion = OFF;
+    return axes == ALL_AXES && is_faultless(axes);
 }
 
 bool drive_turn(const struct wheel_rates *rates)
 {
-    bool is_good = true;
+    uint16_t words[BODY_WHEELS];
+    uint32_t velocities[BODY_WHEELS];
+    uint8_t axes = ALL_AXES;
 
     for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
-        is_good = turn(axis, rates->q8[axis]) && is_good;
+        int32_t rate_q8 = rates->q8[axis];
+        uint16_t direction = rate_q8 < 0 ? 0 : LM629_FORWARD;
+        int64_t speed_q8 = rate_q8 < 0 ? -(int64_t)rate_q8 : rate_q8;
+
+        words[axis] = (uint16_t)(LM629_VELOCITY_MODE | LM629_HAS_VELOCITY | direction);
+        velocities[axis] = (uint32_t)((speed_q8 * VELOCITY_Q24 + (INT64_C(1) << 23)) >> 24);
     }
-    return is_good;
+    if (motion != TURNING) {
+        motion = TURNING;
+        axes = set_filter(axes, PROPORTIONAL, DERIVATIVE);
+    }
+    axes = write_words(command(axes, LM629_LOAD_TRAJECTORY), words);
+    return start(ALL_AXES, write_longs(axes, velocities));
 }
 
+/*
+ * A trajectory that slows down would end where the wheel should have stood, and first catch up where
+ * it was behind. So fast wheels are reversed: drawn back with full voltage to where they are now,
+ * until they stand. Slow ones, and those that stand, are damped and drawn nowhere.
+ */
+static bool begin_to_brake(uint8_t axes)
+{
+    int32_t counts[BODY_WHEELS];
+    uint8_t slow;
+
+    motion = BRAKED;
+    (void)stop(axes, LM629_STOP_ABRUPTLY);
+    axes = read_positions(axes, counts);
+    reversed = 0;
+    braked_ms = 0;
+    for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
+        int32_t rate = (moved[axis] + moved_before[axis]) * (500 / DRIVE_PERIOD_MS);
+
+        if (is_in(axes, axis) && (rate >= SLOWEST_REVERSED || rate <= -SLOWEST_REVERSED)) {
+            brake_reverse(&brake, axis, counts[axis], rate, WHEEL_RATED_Q8 / 256);
+            reversed = (uint8_t)(reversed | 1U << axis);
+        }
+    }
+    slow = (uint8_t)(axes & ~(unsigned)reversed);
+    (void)load_filter(set_filter(reversed, REVERSING_PROPORTIONAL, 0), 0, DERIVATIVE);
+    (void)set_filter(slow, 0, DERIVATIVE);
+    return is_faultless(axes);
+}
+
+/* Returns the axes that stand now and need not be reversed any more. */
+static uint8_t standing(uint8_t axes)
+{
+    int32_t counts[BODY_WHEELS];
+    uint8_t found = 0;
+
+    axes = read_positions(axes, counts);
+    for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
+        if (is_in(axes, axis) && brake_stands(&brake, axis, counts[axis], (uint16_t)(braked_ms * 16U + 8U))) {
+            found = (uint8_t)(found | 1U << axis);
+        }
+    }
+    return found;
+}
+
+static bool go_on_braking(uint8_t axes)
+{
+    if (reversed == 0) {
+        return is_faultless(axes);
+    }
+    braked_ms++;
+    if (braked_ms % LOOK_MS != 0) {
+        return true;
+    }
+    reversed &= (uint8_t)~command(standing(reversed & axes), LM629_UPDATE_FILTER);
+    return true;
+}
+
+/* A controller that does not answer does not keep the others from braking. */
 bool drive_stop(void)
 {
-    static const struct wheel_rates still = {{0, 0, 0}};
+    uint8_t axes = ready(ALL_AXES);
+    bool is_good;
 
-    return drive_turn(&still);
-}
-
-static bool hold(uint8_t axis)
-{
-    return command(axis, LM629_LOAD_TRAJECTORY) &&
-           write_word(axis, LM629_VELOCITY_MODE | LM629_STOP_ABRUPTLY) &&
-           command(axis, LM629_START) && is_ready(axis) && is_faultless(axis);
-}
-
-bool drive_hold(void)
-{
-    bool is_good = true;
-
-    for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
-        is_good = hold(axis) && is_good;
+    switch (motion) {
+    case TURNING:
+        is_good = begin_to_brake(axes);
+        break;
+    case BRAKED:
+        is_good = go_on_braking(axes);
+        break;
+    default:
+        is_good = is_faultless(axes);
     }
-    return is_good;
+    return is_good && axes == ALL_AXES;
+}
+
+bool drive_rest(void)
+{
+    uint8_t axes = ready(ALL_AXES);
+
+    if (motion != OFF) {
+        motion = OFF;
+        (void)stop(axes, LM629_TURN_MOTOR_OFF);
+    }
+    return is_faultless(axes) && axes == ALL_AXES;
 }

@@ -32,6 +32,7 @@ enum lm629_filter_word {
 enum lm629_trajectory_word {
     LM629_HAS_VELOCITY = 1 << 3,
     LM629_HAS_ACCELERATION = 1 << 5,
+    LM629_TURN_MOTOR_OFF = 1 << 8,
     LM629_STOP_ABRUPTLY = 1 << 9,
     LM629_VELOCITY_MODE = 1 << 11,
     LM629_FORWARD = 1 << 12,

@@ -4,31 +4,40 @@
  */
 #include <string.h>
 
+#include "brake.h"
 #include "drive.h"
 #include "pwm_bus.h"
+
+/* Counts a second, by full voltage. */
+static const int32_t FULL_RATE = WHEEL_RATED_Q8 / 256;
+
+/* PWM steps for a count a second, times 2^16: what keeps the wheel turning. */
+static const int32_t FORWARD_Q16 = INT32_C(65536) * PWM_FULL / (WHEEL_RATED_Q8 / 256);
 
 /* PWM steps a count, times 2^8: with 0.35 the wheel follows with a time constant of 70 ms. */
 static const int32_t GAIN_Q8 = 90;
 
-/* PWM steps for a count a period, times 2^8, that brake. */
-static const int32_t BRAKING_Q8 = 2L * 256 * PWM_FULL * 1000 / DRIVE_PERIOD_MS /
-                                  (WHEEL_RATED_Q8 / 256);
+/* Counts a second, 30 mm/s at the rim: a slower wheel stands by its friction as soon. */
+static const int32_t SLOWEST_REVERSED = 336;
 
 /* A blocked wheel's wanted position runs away no further than what full voltage answers. */
-static const int32_t MOST_ERROR_Q8 = INT32_C(728) * 256;
+static const int32_t MOST_BEHIND_Q8 = INT32_C(728) * 256;
 
-static int32_t wanted[BODY_WHEELS];   /* counts */
-static int32_t wanted_q8[BODY_WHEELS]; /* and the part of a count beyond it, times 2^8 */
+static int32_t behind_q8[BODY_WHEELS]; /* counts times 2^8 until where the wheel shall be */
 static int32_t counts_now[BODY_WHEELS];
 static int32_t moved[BODY_WHEELS]; /* counts in the last period */
+static struct brake brake;
+static bool is_braked;
+static bool is_reversed[BODY_WHEELS];
+static uint8_t watched; /* wheel that was looked at last */
 
 bool drive_begin(void)
 {
     pwm_bus_begin();
-    memset(wanted, 0, sizeof wanted);
-    memset(wanted_q8, 0, sizeof wanted_q8);
+    memset(behind_q8, 0, sizeof behind_q8);
     memset(counts_now, 0, sizeof counts_now);
     memset(moved, 0, sizeof moved);
+    is_braked = true;
     return true;
 }
 
@@ -50,43 +59,96 @@ static int32_t clamped(int32_t value, int32_t limit)
     return value < -limit ? -limit : value;
 }
 
-static int32_t advanced_error_q8(uint8_t wheel, int32_t rate_q8)
-{
-    int32_t moved_q8 = wanted_q8[wheel] + rate_q8 * DRIVE_PERIOD_MS / 1000;
-    int32_t error_q8;
-
-    wanted[wheel] += moved_q8 / 256;
-    wanted_q8[wheel] = moved_q8 % 256;
-    error_q8 = clamped((wanted[wheel] - counts_now[wheel]) * 256 + wanted_q8[wheel], MOST_ERROR_Q8);
-    wanted[wheel] = counts_now[wheel] + (error_q8 - wanted_q8[wheel]) / 256;
-    return error_q8;
-}
-
 bool drive_turn(const struct wheel_rates *rates)
 {
+    is_braked = false;
     for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
-        int32_t forward = (int32_t)((int64_t)rates->q8[wheel] * PWM_FULL / WHEEL_RATED_Q8);
-        int32_t more = (advanced_error_q8(wheel, rates->q8[wheel]) * GAIN_Q8) / 65536;
+        int32_t to_move_q8 = rates->q8[wheel] * DRIVE_PERIOD_MS / 1000;
+        int32_t forward = ((rates->q8[wheel] >> 8) * FORWARD_Q16) >> 16;
+        int32_t more;
 
+        behind_q8[wheel] =
+            clamped(behind_q8[wheel] + to_move_q8 - moved[wheel] * 256, MOST_BEHIND_Q8);
+        more = (behind_q8[wheel] * GAIN_Q8) >> 16;
         pwm_bus_drive(wheel, (int16_t)clamped(forward + more, PWM_FULL));
     }
     return true;
 }
 
-/* Against the motion, twice as strongly as what would keep it up. */
+/* The voltage, as a rate, that is to brake a wheel: twice what keeps it turning, or all there is. */
+static int32_t braking_voltage(int32_t rate)
+{
+    bool is_slow = rate < SLOWEST_REVERSED && rate > -SLOWEST_REVERSED;
+
+    return is_slow ? 0 : clamped(-2 * rate, FULL_RATE);
+}
+
+static void drive_back(uint8_t wheel, int32_t voltage)
+{
+    int16_t duty = (int16_t)clamped((voltage * FORWARD_Q16) >> 16, PWM_FULL);
+
+    behind_q8[wheel] = 0;
+    is_reversed[wheel] = voltage != 0;
+    if (voltage != 0) {
+        pwm_bus_drive_until(wheel, duty, BRAKE_MOST_MS_Q4);
+    } else {
+        pwm_bus_drive(wheel, 0);
+    }
+}
+
+/* All motors at once; what takes longer comes after. */
+static void begin_to_brake(void)
+{
+    int32_t counts[BODY_WHEELS];
+    int32_t rates[BODY_WHEELS];
+    int32_t voltages[BODY_WHEELS];
+
+    for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
+        rates[wheel] = pwm_bus_moved(wheel) * (1000 / PWM_BUS_MOVED_MS);
+        voltages[wheel] = braking_voltage(rates[wheel]);
+    }
+    is_braked = true;
+    pwm_bus_begin_time();
+    for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
+        drive_back(wheel, voltages[wheel]);
+    }
+    pwm_bus_counts(counts);
+    for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
+        if (voltages[wheel] != 0) {
+            brake_reverse(&brake, wheel, counts[wheel], rates[wheel], voltages[wheel]);
+        }
+    }
+}
+
+/* The end of it comes by interrupt: the main loop may be late by some milliseconds. */
+static void foresee_end(uint8_t wheel)
+{
+    int32_t counts[BODY_WHEELS];
+    uint16_t now_ms_q4;
+    uint16_t end_ms_q4;
+
+    now_ms_q4 = pwm_bus_ms_q4();
+    pwm_bus_counts(counts);
+    end_ms_q4 = brake_end_ms_q4(&brake, wheel, counts[wheel], now_ms_q4);
+    pwm_bus_end_at(wheel, end_ms_q4);
+    is_reversed[wheel] = end_ms_q4 > now_ms_q4;
+}
+
 bool drive_stop(void)
 {
-    for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
-        int32_t against = -moved[wheel] * BRAKING_Q8 / 256;
-
-        wanted[wheel] = counts_now[wheel];
-        wanted_q8[wheel] = 0;
-        pwm_bus_drive(wheel, (int16_t)clamped(against, PWM_FULL));
+    if (!is_braked) {
+        begin_to_brake();
+        return true;
+    }
+    watched = (uint8_t)(watched + 1U == BODY_WHEELS ? 0 : watched + 1U); /* one is enough at a time */
+    if (is_reversed[watched]) {
+        foresee_end(watched);
     }
     return true;
 }
 
-bool drive_hold(void)
+/* The motors are left short-circuited. */
+bool drive_rest(void)
 {
-    return drive_stop();
+    return true;
 }

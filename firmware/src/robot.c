@@ -134,6 +134,8 @@ void robot_watch(struct robot *robot, const struct robot_inputs *inputs, uint32_
     feel(robot, inputs);
     if (!was_stopped && is_stopped(robot)) {
         brake(robot);
+    } else if (is_stopped(robot)) {
+        stop_cause(&robot->stop, STOP_DRIVE, !drive_stop());
     }
 }
 
@@ -182,16 +184,16 @@ static void turn_wheels(struct robot *robot)
     }
 }
 
+/* Wheels that come back have not turned in one period: so they must not in two. */
 void robot_drive(struct robot *robot)
 {
-    bool has_turned = read_odometer(robot);
+    bool had_turned = robot->has_turned;
 
+    robot->has_turned = read_odometer(robot);
     if (!is_stopped(robot)) {
         turn_wheels(robot);
-    } else if (!has_turned && (robot->stop.reasons & STOP_STALL) != 0) {
-        stop_cause(&robot->stop, STOP_DRIVE, !drive_hold());
-    } else {
-        stop_cause(&robot->stop, STOP_DRIVE, !drive_stop());
+    } else if (!had_turned && !robot->has_turned) {
+        stop_cause(&robot->stop, STOP_DRIVE, !drive_rest());
     }
 }
 

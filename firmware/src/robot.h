@@ -35,6 +35,7 @@ struct robot {
     bool is_by_velocity;   /* else by segments */
     struct twist twist;    /* that is driven */
     struct wheel_rates rates;
+    bool has_turned; /* a wheel, in the last period */
     uint8_t floor_gone;
     uint32_t now_ms;
     uint32_t heard_ms; /* the last good frame */

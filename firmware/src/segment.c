@@ -43,13 +43,11 @@ static uint32_t least(uint32_t a, uint32_t b)
 /* limit / |value|, at most `most`; all times 2^15. */
 static uint32_t share_q15(uint32_t limit, uint32_t value, uint32_t most)
 {
-    uint64_t share;
-
-    if (value == 0) {
-        return most;
+    while (limit > UINT32_MAX >> 15) { /* a division of 64 bits takes four times as long */
+        limit >>= 1;
+        value >>= 1;
     }
-    share = (uint64_t)limit * ONE_Q15 / value;
-    return share < most ? (uint32_t)share : most;
+    return value == 0 ? most : least(limit * ONE_Q15 / value, most);
 }
 
 /* How much the pace may change in a second, times 2^15. */
@@ -70,17 +68,26 @@ static uint16_t junction_pace_q15(const struct segment *before, const struct seg
                            share_q15(TURN_JUMP_URAD_S, turn_jump, ONE_Q15));
 }
 
-/* The square of the pace that can be braked to the exit pace in so much planned time. */
-static uint64_t braking_square_q30(uint16_t exit_q15, uint32_t rate_q15, uint32_t left_us)
+/* By how much braking in so much planned time lowers the square of the pace; at most 2^31. */
+static uint32_t braking_gain_q30(uint32_t rate_q15, uint32_t left_us)
 {
-    /* P^2 = p^2 + 2 a T */
-    return (uint64_t)exit_q15 * exit_q15 +
-           2 * (uint64_t)rate_q15 * left_us / 1000000 * ONE_Q15;
+    /* 2^44 / 10^6 */
+    static const uint32_t SECONDS_A_US_Q44 = 17592186;
+    /* 2 a T */
+    uint64_t gain_q15 = (((2 * (uint64_t)rate_q15 * left_us) >> 14) * SECONDS_A_US_Q44) >> 30;
+
+    return gain_q15 < 2 * ONE_Q15 ? (uint32_t)gain_q15 << 15 : 2 * ONE_Q30;
 }
 
-static uint16_t root_q15(uint64_t square_q30)
+/* The square of the pace that is braked to the exit pace: P^2 = p^2 + 2 a T. */
+static uint32_t braked_square_q30(uint16_t exit_q15, uint32_t gain_q30)
 {
-    return square_q30 >= ONE_Q30 ? ONE_Q15 : root((uint32_t)square_q30);
+    return (uint32_t)exit_q15 * exit_q15 + gain_q30;
+}
+
+static uint16_t root_q15(uint32_t square_q30)
+{
+    return square_q30 >= ONE_Q30 ? ONE_Q15 : root(square_q30);
 }
 
 static uint32_t duration_us(const struct segment *segment)
@@ -88,24 +95,35 @@ static uint32_t duration_us(const struct segment *segment)
     return segment->duration_ms * 1000;
 }
 
-/* The backward pass: from a stand at the end of the queue. */
+/* The backward pass: from a stand at the end of the queue to where nothing changes any more. */
 static void plan(struct segment_queue *queue)
 {
     uint16_t exit_q15 = 0;
 
     for (uint8_t place = queue->count; place-- > 0;) {
-        const struct segment *segment = at(queue, place);
-        uint16_t entry_q15;
+        uint8_t index = index_of(queue, place);
+        bool is_last = place + 1 == queue->count;
+        uint32_t square_q30;
 
-        queue->exit_pace_q15[index_of(queue, place)] = exit_q15;
-        if (place == 0) {
+        if (!is_last && queue->exit_pace_q15[index] == exit_q15) {
             break;
         }
-        entry_q15 = root_q15(
-            braking_square_q30(exit_q15, pace_rate_q15(segment), duration_us(segment)));
-        exit_q15 = (uint16_t)least(entry_q15, junction_pace_q15(at(queue, (uint8_t)(place - 1)),
-                                                                segment));
+        queue->exit_pace_q15[index] = exit_q15;
+        square_q30 = braked_square_q30(exit_q15, queue->gain_q30[index]);
+        exit_q15 = (uint16_t)least(root_q15(square_q30), queue->entry_pace_q15[index]);
     }
+}
+
+static void measure(struct segment_queue *queue, uint8_t place)
+{
+    const struct segment *segment = at(queue, place);
+    uint8_t index = index_of(queue, place);
+    uint32_t rate_q15 = pace_rate_q15(segment);
+
+    queue->pace_rate_q15[index] = rate_q15;
+    queue->gain_q30[index] = braking_gain_q30(rate_q15, duration_us(segment));
+    queue->entry_pace_q15[index] =
+        place == 0 ? 0 : junction_pace_q15(at(queue, (uint8_t)(place - 1)), segment);
 }
 
 void segment_queue_begin(struct segment_queue *queue)
@@ -119,6 +137,7 @@ bool segment_queue_add(struct segment_queue *queue, const struct segment *segmen
         return false;
     }
     queue->segments[index_of(queue, queue->count)] = *segment;
+    measure(queue, queue->count);
     queue->count++;
     plan(queue);
     return true;
@@ -169,17 +188,15 @@ static void drop_first(struct segment_queue *queue)
 static uint16_t allowed_pace_q15(const struct segment_queue *queue, uint32_t change_q15)
 {
     uint32_t left_us = duration_us(at(queue, 0)) - queue->covered_us;
-    uint64_t square_q30 = braking_square_q30(queue->exit_pace_q15[queue->first],
-                                             pace_rate_q15(at(queue, 0)), left_us) +
-                          (uint64_t)change_q15 * change_q15;
+    uint32_t gain_q30 = braking_gain_q30(queue->pace_rate_q15[queue->first], left_us);
+    uint32_t square_q30 = braked_square_q30(queue->exit_pace_q15[queue->first], gain_q30);
 
-    return (uint16_t)(root((uint32_t)(square_q30 > UINT32_MAX ? UINT32_MAX : square_q30)) -
-                      change_q15);
+    return (uint16_t)(root(square_q30 + change_q15 * change_q15) - change_q15);
 }
 
 static uint16_t next_pace_q15(const struct segment_queue *queue, uint16_t wanted_q15, uint16_t ms)
 {
-    uint32_t change_q15 = pace_rate_q15(at(queue, 0)) * ms / 1000;
+    uint32_t change_q15 = queue->pace_rate_q15[queue->first] * ms / 1000;
     uint32_t slowest_q15 = queue->pace_q15 > change_q15 ? queue->pace_q15 - change_q15 : 0;
     uint32_t reachable_q15 = least(queue->pace_q15 + change_q15, wanted_q15);
 

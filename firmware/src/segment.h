@@ -25,7 +25,10 @@ struct segment {
 
 struct segment_queue {
     struct segment segments[SEGMENT_QUEUE_LENGTH];
-    uint16_t exit_pace_q15[SEGMENT_QUEUE_LENGTH]; /* at most, at the end of each */
+    uint32_t pace_rate_q15[SEGMENT_QUEUE_LENGTH];  /* how much the pace may change in a second */
+    uint32_t gain_q30[SEGMENT_QUEUE_LENGTH];       /* of the pace's square, braked over it all */
+    uint16_t entry_pace_q15[SEGMENT_QUEUE_LENGTH]; /* at most, where it joins the one before */
+    uint16_t exit_pace_q15[SEGMENT_QUEUE_LENGTH];  /* at most, at its end */
     uint8_t first;
     uint8_t count;
     uint16_t driven;     /* segments since the start; wraps around */

@@ -21,7 +21,9 @@ void stall_begin(struct stall *stall, const int32_t counts[BODY_WHEELS])
 static bool is_stalled(const struct stall *stall)
 {
     for (uint8_t i = 0; i < BODY_WHEELS; i++) {
-        if (stall->told_q8[i] > SLOW_Q8 && stall->turned[i] < stall->told_q8[i] >> 10) {
+        uint32_t told_q8 = stall->told_q8_ms[i] / 1000;
+
+        if (told_q8 > SLOW_Q8 && stall->turned[i] < told_q8 >> 10) {
             return true;
         }
     }
@@ -36,7 +38,7 @@ bool stall_watch(struct stall *stall, const struct wheel_rates *rates,
     for (uint8_t i = 0; i < BODY_WHEELS; i++) {
         int32_t moved = (int32_t)((uint32_t)counts[i] - (uint32_t)stall->last[i]);
 
-        stall->told_q8[i] += magnitude(rates->q8[i]) * ms / 1000;
+        stall->told_q8_ms[i] += magnitude(rates->q8[i]) * ms;
         stall->turned[i] += magnitude(moved);
         stall->last[i] = counts[i];
     }

@@ -13,7 +13,7 @@
 
 struct stall {
     uint16_t watched_ms;
-    uint32_t told_q8[BODY_WHEELS]; /* counts times 2^8, forwards and backwards */
+    uint32_t told_q8_ms[BODY_WHEELS]; /* counts times 2^8 times 1000, forwards and backwards */
     uint32_t turned[BODY_WHEELS];  /* counts, forwards and backwards */
     int32_t last[BODY_WHEELS];     /* what the encoders said at the last look */
 };

@@ -45,10 +45,10 @@ void wheel_rates_limit(struct wheel_rates *rates)
             fastest = magnitude(rates->q8[i]);
         }
     }
-    if (fastest <= WHEEL_RATED_Q8) {
+    if (fastest <= WHEEL_FASTEST_Q8) {
         return;
     }
     for (uint8_t i = 0; i < BODY_WHEELS; i++) {
-        rates->q8[i] = (int32_t)((int64_t)rates->q8[i] * WHEEL_RATED_Q8 / fastest);
+        rates->q8[i] = (int32_t)((int64_t)rates->q8[i] * WHEEL_FASTEST_Q8 / fastest);
     }
 }

@@ -2,44 +2,14 @@
 
 #include <string.h>
 
+#include "bench_drive.h"
 #include "bytes.h"
 #include "drive.h"
-#include "lm629_bus.h"
-
-/* The bus leads to the wheels of the bench that was begun last. */
-static struct rig *on_bus;
-
-void lm629_bus_reset(void)
-{
-    for (int i = 0; i < RIG_WHEELS; i++) {
-        lm629_model_reset(&on_bus->wheels[i]);
-    }
-}
-
-void lm629_bus_command(uint8_t axis, uint8_t command)
-{
-    lm629_model_command(&on_bus->wheels[axis], command);
-}
-
-void lm629_bus_write(uint8_t axis, uint8_t data)
-{
-    lm629_model_write(&on_bus->wheels[axis], data);
-}
-
-uint8_t lm629_bus_status(uint8_t axis)
-{
-    return lm629_model_status(&on_bus->wheels[axis]);
-}
-
-uint8_t lm629_bus_read(uint8_t axis)
-{
-    return lm629_model_read(&on_bus->wheels[axis]);
-}
 
 void bench_begin(struct bench *bench)
 {
     memset(bench, 0, sizeof *bench);
-    on_bus = &bench->rig;
+    bench_drive_begin(&bench->rig);
     bench->inputs.battery_mv = 16000;
     robot_begin(&bench->robot, STOP_POWER_UP, 1);
 }
@@ -49,8 +19,8 @@ void bench_live(struct bench *bench, uint32_t ms)
     for (uint32_t i = 0; i < ms; i++) {
         bench->now_ms++;
         while (bench->rig_seconds < bench->now_ms / 1000.0) {
-            rig_sample(&bench->rig);
-            bench->rig_seconds += LM629_MODEL_SAMPLE;
+            bench_drive_sample();
+            bench->rig_seconds += BENCH_DRIVE_SAMPLE;
         }
         robot_watch(&bench->robot, &bench->inputs, bench->now_ms);
         if (bench->now_ms % DRIVE_PERIOD_MS == 0) {

@@ -67,12 +67,12 @@ static void wheel_rates_are_off_by_at_most_one_unit(void)
 
 static void limit_slows_all_wheels_alike(void)
 {
-    struct wheel_rates rates = {{2 * WHEEL_RATED_Q8, -WHEEL_RATED_Q8, WHEEL_RATED_Q8 / 2}};
+    struct wheel_rates rates = {{2 * WHEEL_FASTEST_Q8, -WHEEL_FASTEST_Q8, WHEEL_FASTEST_Q8 / 2}};
 
     wheel_rates_limit(&rates);
-    CHECK_EQUAL(WHEEL_RATED_Q8, rates.q8[0]);
-    CHECK_EQUAL(-WHEEL_RATED_Q8 / 2, rates.q8[1]);
-    CHECK_EQUAL(WHEEL_RATED_Q8 / 4, rates.q8[2]);
+    CHECK_EQUAL(WHEEL_FASTEST_Q8, rates.q8[0]);
+    CHECK_EQUAL(-WHEEL_FASTEST_Q8 / 2, rates.q8[1]);
+    CHECK_EQUAL(WHEEL_FASTEST_Q8 / 4, rates.q8[2]);
 }
 
 /* Drives a curve by counts, in periods of 10 ms, and compares with the exact curve. */

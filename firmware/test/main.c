@@ -12,5 +12,6 @@ int main(int count, char **arguments)
     kinematics_tests();
     part_tests();
     robot_tests();
+    lm629_tests();
     return check_result();
 }

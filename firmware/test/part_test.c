@@ -4,6 +4,7 @@
 
 #include "angle.h"
 #include "battery.h"
+#include "brake.h"
 #include "check.h"
 #include "panel.h"
 #include "range.h"
@@ -136,12 +137,41 @@ static void reference_covers_its_segments_within_the_limits(void)
     CHECK_NEAR((M_PI / 2 - 1.5 * 1.047) * 1e6, angle_urad(queue.reference.heading), 1000);
 }
 
+static void wheel_that_does_not_slow_down_is_not_reversed_for_ever(void)
+{
+    struct brake brake;
+
+    brake_reverse(&brake, 1, 0, 5000, 10296);
+    /* at 5 counts a millisecond */
+    CHECK_EQUAL(150 * 16, brake_end_ms_q4(&brake, 1, 5 * 20, 20 * 16));
+    CHECK_EQUAL(150 * 16, brake_end_ms_q4(&brake, 1, 5 * 149, 149 * 16));
+    CHECK(!brake_stands(&brake, 1, 5 * 149, 149 * 16));
+    CHECK(brake_stands(&brake, 1, 5 * 150, 150 * 16));
+}
+
+static void end_of_braking_is_foreseen(void)
+{
+    struct brake brake;
+
+    brake_reverse(&brake, 1, 700, -8000, 10296);
+    for (uint16_t ms = 12; ms < 30; ms += 2) {
+        /* T = 0.04 s: 23.0 ms, 0.04 ln(1 + 8000/10296) */
+        double way = 0.04 * (8000 + 10296) * (1 - exp(-ms / 40.0)) - 10.296 * ms;
+        int32_t counts = (int32_t)floor(700 - way);
+
+        CHECK_NEAR(23.0, brake_end_ms_q4(&brake, 1, counts, (uint16_t)(ms * 16)) / 16.0, 1.5);
+        CHECK_EQUAL(ms >= 23, brake_stands(&brake, 1, counts, (uint16_t)(ms * 16)));
+    }
+}
+
 void part_tests(void)
 {
     ranges_are_read();
     damaged_message_changes_nothing();
     silence_is_told();
     battery_is_low_after_a_second();
+    wheel_that_does_not_slow_down_is_not_reversed_for_ever();
+    end_of_braking_is_foreseen();
     panel_shows_state_and_error();
     reference_covers_its_segments_within_the_limits();
 }

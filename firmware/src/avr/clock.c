@@ -2,8 +2,8 @@
 
 #include <avr/interrupt.h>
 #include <avr/io.h>
-#include <util/atomic.h>
 
+#include "drive_bus.h"
 #include "spi_slave.h"
 
 enum { PRESCALER = 64, TOP = F_CPU / PRESCALER / 1000 - 1 };
@@ -11,7 +11,7 @@ enum { PRESCALER = 64, TOP = F_CPU / PRESCALER / 1000 - 1 };
 _Static_assert(F_CPU % (PRESCALER * 1000UL) == 0 && TOP <= 255, "timer 0 cannot count this clock");
 
 /* Written by the interrupt, read by the main loop. */
-static volatile uint32_t now_ms;
+static volatile uint8_t ticks;
 
 void clock_begin(void)
 {
@@ -20,24 +20,19 @@ void clock_begin(void)
     TIMSK |= _BV(OCIE0);
 }
 
-uint32_t clock_ms(void)
+uint8_t clock_ticks(void)
 {
-    uint32_t ms;
-
-    ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
-    {
-        ms = now_ms;
-    }
-    return ms;
+    return ticks;
 }
 
 /*
- * Counts the millisecond and lets the SPI notice a pause. Refuses everything else.
- * Budget 128 cycles, so that with the SPI's own routine a byte every 256 cycles is never lost;
+ * Counts the millisecond, lets the SPI notice a pause and the drive end what it has timed. Refuses
+ * everything else, and is interrupted by all others, so that it does not count where the SPI waits;
  * docs/firmware.md states what was measured.
  */
-ISR(TIMER0_COMP_vect)
+ISR(TIMER0_COMP_vect, ISR_NOBLOCK)
 {
-    now_ms++;
+    ticks++;
     spi_slave_millisecond();
+    drive_bus_millisecond();
 }

@@ -6,7 +6,7 @@
 
 void clock_begin(void);
 
-/* Milliseconds since the start. */
-uint32_t clock_ms(void);
+/* Milliseconds since the start, modulo 256. */
+uint8_t clock_ticks(void);
 
 #endif

@@ -3,6 +3,7 @@
 #include <util/delay.h>
 
 #include "board.h"
+#include "drive_bus.h"
 
 /* The control lines at rest: all high. */
 static void rest(void)
@@ -67,4 +68,9 @@ uint8_t lm629_bus_status(uint8_t axis)
 uint8_t lm629_bus_read(uint8_t axis)
 {
     return get(axis, 0);
+}
+
+/* The controllers have a clock of their own. */
+void drive_bus_millisecond(void)
+{
 }

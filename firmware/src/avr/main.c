@@ -14,7 +14,10 @@
 #include "sensors.h"
 #include "spi_slave.h"
 
-enum { PANEL_PERIOD_MS = 100 };
+enum {
+    PANEL_PERIOD_MS = 100,
+    MOST_BYTES = 32, /* to be heard at once: half a frame; a millisecond brings 62 at most */
+};
 
 static struct robot robot;
 static struct robot_inputs inputs;
@@ -50,7 +53,7 @@ static void hear(void)
 {
     uint8_t byte;
 
-    while (spi_slave_take(&byte)) {
+    for (uint8_t i = 0; i < MOST_BYTES && spi_slave_take(&byte); i++) {
         if (frame_parser_take(&parser, byte)) {
             robot_hear(&robot, parser.bytes);
             offer_status();
@@ -64,15 +67,30 @@ static void hear(void)
     }
 }
 
+/* Once a millisecond: returns whether a period is over. */
+static bool is_over(uint8_t *passed_ms, uint8_t period_ms)
+{
+    (*passed_ms)++;
+    if (*passed_ms < period_ms) {
+        return false;
+    }
+    *passed_ms = 0;
+    return true;
+}
+
 static void live(uint32_t now_ms)
 {
+    static uint8_t since_drive_ms;
+    static uint8_t since_panel_ms;
+
     sensors_look(&inputs);
     robot_watch(&robot, &inputs, now_ms);
-    if (now_ms % DRIVE_PERIOD_MS == 0) {
+    if (is_over(&since_drive_ms, DRIVE_PERIOD_MS)) {
         robot_drive(&robot);
-        offer_status();
+    } else if (since_drive_ms == 1) {
+        offer_status(); /* not in the same millisecond, which is long enough */
     }
-    if (now_ms % PANEL_PERIOD_MS == 0) {
+    if (is_over(&since_panel_ms, PANEL_PERIOD_MS)) {
         panel_write(&panel, &robot);
     }
     lcd_step(&panel);
@@ -103,9 +121,9 @@ int main(void)
 
     begin();
     for (;;) {
-        hear();
-        if (lived_ms != clock_ms()) {
+        if ((uint8_t)lived_ms != clock_ticks()) {
             lived_ms++; /* one after the other, also after a long step */
+            hear();
             live(lived_ms);
             wdt_reset();
         } else {

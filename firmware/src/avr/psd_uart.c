@@ -6,6 +6,8 @@
 #define BAUD 38400UL
 #include <util/setbaud.h>
 
+_Static_assert(!USE_2X, "the UART is not set to double speed");
+
 enum { RING = 32 }; /* two messages and more; a power of two */
 
 /* Head written by the interrupt, tail by the main loop. */
@@ -19,6 +21,17 @@ void psd_uart_begin(void)
     UBRR1L = UBRRL_VALUE;
     UCSR1C = _BV(UCSZ11) | _BV(UCSZ10); /* 8 bits, no parity */
     UCSR1B = _BV(RXCIE1) | _BV(RXEN1);
+}
+
+static inline void put(uint8_t byte)
+{
+    uint8_t at = head;
+    uint8_t after = (uint8_t)((at + 1U) % RING);
+
+    if (after != tail) {
+        ring[at] = byte;
+        head = after;
+    }
 }
 
 bool psd_uart_take(uint8_t *byte)
@@ -35,16 +48,12 @@ bool psd_uart_take(uint8_t *byte)
 
 /*
  * Takes a byte. One for which there is no room is dropped: the sum of its message will be wrong.
- * Budget 128 cycles; docs/firmware.md states what was measured.
+ * Once it has the byte it is interrupted by all others; docs/firmware.md states what was measured.
  */
 ISR(USART1_RX_vect)
 {
     uint8_t byte = UDR1;
-    uint8_t at = head;
-    uint8_t after = (uint8_t)((at + 1U) % RING);
 
-    if (after != tail) {
-        ring[at] = byte;
-        head = after;
-    }
+    sei();
+    put(byte);
 }

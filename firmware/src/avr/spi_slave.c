@@ -31,15 +31,25 @@ static uint8_t statuses[3][FRAME_LENGTH];
 static volatile uint8_t sent;    /* written by the interrupt, between exchanges only */
 static volatile uint8_t offered; /* written by the main loop */
 static uint8_t draft;            /* main loop only */
-static volatile uint8_t position; /* of the next byte to load; interrupts only */
+
+/* Interrupts only: the byte to load when the next one has come, and the place of the one after. */
+static volatile uint8_t answer __attribute__((used));
+static volatile uint8_t position;
+
+/* Loads the first byte of a status and holds the second one ready: the sync, whichever it is. */
+static inline void load_beginning(void)
+{
+    SPDR = FRAME_SYNC_1;
+    answer = FRAME_SYNC_2;
+    position = FRAME_KIND;
+}
 
 void spi_slave_begin(const uint8_t first[FRAME_LENGTH])
 {
     memcpy(statuses[0], first, FRAME_LENGTH);
     SPI_DDR |= SPI_MISO;
     SPCR = _BV(SPE) | _BV(SPIE); /* slave, mode 0 */
-    SPDR = FRAME_SYNC_1;
-    position = 1;
+    load_beginning();
 }
 
 bool spi_slave_take(uint8_t *byte)
@@ -98,42 +108,66 @@ uint16_t spi_slave_lost(void)
 /* A write while the master already sends is refused by the hardware; then that exchange is lost. */
 void spi_slave_millisecond(void)
 {
-    if (silent_ms >= PAUSE_MS) {
-        return;
-    }
-    silent_ms++;
-    if (silent_ms == PAUSE_MS) {
-        is_paused = true;
-        SPDR = FRAME_SYNC_1;
-        position = 1;
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
+    {
+        if (silent_ms < PAUSE_MS && ++silent_ms == PAUSE_MS) {
+            is_paused = true;
+            load_beginning();
+        }
     }
 }
 
-/*
- * Takes a byte and loads the next. Refuses to look at what it takes: frames are found by the main
- * loop. Budget 128 cycles; docs/firmware.md states what was measured.
- */
-ISR(SPI_STC_vect)
+static inline void prepare_answer(void)
 {
-    uint8_t byte = SPDR;
-    uint8_t next = position;
+    uint8_t at = position;
+
+    if (at == FRAME_KIND) {
+        sent = offered;
+    }
+    if (at < FRAME_LENGTH) {
+        answer = statuses[sent][at];
+        position = (uint8_t)(at + 1U);
+    } else {
+        answer = 0;
+    }
+}
+
+static inline void put(uint8_t byte)
+{
     uint8_t at = head;
     uint8_t after = (uint8_t)(at + 1U);
 
-    if (next == 1) {
-        sent = offered;
-    }
-    if (next < FRAME_LENGTH) {
-        SPDR = statuses[sent][next];
-        position = (uint8_t)(next + 1U);
-    } else {
-        SPDR = 0;
-    }
-    silent_ms = 0;
     if (after != tail) {
         ring[at] = byte;
         head = after;
     } else if (lost != UINT16_MAX) {
         lost++;
     }
+}
+
+/*
+ * Takes the byte that came, and prepares an answer. Refuses to look at what it takes: frames are
+ * found by the main loop.
+ */
+ISR(__vector_take_byte)
+{
+    silent_ms = 0;
+    put(SPDR);
+    prepare_answer();
+}
+
+/*
+ * Loads the answer, first of all and before anything is saved: that must be done 192 cycles after
+ * the byte came, when the master may shift again. Budget 128 cycles, with what it goes on to;
+ * docs/firmware.md states what was measured.
+ */
+ISR(SPI_STC_vect, ISR_NAKED)
+{
+    __asm__ volatile("push r24\n\t"
+                     "lds  r24, answer\n\t"
+                     "out  %[spdr], r24\n\t"
+                     "pop  r24\n\t"
+                     "rjmp __vector_take_byte"
+                     :
+                     : [spdr] "I"(_SFR_IO_ADDR(SPDR)));
 }

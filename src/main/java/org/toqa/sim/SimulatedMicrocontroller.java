@@ -13,13 +13,25 @@ import java.util.concurrent.TimeUnit;
 public final class SimulatedMicrocontroller implements AutoCloseable {
 
   private static final String PROGRAM = "toqa-sim";
-  private static final String HEX = "toqa.hex";
   private static final String SOCKET = "spi.sock";
   private static final String EEPROM = "eeprom";
   private static final long END_SECONDS = 2;
 
   private final Process process;
   private final Path socket;
+
+  /**
+   * Which chip it is, and what drives its motors.
+   *
+   * @param hex its program, in the folder of the built firmware
+   * @param drive the drive's name, as {@code toqa-sim} knows it
+   * @param hertz of its clock
+   */
+  public record Board(String hex, String drive, int hertz) {
+
+    /** The robot's own: three LM629, and an ATmega128. */
+    public static final Board LM629 = new Board("toqa.hex", "lm629", 16_000_000);
+  }
 
   private SimulatedMicrocontroller(Process process, Path socket) {
     this.process = process;
@@ -32,8 +44,14 @@ public final class SimulatedMicrocontroller implements AutoCloseable {
    *     switched off, and is switched on again
    */
   public static SimulatedMicrocontroller start(Path firmware, Path folder) throws IOException {
+    return start(firmware, Board.LM629, folder);
+  }
+
+  /** The same with another board. */
+  public static SimulatedMicrocontroller start(Path firmware, Board board, Path folder)
+      throws IOException {
     Path program = firmware.resolve(PROGRAM);
-    Path hex = firmware.resolve(HEX);
+    Path hex = firmware.resolve(board.hex());
     if (!Files.isExecutable(program) || !Files.isReadable(hex)) {
       throw new IOException(
           "The firmware is not built in " + firmware + ": run make -C firmware hex sim.");
@@ -41,6 +59,10 @@ public final class SimulatedMicrocontroller implements AutoCloseable {
     Process process =
         new ProcessBuilder(
                 program.toString(),
+                "-c",
+                Integer.toString(board.hertz()),
+                "-d",
+                board.drive(),
                 hex.toString(),
                 folder.resolve(SOCKET).toString(),
                 folder.resolve(EEPROM).toString())

@@ -5,10 +5,12 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.toqa.agent.chassis.SimulatedPower;
+import org.toqa.agent.spi.FirmwareBuild;
 import org.toqa.agent.spi.SimulatorProbe;
 import org.toqa.agent.spi.SimulatorProbe.Truth;
 import org.toqa.geometry.Pose;
@@ -21,16 +23,15 @@ import org.toqa.sim.SimulatedMicrocontroller;
 @Timeout(120)
 class FirmwareScenarioIT {
 
-  private static final Path FIRMWARE = Path.of("firmware/build").toAbsolutePath();
-
   /** A quarter circle of 0.25 m radius to the left, and a metre. */
   private static final List<Segment> WAY =
       List.of(new Segment(0.25, 1, Math.PI / 2), new Segment(0.25, 0, 4));
 
   @TempDir Path folder;
 
-  @Test
-  void arcStraightAndStopEndAtTheSamePlace() throws IOException {
+  @ParameterizedTest
+  @EnumSource
+  void arcStraightAndStopEndAtTheSamePlace(FirmwareBuild build) throws IOException {
     Pose planned = Rig.START.compose(new Pose(0.25, 1.25, Math.PI / 2));
     Pose simulated =
         drive(
@@ -38,8 +39,7 @@ class FirmwareScenarioIT {
             folder.resolve("simulated"));
     Pose byFirmware;
     Pose really;
-    try (SimulatedMicrocontroller microcontroller =
-            SimulatedMicrocontroller.start(FIRMWARE, folder);
+    try (SimulatedMicrocontroller microcontroller = build.start(folder);
         SimulatorProbe probe = new SimulatorProbe(microcontroller.socket())) {
       Body body = new Body.SimulatedFirmware(microcontroller.socket(), Rig.START);
       byFirmware = drive(body, folder.resolve("firmware"));

@@ -10,16 +10,17 @@ import java.nio.channels.SocketChannel;
 import java.nio.file.Path;
 
 /**
- * To the simulated microcontroller of {@code firmware/sim} over its Unix socket. Before each
- * exchange the microcontroller lives for as long as the daemon did since the last one, or less.
+ * To the simulated microcontroller of {@code firmware/sim} over its Unix socket. Until the end of
+ * each exchange the microcontroller lives for as long as the daemon did since the last one, or
+ * less.
  */
 public final class SimulatorTransport implements FrameTransport {
 
-  /** 64 bytes of 256 cycles at 16 MHz. */
-  private static final long EXCHANGE_MICROS = 1_024;
-
-  /** The pause between exchanges that the microcontroller needs to answer in the next one. */
-  private static final long PAUSE_MICROS = 5_000;
+  /**
+   * The pause between exchanges that the microcontroller needs to answer in the next one, and an
+   * exchange: 64 bytes of 256 cycles at 8 MHz.
+   */
+  private static final long LEAST_MICROS = 5_000 + 2_048;
 
   /**
    * The microcontroller lives no longer in one stretch, which is less than what makes it miss its
@@ -55,8 +56,8 @@ public final class SimulatorTransport implements FrameTransport {
     due += started ? (nanos - lastNanos) / 1_000 : 0;
     started = true;
     lastNanos = nanos;
-    long micros = Math.clamp(due - EXCHANGE_MICROS, PAUSE_MICROS, MOST_MICROS);
-    due = Math.min(0, due - micros - EXCHANGE_MICROS);
+    long micros = Math.clamp(due, LEAST_MICROS, MOST_MICROS);
+    due = Math.min(0, due - micros);
     ByteBuffer request =
         ByteBuffer.allocate(HEADER + frame.length)
             .order(ByteOrder.LITTLE_ENDIAN)

@@ -57,7 +57,7 @@ public final class SimulatorProbe implements AutoCloseable {
     exchange(time, new byte[0]);
   }
 
-  /** Time passes, then bytes are exchanged; what comes back is dropped. */
+  /** Time passes, in the end of which bytes are exchanged; what comes back is dropped. */
   void exchange(Duration time, byte[] bytes) throws IOException {
     ByteBuffer request =
         ByteBuffer.allocate(7 + bytes.length)
@@ -97,9 +97,22 @@ public final class SimulatorProbe implements AutoCloseable {
       return Objects.requireNonNull(values.get(name), name);
     }
 
+    Duration now() {
+      return time("us");
+    }
+
+    /** When a wheel last turned faster than what counts as standing. */
+    Duration moved() {
+      return time("moved_us");
+    }
+
     /** From the last exchange until the wheels stood. */
     Duration rolledOn() {
-      return Duration.ofNanos(1_000 * (number("moved_us") - number("exchanged_us")));
+      return moved().minus(time("exchanged_us"));
+    }
+
+    private Duration time(String name) {
+      return Duration.ofNanos(1_000 * number(name));
     }
   }
 }
