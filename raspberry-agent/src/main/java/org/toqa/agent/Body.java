@@ -100,8 +100,8 @@ public sealed interface Body {
       case "spi" ->
           new Spi(
               Path.of(body.text("device", "/dev/spidev0.0")),
-              (int) body.whole("clock", 1_000_000, 10_000, 4_000_000),
-              (int) body.whole("wordDelay", 8, 0, 255));
+              (int) body.whole("clock", 1_000_000, 100_000, 2_000_000),
+              (int) body.whole("wordDelay", 16, 12, 100));
       case "serial" ->
           new Serial(
               Path.of(body.text("device", "/dev/serial0")),

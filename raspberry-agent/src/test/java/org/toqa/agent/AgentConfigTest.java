@@ -46,7 +46,7 @@ class AgentConfigTest {
   void spiBusHasTheClockThatTheFirmwareCanFollow() throws ConfigException, IOException {
     AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: spi}}"));
 
-    assertEquals(new Body.Spi(Path.of("/dev/spidev0.0"), 1_000_000, 8), config.chassis());
+    assertEquals(new Body.Spi(Path.of("/dev/spidev0.0"), 1_000_000, 16), config.chassis());
   }
 
   @Test
@@ -80,6 +80,8 @@ class AgentConfigTest {
           {name: r1, dataDir: d, chassis: {type: simulated, nois: 0}} | there is no key "chassis.nois"; did you mean "chassis.noise"?
           {name: r1, dataDir: d, chassis: {type: simulated, start: {X: 1}}} | there is no key "chassis.start.X"; did you mean "chassis.start.x"?
           {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated, simulated-firmware, spi or serial.
+          {name: r1, dataDir: d, chassis: {type: spi, clock: 4000000}} | "chassis.clock" is 4000000; it must be a whole number from 100000 to 2000000.
+          {name: r1, dataDir: d, chassis: {type: spi, wordDelay: 8}} | "chassis.wordDelay" is 8; it must be a whole number from 12 to 100.
           {name: r1, dataDir: d, chassis: {type: serial, baud: 9600}} | "chassis.baud" is 9600; it must be a whole number from 115200 to 1000000.
           {name: r1, dataDir: d, chassis: {type: simulated-firmware}} | the key "chassis.socket" is missing.
           {name: r1, dataDir: d, following: {law: fly}} | "following.law" is fly; it must be omni or non-holonomic.

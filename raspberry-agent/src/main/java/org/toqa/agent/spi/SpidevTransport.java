@@ -12,8 +12,13 @@ import java.lang.invoke.VarHandle;
 import java.nio.file.Path;
 
 /**
- * To a microcontroller on the SPI bus of a Raspberry Pi, by Linux's spidev: one {@code ioctl} sends
- * and receives a frame. Mode 0, 8 bits, most significant bit first.
+ * To a microcontroller on the SPI bus of a Raspberry Pi, by Linux's spidev. Mode 0, 8 bits, most
+ * significant bit first.
+ *
+ * <p>Each byte is a transfer of its own, with a delay after it: the delay between the words of one
+ * transfer, which spidev has too, is silently ignored by the controllers of a Raspberry Pi. A frame
+ * goes by two messages, since spidev has room for 4,096 bytes in one, and rounds every transfer up
+ * to as many as 128.
  */
 public final class SpidevTransport implements FrameTransport {
 
@@ -33,9 +38,16 @@ public final class SpidevTransport implements FrameTransport {
           ValueLayout.JAVA_BYTE.withName("pad"));
 
   private static final long SPI_IOC_WR_MODE = 0x40016b01L;
-  private static final long SPI_IOC_MESSAGE_1 = 0x40206b00L;
+
+  /** Of 32 transfers, 1,024 bytes. */
+  private static final long SPI_IOC_MESSAGE_32 = 0x44006b00L;
+
+  private static final int TRANSFERS = 32;
   private static final int O_RDWR = 2;
   private static final byte BITS = 8;
+
+  /** At the end of a message: until the next one. */
+  private static final byte STAYS_SELECTED = 1;
 
   private static final Linker LINKER = Linker.nativeLinker();
   private static final Linker.Option ERRNO = Linker.Option.captureCallState("errno");
@@ -69,7 +81,7 @@ public final class SpidevTransport implements FrameTransport {
   private final MemorySegment callState = arena.allocate(CALL_STATE);
   private final MemorySegment sent = arena.allocate(FrameCodec.LENGTH);
   private final MemorySegment received = arena.allocate(FrameCodec.LENGTH);
-  private final MemorySegment transfer = arena.allocate(TRANSFER);
+  private final MemorySegment transfers = arena.allocate(TRANSFER, FrameCodec.LENGTH);
   private final Path device;
   private final int file;
 
@@ -80,12 +92,15 @@ public final class SpidevTransport implements FrameTransport {
    */
   public SpidevTransport(Path device, int hertz, int wordDelayMicros) throws IOException {
     this.device = device;
-    set("tx_buf", sent.address());
-    set("rx_buf", received.address());
-    set("len", FrameCodec.LENGTH);
-    set("speed_hz", hertz);
-    set("bits_per_word", BITS);
-    set("word_delay_usecs", (byte) wordDelayMicros);
+    for (int i = 0; i < FrameCodec.LENGTH; i++) {
+      set(i, "tx_buf", sent.address() + i);
+      set(i, "rx_buf", received.address() + i);
+      set(i, "len", 1);
+      set(i, "speed_hz", hertz);
+      set(i, "bits_per_word", BITS);
+      set(i, "delay_usecs", (short) wordDelayMicros);
+    }
+    set(TRANSFERS - 1, "cs_change", STAYS_SELECTED);
     file = call(OPEN, callState, arena.allocateFrom(device.toString()), O_RDWR);
     if (file < 0) {
       IOException failure = failure("cannot be opened");
@@ -103,8 +118,11 @@ public final class SpidevTransport implements FrameTransport {
   @Override
   public byte[] exchange(byte[] frame, long nanos) throws IOException {
     sent.copyFrom(MemorySegment.ofArray(frame));
-    if (call(IOCTL, callState, file, SPI_IOC_MESSAGE_1, transfer) < 0) {
-      throw failure("exchanged nothing");
+    for (int first = 0; first < FrameCodec.LENGTH; first += TRANSFERS) {
+      MemorySegment message = transfers.asSlice(first * TRANSFER.byteSize());
+      if (call(IOCTL, callState, file, SPI_IOC_MESSAGE_32, message) < 0) {
+        throw failure("exchanged nothing");
+      }
     }
     return received.toArray(ValueLayout.JAVA_BYTE);
   }
@@ -115,8 +133,10 @@ public final class SpidevTransport implements FrameTransport {
     arena.close();
   }
 
-  private void set(String field, Object value) {
-    TRANSFER.varHandle(MemoryLayout.PathElement.groupElement(field)).set(transfer, 0L, value);
+  private void set(int index, String field, Object value) {
+    TRANSFER
+        .varHandle(MemoryLayout.PathElement.groupElement(field))
+        .set(transfers, index * TRANSFER.byteSize(), value);
   }
 
   private IOException failure(String what) {

@@ -17,7 +17,7 @@ class SpidevTransportTest {
   })
   void whatIsNoBusIsNamed(Path device, String sentence) {
     IOException refused =
-        assertThrows(IOException.class, () -> new SpidevTransport(device, 1_000_000, 8).close());
+        assertThrows(IOException.class, () -> new SpidevTransport(device, 1_000_000, 16).close());
 
     assertEquals(sentence, refused.getMessage());
   }
