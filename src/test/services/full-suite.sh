@@ -11,6 +11,7 @@ say() {
 }
 
 . "$services/debian.sh"
+. "$services/python.sh"
 . "$services/database.sh"
 
 usage() {
@@ -18,8 +19,8 @@ usage() {
 Usage: ./toqa test
 
 Runs the full test suite. On Debian it brings what it needs: Chromium, socat, iproute2, faketime
-and the compilers of the firmware (installed when you are root, named when not) and a private MySQL
-server (unpacked into ~/.cache/toqa, not installed).
+and the compilers of the firmware (installed when you are root, named when not), a private MySQL
+server and the fuzzer Schemathesis (unpacked into ~/.cache/toqa, not installed).
 TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours instead; its user must be allowed to
 create databases.
 END
@@ -61,9 +62,10 @@ require python3 python3
 cd "$root"
 say "testing the firmware"
 make -s -C firmware test sim
+schemathesis
 start_database
 
-./mvnw -B -ntp verify -Pfull -Dtoqa.mysql.url="$database_url" &
+./mvnw -B -ntp verify -Pfull -Dtoqa.mysql.url="$database_url" -Dtoqa.schemathesis="$fuzzer" &
 maven=$!
 status=0
 wait "$maven" || status=$?

@@ -35,6 +35,10 @@ public final class ApiClient implements AutoCloseable {
             .asString();
   }
 
+  public String token() {
+    return token;
+  }
+
   public JsonNode get(String path) throws IOException, InterruptedException {
     return JSON.readTree(send(request(path)));
   }
