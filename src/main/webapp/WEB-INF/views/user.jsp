@@ -58,7 +58,7 @@
     </c:if>
     <c:if test="${own}">
       <h3><fmt:message key="users.token.add"/></h3>
-      <p class="faint"><fmt:message key="users.token.hint"/></p>
+      <p class="faint"><fmt:message key="users.token.hint"/>${" "}<a href="${root}/api"><fmt:message key="api.title"/></a></p>
       <form method="post" action="${root}/users/${user.id}/tokens" novalidate>
         <t:csrf/>
         <div class="grid">

@@ -69,6 +69,7 @@ public final class Doors {
           new Door("POST", "/users/{id}/delete", MANAGER),
           new Door("GET", "/statistics", USER),
           new Door("GET", "/history", USER),
+          new Door("GET", "/api", USER),
           new Door("GET", "/api/v1/health", ANYBODY),
           new Door("POST", "/api/v1/session", STRANGER),
           new Door("DELETE", "/api/v1/session", USER),

@@ -35,6 +35,7 @@ class AccessibilityInBrowserTest extends BrowserTest {
           "robots/r5",
           "users",
           "users/1",
+          "api",
           "statistics?from=2026-11-08&to=2026-11-21&zone=UTC",
           "history",
           "nothing");
@@ -81,6 +82,9 @@ class AccessibilityInBrowserTest extends BrowserTest {
       page().navigate(server.root() + path);
       if (path.equals("map")) {
         assertThat(page().locator("#robots li")).hasCount(6);
+      }
+      if (path.equals("api")) {
+        assertThat(page().locator(".opblock").first()).isVisible();
       }
       look(path, found);
     }

@@ -126,7 +126,7 @@ class LanguagesTest {
     "/\\evil.example, /",
     "/tasks?x=<script>, /",
     "'/tasks?x\r\nX-Evil: 1', /",
-    "/api/v1/robots, /",
+    "/api/v1/robots, /api",
     "/language/en?back=/map, /",
     "/assets/toqa.css, /",
     "'', /"

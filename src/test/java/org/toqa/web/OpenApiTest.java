@@ -52,6 +52,18 @@ class OpenApiTest {
   }
 
   @Test
+  void everyDoorStandsUnderOneHeading() {
+    List<String> headings =
+        document.get("tags").valueStream().map(tag -> tag.get("name").asString()).toList();
+    for (JsonNode path : document.get("paths")) {
+      for (JsonNode door : path) {
+        assertEquals(1, door.path("tags").size(), door::toString);
+        assertTrue(headings.contains(door.get("tags").get(0).asString()), door::toString);
+      }
+    }
+  }
+
+  @Test
   void everyDoorOfTheApiIsDescribedAndNoOther() {
     Set<String> described = new TreeSet<>();
     for (Map.Entry<String, JsonNode> path : document.get("paths").properties()) {

@@ -323,6 +323,23 @@ class PagesInBrowserTest {
   }
 
   @Test
+  void theApiIsTriedOutOnItsPage() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    page.navigate(server.root() + "api");
+    Locator pause =
+        page.locator(".opblock-post")
+            .filter(new Locator.FilterOptions().setHasText("/api/v1/fleet/pause"));
+    pause.locator(".opblock-summary-control").click();
+    pause.getByText("Try it out").click();
+    pause.getByText("Execute", exactly()).click();
+
+    assertThat(pause.locator(".live-responses-table tbody .response-col_status"))
+        .containsText("200");
+    assertThat(page.locator("#pause")).containsText("All robots are paused");
+    picture(page, "api-tried");
+  }
+
+  @Test
   void aPartThatComesAnewLeavesOpenWhatTheReaderOpened() {
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
     AtomicReference<@Nullable Route> refresh = new AtomicReference<>();
@@ -408,8 +425,12 @@ class PagesInBrowserTest {
             "robots/r5",
             "users",
             "statistics",
+            "api",
             "nothing")) {
       page.navigate(server.root() + path);
+      if (path.equals("api")) {
+        assertThat(page.locator(".opblock")).not().hasCount(0);
+      }
       if (path.equals("map")) {
         assertThat(page.locator("#age")).containsText("Live");
         assertThat(page.locator("#robots li")).hasCount(6);

@@ -121,7 +121,7 @@ final class WebTestServer implements AutoCloseable {
     filter.setTldScan("jakarta.servlet.jsp.jstl-*.jar");
     ((StandardJarScanner) context.getJarScanner()).setJarScanFilter(filter);
     WebResourceRoot root = new StandardRoot(context);
-    for (String library : List.of("/assets/pico", "/assets/chart")) {
+    for (String library : List.of("/assets/pico", "/assets/chart", "/assets/swagger")) {
       String folder = new File("target/webapp" + library).getAbsolutePath();
       root.addPreResources(new DirResourceSet(root, library, folder, "/"));
     }
