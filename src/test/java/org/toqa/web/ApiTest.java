@@ -600,7 +600,8 @@ class ApiTest {
   }
 
   private static long version(Scanner lines) {
-    return Long.parseLong(after("id: ", lines));
+    String id = after("id: ", lines);
+    return Long.parseLong(id.substring(id.lastIndexOf('-') + 1));
   }
 
   private static String after(String prefix, Scanner lines) {
