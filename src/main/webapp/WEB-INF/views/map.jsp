@@ -39,12 +39,12 @@
         <button type="button" id="zoom-fit" aria-label="${fit}" title="${fit}"><t:icon name="fit"/></button>
       </div>
     </div>
-    <div id="replay" class="replay" role="group" aria-label="${replayLabel}" hidden>
+    <section id="replay" class="replay" aria-label="${replayLabel}" hidden>
       <input type="range" id="replay-time" aria-label="${timeLabel}">
       <button type="button" id="replay-play"><fmt:message key="replay.play"/></button>
       <button type="button" id="replay-back" class="outline">${back}</button>
       <button type="button" id="replay-on" class="outline">${on}</button>
-      <span id="replay-moment" class="number" dir="ltr"></span>
+      <bdi id="replay-moment" class="number"></bdi>
       <label><span class="unseen"><fmt:message key="replay.speed"/></span>
         <select id="replay-speed"><c:forTokens items="1,10,60" delims="," var="speed"><option value="${speed}" dir="ltr">${speed}×</option></c:forTokens></select>
       </label>
@@ -52,7 +52,7 @@
         <select id="replay-hours"><c:forTokens items="1,4,12,24" delims="," var="hours"><option value="${hours}" ${hours == 4 ? 'selected' : ''}><fmt:message key="replay.hours.last"><fmt:param value="${hours}"/></fmt:message></option></c:forTokens></select>
       </label>
       <button type="button" id="replay-live"><fmt:message key="replay.live"/></button>
-    </div>
+    </section>
   </section>
   <aside class="lists">
     <section id="needs" hidden>
