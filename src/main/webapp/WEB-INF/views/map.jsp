@@ -10,6 +10,10 @@
 <fmt:message key="map.zoomIn" var="zoomIn"/>
 <fmt:message key="map.zoomOut" var="zoomOut"/>
 <fmt:message key="map.fit" var="fit"/>
+<fmt:message key="replay.label" var="replayLabel"/>
+<fmt:message key="replay.time" var="timeLabel"/>
+<fmt:message key="replay.back" var="back"/>
+<fmt:message key="replay.on" var="on"/>
 <t:page title="${title}" here="map" script="map.js" layout="live-map">
   <h1 class="unseen">${title}</h1>
   <section class="board">
@@ -20,9 +24,12 @@
           <select id="floor"><c:forEach items="${floors}" var="floor"><option dir="auto"><c:out value="${floor.name}"/></option></c:forEach></select>
         </label>
       </c:if>
+      <button type="button" id="replay-open" class="outline" disabled><t:icon name="past"/> <fmt:message key="replay.open"/></button>
       <p id="age" class="age" data-state="away"><fmt:message key="map.connecting"/></p>
     </div>
     <p id="banner" class="notice bad" role="alert" hidden></p>
+    <p id="replay-banner" class="notice warn" role="status" hidden><strong><fmt:message key="replay.banner"/></strong></p>
+    <p id="replay-failed" class="notice bad" role="alert" hidden><fmt:message key="replay.failed"/></p>
     <noscript><p class="notice bad"><fmt:message key="map.noscript"/></p></noscript>
     <div class="canvas">
       <canvas id="map" tabindex="0" role="img" aria-label="${canvasLabel}"></canvas>
@@ -32,41 +39,69 @@
         <button type="button" id="zoom-fit" aria-label="${fit}" title="${fit}"><t:icon name="fit"/></button>
       </div>
     </div>
+    <section id="replay" class="replay" aria-label="${replayLabel}" hidden>
+      <input type="range" id="replay-time" aria-label="${timeLabel}">
+      <button type="button" id="replay-play"><fmt:message key="replay.play"/></button>
+      <button type="button" id="replay-back" class="outline">${back}</button>
+      <button type="button" id="replay-on" class="outline">${on}</button>
+      <bdi id="replay-moment" class="number"></bdi>
+      <label><span class="unseen"><fmt:message key="replay.speed"/></span>
+        <select id="replay-speed"><c:forTokens items="1,10,60" delims="," var="speed"><option value="${speed}" dir="ltr">${speed}×</option></c:forTokens></select>
+      </label>
+      <label><span class="unseen"><fmt:message key="replay.hours"/></span>
+        <select id="replay-hours"><c:forTokens items="1,4,12,24" delims="," var="hours"><option value="${hours}" ${hours == 4 ? 'selected' : ''}><fmt:message key="replay.hours.last"><fmt:param value="${hours}"/></fmt:message></option></c:forTokens></select>
+      </label>
+      <button type="button" id="replay-live"><fmt:message key="replay.live"/></button>
+    </section>
   </section>
   <aside class="lists">
     <section id="needs" hidden>
-      <h2><fmt:message key="map.needsYou"/></h2>
+      <h2><fmt:message key="map.needsYou"/> <span id="needs-now" hidden><fmt:message key="replay.now"/></span></h2>
       <ul id="needs-list" class="entries"></ul>
     </section>
-    <section>
-      <h2><fmt:message key="map.tasks"/></h2>
-      <ul id="tasks" class="entries"></ul>
-      <p id="more-tasks" class="faint" hidden></p>
-      <p id="no-tasks" class="faint" hidden><fmt:message key="map.tasks.none"/></p>
-      <a role="button" class="wide" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
-    </section>
-    <section>
-      <h2><fmt:message key="map.robots"/></h2>
-      <ul id="robots" class="entries"></ul>
-      <p id="no-robots" class="faint" hidden><fmt:message key="map.robots.none"/></p>
-    </section>
-    <section id="floors" data-live="floors">
-      <c:forEach items="${floorViews}" var="view">
-        <c:if test="${not empty view.hold or caller.isManager()}">
-          <h2><fmt:message key="map.floorNamed"><fmt:param><bdi><c:out value="${view.name}"/></bdi></fmt:param></fmt:message></h2>
-          <c:if test="${not empty view.hold}">
-            <p class="notice warn"><fmt:message key="floor.held"><fmt:param><bdi><c:out value="${view.hold.user}"/></bdi></fmt:param></fmt:message>${" "}<t:time at="${view.hold.since}"/></p>
+    <div id="then" hidden>
+      <section>
+        <h2><fmt:message key="replay.robots"/></h2>
+        <ul id="then-robots" class="entries"></ul>
+        <p id="then-none" class="faint"></p>
+      </section>
+      <section>
+        <h2><fmt:message key="replay.events"/></h2>
+        <ul id="then-events" class="history"></ul>
+        <p id="then-quiet" class="faint" hidden><fmt:message key="replay.quiet"/></p>
+      </section>
+    </div>
+    <div id="now">
+      <section>
+        <h2><fmt:message key="map.tasks"/></h2>
+        <ul id="tasks" class="entries"></ul>
+        <p id="more-tasks" class="faint" hidden></p>
+        <p id="no-tasks" class="faint" hidden><fmt:message key="map.tasks.none"/></p>
+        <a role="button" class="wide" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
+      </section>
+      <section>
+        <h2><fmt:message key="map.robots"/></h2>
+        <ul id="robots" class="entries"></ul>
+        <p id="no-robots" class="faint" hidden><fmt:message key="map.robots.none"/></p>
+      </section>
+      <section id="floors" data-live="floors">
+        <c:forEach items="${floorViews}" var="view">
+          <c:if test="${not empty view.hold or caller.isManager()}">
+            <h2><fmt:message key="map.floorNamed"><fmt:param><bdi><c:out value="${view.name}"/></bdi></fmt:param></fmt:message></h2>
+            <c:if test="${not empty view.hold}">
+              <p class="notice warn"><fmt:message key="floor.held"><fmt:param><bdi><c:out value="${view.hold.user}"/></bdi></fmt:param></fmt:message>${" "}<t:time at="${view.hold.since}"/></p>
+            </c:if>
+            <c:if test="${caller.isManager()}">
+              <c:url value="/floors/${view.name}/${empty view.hold ? 'hold' : 'resume'}" var="holdOrResume"/>
+              <form method="post" action="<c:out value="${holdOrResume}"/>">
+                <t:csrf/>
+                <button class="outline wide"><fmt:message key="floor.${empty view.hold ? 'hold' : 'resume'}"/></button>
+              </form>
+            </c:if>
           </c:if>
-          <c:if test="${caller.isManager()}">
-            <c:url value="/floors/${view.name}/${empty view.hold ? 'hold' : 'resume'}" var="holdOrResume"/>
-            <form method="post" action="<c:out value="${holdOrResume}"/>">
-              <t:csrf/>
-              <button class="outline wide"><fmt:message key="floor.${empty view.hold ? 'hold' : 'resume'}"/></button>
-            </form>
-          </c:if>
-        </c:if>
-      </c:forEach>
-    </section>
+        </c:forEach>
+      </section>
+    </div>
     <details>
       <summary><fmt:message key="map.legend"/></summary>
       <ul class="legend">
@@ -77,5 +112,5 @@
   </aside>
   <c:set var="stateKeys" value=""/>
   <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
-  <t:texts keys="map.live map.age map.away map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.tasks.more common.comma task.question.NOT_FETCHED task.question.ON_BOARD task.question.ON_BOARD_SOMEWHERE task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+  <t:texts keys="map.live map.age replay.label replay.play replay.pause replay.drove replay.stood replay.task replay.loading replay.none map.away map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.tasks.more common.comma task.question.NOT_FETCHED task.question.ON_BOARD task.question.ON_BOARD_SOMEWHERE task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
 </t:page>

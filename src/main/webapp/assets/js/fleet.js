@@ -13,6 +13,7 @@ const COLOURS = {
   ERROR: 'state-error',
   LOST: 'state-silent',
   OUT_OF_SERVICE: 'state-silent',
+  STOOD: 'state-silent',
 };
 const ENDED = new Set(['DONE', 'FAILED', 'CANCELLED']);
 
@@ -31,6 +32,11 @@ export function drawTasks(context, viewport, colours, tasks) {
       drawLoad(context, viewport.toScreen(x, y), 0, loadHalf(viewport, task), colours);
     }
   }
+}
+
+/** The robot as a replay shows it at a pose of then: of its state only whether it moved is known. */
+export function thatStood(robot, pose) {
+  return {...robot, state: pose?.moves ? 'DRIVING' : 'STOOD', letter: '', route: [], task: null};
 }
 
 /** @param poseOf the pose at which each robot is shown */
@@ -89,12 +95,16 @@ function drawRobot(context, viewport, colours, robot, pose) {
   const colour = colours[COLOURS[robot.state]];
   context.save();
   context.translate(x, y);
-  context.rotate(-pose.theta);
   context.strokeStyle = colours['map-halo'];
   context.lineWidth = 2.5;
   context.beginPath();
-  context.arc(0, 0, r, SHOULDER, 2 * Math.PI - SHOULDER);
-  context.lineTo(1.75 * r, 0);
+  if (pose.theta === undefined) {
+    context.arc(0, 0, r, 0, 2 * Math.PI);
+  } else {
+    context.rotate(-pose.theta);
+    context.arc(0, 0, r, SHOULDER, 2 * Math.PI - SHOULDER);
+    context.lineTo(1.75 * r, 0);
+  }
   context.closePath();
   context.stroke();
   context.fillStyle = away ? colours['map-free'] : colour;
@@ -109,7 +119,7 @@ function drawRobot(context, viewport, colours, robot, pose) {
   context.font = `700 ${Math.max(11, 1.1 * r)}px ${colours.font}`;
   context.textAlign = 'center';
   context.textBaseline = 'middle';
-  context.fillText(text(`robot.letter.${robot.state}`), x, y + 0.05 * r);
+  context.fillText(robot.letter ?? text(`robot.letter.${robot.state}`), x, y + 0.05 * r);
   drawLabel(context, colours, robot.name, x, y - 1.75 * r, 'bottom');
 }
 

@@ -1,3 +1,5 @@
+import {turn} from './turn.js';
+
 const LONGEST = 1_000; // milliseconds over which a pose is reached
 const JUMP = 2; // metres beyond which a robot was moved, not driving
 
@@ -53,14 +55,4 @@ export class Glide {
     const time = calm.matches || !before || jumps ? 0 : Math.min(LONGEST, 1.1 * (now - before.begun));
     return {from: time > 0 ? from : pose, to: pose, begun: now, time};
   }
-}
-
-/** The shorter way from one direction to the other, radians. */
-function turn(from, to) {
-  const difference = (to - from) % (2 * Math.PI);
-  return difference > Math.PI
-    ? difference - 2 * Math.PI
-    : difference <= -Math.PI
-      ? difference + 2 * Math.PI
-      : difference;
 }

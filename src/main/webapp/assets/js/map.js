@@ -1,14 +1,17 @@
 import {Board} from './board.js';
 import {element, showEntries, write} from './entries.js';
-import {drawRobots, drawTasks, isOpen, radius} from './fleet.js';
+import {drawRobots, drawTasks, isOpen, radius, thatStood} from './fleet.js';
 import {Floor} from './floor.js';
 import {Glide} from './glide.js';
 import {drawCells, drawStandstills} from './hazards.js';
+import {showLinks} from './links.js';
 import {locale} from './locale.js';
 import {showParts} from './parts.js';
+import {Replay} from './replay.js';
 import {address} from './server.js';
 import {follow} from './stream.js';
 import {text} from './texts.js';
+import {showThen} from './then.js';
 
 const $ = (selector) => document.querySelector(selector);
 const percent = new Intl.NumberFormat(locale, {style: 'percent'});
@@ -24,8 +27,11 @@ let robots = [];
 let tasks = [];
 let queued = 0; // tasks in the queue, also those that are not sent
 let floors = [];
+let newest = 0; // milliseconds since 1970, by the server's clock
 let changed = performance.now();
+let connection; // undefined until it is known
 const glide = new Glide();
+const replay = new Replay(() => newest, () => floor.name, showReplay);
 
 const board = new Board($('#map'), draw, openRobotAt);
 
@@ -33,10 +39,16 @@ function draw(context, viewport, colours, now) {
   if (!floor) {
     return false;
   }
+  floor.draw(context, viewport, colours);
   const here = robots.filter((robot) => robot.floor === floor.name);
+  return replay.isOpen
+    ? drawThen(context, viewport, colours, now, here)
+    : drawNow(context, viewport, colours, now, here);
+}
+
+function drawNow(context, viewport, colours, now, here) {
   const view = floors.find((candidate) => candidate.floor === floor.name);
   const poseOf = (name) => glide.at(name, now);
-  floor.draw(context, viewport, colours);
   if (view) {
     drawCells(context, viewport, colours, floor, view);
   }
@@ -49,10 +61,17 @@ function draw(context, viewport, colours, now) {
   return glide.isMoving(now);
 }
 
+function drawThen(context, viewport, colours, now, here) {
+  const goesOn = replay.advance(now);
+  const then = here.map((robot) => thatStood(robot, replay.poseOf(robot.name)));
+  drawRobots(context, viewport, colours, then, [], (name) => replay.poseOf(name));
+  return goesOn;
+}
+
 function openRobotAt(x, y, metresPerPixel) {
   const now = performance.now();
   const hit = robots.find((robot) => {
-    const pose = robot.floor === floor?.name && glide.at(robot.name, now);
+    const pose = robot.floor === floor?.name && shownPose(robot.name, now);
     const reach = (radius(board.viewport, robot) + 4) * metresPerPixel;
     return pose && Math.hypot(pose.x - x, pose.y - y) <= reach;
   });
@@ -61,17 +80,48 @@ function openRobotAt(x, y, metresPerPixel) {
   }
 }
 
+function shownPose(name, now) {
+  return replay.isOpen ? replay.poseOf(name) : glide.at(name, now);
+}
+
 function showSnapshot(snapshot) {
   ({robots, tasks, queued, floors} = snapshot);
+  newest = Date.parse(snapshot.at);
   showParts(snapshot);
   changed = performance.now();
   glide.update(robots, changed);
+  $('#replay-open').disabled = !floor;
+  showNeeds();
+  if (!replay.isOpen) {
+    showNow();
+  }
+}
+
+function showNow() {
   board.refresh();
   showCounts();
   showRobots();
   showTasks();
-  showNeeds();
   showAge();
+}
+
+/** The page turns to the past, follows it, or turns back from it. */
+function showReplay() {
+  const past = replay.isOpen;
+  $('#map').classList.toggle('past', past);
+  for (const part of ['#counts', '#now']) {
+    $(part).hidden = past;
+  }
+  for (const part of ['#then', '#needs-now']) {
+    $(part).hidden = !past;
+  }
+  showAge();
+  if (past) {
+    board.refresh();
+    showThen(robots.filter((robot) => robot.floor === floor.name), replay);
+  } else {
+    showNow();
+  }
 }
 
 function showCounts() {
@@ -91,31 +141,6 @@ function showCounts() {
     },
     (item, {count}) => write(item.querySelector('b'), whole.format(count)),
   );
-}
-
-function makeEntry(href) {
-  const link = element(
-    'a',
-    '',
-    element('span', 'letter'),
-    element('strong', '', element('bdi')),
-    element('span', 'side'),
-    element('span', 'what', element('bdi')));
-  link.href = address(href);
-  return element('li', '', link);
-}
-
-/** What the fleet says is English; where it says nothing there is a text in the page's language. */
-function fillEntry(item, {state, letter, title, side, said, what}) {
-  const sign = item.querySelector('.letter');
-  sign.dataset.state = state;
-  write(sign, letter);
-  write(item.querySelector('strong bdi'), title);
-  write(item.querySelector('.side'), side);
-  const words = item.querySelector('.what bdi');
-  words.lang = said ? 'en' : document.documentElement.lang;
-  words.dir = said ? 'ltr' : 'auto';
-  write(words, said ?? what);
 }
 
 // Who does not trust whom: a sentence, or undefined.
@@ -154,10 +179,6 @@ function taskEntry(task) {
 
 function question({kind, robot, why, place}) {
   return text(`task.question.${kind}`, robot, why, place);
-}
-
-function showLinks(list, entries) {
-  showEntries(list, entries, ({key}) => key, ({href}) => makeEntry(href), fillEntry);
 }
 
 function showRobots() {
@@ -210,20 +231,29 @@ function showNeeds() {
 }
 
 function showAge() {
-  if ($('#age').dataset.state === 'live') {
+  const age = $('#age');
+  if (!connection) {
+    return; // it says that it connects
+  }
+  age.dataset.state = replay.isOpen ? 'past' : connection;
+  if (replay.isOpen) {
+    write(age, text('replay.label'));
+  } else if (connection === 'live') {
     const seconds = Math.round((performance.now() - changed) / 1000);
-    write($('#age'), `${text('map.live')} · ${text('map.age', whole.format(seconds))}`);
+    write(age, `${text('map.live')} · ${text('map.age', whole.format(seconds))}`);
+  } else {
+    write(age, '');
   }
 }
 
 function showConnection(state) {
+  connection = state;
   const live = state === 'live';
-  $('#age').dataset.state = state;
   $('#map').classList.toggle('old', !live);
+  showAge();
   const banner = $('#banner');
   banner.hidden = live;
   if (!live) {
-    write($('#age'), '');
     banner.replaceChildren(text(`map.${state}`));
   }
   if (state === 'loggedOut') {
@@ -238,6 +268,7 @@ async function showFloor(name) {
     floor = await Floor.load(name);
     board.viewport.show(floor.bounds);
     board.refresh();
+    replay.changeFloor();
   } catch {
     $('#banner').hidden = false;
     $('#banner').textContent = text('map.failed');

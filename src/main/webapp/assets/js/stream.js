@@ -1,7 +1,7 @@
 import {address, fetchJson} from './server.js';
 
 /** Longer than the server is ever silent, in milliseconds. */
-const SILENCE = 25_000;
+const SILENCE = 12_000;
 const RETRY = 2_000;
 
 /**
@@ -25,7 +25,15 @@ export function follow(onSnapshot, onConnection = () => {}) {
     heard = performance.now();
     say('live');
   };
+  /** The browser comes back by itself after a broken line, and says which event it had last. */
+  const lose = () => {
+    say('away');
+    if (source.readyState === EventSource.CLOSED) {
+      reopen();
+    }
+  };
   const reopen = async () => {
+    heard = performance.now();
     source.close();
     say('away');
     try {
@@ -39,6 +47,7 @@ export function follow(onSnapshot, onConnection = () => {}) {
     setTimeout(open, RETRY);
   };
   const open = () => {
+    source?.close();
     heard = performance.now();
     source = new EventSource(address('api/v1/events'));
     source.addEventListener('snapshot', (event) => {
@@ -46,12 +55,12 @@ export function follow(onSnapshot, onConnection = () => {}) {
       onSnapshot(JSON.parse(event.data));
     });
     source.addEventListener('alive', hear);
-    source.addEventListener('error', reopen);
+    source.addEventListener('error', lose);
   };
 
   open();
   setInterval(() => {
-    if (state === 'live' && performance.now() - heard > SILENCE) {
+    if (state !== 'loggedOut' && performance.now() - heard > SILENCE) {
       reopen();
     }
   }, 1_000);

@@ -32,6 +32,9 @@ import org.toqa.web.Services;
  * The thread that bound it calls the rest.
  */
 final class WebServer implements AutoCloseable {
+  /** Milliseconds for which somebody connected may neither send nor take anything. */
+  private static final int PATIENCE = 20_000;
+
   private final Tomcat tomcat;
   private final StandardContext context;
   private final InetAddress address;
@@ -69,6 +72,7 @@ final class WebServer implements AutoCloseable {
     connector.setPort(port);
     connector.setProperty("address", address.getHostAddress());
     connector.setProperty("useVirtualThreads", "true");
+    connector.setProperty("connectionTimeout", String.valueOf(PATIENCE));
     connector.setThrowOnFailure(true);
     connector.setXpoweredBy(false);
     if (tls != null) {

@@ -13,4 +13,13 @@ public interface TrackStore {
 
   /** The robot's points since then, oldest first. */
   List<TrackPoint> track(String robot, Instant since);
+
+  /**
+   * The points of all these robots in a period, which ends earlier where they are too many.
+   *
+   * @param robots names
+   * @param until the first moment after it
+   * @param most how many points of the period are wanted at most; more than there are robots
+   */
+  FloorTracks tracks(List<String> robots, Instant from, Instant until, int most);
 }

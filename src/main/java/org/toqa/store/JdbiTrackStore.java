@@ -1,9 +1,17 @@
 package org.toqa.store;
 
+import java.sql.ResultSet;
+import java.sql.SQLException;
 import java.time.Instant;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.statement.PreparedBatch;
+import org.toqa.fleet.FloorTracks;
 import org.toqa.fleet.TrackPoint;
 import org.toqa.fleet.TrackStore;
 import org.toqa.geometry.Vec2;
@@ -51,12 +59,67 @@ public final class JdbiTrackStore implements TrackStore {
                     """)
                 .bind("robot", robot)
                 .bind("since", since.toEpochMilli())
-                .map(
-                    (rs, context) ->
-                        new TrackPoint(
-                            robot,
-                            Instant.ofEpochMilli(rs.getLong("at")),
-                            new Vec2(rs.getInt("x") / MILLIMETRES, rs.getInt("y") / MILLIMETRES)))
+                .map((rs, context) -> point(robot, rs))
                 .list());
+  }
+
+  @Override
+  public FloorTracks tracks(List<String> robots, Instant from, Instant until, int most) {
+    return robots.isEmpty()
+        ? new FloorTracks(until, Map.of())
+        : sql.in(h -> tracks(h, robots, from, until, most));
+  }
+
+  private static FloorTracks tracks(
+      Handle h, List<String> robots, Instant from, Instant until, int most) {
+    List<TrackPoint> within = within(h, robots, from, until, most + 1);
+    Instant end = within.size() <= most ? until : within.getLast().at();
+    Map<String, List<TrackPoint>> moved =
+        within.stream()
+            .filter(point -> point.at().isBefore(end))
+            .collect(Collectors.groupingBy(TrackPoint::robot));
+    Map<String, List<TrackPoint>> points = new LinkedHashMap<>();
+    for (String robot : robots) {
+      List<TrackPoint> track = new ArrayList<>();
+      track.addAll(beside(h, robot, "t.at < :at order by t.at desc limit 2", from).reversed());
+      track.addAll(moved.getOrDefault(robot, List.of()));
+      track.addAll(beside(h, robot, "t.at >= :at order by t.at limit 1", end));
+      points.put(robot, track);
+    }
+    return new FloorTracks(end, points);
+  }
+
+  private static List<TrackPoint> within(
+      Handle h, List<String> robots, Instant from, Instant until, int limit) {
+    return h.createQuery(
+            """
+            select r.name, t.at, t.x, t.y from tracks t join robots r on r.id = t.robot_id
+            where r.name in (<robots>) and t.at >= :from and t.at < :until
+            order by t.at limit :limit
+            """)
+        .bindList("robots", robots)
+        .bind("from", from.toEpochMilli())
+        .bind("until", until.toEpochMilli())
+        .bind("limit", limit)
+        .map((rs, context) -> point(rs.getString("name"), rs))
+        .list();
+  }
+
+  private static List<TrackPoint> beside(Handle h, String robot, String where, Instant at) {
+    return h.createQuery(
+            "select t.at, t.x, t.y from tracks t join robots r on r.id = t.robot_id"
+                + " where r.name = :robot and "
+                + where)
+        .bind("robot", robot)
+        .bind("at", at.toEpochMilli())
+        .map((rs, context) -> point(robot, rs))
+        .list();
+  }
+
+  private static TrackPoint point(String robot, ResultSet rs) throws SQLException {
+    return new TrackPoint(
+        robot,
+        Instant.ofEpochMilli(rs.getLong("at")),
+        new Vec2(rs.getInt("x") / MILLIMETRES, rs.getInt("y") / MILLIMETRES));
   }
 }

@@ -110,6 +110,7 @@ public final class Doors {
           new Door("DELETE", "/api/v1/users/{id}/sessions/{session}", USER),
           new Door("POST", "/api/v1/users/{id}/tokens", USER),
           new Door("POST", "/api/v1/users/{id}/reset-link", MANAGER),
+          new Door("GET", "/api/v1/tracks", USER),
           new Door("GET", "/api/v1/tracks/{name}", USER),
           new Door("GET", "/api/v1/history", USER),
           new Door("GET", "/api/v1/statistics", USER),

@@ -1,6 +1,8 @@
 package org.toqa.web;
 
+import java.time.DateTimeException;
 import java.time.Instant;
+import java.time.OffsetDateTime;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -126,6 +128,23 @@ public final class InputRules {
       refuse(field, "error.deadline.past");
     }
     return deadline(field, given);
+  }
+
+  /** A moment with its offset from UTC; null where none is given. */
+  public @Nullable Instant moment(String field, @Nullable String given) {
+    if (given == null || given.isBlank()) {
+      return null;
+    }
+    try {
+      Instant moment = OffsetDateTime.parse(given.strip()).toInstant();
+      if (!moment.isBefore(EARLIEST) && !moment.isAfter(LATEST)) {
+        return moment;
+      }
+    } catch (DateTimeException e) {
+      // the sentence below says what it should be
+    }
+    refuse(field, "error.moment");
+    return null;
   }
 
   public LoadSize size(String field, @Nullable Double length, @Nullable Double width) {

@@ -10,7 +10,9 @@ import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -19,6 +21,7 @@ import org.toqa.fleet.EventArchive.Entry;
 import org.toqa.fleet.EventArchive.Filter;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
+import org.toqa.fleet.FloorTracks;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotUse;
 import org.toqa.fleet.TrackPoint;
@@ -132,6 +135,60 @@ class HistoryTest {
     assertEquals(List.of(early.at(), late.at()), all.stream().map(TrackPoint::at).toList());
     assertEquals(0, early.position().distanceTo(all.getFirst().position()), 1e-9);
     assertEquals(1, tracks.track("r1", AT.plusMillis(1)).size());
+  }
+
+  @Test
+  void tracksOfAPeriodComeWithWhatIsBesideIt() {
+    for (String robot : List.of("r1", "r2", "r3")) {
+      store.saveRobot(new RobotRecord(robot, "lab", "127.0.0.1", 7275, 5, null, true, null));
+    }
+    tracks.add(points("r1", -30, -20, -10, 0, 10, 20, 30, 40));
+    tracks.add(points("r2", -3000));
+    tracks.add(points("r3", 5));
+
+    FloorTracks found =
+        tracks.tracks(List.of("r1", "r2"), AT, AT.plusSeconds(30), 3); // as many as there are
+
+    assertEquals(AT.plusSeconds(30), found.until());
+    assertEquals(
+        Map.of("r1", List.of(-20L, -10L, 0L, 10L, 20L, 30L), "r2", List.of(-3000L)),
+        seconds(found));
+  }
+
+  @Test
+  void tracksEndEarlierWhereTheyAreTooMany() {
+    for (String robot : List.of("r1", "r2")) {
+      store.saveRobot(new RobotRecord(robot, "lab", "127.0.0.1", 7275, 5, null, true, null));
+    }
+    tracks.add(points("r1", 0, 10, 20, 30));
+    tracks.add(points("r2", 5, 15, 25));
+
+    FloorTracks first = tracks.tracks(List.of("r1", "r2"), AT, AT.plusSeconds(60), 3);
+    FloorTracks rest = tracks.tracks(List.of("r1", "r2"), first.until(), AT.plusSeconds(60), 4);
+
+    assertEquals(AT.plusSeconds(15), first.until()); // 0, 5 and 10 are three
+    assertEquals(Map.of("r1", List.of(0L, 10L, 20L), "r2", List.of(5L, 15L)), seconds(first));
+    assertEquals(AT.plusSeconds(60), rest.until());
+    assertEquals(
+        Map.of("r1", List.of(0L, 10L, 20L, 30L), "r2", List.of(5L, 15L, 25L)), seconds(rest));
+    assertEquals(Map.of(), seconds(tracks.tracks(List.of(), AT, AT.plusSeconds(60), 3)));
+  }
+
+  private static List<TrackPoint> points(String robot, long... seconds) {
+    return LongStream.of(seconds)
+        .mapToObj(s -> new TrackPoint(robot, AT.plusSeconds(s), new Vec2(s, 0)))
+        .toList();
+  }
+
+  private static Map<String, List<Long>> seconds(FloorTracks tracks) {
+    return tracks.points().entrySet().stream()
+        .collect(
+            Collectors.toMap(
+                Map.Entry::getKey,
+                track ->
+                    track.getValue().stream()
+                        .map(point -> Duration.between(AT, point.at()).toSeconds())
+                        .toList()));
   }
 
   @Test

@@ -9,12 +9,14 @@ import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Scanner;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -127,6 +129,98 @@ class ApiTest {
     assertEquals(1, points.size());
     assertEquals(2.5, points.get(0).get("x").asDouble());
     assertEquals(404, get("api/v1/tracks/r9").statusCode());
+  }
+
+  @Test
+  void aFloorHasTheTracksOfItsRobots() {
+    server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false, null));
+    Instant at = Instant.parse("2026-11-21T08:00:00Z");
+    server
+        .tracks()
+        .add(
+            List.of(
+                new TrackPoint("r1", at.minusSeconds(60), new Vec2(1, 1)),
+                new TrackPoint("r1", at.plusMillis(1500), new Vec2(2.125, 1)),
+                new TrackPoint("r1", at.plusSeconds(7200), new Vec2(3, 1))));
+
+    JsonNode tracks =
+        JSON.readTree(
+            get("api/v1/tracks?floor=hall&from=2026-11-21T08:00:00Z&until=2026-11-21T09:00:00Z")
+                .body());
+
+    assertEquals("hall", tracks.get("floor").stringValue());
+    assertEquals("2026-11-21T09:00:00Z", tracks.get("until").stringValue());
+    assertEquals("r1", tracks.get("robots").get(0).get("robot").stringValue());
+    assertEquals(
+        "[[-60000.0,1.0,1.0],[1500.0,2.125,1.0],[7200000.0,3.0,1.0]]",
+        tracks.get("robots").get(0).get("points").toString());
+    JsonNode usual = JSON.readTree(get("api/v1/tracks").body());
+    assertEquals(
+        Duration.ofMinutes(10),
+        Duration.between(
+            Instant.parse(usual.get("from").stringValue()),
+            Instant.parse(usual.get("until").stringValue())));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          floor=cellar | 404 | There is no floor of that name. There are: hall.
+          from=yesterday | 422 | Write a moment with its offset from UTC, such as 2026-11-21T08:00:00Z.
+          until=2026-11-21 | 422 | Write a moment with its offset from UTC, such as 2026-11-21T08:00:00Z.
+          until=%2B999999999-01-01T00:00:00Z | 422 | Write a moment with its offset from UTC, such as 2026-11-21T08:00:00Z.
+          from=1999-12-31T23:59:59Z | 422 | Write a moment with its offset from UTC, such as 2026-11-21T08:00:00Z.
+          from=2026-11-21T08:00:00Z&until=2026-11-21T08:00:00Z | 422 | The period must end after it begins, and last an hour at most.
+          from=2026-11-21T08:00:00Z&until=2026-11-21T09:00:01Z | 422 | The period must end after it begins, and last an hour at most.
+          """)
+  void aBadPeriodOfTracksGetsASentence(String query, int status, String sentence) {
+    HttpResponse<String> answer = get("api/v1/tracks?" + query);
+
+    assertEquals(sentence, detail(answer));
+    assertEquals(status, answer.statusCode());
+  }
+
+  @Test
+  void theTracksOfAHundredRobotsInAnHourAreBelowAMegabyte() {
+    List<String> names = IntStream.rangeClosed(1, 100).mapToObj(i -> "r" + i).toList();
+    Instant at = Instant.parse("2026-11-21T08:00:00Z");
+    server
+        .fleet()
+        .changeRobots(
+            none ->
+                names.stream()
+                    .map(
+                        name ->
+                            TestFleet.robot(name, RobotState.IDLE, new Pose(1, 1, 0), "h", 7275))
+                    .toList());
+    for (String name : names) {
+      server.store().saveRobot(new RobotRecord(name, "hall", "h", 7275, 5, null, false, null));
+    }
+    server
+        .tracks()
+        .add(
+            names.stream()
+                .flatMap(
+                    name ->
+                        IntStream.range(0, 600) // one each six seconds
+                            .mapToObj(
+                                i ->
+                                    new TrackPoint(
+                                        name,
+                                        at.plusSeconds(6L * i),
+                                        new Vec2(100.001 + i / 7.0, 99.999))))
+                .toList());
+
+    HttpResponse<String> answer =
+        get("api/v1/tracks?from=2026-11-21T08:00:00Z&until=2026-11-21T09:00:00Z");
+
+    assertEquals(200, answer.statusCode());
+    assertTrue(answer.body().length() < 1_000_000, () -> answer.body().length() + " bytes");
+    assertEquals(
+        "2026-11-21T08:30:00Z", // 300 points of each are 30,000
+        JSON.readTree(answer.body()).get("until").stringValue());
   }
 
   @Test
@@ -600,7 +694,8 @@ class ApiTest {
   }
 
   private static long version(Scanner lines) {
-    return Long.parseLong(after("id: ", lines));
+    String id = after("id: ", lines);
+    return Long.parseLong(id.substring(id.lastIndexOf('-') + 1));
   }
 
   private static String after(String prefix, Scanner lines) {

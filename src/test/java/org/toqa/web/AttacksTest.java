@@ -82,8 +82,8 @@ class AttacksTest {
           List.of("period", "from", "to", "zone"),
           "api/v1/tasks",
           List.of("offset", "limit"),
-          "api/v1/map",
-          List.of("floor"));
+          "api/v1/tracks",
+          List.of("floor", "from", "until"));
 
   private WebTestServer server;
   private Visitor manager;

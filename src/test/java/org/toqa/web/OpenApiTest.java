@@ -108,6 +108,8 @@ class OpenApiTest {
     assertDescribed("Robot", "api/v1/robots/r1", "");
     assertDescribed("Pose", "api/v1/robots/r1", "/pose");
     assertDescribed("NamedPlace", "api/v1/map", "/stations/0");
+    assertDescribed("FloorTracks", "api/v1/tracks", "");
+    assertDescribed("RobotTrack", "api/v1/tracks", "/robots/0");
     assertDescribed("Statistics", "api/v1/statistics", "");
     assertDescribed("Figures", "api/v1/statistics", "/total");
     assertDescribed("Spread", "api/v1/statistics", "/total/delivery");

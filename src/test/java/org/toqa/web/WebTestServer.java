@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Comparator;
 import java.util.List;
@@ -130,6 +131,11 @@ final class WebTestServer implements AutoCloseable {
         (classes, servletContext) -> servletContext.setAttribute(Services.ATTRIBUTE, services),
         null);
     tomcat.start();
+  }
+
+  /** How long those who connect from now on may neither send nor take anything. */
+  void patience(Duration limit) {
+    tomcat.getConnector().setProperty("connectionTimeout", String.valueOf(limit.toMillis()));
   }
 
   /** What the history is read from. */

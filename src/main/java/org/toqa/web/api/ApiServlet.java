@@ -5,8 +5,11 @@ import jakarta.servlet.http.HttpServlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.List;
+import java.util.stream.Collectors;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.grid.FloorMap;
 import org.toqa.mission.Question;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.Services;
@@ -58,6 +61,21 @@ abstract class ApiServlet extends HttpServlet {
           throw Problem.conflict(sentence, needs).raised();
       case Answer.Unknown<T>(String sentence) -> throw Problem.of(404, sentence).raised();
     };
+  }
+
+  /** The floor that the query names; the first one where it names none. */
+  final FloorMap floor(HttpServletRequest request) {
+    List<FloorMap> floors = services().fleet().floors();
+    String wanted = request.getParameter("floor");
+    return floors.stream()
+        .filter(floor -> wanted == null || floor.name().equals(wanted))
+        .findFirst()
+        .orElseThrow(() -> noSuchFloor(request, floors));
+  }
+
+  private static Problem.Raised noSuchFloor(HttpServletRequest request, List<FloorMap> floors) {
+    String names = floors.stream().map(FloorMap::name).collect(Collectors.joining(", "));
+    return Problem.of(404, Texts.of(request).get("problem.noSuchFloor", names)).raised();
   }
 
   /** A whole number from the query, at least {@code least}; a larger one than most is lowered. */

@@ -5,33 +5,46 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.web.Services;
 import org.toqa.web.access.Caller;
 
 /**
  * One reader's live events, on a virtual thread of its own: the newest snapshot each time it is
- * ready for one, so a slow browser skips and slows nobody.
+ * ready for one, so a slow browser skips and slows nobody. One that takes nothing at all is left by
+ * the container after the connection's time-out.
  */
 final class EventStream implements Runnable {
   /** Also how often the reader's right to see is asked again. */
-  private static final Duration KEEP_ALIVE = Duration.ofSeconds(15);
+  private static final Duration KEEP_ALIVE = Duration.ofSeconds(5);
 
   private static final Duration PACE = Duration.ofMillis(100);
   private static final byte[] RETRY = "retry: 2000\n\n".getBytes(StandardCharsets.UTF_8);
-  private static final byte[] COMMENT = ": still here\n\n".getBytes(StandardCharsets.UTF_8);
+  private static final byte[] ALIVE = "event: alive\ndata: {}\n\n".getBytes(StandardCharsets.UTF_8);
 
   private final AsyncContext async;
   private final Services services;
   private final Caller caller;
   private final SnapshotEvents events;
+  private final @Nullable String lastId;
 
-  EventStream(AsyncContext async, Services services, Caller caller, SnapshotEvents events) {
+  /**
+   * @param lastId what the reader says it has; an id that is none counts as nothing
+   */
+  EventStream(
+      AsyncContext async,
+      Services services,
+      Caller caller,
+      SnapshotEvents events,
+      @Nullable String lastId) {
     this.async = async;
     this.services = services;
     this.caller = caller;
     this.events = events;
+    this.lastId = lastId;
   }
 
   @Override
@@ -40,6 +53,8 @@ final class EventStream implements Runnable {
       stream(async.getResponse().getOutputStream());
     } catch (IOException readerHasGone) {
       // nobody is left to tell
+    } catch (StoreException rightUnknown) {
+      // it comes back and is asked who it is
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } finally {
@@ -59,7 +74,7 @@ final class EventStream implements Runnable {
     SnapshotFeed feed = services.fleet().feed();
     out.write(RETRY);
     FleetSnapshot sent = feed.latest();
-    send(out, events.event(sent));
+    send(out, events.id(sent).equals(lastId) ? ALIVE : events.event(sent));
     long checked = System.nanoTime();
     while (true) {
       Thread.sleep(PACE);
@@ -70,7 +85,7 @@ final class EventStream implements Runnable {
         }
         checked = System.nanoTime();
       }
-      send(out, newest.version() > sent.version() ? events.event(newest) : COMMENT);
+      send(out, newest.version() > sent.version() ? events.event(newest) : ALIVE);
       sent = newest;
     }
   }

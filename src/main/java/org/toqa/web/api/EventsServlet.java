@@ -23,7 +23,9 @@ public final class EventsServlet extends ApiServlet {
     Thread thread =
         Thread.ofVirtual()
             .name("events of " + caller.name())
-            .unstarted(new EventStream(async, services(), caller, events));
+            .unstarted(
+                new EventStream(
+                    async, services(), caller, events, request.getHeader("Last-Event-ID")));
     async.addListener(new StreamEnd(thread));
     streams.add(thread);
     services().metrics().streamBegun();

@@ -3,6 +3,7 @@ package org.toqa.web.api;
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.util.List;
+import java.util.UUID;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetSnapshot;
@@ -33,31 +34,31 @@ final class SnapshotEvents {
     }
   }
 
-  private static final class Written {
-    private final long version;
-    private final byte[] event;
+  private record Written(long version, byte[] event) {}
 
-    Written(FleetSnapshot snapshot) {
-      version = snapshot.version();
-      event = write(snapshot);
-    }
-  }
+  /** Versions begin anew with the server: an id of its life before is not one of this life. */
+  private final String life = UUID.randomUUID().toString();
 
   private final AtomicReference<@Nullable Written> newest = new AtomicReference<>();
+
+  /** What a reader shows who has this snapshot. */
+  String id(FleetSnapshot snapshot) {
+    return life + "-" + snapshot.version();
+  }
 
   /** The event's bytes; callers must not change them. */
   byte[] event(FleetSnapshot snapshot) {
     Written written = newest.get();
     if (written == null || written.version != snapshot.version()) {
-      written = new Written(snapshot);
+      written = new Written(snapshot.version(), write(snapshot));
       newest.set(written);
     }
     return written.event;
   }
 
-  private static byte[] write(FleetSnapshot snapshot) {
-    return "event: snapshot\nid: %d\ndata: %s\n\n"
-        .formatted(snapshot.version(), Json.MAPPER.writeValueAsString(SnapshotJson.of(snapshot)))
+  private byte[] write(FleetSnapshot snapshot) {
+    return "event: snapshot\nid: %s\ndata: %s\n\n"
+        .formatted(id(snapshot), Json.MAPPER.writeValueAsString(SnapshotJson.of(snapshot)))
         .getBytes(StandardCharsets.UTF_8);
   }
 }

@@ -1,0 +1,215 @@
+package org.toqa.web;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.toqa.fleet.RobotState;
+import org.toqa.geometry.Pose;
+import org.toqa.store.Account;
+import org.toqa.store.Role;
+
+/** Live events: coming back to them, not reading them, and losing the right to see them. */
+@Timeout(60)
+class EventsTest {
+  private WebTestServer server;
+  private Visitor clerk;
+
+  @BeforeEach
+  void start() throws Exception {
+    server = WebTestServer.start();
+    clerk = Visitor.loggedIn(server.root(), WebTestServer.CLERK);
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    clerk.close();
+    server.close();
+  }
+
+  @Test
+  void whoComesBackGetsNothingTwice() throws IOException {
+    String seen;
+    try (BufferedReader lines = open(clerk, "")) {
+      seen = value("id: ", lines);
+    }
+
+    try (BufferedReader lines = open(clerk, seen)) {
+      assertEquals("alive", value("event: ", lines));
+      driveTo(2);
+      assertEquals("snapshot", value("event: ", lines));
+      assertNotEquals(seen, value("id: ", lines));
+    }
+  }
+
+  @Test
+  void whoMissedSomethingGetsTheNewestAtOnce() throws IOException {
+    String seen;
+    try (BufferedReader lines = open(clerk, "")) {
+      seen = value("id: ", lines);
+    }
+    driveTo(2);
+    driveTo(3);
+
+    try (BufferedReader lines = open(clerk, seen)) {
+      assertEquals("snapshot", value("event: ", lines));
+      assertTrue(value("data: ", lines).contains("\"x\":3"));
+    }
+  }
+
+  @Test
+  void anIdThatIsNoneCountsAsNothing() throws IOException {
+    for (String id : List.of("1", "-1", "9".repeat(5000), "x-1", "-", "null", "%00", "\"}{")) {
+      try (BufferedReader lines = open(clerk, id)) {
+        assertEquals("snapshot", value("event: ", lines), id);
+      }
+    }
+  }
+
+  @Test
+  void anIdOfTheServersLifeBeforeIsNotTakenForOneOfThisLife() throws Exception {
+    String before;
+    try (BufferedReader lines = open(clerk, "")) {
+      before = value("id: ", lines);
+    }
+
+    try (WebTestServer restarted = WebTestServer.start();
+        Visitor again = Visitor.loggedIn(restarted.root(), WebTestServer.CLERK);
+        BufferedReader lines = open(again, before)) {
+      assertEquals(server.fleet().latest().version(), restarted.fleet().latest().version());
+      assertEquals("snapshot", value("event: ", lines));
+    }
+  }
+
+  @Test
+  void aQuietStreamSaysThatItIsAlive() throws IOException {
+    try (BufferedReader lines = open(clerk, "")) {
+      assertEquals("snapshot", value("event: ", lines));
+      assertEquals("alive", value("event: ", lines));
+    }
+  }
+
+  @Test
+  void whoReadsNothingIsLeftAndNobodyWaitsForHim() throws Exception {
+    byte[] request = request().getBytes(StandardCharsets.US_ASCII);
+    server.patience(Duration.ofSeconds(2));
+    try (Socket stuck = new Socket()) {
+      stuck.setReceiveBufferSize(4096);
+      stuck.connect(new InetSocketAddress(server.root().getHost(), server.root().getPort()));
+      stuck.getOutputStream().write(request);
+      awaitStreams(1);
+      server.patience(Duration.ofSeconds(20));
+
+      try (BufferedReader lines = open(clerk, "")) {
+        server.fleet().raise("x".repeat(8_000_000)); // more than all buffers on the way hold
+        assertTrue(value("data: ", lines).length() < 1000);
+        assertTrue(value("data: ", lines).length() > 8_000_000);
+        driveTo(2);
+        assertTrue(value("data: ", lines).contains("\"x\":2"));
+        awaitStreams(1);
+        driveTo(3);
+        assertTrue(value("data: ", lines).contains("\"x\":3"), "the other one goes on");
+      }
+    }
+  }
+
+  @Test
+  void aStreamEndsWithTheSession() throws IOException {
+    try (Visitor other = Visitor.loggedIn(server.root(), WebTestServer.CLERK);
+        BufferedReader lines = open(other, "")) {
+      assertEquals("snapshot", value("event: ", lines));
+      other.post("logout", Map.of());
+
+      assertEnds(lines);
+    }
+  }
+
+  @Test
+  void aStreamEndsWhenItsUserIsDisabled() throws IOException {
+    try (BufferedReader lines = open(clerk, "")) {
+      assertEquals("snapshot", value("event: ", lines));
+      Account clara = server.accounts().byName(WebTestServer.CLERK).orElseThrow();
+      server.accounts().change(clara.id(), Role.CLERK, true, WebTestServer.MANAGER);
+
+      assertEnds(lines);
+    }
+  }
+
+  /** While the fleet is busy, so that it is no silence that ends it. */
+  private void assertEnds(BufferedReader lines) throws IOException {
+    for (int x = 1; lines.readLine() != null; x++) {
+      driveTo(x);
+    }
+  }
+
+  private void driveTo(double x) {
+    server
+        .fleet()
+        .changeRobots(
+            robots ->
+                List.of(
+                    TestFleet.robot(
+                        "r1", RobotState.DRIVING, new Pose(x, 2, 0), "127.0.0.1", 7275)));
+  }
+
+  private String request() {
+    String cookie =
+        clerk
+            .post("", Map.of("name", WebTestServer.CLERK, "password", WebTestServer.PASSWORD))
+            .headers()
+            .firstValue("Set-Cookie")
+            .orElseThrow()
+            .split(";", 2)[0];
+    return "GET /api/v1/events HTTP/1.1\r\nHost: x\r\nCookie: %s\r\n\r\n".formatted(cookie);
+  }
+
+  private void awaitStreams(double count) {
+    Instant limit = Instant.now().plusSeconds(30);
+    while (streams() != count) {
+      assertTrue(Instant.now().isBefore(limit), "not " + count);
+    }
+  }
+
+  private double streams() {
+    return clerk
+        .get("api/v1/metrics")
+        .body()
+        .lines()
+        .filter(line -> line.startsWith("toqa_streams "))
+        .mapToDouble(line -> Double.parseDouble(line.substring("toqa_streams ".length())))
+        .sum();
+  }
+
+  private static BufferedReader open(Visitor visitor, String lastId) {
+    HttpRequest request =
+        visitor.request("api/v1/events").header("Last-Event-ID", lastId).GET().build();
+    InputStream stream = visitor.send(request, BodyHandlers.ofInputStream()).body();
+    return new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8));
+  }
+
+  private static String value(String field, BufferedReader lines) throws IOException {
+    for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+      if (line.startsWith(field)) {
+        return line.substring(field.length());
+      }
+    }
+    throw new AssertionError("The stream ended before any " + field);
+  }
+}
