@@ -13,9 +13,11 @@
     </div>
     <div class="choices">
       <a role="button" class="outline secondary" href="${root}/history"><fmt:message key="tasks.history"/></a>
+      <a role="button" class="outline secondary" href="${root}/tasks/import"><fmt:message key="tasks.import"/></a>
       <a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a>
     </div>
   </div>
+  <c:if test="${not empty imported}"><p class="notice good" role="status"><fmt:message key="tasks.imported"><fmt:param value="${imported}"/></fmt:message></p></c:if>
   <div id="live" data-live="tasks">
     <c:if test="${empty tasks}"><p class="notice"><fmt:message key="tasks.empty"/></p></c:if>
     <c:if test="${not empty tasks}">

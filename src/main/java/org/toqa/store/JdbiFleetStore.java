@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -368,17 +369,22 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public void withdraw(UUID key) {
+  public void withdraw(Collection<UUID> keys) {
     sql.inTransaction(
         h -> {
-          String of = " (select id from tasks where submission = :submission)";
-          h.createUpdate("delete from events where task_id in" + of)
-              .bind("submission", key.toString())
-              .execute();
-          return h.createUpdate("delete from tasks where submission = :submission")
-              .bind("submission", key.toString())
-              .execute();
+          keys.forEach(key -> withdraw(h, key));
+          return null;
         });
+  }
+
+  private static void withdraw(Handle h, UUID key) {
+    String of = " (select id from tasks where submission = :submission)";
+    h.createUpdate("delete from events where task_id in" + of)
+        .bind("submission", key.toString())
+        .execute();
+    h.createUpdate("delete from tasks where submission = :submission")
+        .bind("submission", key.toString())
+        .execute();
   }
 
   @Override

@@ -139,6 +139,21 @@ class FleetStoreTest {
   }
 
   @Test
+  void ofTasksThatComeTogetherAllAreStoredOrNone() {
+    UUID key = UUID.randomUUID();
+    List<Submission> submissions =
+        List.of(
+            new Submission(task("first"), UUID.randomUUID()),
+            new Submission(task("second"), key),
+            new Submission(task("third"), key)); // which the database refuses
+
+    assertThrows(StoreException.class, () -> store.addTasks(submissions));
+
+    assertEquals(0, store.count());
+    assertEquals(Optional.empty(), store.taskOf(key));
+  }
+
+  @Test
   void aTaskComesBackWithEveryField() {
     TransportTask asked =
         new TransportTask(

@@ -17,6 +17,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
@@ -182,9 +183,56 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     }
   }
 
+  @Override
+  public CompletionStage<BatchAnswer> submitAll(
+      List<TaskOrder> orders, String user, List<UUID> keys) {
+    if (silent) {
+      return CompletableFuture.failedFuture(new StoreException("no store", null));
+    }
+    lock.lock();
+    try {
+      List<BatchAnswer.Refusal> refusals = refusalsOf(orders, user);
+      if (!refusals.isEmpty()) {
+        return CompletableFuture.completedFuture(new BatchAnswer.Refused(refusals));
+      }
+      List<TaskView> added = new ArrayList<>();
+      for (int i = 0; i < orders.size(); i++) {
+        submit(orders.get(i), user, keys.get(i));
+        added.add(tasks.getLast());
+      }
+      return CompletableFuture.completedFuture(new BatchAnswer.Accepted(added));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<List<BatchAnswer.Refusal>> refusals(List<TaskOrder> orders, String user) {
+    lock.lock();
+    try {
+      return CompletableFuture.completedFuture(refusalsOf(orders, user));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private List<BatchAnswer.Refusal> refusalsOf(List<TaskOrder> orders, String user) {
+    List<BatchAnswer.Refusal> refusals = new ArrayList<>();
+    for (int i = 0; i < orders.size(); i++) {
+      if (checked(orders.get(i), user)
+          instanceof Answer.Refused<TransportTask>(String field, String sentence)) {
+        refusals.add(new BatchAnswer.Refusal(i, field, sentence));
+      }
+    }
+    return refusals;
+  }
+
   private Answer<TransportTask> checked(TaskOrder order, String user) {
     Optional<TaskPlace> start = place(order.start());
     Optional<TaskPlace> goal = place(order.goal());
+    if (order.floor() != null && !order.floor().equals(floor.name())) {
+      return new Answer.Refused<>("floor", "There is no floor " + order.floor() + ".");
+    }
     if (order.load() > HEAVIEST) {
       return new Answer.Refused<>(
           "load", "No robots here carry that much together. Split the load.");

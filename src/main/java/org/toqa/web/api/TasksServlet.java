@@ -4,7 +4,6 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
-import java.util.UUID;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
@@ -17,7 +16,6 @@ import org.toqa.web.access.Caller;
 public final class TasksServlet extends ApiServlet {
   private static final int USUAL_LIMIT = 50;
   private static final int HIGHEST_LIMIT = 500;
-  private static final String KEY = "Idempotency-Key";
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
@@ -36,7 +34,7 @@ public final class TasksServlet extends ApiServlet {
     TaskView task =
         switch (services()
             .submissions()
-            .submit(order, Caller.of(request).account(), key(request))) {
+            .submit(order, Caller.of(request).account(), IdempotencyKey.of(request))) {
           case Submissions.Outcome.Answered(var answer) -> accepted(answer);
           case Submissions.Outcome.Repeated(TaskView before) ->
               new Tasks(services()).byId(before.id()).orElse(before);
@@ -48,17 +46,5 @@ public final class TasksServlet extends ApiServlet {
         response,
         HttpServletResponse.SC_CREATED,
         TaskJson.withHistory(task, List.of(EventRecord.added(task.task()))));
-  }
-
-  /** Who sends none asks for a new task each time. */
-  private static UUID key(HttpServletRequest request) {
-    String given = request.getHeader(KEY);
-    if (given == null) {
-      return UUID.randomUUID();
-    }
-    if (!given.matches("[!-~]{1,128}")) {
-      throw Problem.of(400, Texts.of(request).get("problem.idempotencyKey")).raised();
-    }
-    return Submissions.key(Caller.of(request).account(), "header " + given);
   }
 }

@@ -20,9 +20,15 @@ public final class TasksServlet extends PageServlet {
     int page = Math.min(pages, pageNumber(request.getParameter("page")));
     request.setAttribute("tasks", tasks.newest((page - 1) * ON_A_PAGE, ON_A_PAGE));
     request.setAttribute("count", count);
+    request.setAttribute("imported", imported(request.getParameter("imported")));
     request.setAttribute("page", page);
     request.setAttribute("pages", pages);
     show(request, response, "tasks");
+  }
+
+  /** How many tasks the reader has just imported. */
+  private static @Nullable Integer imported(@Nullable String given) {
+    return given != null && given.matches("[1-9][0-9]{0,3}") ? Integer.valueOf(given) : null;
   }
 
   private static int pageNumber(@Nullable String given) {
