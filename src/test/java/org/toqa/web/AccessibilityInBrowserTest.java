@@ -31,7 +31,7 @@ class AccessibilityInBrowserTest extends BrowserTest {
           "tasks",
           "tasks/new",
           "tasks/import",
-          "tasks?imported=2",
+          "tasks?imported=2&state=open&sort=-load",
           "tasks/2",
           "robots",
           "robots/r5",

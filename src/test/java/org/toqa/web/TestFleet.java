@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -516,13 +517,28 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   @Override
-  public List<TaskView> tasks(int offset, int limit) {
+  public List<TaskView> tasks(Filter filter, Sort sort, int offset, int limit) {
     lock.lock();
     try {
-      return newestFirst().stream().skip(offset).limit(limit).toList();
+      Comparator<TaskView> order =
+          sort.by() == Sort.Column.LOAD
+              ? Comparator.comparingDouble(t -> t.task().load())
+              : Comparator.comparingLong(TaskView::id);
+      return tasks.stream()
+          .filter(task -> isWanted(task, filter))
+          .sorted(sort.descending() ? order.reversed() : order)
+          .skip(offset)
+          .limit(limit)
+          .toList();
     } finally {
       lock.unlock();
     }
+  }
+
+  /** By state and text only; the store's tests hold the rest. */
+  private static boolean isWanted(TaskView task, Filter filter) {
+    return (filter.states().isEmpty() || filter.states().contains(task.state()))
+        && (filter.text() == null || task.task().name().contains(filter.text()));
   }
 
   @Override
@@ -556,10 +572,10 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   @Override
-  public long count() {
+  public long count(Filter filter) {
     lock.lock();
     try {
-      return tasks.size();
+      return tasks.stream().filter(task -> isWanted(task, filter)).count();
     } finally {
       lock.unlock();
     }

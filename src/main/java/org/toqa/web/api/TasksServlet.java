@@ -5,14 +5,18 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.TaskArchive.Filter;
+import org.toqa.fleet.TaskArchive.Sort;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
+import org.toqa.web.FieldErrors;
 import org.toqa.web.Submissions;
+import org.toqa.web.TaskListing;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
-/** All tasks, newest first, and new ones. */
+/** The tasks, all of them or some, and new ones. */
 public final class TasksServlet extends ApiServlet {
   private static final int USUAL_LIMIT = 50;
   private static final int HIGHEST_LIMIT = 500;
@@ -22,9 +26,15 @@ public final class TasksServlet extends ApiServlet {
       throws IOException {
     int offset = queryNumber(request, "offset", 0, 0, Integer.MAX_VALUE);
     int limit = queryNumber(request, "limit", USUAL_LIMIT, 1, HIGHEST_LIMIT);
+    FieldErrors errors = new FieldErrors();
+    TaskListing wanted = new TaskListing(request, errors);
+    Filter filter = wanted.filter();
+    Sort sort = wanted.sort();
+    refuseIfAny(errors);
     Tasks tasks = new Tasks(services());
-    response.setHeader("X-Total-Count", Long.toString(tasks.count()));
-    Json.send(response, 200, tasks.newest(offset, limit).stream().map(TaskJson::of).toList());
+    response.setHeader("X-Total-Count", Long.toString(tasks.count(filter)));
+    Json.send(
+        response, 200, tasks.list(filter, sort, offset, limit).stream().map(TaskJson::of).toList());
   }
 
   @Override
