@@ -21,9 +21,9 @@
       <tbody>
         <c:forEach items="${faults.first()}" var="fault">
           <tr>
-            <th scope="row" class="number" data-label="<fmt:message key="import.column.line"/>">${fault.line}</th>
+            <td class="number" data-label="<fmt:message key="import.column.line"/>">${fault.line}</td>
             <td data-label="<fmt:message key="import.column.column"/>"><c:if test="${not empty fault.column}"><code dir="auto"><c:out value="${fault.column}"/></code></c:if></td>
-            <td class="whole"><bdi><c:out value="${fault.sentence}"/></bdi></td>
+            <th scope="row" class="whole"><bdi><c:out value="${fault.sentence}"/></bdi></th>
           </tr>
         </c:forEach>
       </tbody>
@@ -36,7 +36,7 @@
       <input type="hidden" name="wish" value="<c:out value="${wish}"/>">
       <input type="hidden" id="zone" name="zone" value="UTC">
       <label for="file"><fmt:message key="import.file"/></label>
-      <input id="file" name="file" type="file" accept=".csv,.txt,text/csv" required aria-describedby="file-help" ${empty errors.file ? '' : 'aria-invalid="true"'}>
+      <input id="file" name="file" type="file" accept=".csv,.txt,text/csv" required aria-describedby="file-help" ${empty errors.file or not empty faults ? '' : 'aria-invalid="true"'}>
       <small id="file-help"><fmt:message key="import.file.hint"/></small>
       <button><fmt:message key="import.submit"/></button>
       <a href="${root}/api/v1/tasks/import/example.csv" download><fmt:message key="import.example"/></a>

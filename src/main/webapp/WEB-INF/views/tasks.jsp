@@ -41,7 +41,14 @@
           <c:if test="${not empty errors[name]}"><small><bdi><c:out value="${errors[name]}"/></bdi></small></c:if>
         </label>
       </c:forTokens>
-      <c:if test="${not empty param.sort}"><input type="hidden" name="sort" value="${fn:escapeXml(param.sort)}"></c:if>
+      <label><fmt:message key="tasks.filter.sort"/>
+        <select name="sort">
+          <option value=""><fmt:message key="tasks.filter.newest"/></option>
+          <c:forEach items="${columns}" var="column">
+            <c:forTokens items="${column},-${column}" delims="," var="sort"><option value="${sort}" ${param.sort == sort ? 'selected' : ''}><fmt:message key="tasks.column.${column}"/> ${sort == column ? '▲' : '▼'}</option></c:forTokens>
+          </c:forEach>
+        </select>
+      </label>
       <button><fmt:message key="history.filter"/></button>
     </form>
   </details>
