@@ -6,6 +6,7 @@
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="task.title" var="title"><fmt:param value="${task.task.id}"/></fmt:message>
 <fmt:formatNumber value="${task.task.load}" maxFractionDigits="2" var="load"/>
+<c:set var="usualPriority" value="${task.task.priority == 10 or task.task.priority == 0 or task.task.priority == -10}"/>
 <t:page title="${title}" here="task" script="live.js">
   <div id="live" data-live="task" data-name="${task.task.id}">
     <div class="heading">
@@ -39,6 +40,7 @@
           <dt><fmt:message key="task.goal"/></dt><dd><t:place place="${task.task.goal}"/></dd>
           <dt><fmt:message key="task.floor"/></dt><dd><bdi><c:out value="${task.task.floor}"/></bdi></dd>
           <dt><fmt:message key="task.robots"/></dt><dd><t:robots names="${task.robots}"/><c:if test="${task.robots.size() > 1}"><fmt:message key="task.leads" var="leads"><fmt:param value="${task.robots[0]}"/></fmt:message>${" "}<span class="faint"><c:out value="${leads}"/></span></c:if></dd>
+          <dt><fmt:message key="newTask.priority"/></dt><dd><c:choose><c:when test="${usualPriority}"><fmt:message key="newTask.priority.${task.task.priority}"/></c:when><c:otherwise>${task.task.priority}</c:otherwise></c:choose></dd>
           <c:if test="${not empty task.task.deadline}"><dt><fmt:message key="task.deadline"/></dt><dd><t:time at="${task.task.deadline}"/></dd></c:if>
           <dt><fmt:message key="task.user"/></dt><dd><bdi><c:out value="${task.task.user}"/></bdi></dd>
           <dt><fmt:message key="task.created"/></dt><dd><t:time at="${task.task.createdAt}"/></dd>
@@ -70,6 +72,16 @@
       <form class="choices" method="post" action="${root}/tasks/${task.task.id}/${task.held ? 'resume' : 'hold'}">
         <t:csrf/>
         <button class="outline"><fmt:message key="task.${task.held ? 'resume' : 'hold'}"/></button>
+      </form>
+      <form class="inline" method="post" action="${root}/tasks/${task.task.id}/priority">
+        <t:csrf/>
+        <label for="priority"><fmt:message key="newTask.priority"/></label>
+        <select id="priority" name="priority">
+          <c:if test="${not usualPriority}"><option value="${task.task.priority}" selected>${task.task.priority}</option></c:if>
+          <c:forTokens items="10,0,-10" delims="," var="level"><option value="${level}" ${level == task.task.priority ? 'selected' : ''}><fmt:message key="newTask.priority.${level}"/></option></c:forTokens>
+        </select>
+        <button class="outline"><fmt:message key="task.priority.submit"/></button>
+        <c:if test="${not empty errors.priority}"><small class="wrong"><bdi><c:out value="${errors.priority}"/></bdi></small></c:if>
       </form>
       <c:if test="${task.state != 'RETURNING'}">
         <c:set var="carrying" value="${task.state == 'CARRYING'}"/>

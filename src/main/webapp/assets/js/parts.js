@@ -14,7 +14,7 @@ const subjects = {
   },
   wishes: ({tasks}, name) => {
     const task = tasks.find((candidate) => String(candidate.id) === name);
-    return task && [task.state, task.held, task.needs];
+    return task && [task.state, task.held, task.priority, task.needs];
   },
   orders: ({robots, pause}, name) => {
     const robot = robots.find((candidate) => candidate.name === name);

@@ -108,6 +108,17 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   @Override
+  public CompletionStage<BatchAnswer> submitAll(
+      List<TaskOrder> orders, String user, List<UUID> keys) {
+    return ask(replyTo -> new ManagerMessage.SubmitAll(orders, user, keys, replyTo));
+  }
+
+  @Override
+  public CompletionStage<List<BatchAnswer.Refusal>> refusals(List<TaskOrder> orders, String user) {
+    return ask(replyTo -> new ManagerMessage.CheckAll(orders, user, replyTo));
+  }
+
+  @Override
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
     return ask(replyTo -> new ManagerMessage.PreviewTask(order, user, replyTo));
   }
@@ -188,8 +199,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     return ask(replyTo -> new ManagerMessage.HoldFloor(floor, false, user, replyTo));
   }
 
-  private <T> CompletionStage<Answer<T>> ask(
-      Function<ActorRef<StatusReply<Answer<T>>>, ManagerMessage> message) {
+  private <T> CompletionStage<T> ask(Function<ActorRef<StatusReply<T>>, ManagerMessage> message) {
     return AskPattern.askWithStatus(system, message::apply, ANSWER_LIMIT, system.scheduler());
   }
 

@@ -31,6 +31,16 @@ public interface Fleet {
    */
   CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key);
 
+  /**
+   * All these tasks, or none.
+   *
+   * @param keys one for each order; no task has one of them yet
+   */
+  CompletionStage<BatchAnswer> submitAll(List<TaskOrder> orders, String user, List<UUID> keys);
+
+  /** What {@link #submitAll} would say against these orders; nothing is stored. */
+  CompletionStage<List<BatchAnswer.Refusal>> refusals(List<TaskOrder> orders, String user);
+
   /** What would become of this task; nothing is stored. */
   CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user);
 

@@ -1,6 +1,7 @@
 package org.toqa.fleet;
 
 import java.time.Instant;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -55,8 +56,8 @@ public interface FleetStore {
    */
   List<TransportTask> addTasks(List<Submission> submissions);
 
-  /** Removes what {@link #addTasks} may have stored of it, as if it had never been asked for. */
-  void withdraw(UUID key);
+  /** Removes what {@link #addTasks} may have stored of them, as if nobody had asked for it. */
+  void withdraw(Collection<UUID> keys);
 
   /** Does nothing but throw when the store does not answer. */
   void check();

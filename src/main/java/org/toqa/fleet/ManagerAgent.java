@@ -21,6 +21,7 @@ import java.util.TreeMap;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
@@ -45,6 +46,7 @@ import org.toqa.allocation.Travel;
 import org.toqa.allocation.WaitingReason;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
@@ -207,6 +209,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private Behavior<ManagerMessage> on(ManagerMessage message) {
     switch (message) {
       case ManagerMessage.Submit m -> submit(m);
+      case ManagerMessage.SubmitAll m -> submitAll(m);
+      case ManagerMessage.CheckAll m -> checkAll(m);
+      case ManagerMessage.AllStored m -> allStored(m);
       case ManagerMessage.PreviewTask m -> preview(m);
       case ManagerMessage.TaskStored m -> taskStored(m);
       case ManagerMessage.AddRobot m -> addRobot(m);
@@ -268,11 +273,64 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   }
 
   private Answer<TransportTask> checked(TaskOrder order, String user) {
-    double together =
-        robots.isEmpty()
-            ? Double.MAX_VALUE
-            : robots.values().stream().mapToDouble(RobotRecord::maxLoad).sum();
-    return check.task(order, user, clock.instant(), together);
+    return check.task(order, user, clock.instant(), together());
+  }
+
+  /** What all robots carry together, kilograms. */
+  private double together() {
+    return robots.isEmpty()
+        ? Double.MAX_VALUE
+        : robots.values().stream().mapToDouble(RobotRecord::maxLoad).sum();
+  }
+
+  private void submitAll(ManagerMessage.SubmitAll m) {
+    if (!storeWatch.answers()) {
+      refuse(m.replyTo());
+      return;
+    }
+    ActorRef<ManagerMessage> self = getContext().getSelf();
+    long deadline = TaskIntake.deadline();
+    var _ =
+        checkApart(m.orders(), m.user())
+            .whenComplete(
+                (checked, failure) -> {
+                  if (failure != null) {
+                    m.replyTo().tell(StatusReply.error(failure));
+                  } else if (!checked.refusals().isEmpty()) {
+                    m.replyTo()
+                        .tell(StatusReply.success(new BatchAnswer.Refused(checked.refusals())));
+                  } else {
+                    intake.take(
+                        submissions(checked.tasks(), m.keys()),
+                        deadline,
+                        stored -> self.tell(new ManagerMessage.AllStored(stored, m.replyTo())),
+                        () -> refuse(m.replyTo()));
+                  }
+                });
+  }
+
+  private void checkAll(ManagerMessage.CheckAll m) {
+    var _ =
+        checkApart(m.orders(), m.user())
+            .whenComplete(
+                (checked, failure) ->
+                    m.replyTo()
+                        .tell(
+                            failure == null
+                                ? StatusReply.success(checked.refusals())
+                                : StatusReply.error(failure)));
+  }
+
+  private CompletableFuture<BatchCheck.Result> checkApart(List<TaskOrder> orders, String user) {
+    BatchCheck batch = new BatchCheck(check.another(), orders, user, clock.instant(), together());
+    return CompletableFuture.supplyAsync(
+        batch::run, work -> Thread.ofVirtual().name("batch").start(work));
+  }
+
+  private static List<Submission> submissions(List<TransportTask> tasks, List<UUID> keys) {
+    return IntStream.range(0, tasks.size())
+        .mapToObj(i -> new Submission(tasks.get(i), keys.get(i)))
+        .toList();
   }
 
   private void preview(ManagerMessage.PreviewTask m) {
@@ -306,32 +364,56 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     }
     ActorRef<ManagerMessage> self = getContext().getSelf();
     intake.take(
-        task,
-        key,
-        stored -> self.tell(new ManagerMessage.TaskStored(stored, replyTo)),
+        List.of(new Submission(task, key)),
+        TaskIntake.deadline(),
+        stored -> self.tell(new ManagerMessage.TaskStored(stored.getFirst(), replyTo)),
         () -> refuse(replyTo));
   }
 
-  private static void refuse(ActorRef<StatusReply<Answer<TaskView>>> replyTo) {
+  private static <T> void refuse(ActorRef<StatusReply<T>> replyTo) {
     replyTo.tell(
         StatusReply.error(
             new StoreException(
-                "The database does not answer, so the task was not accepted; try again.", null)));
+                "The database does not answer, so nothing was accepted; try again.", null)));
   }
 
   private void taskStored(ManagerMessage.TaskStored m) {
-    TransportTask task = m.task();
-    queue.add(Mission.queued(task), task.createdAt(), true);
+    Queueing queued = enqueue(List.of(m.task()));
+    answer(queued, m.replyTo(), new Answer.Accepted<>(queued.tasks().getFirst()));
+  }
+
+  private void allStored(ManagerMessage.AllStored m) {
+    Queueing queued = enqueue(m.tasks());
+    answer(queued, m.replyTo(), new BatchAnswer.Accepted(queued.tasks()));
+  }
+
+  /**
+   * New tasks have come into the queue.
+   *
+   * @param late lines for the history of those that will be late
+   */
+  private record Queueing(List<TaskView> tasks, List<EventRecord> late) {}
+
+  private Queueing enqueue(List<TransportTask> tasks) {
+    List<TaskView> views = new ArrayList<>();
+    List<EventRecord> late = new ArrayList<>();
+    for (TransportTask task : tasks) {
+      queue.add(Mission.queued(task), task.createdAt(), true);
+      due.add(task.floor());
+      TaskView queued = view(task.id(), NOT_LOOKED_AT);
+      lookAtDeadline(queued).ifPresent(late::add);
+      views.add(deadlines.told(queued));
+    }
     changed = true;
-    due.add(task.floor());
-    TaskView queued = view(task.id(), NOT_LOOKED_AT);
-    Optional<EventRecord> late = lookAtDeadline(queued);
-    StatusReply<Answer<TaskView>> answer =
-        StatusReply.success(new Answer.Accepted<>(deadlines.told(queued)));
-    if (late.isEmpty()) {
-      m.replyTo().tell(answer);
+    return new Queueing(views, late);
+  }
+
+  private <T> void answer(Queueing queued, ActorRef<StatusReply<T>> replyTo, T answer) {
+    if (queued.late().isEmpty()) {
+      replyTo.tell(StatusReply.success(answer));
     } else {
-      writer.write(() -> store.addEvents(List.of(late.get())), () -> m.replyTo().tell(answer));
+      writer.write(
+          () -> store.addEvents(queued.late()), () -> replyTo.tell(StatusReply.success(answer)));
     }
   }
 

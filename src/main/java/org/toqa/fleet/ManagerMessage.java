@@ -19,6 +19,20 @@ sealed interface ManagerMessage {
       TaskOrder order, String user, UUID key, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements ManagerMessage {}
 
+  record SubmitAll(
+      List<TaskOrder> orders,
+      String user,
+      List<UUID> keys,
+      ActorRef<StatusReply<BatchAnswer>> replyTo)
+      implements ManagerMessage {}
+
+  record CheckAll(
+      List<TaskOrder> orders, String user, ActorRef<StatusReply<List<BatchAnswer.Refusal>>> replyTo)
+      implements ManagerMessage {}
+
+  record AllStored(List<TransportTask> tasks, ActorRef<StatusReply<BatchAnswer>> replyTo)
+      implements ManagerMessage {}
+
   record PreviewTask(
       TaskOrder order, String user, ActorRef<StatusReply<Answer<TaskPreview>>> replyTo)
       implements ManagerMessage {}

@@ -41,6 +41,11 @@ final class OrderCheck {
     floors.forEach(f -> standable.put(f.name(), Inflation.of(f.grid(), SMALLEST_RADIUS)));
   }
 
+  /** The same check for another thread. */
+  OrderCheck another() {
+    return new OrderCheck(floors);
+  }
+
   /**
    * @param together what all robots carry together, kilograms
    */

@@ -12,10 +12,11 @@ import org.toqa.mission.TransportTask;
 
 /**
  * Stores new tasks so that their askers hear the truth: a task that was accepted is stored, and one
- * that was not is not stored later, when nobody waits for it any more.
+ * that was not is not stored later, when nobody waits for it any more. Of tasks that are wanted
+ * together all are stored or none.
  *
  * <p>All that came in during one transaction go into the next one together (group commit), so that
- * many askers wait hardly longer than one.
+ * many askers wait hardly longer than one. Any thread may bring tasks.
  */
 final class TaskIntake {
   /** Shorter than any asker waits for the answer. */
@@ -28,10 +29,14 @@ final class TaskIntake {
   private final BlockingQueue<Entry> waiting = new LinkedBlockingQueue<>();
 
   /**
+   * @param submissions what is wanted together
    * @param deadline of {@link System#nanoTime}
    */
   private record Entry(
-      Submission submission, long deadline, Consumer<TransportTask> accepted, Runnable refused) {
+      List<Submission> submissions,
+      long deadline,
+      Consumer<List<TransportTask>> accepted,
+      Runnable refused) {
     boolean isInTime() {
       return System.nanoTime() - deadline <= 0;
     }
@@ -42,17 +47,25 @@ final class TaskIntake {
     this.writer = writer;
   }
 
+  /** Until when what is asked for now must be stored; of {@link System#nanoTime}. */
+  static long deadline() {
+    return System.nanoTime() + LIMIT.toNanos();
+  }
+
   /**
-   * Stores the task, in time or not at all.
+   * Stores the tasks, in time or not at all.
    *
-   * @param key names the wish; no stored task has it
-   * @param accepted gets the task with its id, on the writer's thread
-   * @param refused called there when it was not stored
+   * @param submissions no stored task has a key of theirs
+   * @param deadline when they were asked for, {@link #deadline} told it
+   * @param accepted gets the tasks with their ids, on the writer's thread
+   * @param refused called there when they were not stored
    */
-  void take(TransportTask task, UUID key, Consumer<TransportTask> accepted, Runnable refused) {
-    waiting.add(
-        new Entry(
-            new Submission(task, key), System.nanoTime() + LIMIT.toNanos(), accepted, refused));
+  void take(
+      List<Submission> submissions,
+      long deadline,
+      Consumer<List<TransportTask>> accepted,
+      Runnable refused) {
+    waiting.add(new Entry(submissions, deadline, accepted, refused));
     List<Entry> group = new ArrayList<>();
     writer.tryOnce(() -> store(group), () -> {}, failure -> group.forEach(this::refuse));
   }
@@ -68,18 +81,23 @@ final class TaskIntake {
     if (group.isEmpty()) {
       return;
     }
-    List<TransportTask> stored = store.addTasks(group.stream().map(Entry::submission).toList());
-    for (int i = 0; i < group.size(); i++) {
-      if (group.get(i).isInTime()) {
-        group.get(i).accepted().accept(stored.get(i));
+    List<TransportTask> stored =
+        store.addTasks(group.stream().flatMap(entry -> entry.submissions().stream()).toList());
+    int told = 0;
+    for (Entry entry : group) {
+      int next = told + entry.submissions().size();
+      if (entry.isInTime()) {
+        entry.accepted().accept(stored.subList(told, next));
       } else {
-        refuse(group.get(i));
+        refuse(entry);
       }
+      told = next;
     }
   }
 
   private void refuse(Entry entry) {
-    writer.write(() -> store.withdraw(entry.submission().key()), () -> {});
+    List<UUID> keys = entry.submissions().stream().map(Submission::key).toList();
+    writer.write(() -> store.withdraw(keys), () -> {});
     entry.refused().run();
   }
 }

@@ -130,6 +130,7 @@ public record Mission(
       case MissionEvent.Cancel e -> WishRules.cancel(this, e);
       case MissionEvent.Hold e -> WishRules.hold(this, e);
       case MissionEvent.Resume e -> WishRules.resume(this, e);
+      case MissionEvent.Prioritise e -> WishRules.prioritise(this, e);
       case MissionEvent.Answer e -> TroubleRules.answered(this, e);
     };
   }
@@ -202,6 +203,11 @@ public record Mission(
 
   Mission by(List<Carrier> next) {
     return new Mission(task, state, next, held, ending, setDown, trouble);
+  }
+
+  Mission prioritised(int priority) {
+    return new Mission(
+        task.withPriority(priority), state, carriers, held, ending, setDown, trouble);
   }
 
   Mission onHold(boolean hold) {

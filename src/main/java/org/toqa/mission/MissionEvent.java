@@ -144,6 +144,16 @@ public sealed interface MissionEvent {
     }
   }
 
+  /**
+   * @param priority higher is served first; 0 is usual
+   */
+  record Prioritise(String user, int priority) implements Wish {
+    @Override
+    public String kind() {
+      return "task.prioritised";
+    }
+  }
+
   record Answer(String user, Reply reply) implements Wish {
     @Override
     public String kind() {

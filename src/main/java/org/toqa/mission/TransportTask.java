@@ -32,4 +32,9 @@ public record TransportTask(
     return new TransportTask(
         stored, name, load, start, goal, floor, priority, deadline, size, user, createdAt);
   }
+
+  TransportTask withPriority(int changed) {
+    return new TransportTask(
+        id, name, load, start, goal, floor, changed, deadline, size, user, createdAt);
+  }
 }

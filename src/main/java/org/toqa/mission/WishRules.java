@@ -13,6 +13,7 @@ final class WishRules {
       case MissionEvent.Cancel cancel -> toCancelling(mission, cancel);
       case MissionEvent.Hold ignored -> toChanging(mission);
       case MissionEvent.Resume ignored -> toChanging(mission);
+      case MissionEvent.Prioritise ignored -> toChanging(mission);
       case MissionEvent.Answer answer -> toAnswering(mission, answer);
     };
   }
@@ -103,6 +104,18 @@ final class WishRules {
     return mission.held()
         ? mission.onHold(false).step(List.of(), event.user() + " let it go on")
         : mission.unchanged();
+  }
+
+  static Mission.Step prioritise(Mission mission, MissionEvent.Prioritise event) {
+    int before = mission.task().priority();
+    return before == event.priority()
+        ? mission.unchanged()
+        : mission
+            .prioritised(event.priority())
+            .step(
+                List.of(),
+                "%s changed its priority from %d to %d"
+                    .formatted(event.user(), before, event.priority()));
   }
 
   /** Robots that had arrived somewhere drive anew. */

@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
+import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -368,17 +369,22 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public void withdraw(UUID key) {
+  public void withdraw(Collection<UUID> keys) {
     sql.inTransaction(
         h -> {
-          String of = " (select id from tasks where submission = :submission)";
-          h.createUpdate("delete from events where task_id in" + of)
-              .bind("submission", key.toString())
-              .execute();
-          return h.createUpdate("delete from tasks where submission = :submission")
-              .bind("submission", key.toString())
-              .execute();
+          keys.forEach(key -> withdraw(h, key));
+          return null;
         });
+  }
+
+  private static void withdraw(Handle h, UUID key) {
+    String of = " (select id from tasks where submission = :submission)";
+    h.createUpdate("delete from events where task_id in" + of)
+        .bind("submission", key.toString())
+        .execute();
+    h.createUpdate("delete from tasks where submission = :submission")
+        .bind("submission", key.toString())
+        .execute();
   }
 
   @Override
@@ -442,7 +448,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
     TaskPlace place = trouble == null ? null : trouble.place();
     h.createUpdate(
             """
-            update tasks set state = :state, changed_at = :at, held = :held, ending = :ending,
+            update tasks set state = :state, changed_at = :at, priority = :priority, held = :held, ending = :ending,
               assigned_at = coalesce(assigned_at, :assigned), delivered_at = coalesce(delivered_at, :delivered),
               set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
               trouble_why = :troubleWhy, trouble_x = :troubleX, trouble_y = :troubleY,
@@ -451,6 +457,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             """)
         .bind("state", mission.state().name())
         .bind("at", Sql.utc(at))
+        .bind("priority", mission.task().priority())
         .bind("assigned", mission.state().isGiven() ? Sql.utc(at) : null)
         .bind("delivered", mission.state().isDelivered() ? Sql.utc(at) : null)
         .bind("held", mission.held())
@@ -483,21 +490,19 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public List<TaskView> tasks(int offset, int limit) {
+  public List<TaskView> tasks(Filter filter, Sort sort, int offset, int limit) {
+    String order = TaskQuery.order(sort) + " limit :limit offset :offset";
     return sql.in(
         h ->
-            h
-                .createQuery(
-                    "select "
-                        + TASK_COLUMNS
-                        + " from tasks order by id desc limit :limit offset :offset")
-                .bind("limit", limit)
-                .bind("offset", offset)
-                .map((rs, ctx) -> row(rs))
-                .list()
-                .stream()
-                .map(r -> view(h, r))
-                .toList());
+            new TaskQuery(filter)
+                    .select(h, TASK_COLUMNS, order)
+                    .bind("limit", limit)
+                    .bind("offset", offset)
+                    .map((rs, ctx) -> row(rs))
+                    .list()
+                    .stream()
+                    .map(r -> view(h, r))
+                    .toList());
   }
 
   @Override
@@ -523,8 +528,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public long count() {
-    return sql.in(h -> h.createQuery("select count(*) from tasks").mapTo(Long.class).one());
+  public long count(Filter filter) {
+    return sql.in(h -> new TaskQuery(filter).select(h, "count(*)", "").mapTo(Long.class).one());
   }
 
   /**

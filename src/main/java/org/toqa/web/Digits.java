@@ -1,8 +1,23 @@
 package org.toqa.web;
 
+import java.util.Optional;
+import java.util.regex.Pattern;
+
 /** How people type numbers. */
 public final class Digits {
+  private static final Pattern NUMBER =
+      Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d{1,3})?");
+  private static final int LONGEST_NUMBER = 40;
+
   private Digits() {}
+
+  /** The number, if it is one. */
+  public static Optional<Double> number(String typed) {
+    String number = latin(typed);
+    return number.length() <= LONGEST_NUMBER && NUMBER.matcher(number).matches()
+        ? Optional.of(Double.valueOf(number))
+        : Optional.empty();
+  }
 
   /**
    * The number as a program reads it: digits and decimal separator of the Arabic script become

@@ -5,7 +5,6 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetStore.StoreException;
 
 /** Waits for the fleet on behalf of a request. */
@@ -19,7 +18,7 @@ public final class FleetAnswers {
    * @throws FleetSilentException when there is no answer within ten seconds; the wish may still
    *     have been stored
    */
-  public static <T> Answer<T> await(CompletionStage<Answer<T>> wish) {
+  public static <T> T await(CompletionStage<T> wish) {
     try {
       return wish.toCompletableFuture().get(LIMIT.toMillis(), TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {

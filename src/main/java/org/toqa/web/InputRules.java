@@ -114,6 +114,14 @@ public final class InputRules {
     return given.intValue();
   }
 
+  /** A priority that must be given. */
+  public int newPriority(String field, @Nullable Double given) {
+    if (given == null) {
+      refuse(field, "error.priority.range", PRIORITY_LIMIT);
+    }
+    return priority(field, given);
+  }
+
   public @Nullable Instant deadline(String field, @Nullable Instant given) {
     if (given != null && (given.isBefore(EARLIEST) || given.isAfter(LATEST))) {
       refuse(field, "error.deadline.range");

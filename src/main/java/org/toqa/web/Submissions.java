@@ -3,14 +3,17 @@ package org.toqa.web;
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskOrder;
@@ -69,13 +72,53 @@ public final class Submissions {
     }
   }
 
+  /** What became of orders of which all are wanted or none. */
+  public sealed interface BatchOutcome {
+    record Answered(BatchAnswer answer) implements BatchOutcome {}
+
+    /** They came before, and these are their tasks. */
+    record Repeated(List<TaskView> tasks) implements BatchOutcome {}
+
+    /** Their key came before with other orders. */
+    record OtherOrders() implements BatchOutcome {}
+  }
+
+  /**
+   * @param orders at least one; the key after the last one's shows whether there were more before
+   */
+  public BatchOutcome submitAll(List<TaskOrder> orders, Account user, UUID key) {
+    List<UUID> keys =
+        IntStream.rangeClosed(0, orders.size()).mapToObj(place -> key(key, place)).toList();
+    Lock lock = locks[Math.floorMod(key.hashCode(), STRIPES)];
+    lock.lock();
+    try {
+      if (archive.taskOf(keys.getFirst()).isEmpty()) {
+        return new BatchOutcome.Answered(
+            FleetAnswers.await(
+                fleet.submitAll(orders, user.name(), keys.subList(0, orders.size()))));
+      }
+      List<TaskView> before = keys.stream().flatMap(k -> archive.taskOf(k).stream()).toList();
+      return before.size() == orders.size()
+              && IntStream.range(0, orders.size())
+                  .allMatch(i -> isOf(orders.get(i), before.get(i).task()))
+          ? new BatchOutcome.Repeated(before)
+          : new BatchOutcome.OtherOrders();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private static UUID key(UUID batch, int place) {
+    return UUID.nameUUIDFromBytes((batch + " " + place).getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** But for the priority, which somebody may have changed since. */
   private static boolean isOf(TaskOrder order, TransportTask task) {
     return order.name().equals(task.name())
         && order.load() == task.load()
         && isAt(order.start(), task.start())
         && isAt(order.goal(), task.goal())
         && (order.floor() == null || order.floor().equals(task.floor()))
-        && order.priority() == task.priority()
         && Objects.equals(stored(order.deadline()), stored(task.deadline()))
         && Objects.equals(order.size(), task.size());
   }

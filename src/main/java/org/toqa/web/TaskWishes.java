@@ -40,6 +40,12 @@ public final class TaskWishes {
   }
 
   /** It means something only when no error was filed. */
+  public MissionEvent.Prioritise prioritise(Caller caller, @Nullable Double priority) {
+    return new MissionEvent.Prioritise(
+        caller.name(), new InputRules(texts, errors).newPriority("priority", priority));
+  }
+
+  /** It means something only when no error was filed. */
   public MissionEvent.Answer answer(Caller caller, @Nullable String answer) {
     Reply reply =
         Reply.ofWord(answer == null ? "" : answer)

@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.TaskArchive.Filter;
+import org.toqa.fleet.TaskArchive.Sort;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.TaskState;
 
@@ -24,12 +26,11 @@ public final class Tasks {
         .or(() -> services.archive().task(id).map(this::withReason));
   }
 
-  /** Newest first. */
-  public List<TaskView> newest(int offset, int limit) {
+  public List<TaskView> list(Filter filter, Sort sort, int offset, int limit) {
     Map<Long, TaskView> live =
         services.fleet().feed().latest().tasks().stream()
             .collect(Collectors.toMap(TaskView::id, Function.identity()));
-    return services.archive().tasks(offset, limit).stream()
+    return services.archive().tasks(filter, sort, offset, limit).stream()
         .map(task -> live.getOrDefault(task.id(), withReason(task)))
         .toList();
   }
@@ -56,7 +57,7 @@ public final class Tasks {
         > latest.tasks().stream().filter(t -> t.state() == TaskState.QUEUED).count();
   }
 
-  public long count() {
-    return services.archive().count();
+  public long count(Filter filter) {
+    return services.archive().count(filter);
   }
 }

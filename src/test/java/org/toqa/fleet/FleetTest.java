@@ -226,6 +226,28 @@ class FleetTest {
   }
 
   @Test
+  void aTaskOfHigherPriorityComesFirstAlsoAfterARestart() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    long first = accepted(stage.fleet.submit(order(1), "Clara")).id();
+    long second = accepted(stage.fleet.submit(order(1), "Clara")).id();
+
+    TaskView changed = accepted(stage.fleet.wish(second, new MissionEvent.Prioritise("Clara", 10)));
+
+    assertEquals(10, changed.task().priority());
+    EventRecord told = stage.store.history(second).getLast();
+    assertEquals("task.prioritised", told.kind());
+    assertEquals("Clara changed its priority from 0 to 10", told.text());
+    accepted(stage.fleet.wish(second, new MissionEvent.Prioritise("Clara", 10)));
+    assertEquals(told, stage.store.history(second).getLast(), "nothing to tell");
+    stage.restart();
+    until(view -> view.queued() == 2 && task(view, second).task().priority() == 10);
+    accepted(stage.fleet.putInService("r1", "Max"));
+    until(view -> !task(view, second).robots().isEmpty());
+    assertEquals(TaskState.QUEUED, task(stage.fleet.feed().latest(), first).state());
+  }
+
+  @Test
   void ofALongQueueTheFirstOnesAreShownAndAllAreCounted() throws Exception {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
     accepted(stage.fleet.takeOutOfService("r1", "Max"));

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
@@ -87,10 +88,10 @@ class TaskIntakeTest {
 
   private void take(TaskIntake intake, int number) {
     intake.take(
-        task(String.valueOf(number)),
-        UUID.randomUUID(),
-        task -> {
-          accepted.add(task);
+        List.of(new Submission(task(String.valueOf(number)), UUID.randomUUID())),
+        TaskIntake.deadline(),
+        tasks -> {
+          accepted.addAll(tasks);
           answered.countDown();
         },
         answered::countDown);

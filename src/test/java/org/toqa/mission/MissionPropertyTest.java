@@ -187,6 +187,7 @@ class MissionPropertyTest {
         Arbitraries.of(
             new MissionEvent.Hold("max"),
             new MissionEvent.Resume("max"),
+            new MissionEvent.Prioritise("max", 7),
             new MissionEvent.Cancel("max", null),
             new MissionEvent.Cancel("max", LoadChoice.HERE),
             new MissionEvent.Cancel("max", LoadChoice.BACK),

@@ -27,6 +27,10 @@ import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.TaskArchive.Filter;
+import org.toqa.fleet.TaskArchive.Sort;
+import org.toqa.fleet.TaskArchive.Sort.Column;
+import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.Carrier;
@@ -136,6 +140,21 @@ class FleetStoreTest {
 
     assertEquals(id, store.taskOf(key).orElseThrow().id());
     assertEquals(Optional.empty(), store.taskOf(UUID.randomUUID()));
+  }
+
+  @Test
+  void ofTasksThatComeTogetherAllAreStoredOrNone() {
+    UUID key = UUID.randomUUID();
+    List<Submission> submissions =
+        List.of(
+            new Submission(task("first"), UUID.randomUUID()),
+            new Submission(task("second"), key),
+            new Submission(task("third"), key)); // which the database refuses
+
+    assertThrows(StoreException.class, () -> store.addTasks(submissions));
+
+    assertEquals(0, store.count());
+    assertEquals(Optional.empty(), store.taskOf(key));
   }
 
   @Test
@@ -294,6 +313,63 @@ class FleetStoreTest {
         List.of(second.id(), first.id()), store.tasks(0, 10).stream().map(t -> t.id()).toList());
     assertEquals(List.of(first.id()), store.tasks(1, 10).stream().map(t -> t.id()).toList());
     assertEquals(2, store.count());
+  }
+
+  @Test
+  void tasksAreFilteredAndSorted() {
+    store.saveRobot(R1);
+    long light = added(asked("Box 7%", 1, "Ann", AT)).id();
+    long heavy = added(asked("crate_2", 9, "Max", AT.plusSeconds(60))).id();
+    TransportTask third = added(asked("Other box", 5, "ann", AT.plusSeconds(120)));
+    store.saveMission(Mission.queued(third).assign(List.of("r1"), "near").mission(), AT, List.of());
+
+    assertEquals(List.of(third.id(), heavy, light), found(Filter.ANY, Sort.NEWEST_FIRST));
+    assertEquals(List.of(third.id(), light), found(text("bOx")));
+    assertEquals(List.of(light), found(text("7%")), "no wildcard");
+    assertEquals(List.of(heavy), found(text("_")));
+    assertEquals(List.of(heavy), found(text(String.valueOf(heavy))));
+    assertEquals(
+        List.of(third.id(), light), found(new Filter(Set.of(), null, "ANN", null, null, null)));
+    assertEquals(List.of(third.id()), found(new Filter(Set.of(), "r1", null, null, null, null)));
+    assertEquals(
+        List.of(heavy, light),
+        found(new Filter(Set.of(TaskState.QUEUED, TaskState.DONE), null, null, null, null, null)));
+    assertEquals(
+        List.of(heavy),
+        found(new Filter(Set.of(), null, null, null, AT.plusSeconds(60), AT.plusSeconds(120))));
+    assertEquals(List.of(), found(new Filter(Set.of(), "r2", "ann", "box", AT, null)));
+    assertEquals(
+        List.of(light, third.id(), heavy), found(Filter.ANY, new Sort(Column.LOAD, false)));
+    assertEquals(List.of(third.id(), heavy, light), found(Filter.ANY, new Sort(Column.NAME, true)));
+    assertEquals(
+        List.of(third.id(), light, heavy), found(Filter.ANY, new Sort(Column.USER, false)));
+    assertEquals(
+        List.of(heavy, light, third.id()), found(Filter.ANY, new Sort(Column.STATE, false)));
+    assertEquals(
+        List.of(light, heavy, third.id()), found(Filter.ANY, new Sort(Column.CREATED, false)));
+  }
+
+  private static Filter text(String text) {
+    return new Filter(Set.of(), null, null, text, null, null);
+  }
+
+  private List<Long> found(Filter filter) {
+    List<Long> found = found(filter, Sort.NEWEST_FIRST);
+    assertEquals(found.size(), store.count(filter));
+    return found;
+  }
+
+  private List<Long> found(Filter filter, Sort sort) {
+    List<Long> all = store.tasks(filter, sort, 0, 10).stream().map(TaskView::id).toList();
+    assertEquals(
+        all.stream().skip(1).limit(1).toList(),
+        store.tasks(filter, sort, 1, 1).stream().map(TaskView::id).toList());
+    return all;
+  }
+
+  private static TransportTask asked(String name, double load, String user, Instant at) {
+    TaskPlace place = new TaskPlace(Vec2.ZERO, null);
+    return new TransportTask(0, name, load, place, place, "lab", 0, null, null, user, at);
   }
 
   @Test

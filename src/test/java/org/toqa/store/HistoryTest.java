@@ -116,8 +116,7 @@ class HistoryTest {
     store.addTasks(List.of(new Submission(task("ghost"), submission)));
     TransportTask stays = added(task("stays"));
 
-    store.withdraw(submission);
-    store.withdraw(UUID.randomUUID());
+    store.withdraw(List.of(submission, UUID.randomUUID()));
 
     assertEquals(1, store.count());
     assertEquals(List.of(EventRecord.added(stays)), found(ALL));

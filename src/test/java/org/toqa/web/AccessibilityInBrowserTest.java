@@ -30,6 +30,8 @@ class AccessibilityInBrowserTest extends BrowserTest {
           "map",
           "tasks",
           "tasks/new",
+          "tasks/import",
+          "tasks?imported=2&state=open&sort=-load",
           "tasks/2",
           "robots",
           "robots/r5",

@@ -110,6 +110,42 @@ class ApiTest {
   }
 
   @Test
+  void tasksAreFilteredSortedAndPaged() {
+    for (String name : List.of("a", "b", "c")) {
+      post(token, "api/v1/tasks", GOOD_TASK.replace(" Box of bolts ", name));
+    }
+    server.fleet().changeTask(2, TaskState.DONE, List.of("r1"), "r1 has parked.");
+
+    HttpResponse<String> open = get("api/v1/tasks?state=open&sort=id&limit=1&offset=1");
+
+    assertEquals("2", open.headers().firstValue("X-Total-Count").orElseThrow());
+    assertEquals("c", JSON.readTree(open.body()).get(0).get("name").stringValue());
+    assertEquals(2, JSON.readTree(get("api/v1/tasks?state=DONE").body()).get(0).get("id").asInt());
+    HttpResponse<String> wrong = get("api/v1/tasks?state=new&sort=x&until=soon");
+    assertEquals(422, wrong.statusCode());
+    assertEquals(3, JSON.readTree(wrong.body()).get("errors").size());
+  }
+
+  @Test
+  void aTasksPriorityIsChangedByItsOwnerOrAManager() throws Exception {
+    String clerk = tokenOf(WebTestServer.CLERK);
+    post(token, "api/v1/tasks", GOOD_TASK);
+    post(clerk, "api/v1/tasks", GOOD_TASK);
+
+    HttpResponse<String> changed = post(clerk, "api/v1/tasks/2/priority", "{\"priority\":7}");
+
+    assertEquals(200, changed.statusCode(), changed.body());
+    assertEquals(7, JSON.readTree(changed.body()).get("priority").asInt());
+    assertEquals(200, post(token, "api/v1/tasks/2/priority", "{\"priority\":-100}").statusCode());
+    assertEquals(403, post(clerk, "api/v1/tasks/1/priority", "{\"priority\":7}").statusCode());
+    for (String wrong : List.of("{}", "{\"priority\":1.5}", "{\"priority\":101}", "{\"x\":1}")) {
+      assertEquals(422, post(token, "api/v1/tasks/1/priority", wrong).statusCode(), wrong);
+    }
+    server.fleet().changeTask(1, TaskState.DONE, List.of("r1"), "r1 has parked.");
+    assertEquals(409, post(token, "api/v1/tasks/1/priority", "{\"priority\":1}").statusCode());
+  }
+
+  @Test
   void aRobotHasATrack() {
     server
         .fleet()

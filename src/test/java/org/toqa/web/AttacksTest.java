@@ -69,7 +69,7 @@ class AttacksTest {
           "reset",
           List.of("secret"),
           "tasks",
-          List.of("page"),
+          List.of("page", "imported", "state", "robot", "user", "text", "from", "until", "sort"),
           "users",
           List.of("done"),
           "history",
@@ -81,7 +81,9 @@ class AttacksTest {
           "api/v1/statistics",
           List.of("period", "from", "to", "zone"),
           "api/v1/tasks",
-          List.of("offset", "limit"),
+          List.of("offset", "limit", "state", "robot", "user", "text", "from", "until", "sort"),
+          "api/v1/map",
+          List.of("floor"),
           "api/v1/tracks",
           List.of("floor", "from", "until"));
 

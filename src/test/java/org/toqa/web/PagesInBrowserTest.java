@@ -14,6 +14,8 @@ import com.microsoft.playwright.Playwright;
 import com.microsoft.playwright.Route;
 import com.microsoft.playwright.options.AriaRole;
 import com.microsoft.playwright.options.ColorScheme;
+import com.microsoft.playwright.options.FilePayload;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -113,6 +115,37 @@ class PagesInBrowserTest {
     server.fleet().changeTask(1, TaskState.DONE, List.of("r1"), "r1 has parked.");
     assertThat(page.locator(".history li")).hasCount(3);
     assertThat(page.locator("[aria-current=step]")).hasText("Done");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"desk, 1280, 900", "phone, 390, 844"})
+  void aTableIsImportedAfterItsBadLineIsMended(String name, int width, int height) {
+    Page page = loggedIn(width, height, ColorScheme.LIGHT);
+    page.navigate(server.root() + "tasks");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Import")).click();
+    assertThat(page.locator("#zone-name")).hasText("America/Bogota");
+    String header = "name;load;start;goal;deadline\n";
+    String good = "Box of bolts;2,5;Dock A;Shelf 3;2098-07-01 15:00\n";
+    choose(page, header + good + "Box of nuts;heavy;Dock A;\n");
+    assertThat(page.locator("main .notice.bad")).containsText("Nothing was imported.");
+    assertThat(page.locator("#faults tbody tr")).hasCount(2);
+    assertThat(page.locator("#faults tbody tr").first()).containsText("This is not a number.");
+    picture(page, name + "-tasks-import-refused");
+
+    choose(page, header + good + "Box of nuts;1;Dock A;Shelf 3;\n");
+
+    assertThat(page.locator(".notice.good")).hasText("2 tasks were imported.");
+    picture(page, name + "-tasks-imported");
+    page.getByRole(AriaRole.LINK, new Page.GetByRoleOptions().setName("Box of bolts")).click();
+    assertThat(page.locator("time[datetime='2098-07-01T20:00:00Z']")).containsText("3:00");
+  }
+
+  private static void choose(Page page, String table) {
+    page.getByLabel("Table (CSV)")
+        .setInputFiles(
+            new FilePayload("tasks.csv", "text/csv", table.getBytes(StandardCharsets.UTF_8)));
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Import the tasks"))
+        .click();
   }
 
   @Test
@@ -420,6 +453,7 @@ class PagesInBrowserTest {
             "map",
             "tasks",
             "tasks/new",
+            "tasks/import",
             "tasks/2",
             "robots",
             "robots/r5",

@@ -189,6 +189,31 @@ class PagesTest {
   }
 
   @Test
+  void tasksAreFilteredAndSorted() {
+    Map<String, String> fields = new TreeMap<>(GOOD_TASK);
+    for (int i = 0; i < 26; i++) {
+      fields.put("name", "Pallet");
+      clerk.post("tasks/new", fields);
+    }
+
+    String page = clerk.get("tasks?state=open&text=Pallet&sort=-load").body();
+
+    assertTrue(page.contains("26 tasks"), page);
+    assertFalse(page.contains(">Box of bolts<"), page);
+    assertTrue(page.contains("aria-sort=\"descending\""), page);
+    assertTrue(
+        page.contains("href=\"/tasks?page=2&amp;state=open&amp;text=Pallet&amp;sort=-load\""),
+        page);
+    assertTrue(page.contains("href=\"/tasks?state=open&amp;text=Pallet&amp;sort=load\""), page);
+    assertTrue(clerk.get("tasks?text=Elephant").body().contains("There is no such task."));
+    for (String wrong : new String[] {"state=NEW", "sort=colour", "from=yesterday"}) {
+      HttpResponse<String> refused = clerk.get("tasks?" + wrong);
+      assertEquals(422, refused.statusCode(), wrong);
+      assertTrue(refused.body().strip().endsWith("</html>"), wrong);
+    }
+  }
+
+  @Test
   void tasksComePageByPage() {
     for (int i = 0; i < 26; i++) {
       assertEquals(303, clerk.post("tasks/new", GOOD_TASK).statusCode());

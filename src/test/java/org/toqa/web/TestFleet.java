@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,6 +18,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
@@ -182,9 +184,56 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     }
   }
 
+  @Override
+  public CompletionStage<BatchAnswer> submitAll(
+      List<TaskOrder> orders, String user, List<UUID> keys) {
+    if (silent) {
+      return CompletableFuture.failedFuture(new StoreException("no store", null));
+    }
+    lock.lock();
+    try {
+      List<BatchAnswer.Refusal> refusals = refusalsOf(orders, user);
+      if (!refusals.isEmpty()) {
+        return CompletableFuture.completedFuture(new BatchAnswer.Refused(refusals));
+      }
+      List<TaskView> added = new ArrayList<>();
+      for (int i = 0; i < orders.size(); i++) {
+        submit(orders.get(i), user, keys.get(i));
+        added.add(tasks.getLast());
+      }
+      return CompletableFuture.completedFuture(new BatchAnswer.Accepted(added));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<List<BatchAnswer.Refusal>> refusals(List<TaskOrder> orders, String user) {
+    lock.lock();
+    try {
+      return CompletableFuture.completedFuture(refusalsOf(orders, user));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private List<BatchAnswer.Refusal> refusalsOf(List<TaskOrder> orders, String user) {
+    List<BatchAnswer.Refusal> refusals = new ArrayList<>();
+    for (int i = 0; i < orders.size(); i++) {
+      if (checked(orders.get(i), user)
+          instanceof Answer.Refused<TransportTask>(String field, String sentence)) {
+        refusals.add(new BatchAnswer.Refusal(i, field, sentence));
+      }
+    }
+    return refusals;
+  }
+
   private Answer<TransportTask> checked(TaskOrder order, String user) {
     Optional<TaskPlace> start = place(order.start());
     Optional<TaskPlace> goal = place(order.goal());
+    if (order.floor() != null && !order.floor().equals(floor.name())) {
+      return new Answer.Refused<>("floor", "There is no floor " + order.floor() + ".");
+    }
     if (order.load() > HEAVIEST) {
       return new Answer.Refused<>(
           "load", "No robots here carry that much together. Split the load.");
@@ -468,13 +517,28 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   @Override
-  public List<TaskView> tasks(int offset, int limit) {
+  public List<TaskView> tasks(Filter filter, Sort sort, int offset, int limit) {
     lock.lock();
     try {
-      return newestFirst().stream().skip(offset).limit(limit).toList();
+      Comparator<TaskView> order =
+          sort.by() == Sort.Column.LOAD
+              ? Comparator.comparingDouble(t -> t.task().load())
+              : Comparator.comparingLong(TaskView::id);
+      return tasks.stream()
+          .filter(task -> isWanted(task, filter))
+          .sorted(sort.descending() ? order.reversed() : order)
+          .skip(offset)
+          .limit(limit)
+          .toList();
     } finally {
       lock.unlock();
     }
+  }
+
+  /** By state and text only; the store's tests hold the rest. */
+  private static boolean isWanted(TaskView task, Filter filter) {
+    return (filter.states().isEmpty() || filter.states().contains(task.state()))
+        && (filter.text() == null || task.task().name().contains(filter.text()));
   }
 
   @Override
@@ -508,10 +572,10 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   @Override
-  public long count() {
+  public long count(Filter filter) {
     lock.lock();
     try {
-      return tasks.size();
+      return tasks.stream().filter(task -> isWanted(task, filter)).count();
     } finally {
       lock.unlock();
     }

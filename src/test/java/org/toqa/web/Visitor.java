@@ -1,5 +1,6 @@
 package org.toqa.web;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.CookieManager;
@@ -85,6 +86,34 @@ final class Visitor implements AutoCloseable {
             .header("X-CSRF-Token", csrf())
             .method(method, BodyPublishers.ofString(body))
             .build());
+  }
+
+  /** Sends a form with a file in it, and the session's token. */
+  HttpResponse<String> postFile(
+      String path, Map<String, String> fields, String fileName, byte[] file) {
+    String border = "border-of-the-parts";
+    ByteArrayOutputStream body = new ByteArrayOutputStream();
+    Map<String, String> all = new TreeMap<>(fields);
+    all.putIfAbsent("_csrf", csrf());
+    all.forEach(
+        (name, value) -> writePart(body, border, name, value.getBytes(StandardCharsets.UTF_8)));
+    writePart(body, border, "file\"; filename=\"" + fileName, file);
+    body.writeBytes(("--" + border + "--").getBytes(StandardCharsets.UTF_8));
+    return send(
+        request(path)
+            .header("Content-Type", "multipart/form-data; boundary=" + border)
+            .POST(BodyPublishers.ofByteArray(body.toByteArray()))
+            .build());
+  }
+
+  private static void writePart(
+      ByteArrayOutputStream body, String border, String name, byte[] content) {
+    body.writeBytes(
+        "--%s\r\nContent-Disposition: form-data; name=\"%s\"\r\n\r\n"
+            .formatted(border, name)
+            .getBytes(StandardCharsets.UTF_8));
+    body.writeBytes(content);
+    body.writeBytes("\r\n".getBytes(StandardCharsets.UTF_8));
   }
 
   HttpRequest.Builder request(String path) {

@@ -5,9 +5,11 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Question;
 import org.toqa.web.FieldErrors;
+import org.toqa.web.LineFaults;
 import org.toqa.web.Texts;
 
 /**
@@ -26,8 +28,14 @@ public record Problem(
     List<FieldProblem> errors,
     @Nullable Question needs) {
 
-  /** What is wrong with one field; a dot leads into an object. */
-  public record FieldProblem(String field, String detail) {}
+  /**
+   * What is wrong with one field; a dot leads into an object.
+   *
+   * @param line of a table, from 1
+   * @param field empty where the whole line is at fault
+   */
+  @JsonInclude(JsonInclude.Include.NON_NULL)
+  public record FieldProblem(@Nullable Long line, String field, String detail) {}
 
   /** Ends a request with a problem. */
   static final class Raised extends RuntimeException {
@@ -58,7 +66,24 @@ public record Problem(
         422,
         String.join(" ", errors.sentences().values()),
         errors.sentences().entrySet().stream()
-            .map(e -> new FieldProblem(e.getKey(), e.getValue()))
+            .map(e -> new FieldProblem(null, e.getKey(), e.getValue()))
+            .toList(),
+        null);
+  }
+
+  static Problem of(LineFaults faults, String detail) {
+    return new Problem(
+        "about:blank",
+        title(422),
+        422,
+        detail,
+        faults.first().stream()
+            .map(
+                fault ->
+                    new FieldProblem(
+                        fault.line(),
+                        Objects.requireNonNullElse(fault.column(), ""),
+                        fault.sentence()))
             .toList(),
         null);
   }

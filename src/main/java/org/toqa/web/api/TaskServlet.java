@@ -38,6 +38,8 @@ public final class TaskServlet extends ApiServlet {
     return switch (Doors.lastSegment(request)) {
       case "hold" -> new MissionEvent.Hold(caller.name());
       case "resume" -> new MissionEvent.Resume(caller.name());
+      case "priority" ->
+          read(request, (wishes, fields) -> wishes.prioritise(caller, fields.number("priority")));
       case "cancel" ->
           JsonFields.isSent(request)
               ? read(request, (wishes, fields) -> wishes.cancel(caller, fields.text("load")))

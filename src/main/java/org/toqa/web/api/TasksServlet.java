@@ -4,29 +4,37 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
-import java.util.UUID;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.TaskArchive.Filter;
+import org.toqa.fleet.TaskArchive.Sort;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
+import org.toqa.web.FieldErrors;
 import org.toqa.web.Submissions;
+import org.toqa.web.TaskListing;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
-/** All tasks, newest first, and new ones. */
+/** The tasks, all of them or some, and new ones. */
 public final class TasksServlet extends ApiServlet {
   private static final int USUAL_LIMIT = 50;
   private static final int HIGHEST_LIMIT = 500;
-  private static final String KEY = "Idempotency-Key";
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     int offset = queryNumber(request, "offset", 0, 0, Integer.MAX_VALUE);
     int limit = queryNumber(request, "limit", USUAL_LIMIT, 1, HIGHEST_LIMIT);
+    FieldErrors errors = new FieldErrors();
+    TaskListing wanted = new TaskListing(request, errors);
+    Filter filter = wanted.filter();
+    Sort sort = wanted.sort();
+    refuseIfAny(errors);
     Tasks tasks = new Tasks(services());
-    response.setHeader("X-Total-Count", Long.toString(tasks.count()));
-    Json.send(response, 200, tasks.newest(offset, limit).stream().map(TaskJson::of).toList());
+    response.setHeader("X-Total-Count", Long.toString(tasks.count(filter)));
+    Json.send(
+        response, 200, tasks.list(filter, sort, offset, limit).stream().map(TaskJson::of).toList());
   }
 
   @Override
@@ -36,7 +44,7 @@ public final class TasksServlet extends ApiServlet {
     TaskView task =
         switch (services()
             .submissions()
-            .submit(order, Caller.of(request).account(), key(request))) {
+            .submit(order, Caller.of(request).account(), IdempotencyKey.of(request))) {
           case Submissions.Outcome.Answered(var answer) -> accepted(answer);
           case Submissions.Outcome.Repeated(TaskView before) ->
               new Tasks(services()).byId(before.id()).orElse(before);
@@ -48,17 +56,5 @@ public final class TasksServlet extends ApiServlet {
         response,
         HttpServletResponse.SC_CREATED,
         TaskJson.withHistory(task, List.of(EventRecord.added(task.task()))));
-  }
-
-  /** Who sends none asks for a new task each time. */
-  private static UUID key(HttpServletRequest request) {
-    String given = request.getHeader(KEY);
-    if (given == null) {
-      return UUID.randomUUID();
-    }
-    if (!given.matches("[!-~]{1,128}")) {
-      throw Problem.of(400, Texts.of(request).get("problem.idempotencyKey")).raised();
-    }
-    return Submissions.key(Caller.of(request).account(), "header " + given);
   }
 }

@@ -68,6 +68,7 @@ public final class ErrorServlet extends PageServlet {
         .get(
             switch (status) {
               case 404 -> "problem.noSuchPage";
+              case 413 -> "problem.tooLarge";
               case 503 ->
                   cause(request) instanceof StoreException
                       ? "problem.databaseAway"

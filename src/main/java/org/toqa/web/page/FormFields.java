@@ -5,7 +5,7 @@ import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
-import java.util.regex.Pattern;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.web.Digits;
 import org.toqa.web.FieldErrors;
@@ -13,10 +13,6 @@ import org.toqa.web.Texts;
 
 /** The fields of a form that somebody sent. An empty one counts as missing. */
 final class FormFields {
-  private static final Pattern NUMBER =
-      Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d{1,3})?");
-  private static final int LONGEST_NUMBER = 40;
-
   private final HttpServletRequest request;
   private final FieldErrors errors;
 
@@ -43,12 +39,11 @@ final class FormFields {
     if (given == null) {
       return null;
     }
-    String number = Digits.latin(given);
-    if (number.length() > LONGEST_NUMBER || !NUMBER.matcher(number).matches()) {
+    Optional<Double> number = Digits.number(given);
+    if (number.isEmpty()) {
       errors.add(shownAt, Texts.of(request).get("error.notANumber"));
-      return null;
     }
-    return Double.valueOf(number);
+    return number.orElse(null);
   }
 
   /**

@@ -75,6 +75,7 @@ public final class TaskServlet extends PageServlet {
     return switch (Doors.lastSegment(request)) {
       case "hold" -> new MissionEvent.Hold(caller.name());
       case "resume" -> new MissionEvent.Resume(caller.name());
+      case "priority" -> wishes.prioritise(caller, fields.number("priority"));
       case "cancel" -> wishes.cancel(caller, fields.text("load"));
       default -> wishes.answer(caller, fields.text("answer"));
     };

@@ -1,0 +1,29 @@
+package org.toqa.fleet;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** What the fleet answers to orders of which all are wanted or none. */
+public sealed interface BatchAnswer {
+
+  /**
+   * All are stored.
+   *
+   * @param tasks in the order in which they were asked for
+   */
+  record Accepted(List<TaskView> tasks) implements BatchAnswer {}
+
+  /**
+   * Nothing was stored.
+   *
+   * @param refusals one for each order that was refused, in their order
+   */
+  record Refused(List<Refusal> refusals) implements BatchAnswer {}
+
+  /**
+   * @param place of the order in the list, from 0
+   * @param field the field of the order that is at fault, if it is one
+   * @param sentence what is wrong and what to do, for a person
+   */
+  record Refusal(int place, @Nullable String field, String sentence) {}
+}
