@@ -63,29 +63,28 @@ class AttacksTest {
           List.of("tokenName", "days"));
 
   private static final Map<String, List<String>> QUERIES =
-      Map.of(
-          "",
-          List.of("next", "done"),
-          "reset",
-          List.of("secret"),
-          "tasks",
-          List.of("page", "imported", "state", "robot", "user", "text", "from", "until", "sort"),
-          "users",
-          List.of("done"),
-          "history",
-          List.of("robot", "task", "user", "kind", "from", "until", "zone", "before"),
-          "statistics",
-          List.of("period", "from", "to", "zone"),
-          "api/v1/history",
-          List.of("robot", "task", "user", "kind", "since", "until", "limit", "before"),
-          "api/v1/statistics",
-          List.of("period", "from", "to", "zone"),
-          "api/v1/tasks",
-          List.of("offset", "limit", "state", "robot", "user", "text", "from", "until", "sort"),
-          "api/v1/map",
-          List.of("floor"),
-          "api/v1/tracks",
-          List.of("floor", "from", "until"));
+      Map.ofEntries(
+          Map.entry("", List.of("next", "done")),
+          Map.entry("reset", List.of("secret")),
+          Map.entry(
+              "tasks",
+              List.of(
+                  "page", "imported", "state", "robot", "user", "text", "from", "until", "sort")),
+          Map.entry("users", List.of("done")),
+          Map.entry(
+              "history",
+              List.of("robot", "task", "user", "kind", "from", "until", "zone", "before")),
+          Map.entry("statistics", List.of("period", "from", "to", "zone")),
+          Map.entry(
+              "api/v1/history",
+              List.of("robot", "task", "user", "kind", "since", "until", "limit", "before")),
+          Map.entry("api/v1/statistics", List.of("period", "from", "to", "zone")),
+          Map.entry(
+              "api/v1/tasks",
+              List.of(
+                  "offset", "limit", "state", "robot", "user", "text", "from", "until", "sort")),
+          Map.entry("api/v1/map", List.of("floor")),
+          Map.entry("api/v1/tracks", List.of("floor", "from", "until")));
 
   private WebTestServer server;
   private Visitor manager;
