@@ -24,8 +24,10 @@
           <select id="floor"><c:forEach items="${floors}" var="floor"><option dir="auto"><c:out value="${floor.name}"/></option></c:forEach></select>
         </label>
       </c:if>
-      <button type="button" id="replay-open" class="outline" disabled><t:icon name="past"/> <fmt:message key="replay.open"/></button>
-      <p id="age" class="age" data-state="away"><fmt:message key="map.connecting"/></p>
+      <div class="when">
+        <button type="button" id="replay-open" class="outline" disabled><t:icon name="past"/> <fmt:message key="replay.open"/></button>
+        <p id="age" class="age" data-state="away"><fmt:message key="map.connecting"/></p>
+      </div>
     </div>
     <p id="banner" class="notice bad" role="alert" hidden></p>
     <p id="replay-banner" class="notice warn" role="status" hidden><strong><fmt:message key="replay.banner"/></strong></p>

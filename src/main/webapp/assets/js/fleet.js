@@ -54,7 +54,9 @@ export function drawRobots(context, viewport, colours, robots, tasks, poseOf) {
       const at = viewport.toScreen(pose.x, pose.y);
       drawLoad(context, at, -pose.theta, loadHalf(viewport, carried, robot), colours);
     }
+    context.globalAlpha = robot.faint ? 0.25 : 1;
     drawRobot(context, viewport, colours, robot, pose);
+    context.globalAlpha = 1;
   }
 }
 

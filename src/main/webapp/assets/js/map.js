@@ -20,6 +20,8 @@ const STATES = [
   'ERROR', 'NOT_LOCALISED', 'LOST', 'CONNECTING', 'OUT_OF_SERVICE', 'HOLDING', 'CHARGING', 'DRIVING',
   'IDLE',
 ];
+/** What needs somebody, the most urgent first. */
+const URGENCY = ['ERROR', 'question', 'standstill', 'LOST', 'NOT_LOCALISED', 'charger', 'refusal'];
 const IN_NEED = new Set(['ERROR', 'NOT_LOCALISED', 'LOST']);
 
 let floor;
@@ -30,6 +32,7 @@ let floors = [];
 let newest = 0; // milliseconds since 1970, by the server's clock
 let changed = performance.now();
 let connection; // undefined until it is known
+const chosen = new Set(); // states to which the robots are narrowed down; none: all of them
 const glide = new Glide();
 const replay = new Replay(() => newest, () => floor.name, showReplay);
 
@@ -54,7 +57,8 @@ function drawNow(context, viewport, colours, now, here) {
   }
   const tasksHere = tasks.filter((task) => task.floor === floor.name);
   drawTasks(context, viewport, colours, tasksHere);
-  drawRobots(context, viewport, colours, here, tasksHere, poseOf);
+  const shown = here.map((robot) => ({...robot, faint: !isChosen(robot)}));
+  drawRobots(context, viewport, colours, shown, tasksHere, poseOf);
   if (view) {
     drawStandstills(context, viewport, colours, view, here, poseOf);
   }
@@ -124,23 +128,35 @@ function showReplay() {
   }
 }
 
+function isChosen({state}) {
+  return chosen.size === 0 || chosen.has(state);
+}
+
+/** How many robots are in each state; a click narrows the robots down to it, another one widens them again. */
 function showCounts() {
   const counts = STATES.map((state) => ({
     state,
     count: robots.filter((robot) => robot.state === state).length,
-  })).filter(({count}) => count > 0);
-  showEntries(
-    $('#counts'),
-    counts,
-    ({state}) => state,
-    ({state}) => {
-      const letter = element('span', 'letter', text(`robot.letter.${state}`));
-      letter.dataset.state = state;
-      letter.ariaHidden = 'true';
-      return element('li', '', letter, element('b'), element('span', '', text(`robot.state.${state}`)));
-    },
-    (item, {count}) => write(item.querySelector('b'), whole.format(count)),
-  );
+  })).filter(({state, count}) => count > 0 || chosen.has(state));
+  showEntries($('#counts'), counts, ({state}) => state, makeCount, (item, {state, count}) => {
+    write(item.querySelector('b'), whole.format(count));
+    item.querySelector('button').ariaPressed = chosen.has(state);
+  });
+}
+
+function makeCount({state}) {
+  const letter = element('span', 'letter', text(`robot.letter.${state}`));
+  letter.dataset.state = state;
+  letter.ariaHidden = 'true';
+  const button = element('button', '', letter, element('b'), ' ', element('span', '', text(`robot.state.${state}`)));
+  button.type = 'button';
+  button.addEventListener('click', () => {
+    if (!chosen.delete(state)) {
+      chosen.add(state);
+    }
+    showNow();
+  });
+  return element('li', '', button);
 }
 
 // Who does not trust whom: a sentence, or undefined.
@@ -182,7 +198,7 @@ function question({kind, robot, why, place}) {
 }
 
 function showRobots() {
-  showLinks($('#robots'), robots.map(robotEntry));
+  showLinks($('#robots'), robots.filter(isChosen).map(robotEntry));
   $('#no-robots').hidden = robots.length > 0;
 }
 
@@ -219,13 +235,19 @@ function chargerEntry({name, since, text: said}) {
   };
 }
 
+function need(kind, entry) {
+  return {...entry, urgency: URGENCY.indexOf(kind)};
+}
+
 function showNeeds() {
   const entries = [
-    ...floors.flatMap(({standstills}) => standstills.map(standstillEntry)),
-    ...floors.flatMap(({faultyChargers}) => faultyChargers.map(chargerEntry)),
-    ...tasks.filter((task) => task.needs).map(taskEntry),
-    ...robots.filter(isInNeed).map(robotEntry),
-  ];
+    ...floors.flatMap(({standstills}) => standstills.map((one) => need('standstill', standstillEntry(one)))),
+    ...floors.flatMap(({faultyChargers}) => faultyChargers.map((one) => need('charger', chargerEntry(one)))),
+    ...tasks.filter((task) => task.needs).map((task) => need('question', taskEntry(task))),
+    ...robots
+      .filter(isInNeed)
+      .map((robot) => need(IN_NEED.has(robot.state) ? robot.state : 'refusal', robotEntry(robot))),
+  ].sort((a, b) => a.urgency - b.urgency);
   showLinks($('#needs-list'), entries);
   $('#needs').hidden = entries.length === 0;
 }

@@ -5,6 +5,8 @@ import {text} from './texts.js';
 
 const HOUR = 3_600_000;
 const STEP = 10_000; // milliseconds
+/** A robot that moves leaves a point a minute, and it is stored ten seconds later. */
+const STORED = 75_000;
 const LOOK = 250; // milliseconds between two looks at the lists while it plays
 
 const $ = (selector) => document.querySelector(selector);
@@ -95,7 +97,7 @@ export class Replay {
   }
 
   #open() {
-    this.#end = this.#newest();
+    this.#end = this.#newest() - STORED;
     this.#past = new Past(this.#floor(), this.#end, this.#onChange);
     this.#moment = this.#end;
     $('#replay-time').max = this.#end;

@@ -192,6 +192,43 @@ class PagesInBrowserTest {
   }
 
   @Test
+  void whatIsMostUrgentComesFirst() {
+    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+
+    assertThat(page.locator("#needs-list strong"))
+        .hasText(new String[] {"r5", "Standstill", "r6", "r4", "Charger"});
+  }
+
+  @Test
+  void theRobotsAreNarrowedDownToAState() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    Object all = pictureOf(page);
+    Locator driving = page.locator("#counts button").filter(having("Driving"));
+
+    driving.click();
+
+    assertThat(page.locator("#robots strong")).hasText(new String[] {"r1"});
+    assertThat(driving).hasAttribute("aria-pressed", "true");
+    page.waitForCondition(() -> !pictureOf(page).equals(all));
+    picture(page, "map-narrowed");
+    page.locator("#counts button").filter(having("Holding")).click();
+    assertThat(page.locator("#robots strong")).hasText(new String[] {"r1", "r3"});
+    server.fleet().changeRobots(robots -> robots.subList(1, 6));
+    assertThat(page.locator("#robots strong")).hasText(new String[] {"r3"});
+    assertThat(driving).containsText("0");
+    driving.click();
+    page.locator("#counts button").filter(having("Holding")).click();
+    assertThat(page.locator("#robots li")).hasCount(5);
+    assertThat(driving).hasCount(0);
+  }
+
+  private static Locator.FilterOptions having(String text) {
+    return new Locator.FilterOptions().setHasText(text);
+  }
+
+  @Test
   void aFloorIsPutOnHoldOnTheMap() {
     server
         .fleet()

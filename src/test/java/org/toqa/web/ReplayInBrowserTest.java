@@ -29,8 +29,8 @@ import org.toqa.geometry.Vec2;
 import org.toqa.testbed.BrowserTest;
 
 /**
- * Going back in time on the map. r1 drove from (2, 1) to (10, 1) in the last minute, r2 stands, and
- * of r3 nothing is known. Pictures go to {@code target/screenshots}, to be looked at.
+ * Going back in time on the map. In the minute before its end r1 drove from (2, 1) to (10, 1), r2
+ * stood, and of r3 nothing is known. Pictures go to {@code target/screenshots}, to be looked at.
  */
 class ReplayInBrowserTest extends BrowserTest {
   private static final Path PICTURES = Path.of("target/screenshots");
@@ -53,22 +53,22 @@ class ReplayInBrowserTest extends BrowserTest {
           .store()
           .saveRobot(new RobotRecord(robot, "hall", "127.0.0.1", 7275, 5, null, false, null));
     }
-    Instant now = server.fleet().latest().at();
+    Instant end = server.fleet().latest().at().minusSeconds(75); // what is younger is not shown
     server
         .tracks()
         .add(
             List.of(
-                new TrackPoint("r2", now.minusSeconds(7200), new Vec2(4, 2)),
-                new TrackPoint("r1", now.minusSeconds(60), new Vec2(2, 1)),
-                new TrackPoint("r1", now, new Vec2(10, 1))));
+                new TrackPoint("r2", end.minusSeconds(7200), new Vec2(4, 2)),
+                new TrackPoint("r1", end.minusSeconds(60), new Vec2(2, 1)),
+                new TrackPoint("r1", end, new Vec2(10, 1))));
     server
         .store()
         .addEvents(
             List.of(
                 new EventRecord(
-                    now.minusSeconds(55), "task.started", 7L, "r1", "toqa", "r1 drives off"),
+                    end.minusSeconds(55), "task.started", 7L, "r1", "toqa", "r1 drives off"),
                 new EventRecord(
-                    now.minusSeconds(5), "robot.held", null, "r1", "Max", "Max put r1 on hold")));
+                    end.minusSeconds(5), "robot.held", null, "r1", "Max", "Max put r1 on hold")));
   }
 
   @AfterEach
