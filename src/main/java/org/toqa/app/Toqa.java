@@ -17,7 +17,9 @@ import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.PacedWork;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.Scheduler;
 import org.toqa.fleet.TrackRecorder;
 import org.toqa.fleet.UseRecorder;
 import org.toqa.geometry.Pose;
@@ -35,6 +37,7 @@ import org.toqa.store.Accounts;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUseStore;
 import org.toqa.store.PasswordResets;
@@ -56,6 +59,7 @@ import org.toqa.web.access.Passwords;
 final class Toqa implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(Toqa.class);
   private static final Duration FLEET_TICK = Duration.ofMillis(100);
+  private static final Duration SCHEDULES_EVERY = Duration.ofSeconds(1);
   private static final double SIMULATED_LOAD = 5;
 
   private final Configuration configuration;
@@ -137,6 +141,9 @@ final class Toqa implements AutoCloseable {
     Metrics metrics = new Metrics(fleet.feed());
     parts.push(metrics);
     database.measure(metrics.registry());
+    JdbiScheduleStore schedules = new JdbiScheduleStore(database.jdbi());
+    Scheduler scheduler = new Scheduler(schedules, store, fleet, wallClock);
+    parts.push(new PacedWork("schedules", SCHEDULES_EVERY, scheduler::look));
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
     parts.push(new TrackRecorder(fleet.feed(), tracks));
     parts.push(
@@ -154,6 +161,7 @@ final class Toqa implements AutoCloseable {
             store,
             new JdbiEventArchive(database.jdbi()),
             tracks,
+            schedules,
             new Statistics(database.jdbi()),
             accounts,
             sessions,

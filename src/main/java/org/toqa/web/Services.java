@@ -5,6 +5,7 @@ import java.time.InstantSource;
 import java.util.Objects;
 import org.toqa.fleet.EventArchive;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TrackStore;
 import org.toqa.store.Accounts;
@@ -20,6 +21,7 @@ public record Services(
     TaskArchive archive,
     EventArchive history,
     TrackStore tracks,
+    ScheduleStore schedules,
     Statistics statistics,
     Accounts accounts,
     Sessions sessions,
@@ -38,6 +40,7 @@ public record Services(
       TaskArchive archive,
       EventArchive history,
       TrackStore tracks,
+      ScheduleStore schedules,
       Statistics statistics,
       Accounts accounts,
       Sessions sessions,
@@ -50,6 +53,7 @@ public record Services(
         archive,
         history,
         tracks,
+        schedules,
         statistics,
         accounts,
         sessions,

@@ -8,6 +8,7 @@ import java.net.http.HttpResponse;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
 import tools.jackson.databind.JsonNode;
@@ -45,6 +46,23 @@ public final class ApiClient implements AutoCloseable {
 
   public JsonNode post(String path, Object body) throws IOException, InterruptedException {
     return JSON.readTree(send(request(path).POST(body(body))));
+  }
+
+  /** Sends a table of tasks; the answer comes later, or fails with the connection. */
+  public CompletableFuture<String> sendTable(String path, String table, String key) {
+    HttpRequest request =
+        request(path)
+            .header("Content-Type", "text/csv")
+            .header("Idempotency-Key", key)
+            .POST(HttpRequest.BodyPublishers.ofString(table))
+            .timeout(Duration.ofSeconds(30))
+            .build();
+    return http.sendAsync(request, HttpResponse.BodyHandlers.ofString()).thenApply(ApiClient::good);
+  }
+
+  /** How many there are of what is listed there. */
+  public long count(String path) throws IOException, InterruptedException {
+    return answer(request(path)).headers().firstValueAsLong("X-Total-Count").orElseThrow();
   }
 
   /** Empty where the server says that it cannot tell now. */

@@ -31,6 +31,7 @@ class AccessibilityInBrowserTest extends BrowserTest {
           "tasks",
           "tasks/new",
           "tasks/import",
+          "schedules?added=1",
           "tasks?imported=2&state=open&sort=-load",
           "tasks/2",
           "robots",
@@ -54,6 +55,7 @@ class AccessibilityInBrowserTest extends BrowserTest {
             "tasks/new",
             Map.of("name", "x", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
       }
+      PagesInBrowserTest.addSchedules(clerk);
     }
     server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
     server.fleet().changeFloor(TestFleet.crowdedFloor());

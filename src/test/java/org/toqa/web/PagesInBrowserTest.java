@@ -20,6 +20,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -138,6 +139,57 @@ class PagesInBrowserTest {
     picture(page, name + "-tasks-imported");
     page.getByRole(AriaRole.LINK, new Page.GetByRoleOptions().setName("Box of bolts")).click();
     assertThat(page.locator("time[datetime='2098-07-01T20:00:00Z']")).containsText("3:00");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"desk, 1280, 900", "phone, 390, 844"})
+  void aTaskIsScheduledForEveryWeekday(String name, int width, int height) {
+    Page page = loggedIn(width, height, ColorScheme.LIGHT);
+    page.navigate(server.root() + "tasks/new");
+    page.getByLabel("Task name").fill("Morning tour");
+    page.getByLabel("Load (kg)").fill("2.5");
+    page.locator("#startStation").selectOption("Dock A");
+    page.locator("#goalStation").selectOption("Shelf 3");
+    assertThat(page.locator("#time")).isHidden();
+    page.getByLabel("When").selectOption("weekly");
+    assertThat(page.locator("#first")).isHidden();
+    page.getByLabel("Monday").check();
+    page.getByLabel("Friday").check();
+    picture(page, name + "-schedule-form");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task")).click();
+    assertThat(page.locator("#time-help")).containsText("Give a time of day");
+    assertThat(page.getByLabel("Monday")).isChecked();
+    page.locator("#time").fill("08:00");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task")).click();
+
+    assertThat(page.locator(".notice.good")).hasText("The schedule was added.");
+    assertThat(page.locator("tbody tr")).containsText("America/Bogota");
+    picture(page, name + "-schedule-added");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Pause").setExact(true))
+        .click();
+    assertThat(page.locator("tbody tr")).containsText("paused");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Delete")).click();
+    assertThat(page.locator("tbody tr")).hasCount(0);
+  }
+
+  /** One of each kind. */
+  static void addSchedules(Visitor visitor) {
+    Map<String, String> task =
+        Map.of(
+            "name", "Morning tour",
+            "load", "2.5",
+            "startStation", "Dock A",
+            "goalStation", "Shelf 3",
+            "zone", "Europe/Paris");
+    for (Map<String, String> times :
+        List.of(
+            Map.of("when", "once", "first", "2098-07-01T15:00"),
+            Map.of("when", "every", "first", "2098-07-01T15:00", "everyMinutes", "30"),
+            Map.of("when", "weekly", "weekday", "MONDAY", "time", "08:00"))) {
+      Map<String, String> form = new TreeMap<>(task);
+      form.putAll(times);
+      visitor.post("tasks/new", form);
+    }
   }
 
   private static void choose(Page page, String table) {
@@ -480,6 +532,9 @@ class PagesInBrowserTest {
                 "1.05"));
       }
     }
+    try (Visitor visitor = Visitor.loggedIn(server.root(), WebTestServer.CLERK)) {
+      addSchedules(visitor);
+    }
     server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
     server.fleet().changeTask(3, TaskState.DONE, List.of("r2"), "r2 has parked.");
     server.fleet().changeFloor(TestFleet.crowdedFloor());
@@ -491,6 +546,7 @@ class PagesInBrowserTest {
             "tasks",
             "tasks/new",
             "tasks/import",
+            "schedules",
             "tasks/2",
             "robots",
             "robots/r5",

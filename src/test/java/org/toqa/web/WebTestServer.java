@@ -26,6 +26,7 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.store.Accounts;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUseStore;
 import org.toqa.store.PasswordResets;
@@ -94,6 +95,7 @@ final class WebTestServer implements AutoCloseable {
             fleet,
             new JdbiEventArchive(jdbi),
             tracks,
+            new JdbiScheduleStore(jdbi),
             new Statistics(jdbi),
             accounts,
             sessions,

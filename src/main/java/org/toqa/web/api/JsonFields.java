@@ -3,6 +3,7 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -94,6 +95,17 @@ final class JsonFields {
                     ? Optional.of(value.booleanValue())
                     : this.<Boolean>wrongType(name, "error.type.boolean"))
         .orElse(false);
+  }
+
+  /** A list of texts; empty where it is missing. */
+  List<String> texts(String name) {
+    return value(name)
+        .flatMap(
+            value ->
+                value.isArray() && value.values().stream().allMatch(JsonNode::isString)
+                    ? Optional.of(value.values().stream().map(JsonNode::stringValue).toList())
+                    : this.<List<String>>wrongType(name, "error.type.texts"))
+        .orElse(List.of());
   }
 
   Optional<JsonFields> object(String name) {

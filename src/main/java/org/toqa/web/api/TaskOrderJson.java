@@ -42,15 +42,26 @@ final class TaskOrderJson {
     return order;
   }
 
+  /** The order in that field. It means something only when no error was filed. */
+  static TaskOrder read(String name, JsonFields fields, Texts texts, FieldErrors errors) {
+    Optional<JsonFields> order = fields.object(name);
+    if (order.isEmpty()) {
+      errors.add(name, texts.get("error.type.object", name));
+      Where nowhere = new Where.Station("");
+      return new TaskOrder("", 0, nowhere, nowhere, null, 0, null, null);
+    }
+    return new TaskOrderJson(order.get(), new InputRules(texts, errors), errors, texts).read();
+  }
+
   private TaskOrder read() {
     TaskOrder order =
         new TaskOrder(
-            rules.taskName("name", fields.text("name")),
-            rules.load("load", fields.number("load")),
+            rules.taskName(fields.path("name"), fields.text("name")),
+            rules.load(fields.path("load"), fields.number("load")),
             where("start"),
             where("goal"),
             fields.text("floor"),
-            rules.priority("priority", fields.number("priority")),
+            rules.priority(fields.path("priority"), fields.number("priority")),
             deadline(),
             size());
     fields.refuseUnknown();
@@ -60,7 +71,7 @@ final class TaskOrderJson {
   private Where where(String name) {
     Optional<JsonFields> place = fields.object(name);
     if (place.isEmpty()) {
-      errors.add(name, texts.get("error.place.missing", name));
+      errors.add(fields.path(name), texts.get("error.place.missing", name));
       return new Where.Station("");
     }
     return where(name, place.get());
@@ -77,7 +88,7 @@ final class TaskOrderJson {
       return new Where.Point(position);
     }
     if (station == null || place.has("x") || place.has("y")) {
-      errors.add(name, texts.get("error.place.missing", name));
+      errors.add(fields.path(name), texts.get("error.place.missing", name));
     } else {
       place.refuseUnknown();
     }
@@ -90,9 +101,9 @@ final class TaskOrderJson {
       return null;
     }
     try {
-      return rules.deadline("deadline", OffsetDateTime.parse(given).toInstant());
+      return rules.deadline(fields.path("deadline"), OffsetDateTime.parse(given).toInstant());
     } catch (DateTimeException e) {
-      errors.add("deadline", texts.get("error.deadline"));
+      errors.add(fields.path("deadline"), texts.get("error.deadline"));
       return null;
     }
   }
@@ -102,7 +113,8 @@ final class TaskOrderJson {
         .object("size")
         .map(
             size -> {
-              LoadSize read = rules.size("size", size.number("length"), size.number("width"));
+              LoadSize read =
+                  rules.size(fields.path("size"), size.number("length"), size.number("width"));
               size.refuseUnknown();
               return read;
             })

@@ -5,6 +5,7 @@ import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
+import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.web.Digits;
@@ -24,6 +25,12 @@ final class FormFields {
   @Nullable String text(String name) {
     String given = request.getParameter(name);
     return given == null || given.isBlank() ? null : given;
+  }
+
+  /** What was chosen of several. */
+  List<String> texts(String name) {
+    String[] given = request.getParameterValues(name);
+    return given == null ? List.of() : List.of(given);
   }
 
   /** A field that holds no number gets a sentence and counts as missing. */

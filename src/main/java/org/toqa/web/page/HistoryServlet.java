@@ -16,7 +16,7 @@ import org.toqa.web.access.Caller;
 public final class HistoryServlet extends PageServlet {
   private static final int ON_A_PAGE = 100;
   private static final List<String> FAMILIES =
-      List.of("task", "robot", "fleet", "floor", "traffic");
+      List.of("task", "schedule", "robot", "fleet", "floor", "traffic");
   private static final String USERS = "user";
 
   @Override

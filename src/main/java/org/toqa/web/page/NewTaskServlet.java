@@ -4,11 +4,15 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.time.DayOfWeek;
+import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
@@ -19,6 +23,8 @@ import org.toqa.store.Account;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.InputRules;
+import org.toqa.web.RecurrenceRules;
+import org.toqa.web.Schedules;
 import org.toqa.web.Submissions;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
@@ -37,15 +43,58 @@ public final class NewTaskServlet extends PageServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
-    Optional<TaskView> task =
-        read(request, errors).flatMap(order -> submit(order, request, errors));
-    if (task.isPresent()) {
-      goTo(request, response, "/tasks/" + task.get().id());
+    Optional<String> next =
+        isForNow(request)
+            ? read(request, errors)
+                .flatMap(order -> submit(order, request, errors))
+                .map(task -> "/tasks/" + task.id())
+            : schedule(request, errors).map(schedule -> "/schedules?added=" + schedule.id());
+    if (next.isPresent()) {
+      goTo(request, response, next.get());
     } else {
       offerFloors(request);
       request.setAttribute("wish", wish(request));
       showAgain(request, response, "new-task", errors);
     }
+  }
+
+  private static boolean isForNow(HttpServletRequest request) {
+    String when = request.getParameter("when");
+    return when == null || when.isEmpty() || when.equals("now");
+  }
+
+  private Optional<Schedule> schedule(HttpServletRequest request, FieldErrors errors) {
+    Texts texts = Texts.of(request);
+    FormFields fields = new FormFields(request, errors);
+    RecurrenceRules rules = new RecurrenceRules(texts, errors, services().clock().instant());
+    Optional<TaskOrder> order = read(request, errors);
+    Recurrence recurrence = recurrence(fields, rules);
+    Instant until = rules.until("until", fields.moment("until", "zone"));
+    if (fields.text("deadline") != null) {
+      errors.add("deadline", texts.get("error.schedule.deadline"));
+    }
+    if (!errors.isEmpty()) {
+      return Optional.empty();
+    }
+    Caller user = Caller.of(request);
+    UUID key = Submissions.key(user.account(), "schedule " + wish(request));
+    return accepted(
+        new Schedules(services(), texts).add(order.orElseThrow(), recurrence, until, user, key),
+        errors);
+  }
+
+  private static Recurrence recurrence(FormFields fields, RecurrenceRules rules) {
+    return switch (fields.text("when")) {
+      case "every" ->
+          rules.every(
+              "first",
+              fields.moment("first", "zone"),
+              "everyMinutes",
+              fields.number("everyMinutes"));
+      case "weekly" ->
+          rules.weekly(fields.texts("weekday"), fields.text("time"), "time", fields.text("zone"));
+      case null, default -> rules.once("first", fields.moment("first", "zone"));
+    };
   }
 
   private Optional<TaskView> submit(
@@ -113,6 +162,7 @@ public final class NewTaskServlet extends PageServlet {
             .filter(f -> f.name().equals(wanted))
             .findFirst()
             .orElseGet(floors::getFirst);
+    request.setAttribute("weekdays", DayOfWeek.values());
     request.setAttribute("floors", floors);
     request.setAttribute("floor", floor);
   }

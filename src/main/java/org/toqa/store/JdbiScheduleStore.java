@@ -1,0 +1,282 @@
+package org.toqa.store;
+
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.time.DayOfWeek;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.LocalDateTime;
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.time.ZoneOffset;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.stream.Collectors;
+import org.jdbi.v3.core.Handle;
+import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.statement.StatementContext;
+import org.jdbi.v3.core.statement.Update;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
+import org.toqa.fleet.ScheduleStore;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TransportTask.LoadSize;
+
+/** The schedules on H2 and on MySQL. */
+public final class JdbiScheduleStore implements ScheduleStore {
+  private static final String SELECT =
+      """
+      select id, name, user_name, floor, load_kg, load_length, load_width, start_x, start_y,
+        start_station, goal_x, goal_y, goal_station, priority, kind, first_at, every_s, weekdays,
+        time_of_day, zone, until_at, paused, created_at, due_at, last_task
+      from schedules
+      """;
+
+  private final Sql sql;
+
+  public JdbiScheduleStore(Jdbi jdbi) {
+    this.sql = new Sql(jdbi);
+  }
+
+  @Override
+  public List<Schedule> schedules() {
+    return sql.in(
+        h -> h.createQuery(SELECT + "order by id").map(JdbiScheduleStore::schedule).list());
+  }
+
+  @Override
+  public Optional<Schedule> schedule(long id) {
+    return sql.in(
+        h ->
+            h.createQuery(SELECT + "where id = :id")
+                .bind("id", id)
+                .map(JdbiScheduleStore::schedule)
+                .findOne());
+  }
+
+  @Override
+  public List<Schedule> due(Instant now) {
+    return sql.in(
+        h ->
+            h.createQuery(SELECT + "where not paused and due_at <= :now order by due_at, id")
+                .bind("now", Sql.utc(now))
+                .map(JdbiScheduleStore::schedule)
+                .list());
+  }
+
+  @Override
+  public long add(Schedule schedule, UUID key) {
+    return sql.inTransaction(
+        h ->
+            idOf(h, key)
+                .orElseGet(
+                    () -> {
+                      long id = insert(h, schedule, key);
+                      Events.addNew(h, List.of(added(schedule, id)));
+                      return id;
+                    }));
+  }
+
+  private static EventRecord added(Schedule schedule, long id) {
+    return new EventRecord(
+        schedule.createdAt(),
+        "schedule.added",
+        null,
+        null,
+        schedule.user(),
+        "%s added schedule %d: %s".formatted(schedule.user(), id, schedule.order().name()));
+  }
+
+  private static Optional<Long> idOf(Handle h, UUID key) {
+    return h.createQuery("select id from schedules where submission = :key")
+        .bind("key", key.toString())
+        .mapTo(Long.class)
+        .findOne();
+  }
+
+  private static long insert(Handle h, Schedule schedule, UUID key) {
+    TaskOrder order = schedule.order();
+    LoadSize size = order.size();
+    Update update =
+        h.createUpdate(
+                """
+                insert into schedules (submission, name, user_name, floor, load_kg, load_length,
+                  load_width, start_x, start_y, start_station, goal_x, goal_y, goal_station,
+                  priority, kind, first_at, every_s, weekdays, time_of_day, zone, until_at, paused,
+                  created_at, due_at)
+                values (:submission, :name, :user, :floor, :load, :length, :width, :startX, :startY,
+                  :startStation, :goalX, :goalY, :goalStation, :priority, :kind, :first, :every,
+                  :weekdays, :time, :zone, :until, :paused, :at, :due)
+                """)
+            .bind("submission", key.toString())
+            .bind("name", order.name())
+            .bind("user", schedule.user())
+            .bind("floor", order.floor())
+            .bind("load", order.load())
+            .bind("length", size == null ? null : size.length())
+            .bind("width", size == null ? null : size.width())
+            .bind("priority", order.priority())
+            .bind("until", utc(schedule.until()))
+            .bind("paused", schedule.paused())
+            .bind("at", Sql.utc(schedule.createdAt()))
+            .bind("due", utc(schedule.due()));
+    bind(update, "start", order.start());
+    bind(update, "goal", order.goal());
+    bind(update, schedule.recurrence());
+    return update.executeAndReturnGeneratedKeys("id").mapTo(Long.class).one();
+  }
+
+  private static void bind(Update update, String end, Where where) {
+    Vec2 point = where instanceof Where.Point(Vec2 position) ? position : null;
+    update
+        .bind(end + "X", point == null ? null : point.x())
+        .bind(end + "Y", point == null ? null : point.y())
+        .bind(end + "Station", where instanceof Where.Station(String name) ? name : null);
+  }
+
+  private static void bind(Update update, Recurrence recurrence) {
+    Instant first = null;
+    Long every = null;
+    String weekdays = null;
+    String time = null;
+    String zone = null;
+    String kind =
+        switch (recurrence) {
+          case Recurrence.Once once -> "ONCE";
+          case Recurrence.Every every1 -> "EVERY";
+          case Recurrence.Weekly weekly -> "WEEKLY";
+        };
+    switch (recurrence) {
+      case Recurrence.Once(Instant at) -> first = at;
+      case Recurrence.Every(Instant from, Duration pause) -> {
+        first = from;
+        every = pause.toSeconds();
+      }
+      case Recurrence.Weekly(var days, LocalTime at, ZoneId in) -> {
+        weekdays = days.stream().sorted().map(DayOfWeek::name).collect(Collectors.joining(","));
+        time = at.toString();
+        zone = in.getId();
+      }
+    }
+    update
+        .bind("kind", kind)
+        .bind("first", utc(first))
+        .bind("every", every)
+        .bind("weekdays", weekdays)
+        .bind("time", time)
+        .bind("zone", zone);
+  }
+
+  @Override
+  public void advance(
+      Schedule schedule,
+      @Nullable Instant next,
+      @Nullable Long lastTask,
+      List<EventRecord> events) {
+    sql.inTransaction(
+        h -> {
+          int changed =
+              h.createUpdate(
+                      """
+                      update schedules set due_at = :next, last_task = :task
+                      where id = :id and due_at = :due
+                      """)
+                  .bind("next", utc(next))
+                  .bind("task", lastTask)
+                  .bind("id", schedule.id())
+                  .bind("due", utc(schedule.due()))
+                  .execute();
+          if (changed > 0) {
+            Events.add(h, events);
+          }
+          return null;
+        });
+  }
+
+  @Override
+  public void savePause(long id, boolean paused, @Nullable Instant due, List<EventRecord> events) {
+    sql.inTransaction(
+        h -> {
+          h.createUpdate("update schedules set paused = :paused, due_at = :due where id = :id")
+              .bind("paused", paused)
+              .bind("due", utc(due))
+              .bind("id", id)
+              .execute();
+          Events.add(h, events);
+          return null;
+        });
+  }
+
+  @Override
+  public void delete(long id, List<EventRecord> events) {
+    sql.inTransaction(
+        h -> {
+          h.createUpdate("delete from schedules where id = :id").bind("id", id).execute();
+          Events.add(h, events);
+          return null;
+        });
+  }
+
+  private static Schedule schedule(ResultSet rs, StatementContext context) throws SQLException {
+    Double length = Rows.nullableDouble(rs, "load_length");
+    Double width = Rows.nullableDouble(rs, "load_width");
+    TaskOrder order =
+        new TaskOrder(
+            rs.getString("name"),
+            rs.getDouble("load_kg"),
+            where(rs, "start"),
+            where(rs, "goal"),
+            rs.getString("floor"),
+            rs.getInt("priority"),
+            null,
+            length == null || width == null ? null : new LoadSize(length, width));
+    return new Schedule(
+        rs.getLong("id"),
+        order,
+        recurrence(rs),
+        instant(rs, "until_at"),
+        rs.getBoolean("paused"),
+        rs.getString("user_name"),
+        Rows.instant(rs, "created_at"),
+        instant(rs, "due_at"),
+        Rows.nullableLong(rs, "last_task"));
+  }
+
+  private static Where where(ResultSet rs, String end) throws SQLException {
+    String station = rs.getString(end + "_station");
+    return station == null
+        ? new Where.Point(new Vec2(rs.getDouble(end + "_x"), rs.getDouble(end + "_y")))
+        : new Where.Station(station);
+  }
+
+  private static Recurrence recurrence(ResultSet rs) throws SQLException {
+    return switch (rs.getString("kind")) {
+      case "ONCE" -> new Recurrence.Once(Rows.instant(rs, "first_at"));
+      case "EVERY" ->
+          new Recurrence.Every(
+              Rows.instant(rs, "first_at"), Duration.ofSeconds(rs.getLong("every_s")));
+      default ->
+          new Recurrence.Weekly(
+              Arrays.stream(rs.getString("weekdays").split(",", -1))
+                  .map(DayOfWeek::valueOf)
+                  .collect(Collectors.toSet()),
+              LocalTime.parse(rs.getString("time_of_day")),
+              ZoneId.of(rs.getString("zone")));
+    };
+  }
+
+  private static @Nullable Instant instant(ResultSet rs, String column) throws SQLException {
+    LocalDateTime moment = rs.getObject(column, LocalDateTime.class);
+    return moment == null ? null : moment.toInstant(ZoneOffset.UTC);
+  }
+
+  private static @Nullable LocalDateTime utc(@Nullable Instant moment) {
+    return moment == null ? null : Sql.utc(moment);
+  }
+}

@@ -1,0 +1,91 @@
+package org.toqa.web;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.UUID;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer.Refusal;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.web.access.Caller;
+
+/** What people want of schedules. */
+public final class Schedules {
+  private static final int MOST = 500;
+
+  private final Services services;
+  private final Texts texts;
+
+  public Schedules(Services services, Texts texts) {
+    this.services = services;
+    this.texts = texts;
+  }
+
+  /** A clerk changes his own schedules, a manager all. */
+  public static boolean isAllowed(Caller caller, Schedule schedule) {
+    return caller.isManager() || caller.name().equalsIgnoreCase(schedule.user());
+  }
+
+  /**
+   * @param key the same one for the same wish
+   */
+  public Answer<Schedule> add(
+      TaskOrder order, Recurrence recurrence, @Nullable Instant until, Caller user, UUID key) {
+    List<Refusal> refusals =
+        FleetAnswers.await(services.fleet().refusals(List.of(order), user.name()));
+    if (!refusals.isEmpty()) {
+      Refusal refusal = refusals.getFirst();
+      return new Answer.Refused<>(refusal.field(), refusal.sentence());
+    }
+    Schedule schedule =
+        Schedule.of(order, recurrence, until, user.name(), services.clock().instant());
+    if (schedule.due() == null) {
+      return new Answer.Refused<>("until", texts.get("error.schedule.never"));
+    }
+    if (services.schedules().schedules().size() >= MOST) {
+      return new Answer.Refused<>(null, texts.get("error.schedule.many", MOST));
+    }
+    long id = services.schedules().add(schedule, key);
+    return new Answer.Accepted<>(services.schedules().schedule(id).orElseThrow());
+  }
+
+  public void pause(Schedule schedule, Caller user) {
+    if (!schedule.paused()) {
+      services
+          .schedules()
+          .savePause(schedule.id(), true, schedule.due(), event(schedule, user, "paused"));
+    }
+  }
+
+  /** What was due meanwhile is not made up for. */
+  public void resume(Schedule schedule, Caller user) {
+    if (schedule.paused()) {
+      services
+          .schedules()
+          .savePause(
+              schedule.id(),
+              false,
+              schedule.dueAfter(services.clock().instant()).orElse(null),
+              event(schedule, user, "resumed"));
+    }
+  }
+
+  public void delete(Schedule schedule, Caller user) {
+    services.schedules().delete(schedule.id(), event(schedule, user, "deleted"));
+  }
+
+  private List<EventRecord> event(Schedule schedule, Caller user, String done) {
+    return List.of(
+        new EventRecord(
+            services.clock().instant(),
+            "schedule." + done,
+            null,
+            null,
+            user.name(),
+            "%s %s schedule %d: %s"
+                .formatted(user.name(), done, schedule.id(), schedule.order().name())));
+  }
+}

@@ -1,0 +1,109 @@
+package org.toqa.web.api;
+
+import com.fasterxml.jackson.annotation.JsonInclude;
+import java.time.DayOfWeek;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.mission.TransportTask.LoadSize;
+
+/**
+ * A schedule on the wire: with {@code at}, with {@code from} and {@code everyMinutes}, or with
+ * {@code weekdays}, {@code time} and {@code zone}.
+ */
+record ScheduleJson(
+    long id,
+    OrderJson task,
+    @Nullable Instant at,
+    @Nullable Instant from,
+    @Nullable Long everyMinutes,
+    @Nullable List<DayOfWeek> weekdays,
+    @Nullable String time,
+    @Nullable String zone,
+    @Nullable Instant until,
+    boolean paused,
+    @Nullable Instant due,
+    @Nullable Long lastTask,
+    String user,
+    Instant createdAt) {
+
+  /** Either a station, or metres in the map frame. */
+  @JsonInclude(JsonInclude.Include.NON_NULL)
+  record WhereJson(@Nullable String station, @Nullable Double x, @Nullable Double y) {
+    static WhereJson of(Where where) {
+      return switch (where) {
+        case Where.Station(String name) -> new WhereJson(name, null, null);
+        case Where.Point(var position) -> new WhereJson(null, position.x(), position.y());
+      };
+    }
+  }
+
+  record OrderJson(
+      String name,
+      double load,
+      WhereJson start,
+      WhereJson goal,
+      @Nullable String floor,
+      int priority,
+      @Nullable LoadSize size) {
+    static OrderJson of(TaskOrder order) {
+      return new OrderJson(
+          order.name(),
+          order.load(),
+          WhereJson.of(order.start()),
+          WhereJson.of(order.goal()),
+          order.floor(),
+          order.priority(),
+          order.size());
+    }
+  }
+
+  static ScheduleJson of(Schedule schedule) {
+    return switch (schedule.recurrence()) {
+      case Recurrence.Once(Instant at) -> of(schedule, at, null, null, null, null, null);
+      case Recurrence.Every(Instant first, Duration pause) ->
+          of(schedule, null, first, pause.toMinutes(), null, null, null);
+      case Recurrence.Weekly(var days, LocalTime time, ZoneId zone) ->
+          of(
+              schedule,
+              null,
+              null,
+              null,
+              days.stream().sorted().toList(),
+              time.toString(),
+              zone.getId());
+    };
+  }
+
+  private static ScheduleJson of(
+      Schedule schedule,
+      @Nullable Instant at,
+      @Nullable Instant from,
+      @Nullable Long everyMinutes,
+      @Nullable List<DayOfWeek> weekdays,
+      @Nullable String time,
+      @Nullable String zone) {
+    return new ScheduleJson(
+        schedule.id(),
+        OrderJson.of(schedule.order()),
+        at,
+        from,
+        everyMinutes,
+        weekdays,
+        time,
+        zone,
+        schedule.until(),
+        schedule.paused(),
+        schedule.due(),
+        schedule.lastTask(),
+        schedule.user(),
+        schedule.createdAt());
+  }
+}

@@ -1,0 +1,54 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.toqa.fleet.Schedule;
+import org.toqa.web.Doors;
+import org.toqa.web.Schedules;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+
+/** One schedule, and what people want of it. */
+public final class ScheduleServlet extends ApiServlet {
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Json.send(response, 200, ScheduleJson.of(schedule(request)));
+  }
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Schedule schedule = ownSchedule(request);
+    Schedules schedules = new Schedules(services(), Texts.of(request));
+    if (Doors.lastSegment(request).equals("pause")) {
+      schedules.pause(schedule, Caller.of(request));
+    } else {
+      schedules.resume(schedule, Caller.of(request));
+    }
+    Json.send(response, 200, ScheduleJson.of(schedule(request)));
+  }
+
+  @Override
+  protected void doDelete(HttpServletRequest request, HttpServletResponse response) {
+    new Schedules(services(), Texts.of(request)).delete(ownSchedule(request), Caller.of(request));
+    response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+  }
+
+  private Schedule ownSchedule(HttpServletRequest request) {
+    Schedule schedule = schedule(request);
+    if (!Schedules.isAllowed(Caller.of(request), schedule)) {
+      throw Problem.of(403, Texts.of(request).get("problem.notYourSchedule")).raised();
+    }
+    return schedule;
+  }
+
+  private Schedule schedule(HttpServletRequest request) {
+    return services()
+        .schedules()
+        .schedule(Doors.number(request, "id"))
+        .orElseThrow(
+            () -> Problem.of(404, Texts.of(request).get("problem.noSuchSchedule")).raised());
+  }
+}

@@ -1,0 +1,70 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
+import org.toqa.web.Doors;
+import org.toqa.web.Schedules;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+
+/** All schedules, and what people want of them. */
+public final class SchedulesServlet extends PageServlet {
+
+  /**
+   * A schedule as the page shows it.
+   *
+   * @param kind names the text that says when it is due
+   */
+  public record Entry(Schedule schedule, String kind, List<?> days, boolean mayChange) {
+    static Entry of(Schedule schedule, Caller caller) {
+      return switch (schedule.recurrence()) {
+        case Recurrence.Once once -> of(schedule, "once", List.of(), caller);
+        case Recurrence.Every every -> of(schedule, "every", List.of(), caller);
+        case Recurrence.Weekly weekly ->
+            of(schedule, "weekly", weekly.days().stream().sorted().toList(), caller);
+      };
+    }
+
+    private static Entry of(Schedule schedule, String kind, List<?> days, Caller caller) {
+      return new Entry(schedule, kind, days, Schedules.isAllowed(caller, schedule));
+    }
+  }
+
+  @Override
+  protected void doGet(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    Caller caller = Caller.of(request);
+    request.setAttribute(
+        "entries",
+        services().schedules().schedules().stream().map(s -> Entry.of(s, caller)).toList());
+    show(request, response, "schedules");
+  }
+
+  @Override
+  protected void doPost(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    Optional<Schedule> schedule = services().schedules().schedule(Doors.number(request, "id"));
+    if (schedule.isEmpty()) {
+      notFound(request, response, "problem.noSuchSchedule");
+      return;
+    }
+    Caller caller = Caller.of(request);
+    if (!Schedules.isAllowed(caller, schedule.get())) {
+      ErrorServlet.send(request, response, 403, Texts.of(request).get("problem.notYourSchedule"));
+      return;
+    }
+    Schedules schedules = new Schedules(services(), Texts.of(request));
+    switch (Doors.lastSegment(request)) {
+      case "pause" -> schedules.pause(schedule.get(), caller);
+      case "resume" -> schedules.resume(schedule.get(), caller);
+      default -> schedules.delete(schedule.get(), caller);
+    }
+    goTo(request, response, "/schedules");
+  }
+}

@@ -1,0 +1,68 @@
+<%@ page contentType="text/html;charset=UTF-8" session="false" %>
+<%@ taglib prefix="c" uri="jakarta.tags.core" %>
+<%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
+<%@ taglib prefix="fn" uri="jakarta.tags.functions" %>
+<%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
+<c:set var="root" value="${pageContext.request.contextPath}"/>
+<fmt:message key="schedules.title" var="title"/>
+<t:page title="${title}" here="task" script="live.js">
+  <div class="heading">
+    <div>
+      <h1>${title}</h1>
+      <p class="faint"><fmt:message key="schedules.intro"/></p>
+    </div>
+    <div class="choices"><a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></div>
+  </div>
+  <c:if test="${not empty param.added}"><p class="notice good" role="status"><fmt:message key="schedules.added"/></p></c:if>
+  <c:if test="${empty entries}"><p class="notice"><fmt:message key="schedules.empty"/></p></c:if>
+  <c:if test="${not empty entries}">
+    <table class="stacks">
+      <thead>
+        <tr>
+          <c:forTokens items="id,name,when,due,last,user,actions" delims="," var="column"><th scope="col"><fmt:message key="schedules.column.${column}"/></th></c:forTokens>
+        </tr>
+      </thead>
+      <tbody>
+        <c:forEach items="${entries}" var="entry">
+          <c:set var="schedule" value="${entry.schedule}"/>
+          <tr>
+            <td class="number">${schedule.id}</td>
+            <th scope="row"><bdi><c:out value="${schedule.order.name}"/></bdi></th>
+            <td data-label="<fmt:message key="schedules.column.when"/>">
+              <c:choose>
+                <c:when test="${entry.kind == 'once'}"><t:time at="${schedule.recurrence.at}"/></c:when>
+                <c:when test="${entry.kind == 'every'}"><fmt:message key="schedules.every"><fmt:param value="${schedule.recurrence.pause.toMinutes()}"/></fmt:message>${" "}<t:time at="${schedule.recurrence.first}"/></c:when>
+                <c:otherwise>
+                  <c:forEach items="${entry.days}" var="day" varStatus="at"><fmt:message key="schedule.day.${day}"/><c:if test="${not at.last}"><fmt:message key="common.comma"/></c:if></c:forEach>
+                  <bdi dir="ltr">${schedule.recurrence.time}</bdi> <bdi class="faint"><c:out value="${schedule.recurrence.zone}"/></bdi>
+                </c:otherwise>
+              </c:choose>
+              <c:if test="${not empty schedule.until}"><br><fmt:message key="schedules.until"/>${" "}<t:time at="${schedule.until}"/></c:if>
+            </td>
+            <td data-label="<fmt:message key="schedules.column.due"/>">
+              <c:choose>
+                <c:when test="${empty schedule.due}"><fmt:message key="schedules.over"/></c:when>
+                <c:when test="${schedule.paused}"><fmt:message key="schedules.paused"/></c:when>
+                <c:otherwise><t:time at="${schedule.due}"/></c:otherwise>
+              </c:choose>
+            </td>
+            <td data-label="<fmt:message key="schedules.column.last"/>"><c:choose><c:when test="${empty schedule.lastTask}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${schedule.lastTask}">${schedule.lastTask}</a></c:otherwise></c:choose></td>
+            <td data-label="<fmt:message key="schedules.column.user"/>"><bdi><c:out value="${schedule.user}"/></bdi></td>
+            <td>
+              <c:if test="${entry.mayChange}">
+                <div class="choices">
+                  <c:forTokens items="${empty schedule.due ? '' : schedule.paused ? 'resume,' : 'pause,'}delete" delims="," var="wish">
+                    <form method="post" action="${root}/schedules/${schedule.id}/${wish}">
+                      <t:csrf/>
+                      <button class="outline"><fmt:message key="schedules.${wish}"/></button>
+                    </form>
+                  </c:forTokens>
+                </div>
+              </c:if>
+            </td>
+          </tr>
+        </c:forEach>
+      </tbody>
+    </table>
+  </c:if>
+</t:page>
