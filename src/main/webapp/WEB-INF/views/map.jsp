@@ -24,7 +24,7 @@
           <select id="floor"><c:forEach items="${floors}" var="floor"><option dir="auto"><c:out value="${floor.name}"/></option></c:forEach></select>
         </label>
       </c:if>
-      <div class="when">
+      <div class="moment">
         <button type="button" id="replay-open" class="outline" disabled><t:icon name="past"/> <fmt:message key="replay.open"/></button>
         <p id="age" class="age" data-state="away"><fmt:message key="map.connecting"/></p>
       </div>
