@@ -12,6 +12,7 @@ import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.Playwright;
 import com.microsoft.playwright.Route;
+import com.microsoft.playwright.assertions.LocatorAssertions;
 import com.microsoft.playwright.options.AriaRole;
 import com.microsoft.playwright.options.ColorScheme;
 import com.microsoft.playwright.options.FilePayload;
@@ -505,11 +506,19 @@ class PagesInBrowserTest {
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
     assertThat(page.locator("#age")).containsText("Live");
     assertThat(page.locator("#banner")).isHidden();
+    int port = server.root().getPort();
 
     server.close();
 
     assertThat(page.locator("#banner")).containsText("The connection to the server is lost.");
     picture(page, "map-away");
+    try (WebTestServer _ = WebTestServer.start(port)) {
+      // it is found again; its database is another one, without this session
+      assertThat(page.locator("#banner"))
+          .containsText(
+              "Your session has ended.",
+              new LocatorAssertions.ContainsTextOptions().setTimeout(20_000));
+    }
   }
 
   @ParameterizedTest

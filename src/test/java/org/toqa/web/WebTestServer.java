@@ -58,7 +58,16 @@ final class WebTestServer implements AutoCloseable {
 
   /** With a clerk and a manager. */
   static WebTestServer start() throws IOException, LifecycleException {
-    WebTestServer server = startEmpty(0);
+    return start(0);
+  }
+
+  /**
+   * With a clerk and a manager.
+   *
+   * @param port 0 for a free one
+   */
+  static WebTestServer start(int port) throws IOException, LifecycleException {
+    WebTestServer server = startEmpty(port);
     server.accounts.add(CLERK, PASSWORD_HASH, Role.CLERK, EventRecord.SYSTEM);
     server.accounts.add(MANAGER, PASSWORD_HASH, Role.MANAGER, EventRecord.SYSTEM);
     return server;
