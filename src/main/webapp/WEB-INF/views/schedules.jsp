@@ -34,7 +34,7 @@
                 <c:when test="${entry.kind == 'every'}"><fmt:message key="schedules.every"><fmt:param value="${schedule.recurrence.pause.toMinutes()}"/></fmt:message>${" "}<t:time at="${schedule.recurrence.first}"/></c:when>
                 <c:otherwise>
                   <c:forEach items="${entry.days}" var="day" varStatus="at"><fmt:message key="schedule.day.${day}"/><c:if test="${not at.last}"><fmt:message key="common.comma"/></c:if></c:forEach>
-                  <bdi dir="ltr">${schedule.recurrence.time}</bdi> <bdi class="faint"><c:out value="${schedule.recurrence.zone}"/></bdi>
+                  ${" "}<bdi dir="ltr">${schedule.recurrence.time}</bdi>${" "}<bdi class="faint"><c:out value="${schedule.recurrence.zone}"/></bdi>
                 </c:otherwise>
               </c:choose>
               <c:if test="${not empty schedule.until}"><br><fmt:message key="schedules.until"/>${" "}<t:time at="${schedule.until}"/></c:if>

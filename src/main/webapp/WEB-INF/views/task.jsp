@@ -47,6 +47,22 @@
           <dt><fmt:message key="task.changed"/></dt><dd><t:time at="${task.changedAt}"/></dd>
         </dl>
         <a href="${root}/map"><fmt:message key="task.onMap"/></a>
+        <c:url value="/tasks/new" var="again">
+          <c:param name="name" value="${task.task.name}"/>
+          <c:param name="load" value="${task.task.load}"/>
+          <c:param name="floor" value="${task.task.floor}"/>
+          <c:if test="${usualPriority}"><c:param name="priority" value="${task.task.priority}"/></c:if>
+          <c:param name="length" value="${task.task.size.length}"/>
+          <c:param name="width" value="${task.task.size.width}"/>
+          <c:forTokens items="start,goal" delims="," var="end">
+            <c:set var="place" value="${task.task[end]}"/>
+            <c:choose>
+              <c:when test="${not empty place.station}"><c:param name="${end}Station" value="${place.station}"/></c:when>
+              <c:otherwise><c:param name="${end}X" value="${place.position.x}"/><c:param name="${end}Y" value="${place.position.y}"/></c:otherwise>
+            </c:choose>
+          </c:forTokens>
+        </c:url>
+        · <a href="<c:out value="${again}"/>"><fmt:message key="task.again"/></a>
       </article>
       <article>
         <h2><fmt:message key="task.history"/></h2>

@@ -28,8 +28,11 @@ public record Schedule(
   public static Schedule of(
       TaskOrder order, Recurrence recurrence, @Nullable Instant until, String user, Instant now) {
     Schedule fresh = new Schedule(0, order, recurrence, until, false, user, now, null, null);
-    return new Schedule(
-        0, order, recurrence, until, false, user, now, fresh.dueAfter(now).orElse(null), null);
+    return fresh.dueAt(fresh.dueAfter(now).orElse(null));
+  }
+
+  private Schedule dueAt(@Nullable Instant moment) {
+    return new Schedule(id, order, recurrence, until, paused, user, createdAt, moment, lastTask);
   }
 
   /** The first moment after that one at which it is due, if there is one. */

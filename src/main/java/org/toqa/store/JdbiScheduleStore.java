@@ -11,7 +11,9 @@ import java.time.ZoneId;
 import java.time.ZoneOffset;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.stream.Collectors;
 import org.jdbi.v3.core.Handle;
@@ -128,7 +130,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
             .bind("due", utc(schedule.due()));
     bind(update, "start", order.start());
     bind(update, "goal", order.goal());
-    bind(update, schedule.recurrence());
+    bind(update, Times.of(schedule.recurrence()));
     return update.executeAndReturnGeneratedKeys("id").mapTo(Long.class).one();
   }
 
@@ -140,37 +142,37 @@ public final class JdbiScheduleStore implements ScheduleStore {
         .bind(end + "Station", where instanceof Where.Station(String name) ? name : null);
   }
 
-  private static void bind(Update update, Recurrence recurrence) {
-    Instant first = null;
-    Long every = null;
-    String weekdays = null;
-    String time = null;
-    String zone = null;
-    String kind =
-        switch (recurrence) {
-          case Recurrence.Once once -> "ONCE";
-          case Recurrence.Every every1 -> "EVERY";
-          case Recurrence.Weekly weekly -> "WEEKLY";
-        };
-    switch (recurrence) {
-      case Recurrence.Once(Instant at) -> first = at;
-      case Recurrence.Every(Instant from, Duration pause) -> {
-        first = from;
-        every = pause.toSeconds();
-      }
-      case Recurrence.Weekly(var days, LocalTime at, ZoneId in) -> {
-        weekdays = days.stream().sorted().map(DayOfWeek::name).collect(Collectors.joining(","));
-        time = at.toString();
-        zone = in.getId();
-      }
+  /** The columns of a recurrence; null: it has no such time. */
+  private record Times(
+      String kind,
+      @Nullable Instant first,
+      @Nullable Duration every,
+      @Nullable String weekdays,
+      @Nullable LocalTime time,
+      @Nullable ZoneId zone) {
+    static Times of(Recurrence recurrence) {
+      return switch (recurrence) {
+        case Recurrence.Once(Instant at) -> new Times("ONCE", at, null, null, null, null);
+        case Recurrence.Every(Instant first, Duration pause) ->
+            new Times("EVERY", first, pause, null, null, null);
+        case Recurrence.Weekly(var days, LocalTime time, ZoneId zone) ->
+            new Times("WEEKLY", null, null, names(days), time, zone);
+      };
     }
+
+    private static String names(Set<DayOfWeek> days) {
+      return days.stream().sorted().map(DayOfWeek::name).collect(Collectors.joining(","));
+    }
+  }
+
+  private static void bind(Update update, Times times) {
     update
-        .bind("kind", kind)
-        .bind("first", utc(first))
-        .bind("every", every)
-        .bind("weekdays", weekdays)
-        .bind("time", time)
-        .bind("zone", zone);
+        .bind("kind", times.kind())
+        .bind("first", utc(times.first()))
+        .bind("every", times.every() == null ? null : times.every().toSeconds())
+        .bind("weekdays", times.weekdays())
+        .bind("time", Objects.toString(times.time(), null))
+        .bind("zone", times.zone() == null ? null : times.zone().getId());
   }
 
   @Override

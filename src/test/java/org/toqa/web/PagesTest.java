@@ -8,6 +8,8 @@ import java.net.http.HttpResponse;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -186,6 +188,24 @@ class PagesTest {
 
     assertEquals(422, answer.statusCode());
     assertFalse(answer.body().contains("<script>alert"));
+  }
+
+  @Test
+  void aTaskIsPutInAgainFromItsPage() {
+    String task = clerk.post("tasks/new", GOOD_TASK).headers().firstValue("Location").orElseThrow();
+    Matcher again =
+        Pattern.compile("href=\"/(tasks/new\\?[^\"]+)\"").matcher(clerk.get(task).body());
+    assertTrue(again.find());
+
+    String form = clerk.get(again.group(1).replace("&amp;", "&")).body();
+
+    assertTrue(form.contains("value=\"Box of bolts\""), form);
+    assertTrue(form.contains("value=\"2.5\""), form);
+    assertTrue(form.contains("<option value=\"Dock A\" dir=\"auto\" selected>"), form);
+    assertTrue(
+        form.contains(
+            "name=\"goalX\" inputmode=\"decimal\" dir=\"ltr\" autocomplete=\"off\" value=\"10.35\""),
+        form);
   }
 
   @Test

@@ -4,6 +4,7 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.time.DayOfWeek;
 import java.util.List;
 import java.util.Optional;
 import org.toqa.fleet.Recurrence;
@@ -21,7 +22,7 @@ public final class SchedulesServlet extends PageServlet {
    *
    * @param kind names the text that says when it is due
    */
-  public record Entry(Schedule schedule, String kind, List<?> days, boolean mayChange) {
+  public record Entry(Schedule schedule, String kind, List<DayOfWeek> days, boolean mayChange) {
     static Entry of(Schedule schedule, Caller caller) {
       return switch (schedule.recurrence()) {
         case Recurrence.Once once -> of(schedule, "once", List.of(), caller);
@@ -31,7 +32,7 @@ public final class SchedulesServlet extends PageServlet {
       };
     }
 
-    private static Entry of(Schedule schedule, String kind, List<?> days, Caller caller) {
+    private static Entry of(Schedule schedule, String kind, List<DayOfWeek> days, Caller caller) {
       return new Entry(schedule, kind, days, Schedules.isAllowed(caller, schedule));
     }
   }
