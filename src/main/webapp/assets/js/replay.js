@@ -118,6 +118,7 @@ export class Replay {
     $('#replay').hidden = !this.isOpen;
     $('#replay-open').hidden = this.isOpen;
     $('#replay-banner').hidden = !this.isOpen;
+    $('#replay-failed').hidden = true;
   }
 
   /** How far back the slider reaches. */
@@ -160,12 +161,16 @@ export class Replay {
   }
 
   async #load() {
+    const past = this.#past;
+    let failed = false;
     try {
-      await this.#past.want(this.#moment);
-      $('#replay-failed').hidden = true;
+      await past.want(this.#moment);
     } catch {
-      $('#replay-failed').hidden = false;
-      this.#play(false);
+      failed = true;
+    }
+    if (past === this.#past) {
+      $('#replay-failed').hidden = !failed;
+      this.#play(this.#plays && !failed);
     }
   }
 }

@@ -159,6 +159,10 @@ class ReplayInBrowserTest extends BrowserTest {
     button("Look back").click();
     Locator sentence = page().getByText("The past could not be loaded.");
     assertThat(sentence).isVisible();
+    button("Back to live").click();
+    assertThat(sentence).isHidden();
+    button("Look back").click();
+    assertThat(sentence).isVisible();
 
     page().unroute("**/api/v1/tracks?*");
     slider().press("ArrowLeft");
