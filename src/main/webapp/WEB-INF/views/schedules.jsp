@@ -48,7 +48,7 @@
             </td>
             <td data-label="<fmt:message key="schedules.column.last"/>"><c:choose><c:when test="${empty schedule.lastTask}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${schedule.lastTask}">${schedule.lastTask}</a></c:otherwise></c:choose></td>
             <td data-label="<fmt:message key="schedules.column.user"/>"><bdi><c:out value="${schedule.user}"/></bdi></td>
-            <td>
+            <td class="whole">
               <c:if test="${entry.mayChange}">
                 <div class="choices">
                   <c:forTokens items="${empty schedule.due ? '' : schedule.paused ? 'resume,' : 'pause,'}delete" delims="," var="wish">

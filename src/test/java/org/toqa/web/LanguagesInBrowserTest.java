@@ -142,6 +142,8 @@ class LanguagesInBrowserTest extends BrowserTest {
             "map",
             "tasks",
             "tasks/new",
+            "tasks/import",
+            "schedules",
             "tasks/2",
             "robots",
             "robots/r5",
@@ -180,6 +182,7 @@ class LanguagesInBrowserTest extends BrowserTest {
 
   private void addTasks() {
     try (Visitor visitor = Visitor.loggedIn(server.root(), WebTestServer.CLERK)) {
+      PagesInBrowserTest.addSchedules(visitor);
       for (String task : List.of("Box of bolts (2)", "منصة تروس للخط 4", "Samples")) {
         visitor.post(
             "tasks/new",
