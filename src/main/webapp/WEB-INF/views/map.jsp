@@ -35,6 +35,7 @@
     <noscript><p class="notice bad"><fmt:message key="map.noscript"/></p></noscript>
     <div class="canvas">
       <canvas id="map" tabindex="0" role="img" aria-label="${canvasLabel}"></canvas>
+      <p id="following" class="following" role="status" hidden><fmt:message key="map.following"/>${" "}<a><bdi></bdi></a>${" "}<button type="button" id="let-go"><fmt:message key="map.letGo"/></button></p>
       <div class="zoom">
         <button type="button" id="zoom-in" aria-label="${zoomIn}" title="${zoomIn}">+</button>
         <button type="button" id="zoom-out" aria-label="${zoomOut}" title="${zoomOut}">−</button>

@@ -48,7 +48,8 @@
         <dt><fmt:message key="robot.lastSeen"/></dt>
         <dd><c:choose><c:when test="${empty robot.lastSeen}"><fmt:message key="robot.lastSeen.never"/></c:when><c:otherwise><t:time at="${robot.lastSeen}"/></c:otherwise></c:choose></dd>
       </dl>
-      <a href="${root}/map"><fmt:message key="task.onMap"/></a>
+      <c:url value="/map" var="onMap"><c:param name="robot" value="${robot.name}"/></c:url>
+      <a href="<c:out value="${onMap}"/>"><fmt:message key="task.onMap"/></a>
     </article>
   </div>
   <article class="card">

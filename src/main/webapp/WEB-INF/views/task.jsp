@@ -46,7 +46,7 @@
           <dt><fmt:message key="task.created"/></dt><dd><t:time at="${task.task.createdAt}"/></dd>
           <dt><fmt:message key="task.changed"/></dt><dd><t:time at="${task.changedAt}"/></dd>
         </dl>
-        <a href="${root}/map"><fmt:message key="task.onMap"/></a>
+        <a href="${root}/map?task=${task.task.id}"><fmt:message key="task.onMap"/></a>
         <c:url value="/tasks/new" var="again">
           <c:param name="name" value="${task.task.name}"/>
           <c:param name="load" value="${task.task.load}"/>

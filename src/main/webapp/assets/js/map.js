@@ -22,6 +22,7 @@ const STATES = [
 ];
 /** What needs somebody, the most urgent first. */
 const URGENCY = ['ERROR', 'question', 'standstill', 'LOST', 'NOT_LOCALISED', 'charger', 'refusal'];
+const TOUCH = 12; // pixels from a load or a goal at which it is meant
 const IN_NEED = new Set(['ERROR', 'NOT_LOCALISED', 'LOST']);
 
 let floor;
@@ -31,17 +32,20 @@ let queued = 0; // tasks in the queue, also those that are not sent
 let floors = [];
 let newest = 0; // milliseconds since 1970, by the server's clock
 let changed = performance.now();
+let isFirst = true; // until there was a snapshot
 let connection; // undefined until it is known
 const chosen = new Set(); // states to which the robots are narrowed down; none: all of them
 const glide = new Glide();
 const replay = new Replay(() => newest, () => floor.name, showReplay);
 
-const board = new Board($('#map'), draw, openRobotAt);
+const board = new Board($('#map'), draw, followWhatIsAt);
 
 function draw(context, viewport, colours, now) {
   if (!floor) {
     return false;
   }
+  viewport.lead();
+  $('#following').hidden = !viewport.isFollowing;
   floor.draw(context, viewport, colours);
   const here = robots.filter((robot) => robot.floor === floor.name);
   return replay.isOpen
@@ -72,16 +76,62 @@ function drawThen(context, viewport, colours, now, here) {
   return goesOn;
 }
 
-function openRobotAt(x, y, metresPerPixel) {
-  const now = performance.now();
-  const hit = robots.find((robot) => {
-    const pose = robot.floor === floor?.name && shownPose(robot.name, now);
-    const reach = (radius(board.viewport, robot) + 4) * metresPerPixel;
-    return pose && Math.hypot(pose.x - x, pose.y - y) <= reach;
-  });
-  if (hit) {
-    location.assign(address(`robots/${encodeURIComponent(hit.name)}`));
+function followWhatIsAt(x, y, metresPerPixel) {
+  const isNear = (point, pixels) =>
+    point && Math.hypot(point.x - x, point.y - y) <= pixels * metresPerPixel;
+  const robot = robots.find(
+    (one) => one.floor === floor?.name && isNear(pointOfRobot(one.name), radius(board.viewport, one) + 4));
+  const task = tasks.filter((one) => one.floor === floor?.name && isOpen(one) && !replay.isOpen)
+    .find((one) => isNear(one.loadAt ?? one.start, TOUCH) || isNear(one.goal, TOUCH));
+  if (robot) {
+    followRobot(robot);
+  } else if (task) {
+    followTask(task);
   }
+}
+
+function followRobot({name}) {
+  keepInTheMiddle(() => pointOfRobot(name), name, `robots/${encodeURIComponent(name)}`);
+}
+
+/** Its robot, or the leader of its robots; before there is one, its load. */
+function followTask({id, name}) {
+  keepInTheMiddle(
+    () => {
+      const task = tasks.find((one) => one.id === id);
+      return task && (pointOfRobot(task.robots[0]) ?? task.loadAt ?? task.start);
+    },
+    name,
+    `tasks/${id}`);
+}
+
+function keepInTheMiddle(pointOf, name, href) {
+  const link = $('#following a');
+  link.href = address(href);
+  write(link.querySelector('bdi'), name);
+  board.viewport.follow(pointOf);
+  board.refresh();
+}
+
+/** What another page sent the reader here for, such as ?robot=r1. */
+async function followWhatWasAskedFor() {
+  const asked = new URLSearchParams(location.search);
+  const robot = robots.find(({name}) => name === asked.get('robot'));
+  const task = tasks.find(({id}) => String(id) === asked.get('task'));
+  const place = robot?.floor ?? task?.floor;
+  if (place && place !== floor.name) {
+    $('#floor').value = place;
+    await showFloor(place);
+  }
+  if (robot) {
+    followRobot(robot);
+  } else if (task) {
+    followTask(task);
+  }
+}
+
+function pointOfRobot(name) {
+  return shownPose(name, performance.now());
 }
 
 function shownPose(name, now) {
@@ -94,6 +144,10 @@ function showSnapshot(snapshot) {
   showParts(snapshot);
   changed = performance.now();
   glide.update(robots, changed);
+  if (isFirst) {
+    isFirst = false;
+    followWhatWasAskedFor();
+  }
   $('#replay-open').disabled = !floor;
   showNeeds();
   if (!replay.isOpen) {
@@ -308,6 +362,10 @@ for (const [button, zoom] of Object.entries(zooms)) {
     board.refresh();
   });
 }
+$('#let-go').addEventListener('click', () => {
+  board.viewport.letGo();
+  board.refresh();
+});
 $('#floor')?.addEventListener('change', (event) => showFloor(event.target.value));
 setInterval(showAge, 1_000);
 await showFloor($('#floor')?.value);

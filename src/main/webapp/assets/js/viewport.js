@@ -13,6 +13,7 @@ export class Viewport {
   y = 0;
   #bounds = {x: 0, y: 0, width: 1, height: 1};
   #fitted = true;
+  #leader; // tells the map point that is kept in the middle, while there is one
 
   /** @param bounds of the floor, metres */
   show(bounds) {
@@ -35,6 +36,35 @@ export class Viewport {
     this.x = b.x + b.width / 2;
     this.y = b.y + b.height / 2;
     this.#fitted = true;
+    this.#leader = undefined;
+  }
+
+  /**
+   * Keeps what moves in the middle, near enough to be seen, until somebody pans or fits.
+   *
+   * @param pointOf its map point; undefined while that is not known
+   */
+  follow(pointOf) {
+    this.scale = Math.max(this.scale, 2 * this.#widest());
+    this.#leader = pointOf;
+    this.lead();
+  }
+
+  letGo() {
+    this.#leader = undefined;
+  }
+
+  get isFollowing() {
+    return this.#leader !== undefined;
+  }
+
+  /** Before each picture. */
+  lead() {
+    const point = this.#leader?.();
+    if (point) {
+      ({x: this.x, y: this.y} = point);
+      this.#stay();
+    }
   }
 
   toScreen(x, y) {
@@ -52,6 +82,7 @@ export class Viewport {
   }
 
   pan(dx, dy) {
+    this.#leader = undefined;
     this.x -= dx / this.scale;
     this.y += dy / this.scale;
     this.#stay();

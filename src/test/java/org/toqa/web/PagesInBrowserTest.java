@@ -208,15 +208,46 @@ class PagesInBrowserTest {
     assertThat(page.locator("#robots li")).hasCount(6);
     Object before = pictureOf(page);
 
+    move("r1", new Pose(5, 4.6, 0));
+
+    page.waitForCondition(() -> !pictureOf(page).equals(before));
+  }
+
+  @Test
+  void theMapFollowsARobotUntilItIsMoved() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    Locator map = page.locator("#map");
+    Locator following = page.locator("#following");
+    clickMap(page, map, 4.2, 4.6);
+    assertThat(following).containsText("Following r1");
+    Object before = pictureOf(page);
+    move("r1", new Pose(8, 2.2, 0));
+    page.waitForCondition(() -> !pictureOf(page).equals(before));
+
+    page.getByText("Let it go").click();
+    assertThat(following).isHidden();
+    map.click(); // in the middle, where the robot is
+    assertThat(following).containsText("Following r1");
+    picture(page, "map-following");
+    map.press("ArrowLeft");
+    assertThat(following).isHidden();
+
+    page.navigate(server.root() + "robots/r5");
+    page.getByText("See it on the map").click();
+    assertThat(following).containsText("Following r5");
+    following.getByText("r5").click();
+    assertThat(page.locator("h1")).hasText("Robot r5");
+  }
+
+  private void move(String name, Pose pose) {
     server
         .fleet()
         .changeRobots(
             robots ->
                 robots.stream()
-                    .map(r -> r.name().equals("r1") ? driving("r1", new Pose(5, 4.6, 0), 3) : r)
+                    .map(robot -> robot.name().equals(name) ? driving(name, pose, 3) : robot)
                     .toList());
-
-    page.waitForCondition(() -> !pictureOf(page).equals(before));
   }
 
   @Test
