@@ -61,7 +61,8 @@ public record Configuration(
     @Nullable FirstManager manager,
     @Nullable MailServer mail,
     boolean plainLinks,
-    Level logLevel) {
+    Level logLevel,
+    LogFormat logFormat) {
 
   /**
    * @param url JDBC
@@ -99,6 +100,12 @@ public record Configuration(
     STARTTLS,
     TLS,
     NONE
+  }
+
+  /** How a line of the log is written. */
+  public enum LogFormat {
+    TEXT,
+    JSON
   }
 
   /** The account that a new installation begins with. */
@@ -148,7 +155,8 @@ public record Configuration(
           manager(),
           mail(),
           yesOrNo(Setting.PLAIN_LINKS),
-          logLevel());
+          logLevel(),
+          logFormat());
     }
 
     private List<Double> batteries() throws ConfigurationException {
@@ -374,6 +382,14 @@ public record Configuration(
         case "true" -> true;
         case "false" -> false;
         default -> throw outside(setting);
+      };
+    }
+
+    private LogFormat logFormat() throws ConfigurationException {
+      return switch (text(Setting.LOG_FORMAT).strip()) {
+        case "text" -> LogFormat.TEXT;
+        case "json" -> LogFormat.JSON;
+        default -> throw outside(Setting.LOG_FORMAT);
       };
     }
 

@@ -19,7 +19,7 @@ interface Operation {
    * and no robot is touched by a server whose port is another's.
    */
   default int runOn(Configuration configuration, Path webapp, StopSignal stop) throws Exception {
-    Logging.setLevel(configuration.logLevel());
+    Logging.set(configuration.logLevel(), configuration.logFormat());
     Logging.adoptTomcat();
     try (WebServer web = WebServer.bind(webapp, configuration);
         Toqa toqa = Toqa.start(configuration);

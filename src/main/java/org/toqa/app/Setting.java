@@ -42,7 +42,8 @@ enum Setting {
   MAIL_PASSWORD("mail.password", "", "that user's password"),
   MAIL_FROM("mail.from", "", "the e-mail address that letters come from, such as toqa@example.org"),
   PLAIN_LINKS("plainLinks", "false", "true or false"),
-  LOG_LEVEL("logLevel", "INFO", "one of ERROR, WARN, INFO, DEBUG, TRACE");
+  LOG_LEVEL("logLevel", "INFO", "one of ERROR, WARN, INFO, DEBUG, TRACE"),
+  LOG_FORMAT("logFormat", "text", "text or json");
 
   private final String key;
   private final String fallback;

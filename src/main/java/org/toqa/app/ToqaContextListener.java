@@ -33,7 +33,7 @@ public final class ToqaContextListener implements ServletContextListener {
     }
     try {
       Configuration configuration = configuration(context);
-      Logging.setLevel(configuration.logLevel());
+      Logging.set(configuration.logLevel(), configuration.logFormat());
       owned = Toqa.start(configuration);
       context.setAttribute(Services.ATTRIBUTE, owned.services());
     } catch (ConfigurationException | IOException e) {

@@ -121,6 +121,7 @@ class ConfigurationTest {
         "SPEED         | 1e9            | from 0.1 to 100",
         "SPEED         | fast           | from 0.1 to 100",
         "SPEED         | 2              | set simulate as well",
+        "LOG_FORMAT    | xml            | text or json",
         "LOG_LEVEL     | loud           | ERROR, WARN, INFO, DEBUG, TRACE",
       })
   void aValueThatCannotBeIsNamedWithWhatItMayBe(Setting setting, String value, String allowed) {

@@ -1,6 +1,7 @@
 package org.toqa.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.URI;
@@ -10,6 +11,7 @@ import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,6 +20,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.testbed.ToqaProcess;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /** {@code ./toqa}, as a user types it. */
 class ToqaScriptIT {
@@ -73,6 +77,29 @@ class ToqaScriptIT {
       assertEquals(List.of(), toqa.out());
       assertEquals(1, toqa.err().size(), toqa.err().toString());
       assertTrue(toqa.err().getFirst().contains(expected), toqa.err().toString());
+    }
+  }
+
+  @Test
+  void theLogIsReadByPrograms() throws Exception {
+    Map<String, String> variables = Map.of("TOQA_LOG_FORMAT", "json", "TOQA_SIMULATE", "1");
+    String data = folder.resolve("data").toString();
+    try (ToqaProcess server =
+        ToqaProcess.toqa(folder, variables, "server", "--port", "0", "--data", data)) {
+      server.awaitErr("http://[^ ]*");
+      server.terminate();
+      List<JsonNode> lines =
+          server.err().stream()
+              .filter(line -> !line.startsWith("Toqa is at "))
+              .map(new JsonMapper()::readTree)
+              .toList();
+
+      assertFalse(lines.isEmpty());
+      for (JsonNode line : lines) {
+        assertFalse(line.get("formattedMessage").asString().isBlank(), line::toString);
+        assertTrue(line.get("timestamp").asLong() > 0, line::toString);
+        assertFalse(line.get("level").asString().isBlank(), line::toString);
+      }
     }
   }
 
