@@ -48,7 +48,7 @@ class AccessibilityInBrowserTest extends BrowserTest {
 
   @BeforeEach
   void start() throws Exception {
-    server = WebTestServer.start();
+    server = WebTestServer.startForBrowser();
     server.fleet().changeRobots(none -> PagesInBrowserTest.fleetAtWork());
     try (Visitor clerk = Visitor.loggedIn(server.root(), WebTestServer.CLERK)) {
       for (int i = 0; i < 3; i++) {

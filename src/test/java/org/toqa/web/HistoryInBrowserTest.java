@@ -36,7 +36,7 @@ class HistoryInBrowserTest extends BrowserTest {
 
   @BeforeEach
   void start() throws Exception {
-    server = WebTestServer.start();
+    server = WebTestServer.startForBrowser();
     server
         .fleet()
         .changeRobots(

@@ -33,7 +33,7 @@ class LanguagesInBrowserTest extends BrowserTest {
 
   @BeforeEach
   void start() throws Exception {
-    server = WebTestServer.start();
+    server = WebTestServer.startForBrowser();
     server.fleet().changeRobots(none -> PagesInBrowserTest.fleetAtWork());
     page().setDefaultTimeout(10_000);
     page().setViewportSize(1280, 900);

@@ -77,7 +77,7 @@ class PagesInBrowserTest {
 
   @BeforeEach
   void start() throws Exception {
-    server = WebTestServer.start();
+    server = WebTestServer.startForBrowser();
     server.fleet().changeRobots(none -> fleetAtWork());
   }
 

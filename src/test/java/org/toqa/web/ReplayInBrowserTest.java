@@ -39,7 +39,7 @@ class ReplayInBrowserTest extends BrowserTest {
 
   @BeforeEach
   void start() throws Exception {
-    server = WebTestServer.start();
+    server = WebTestServer.startForBrowser();
     server
         .fleet()
         .changeRobots(

@@ -30,7 +30,7 @@ class StatisticsInBrowserTest extends BrowserTest {
 
   @BeforeEach
   void start() throws Exception {
-    server = WebTestServer.start();
+    server = WebTestServer.startForBrowser();
     page().setDefaultTimeout(10_000);
     page().navigate(server.root().toString());
     page().getByLabel("Name").fill(WebTestServer.CLERK);

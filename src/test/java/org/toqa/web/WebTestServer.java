@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.sql.SQLException;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Comparator;
@@ -20,10 +21,10 @@ import org.apache.catalina.webresources.DirResourceSet;
 import org.apache.catalina.webresources.StandardRoot;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
-import org.flywaydb.core.Flyway;
 import org.jdbi.v3.core.Jdbi;
 import org.toqa.fleet.EventRecord;
 import org.toqa.store.Accounts;
+import org.toqa.store.Database;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
@@ -33,10 +34,11 @@ import org.toqa.store.PasswordResets;
 import org.toqa.store.Role;
 import org.toqa.store.Sessions;
 import org.toqa.store.Statistics;
+import org.toqa.testbed.RealMySql;
 import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.Passwords;
 
-/** The shipped web application in an embedded Tomcat, over a fleet and a database in memory. */
+/** The shipped web application in an embedded Tomcat, over a fleet in memory. */
 final class WebTestServer implements AutoCloseable {
   static final String CLERK = "Clara";
   static final String MANAGER = "Max";
@@ -53,6 +55,7 @@ final class WebTestServer implements AutoCloseable {
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
   private final JdbiUseStore uses;
+  private final Database database;
   private final Tomcat tomcat = new Tomcat();
   private final Path baseDir;
 
@@ -62,12 +65,28 @@ final class WebTestServer implements AutoCloseable {
   }
 
   /**
+   * The same; on the MySQL of {@code -Dtoqa.mysql.url} where {@code -Dtoqa.browser.mysql=true}
+   * wants it so, which takes twice as long.
+   */
+  static WebTestServer startForBrowser() throws IOException, LifecycleException, SQLException {
+    return withUsers(
+        new WebTestServer(
+            0,
+            Boolean.getBoolean("toqa.browser.mysql")
+                ? Database.open(RealMySql.newDatabase(), "", "")
+                : inMemory()));
+  }
+
+  /**
    * With a clerk and a manager.
    *
    * @param port 0 for a free one
    */
   static WebTestServer start(int port) throws IOException, LifecycleException {
-    WebTestServer server = startEmpty(port);
+    return withUsers(startEmpty(port));
+  }
+
+  private static WebTestServer withUsers(WebTestServer server) {
     server.accounts.add(CLERK, PASSWORD_HASH, Role.CLERK, EventRecord.SYSTEM);
     server.accounts.add(MANAGER, PASSWORD_HASH, Role.MANAGER, EventRecord.SYSTEM);
     return server;
@@ -79,15 +98,16 @@ final class WebTestServer implements AutoCloseable {
    * @param port 0 for a free one
    */
   static WebTestServer startEmpty(int port) throws IOException, LifecycleException {
-    return new WebTestServer(port);
+    return new WebTestServer(port, inMemory());
   }
 
-  private WebTestServer(int port) throws IOException, LifecycleException {
-    String url =
-        "jdbc:h2:mem:web-%d;MODE=MySQL;DATABASE_TO_LOWER=TRUE;CASE_INSENSITIVE_IDENTIFIERS=TRUE;DB_CLOSE_DELAY=-1"
-            .formatted(System.nanoTime());
-    Flyway.configure().dataSource(url, "sa", "").locations("classpath:sql").load().migrate();
-    Jdbi jdbi = Jdbi.create(url, "sa", "");
+  private static Database inMemory() {
+    return Database.inMemory("web-" + System.nanoTime());
+  }
+
+  private WebTestServer(int port, Database database) throws IOException, LifecycleException {
+    this.database = database;
+    Jdbi jdbi = database.jdbi();
     accounts = new Accounts(jdbi, InstantSource.system());
     Sessions sessions = new Sessions(jdbi, InstantSource.system());
     PasswordLinks links =
@@ -186,6 +206,7 @@ final class WebTestServer implements AutoCloseable {
     }
     tomcat.stop();
     tomcat.destroy();
+    database.close();
     try (Stream<Path> files = Files.walk(baseDir)) {
       List<Path> deepestFirst = files.sorted(Comparator.reverseOrder()).toList();
       for (Path file : deepestFirst) {
