@@ -47,8 +47,8 @@ public final class Scheduler {
       for (Schedule schedule : store.due(now)) {
         run(schedule, now);
       }
-    } catch (StoreException e) {
-      log.warn("The schedules wait for the database: {}", e.getMessage());
+    } catch (StoreException e) { // of which people are told elsewhere, once
+      log.debug("The schedules wait for the database: {}", e.getMessage());
     }
   }
 
@@ -91,7 +91,8 @@ public final class Scheduler {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     } catch (ExecutionException | TimeoutException e) {
-      log.warn("{} is tried again: its task was not taken.", name(schedule), e);
+      log.warn(
+          "{} is tried again, since the fleet did not answer: {}", name(schedule), e.toString());
     }
   }
 

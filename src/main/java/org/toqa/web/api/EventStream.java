@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.function.IntSupplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FleetStore.StoreException;
@@ -22,6 +23,10 @@ final class EventStream implements Runnable {
   private static final Duration KEEP_ALIVE = Duration.ofSeconds(5);
 
   private static final Duration PACE = Duration.ofMillis(100);
+
+  /** A second, to all readers together: where there are many, each is sent fewer. */
+  private static final int MOST_EVENTS = 800;
+
   private static final byte[] RETRY = "retry: 2000\n\n".getBytes(StandardCharsets.UTF_8);
   private static final byte[] ALIVE = "event: alive\ndata: {}\n\n".getBytes(StandardCharsets.UTF_8);
 
@@ -30,21 +35,25 @@ final class EventStream implements Runnable {
   private final Caller caller;
   private final SnapshotEvents events;
   private final @Nullable String lastId;
+  private final IntSupplier readers;
 
   /**
    * @param lastId what the reader says it has; an id that is none counts as nothing
+   * @param readers how many there are
    */
   EventStream(
       AsyncContext async,
       Services services,
       Caller caller,
       SnapshotEvents events,
-      @Nullable String lastId) {
+      @Nullable String lastId,
+      IntSupplier readers) {
     this.async = async;
     this.services = services;
     this.caller = caller;
     this.events = events;
     this.lastId = lastId;
+    this.readers = readers;
   }
 
   @Override
@@ -77,7 +86,7 @@ final class EventStream implements Runnable {
     send(out, events.id(sent).equals(lastId) ? ALIVE : events.event(sent));
     long checked = System.nanoTime();
     while (true) {
-      Thread.sleep(PACE);
+      Thread.sleep(pace());
       FleetSnapshot newest = feed.awaitNewer(sent.version(), KEEP_ALIVE);
       if (System.nanoTime() - checked >= KEEP_ALIVE.toNanos()) {
         if (caller.credential().login(services).isEmpty()) {
@@ -88,6 +97,11 @@ final class EventStream implements Runnable {
       send(out, newest.version() > sent.version() ? events.event(newest) : ALIVE);
       sent = newest;
     }
+  }
+
+  private Duration pace() {
+    Duration fair = Duration.ofSeconds(readers.getAsInt()).dividedBy(MOST_EVENTS);
+    return fair.compareTo(PACE) > 0 ? fair : PACE;
   }
 
   private static void send(OutputStream out, byte[] event) throws IOException {

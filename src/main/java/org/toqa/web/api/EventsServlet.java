@@ -25,7 +25,12 @@ public final class EventsServlet extends ApiServlet {
             .name("events of " + caller.name())
             .unstarted(
                 new EventStream(
-                    async, services(), caller, events, request.getHeader("Last-Event-ID")));
+                    async,
+                    services(),
+                    caller,
+                    events,
+                    request.getHeader("Last-Event-ID"),
+                    streams::size));
     async.addListener(new StreamEnd(thread));
     streams.add(thread);
     services().metrics().streamBegun();

@@ -10,7 +10,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 
-/** A robot on the wire; the fields are those of {@link RobotView}. */
+/** A robot on the wire; the fields are those of {@link RobotView}, the route as it is drawn. */
 record RobotJson(
     String name,
     String floor,
@@ -37,6 +37,7 @@ record RobotJson(
     @Nullable String alert) {
 
   static RobotJson of(RobotView view) {
+    DrawnRoute route = DrawnRoute.of(view.route(), view.released());
     return new RobotJson(
         view.name(),
         view.floor(),
@@ -52,8 +53,8 @@ record RobotJson(
         view.port(),
         view.parking(),
         view.simulated(),
-        view.route(),
-        view.released(),
+        route.points(),
+        route.released(),
         view.errors(),
         view.doing(),
         view.lastSeen(),
