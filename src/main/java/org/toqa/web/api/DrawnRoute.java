@@ -33,21 +33,11 @@ record DrawnRoute(List<Vec2> points, int released) {
 
   private static boolean isStraight(List<Vec2> route, int from, int to) {
     for (int i = from + 1; i < to; i++) {
-      if (distance(route.get(i), route.get(from), route.get(to)) > TOLERANCE) {
+      if (route.get(i).distanceToLine(route.get(from), route.get(to)) > TOLERANCE) {
         return false;
       }
     }
     return true;
-  }
-
-  /** From a point to a line between two others. */
-  private static double distance(Vec2 point, Vec2 a, Vec2 b) {
-    double dx = b.x() - a.x();
-    double dy = b.y() - a.y();
-    double square = dx * dx + dy * dy;
-    double along = square > 0 ? ((point.x() - a.x()) * dx + (point.y() - a.y()) * dy) / square : 0;
-    double part = Math.clamp(along, 0, 1);
-    return Math.hypot(point.x() - a.x() - part * dx, point.y() - a.y() - part * dy);
   }
 
   private static Vec2 rounded(Vec2 point) {

@@ -74,16 +74,7 @@ class DrawnRoutePropertyTest {
 
   /** From a point to a leg; the last one is a point. */
   private static double distance(List<Vec2> points, int leg, Vec2 point) {
-    Vec2 a = points.get(leg);
-    Vec2 b = points.get(Math.min(leg + 1, points.size() - 1));
-    double dx = b.x() - a.x();
-    double dy = b.y() - a.y();
-    double square = dx * dx + dy * dy;
-    double part =
-        square == 0
-            ? 0
-            : Math.clamp(((point.x() - a.x()) * dx + (point.y() - a.y()) * dy) / square, 0, 1);
-    return Math.hypot(point.x() - a.x() - part * dx, point.y() - a.y() - part * dy);
+    return point.distanceToLine(points.get(leg), points.get(Math.min(leg + 1, points.size() - 1)));
   }
 
   private static void assertNear(Vec2 expected, Vec2 actual) {
