@@ -1,17 +1,12 @@
 package org.toqa.app;
 
 import java.net.URI;
-import java.nio.file.Path;
-import java.time.Duration;
 import java.util.EnumMap;
-import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.FleetMeter.Report;
 import org.toqa.app.command.Arguments;
-import org.toqa.fleet.FleetSnapshot;
-import org.toqa.fleet.SnapshotFeed;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -32,7 +27,6 @@ import tools.jackson.databind.json.JsonMapper;
       "and heapAfterMb (what is in use at the begin and at the end)."
     })
 final class FleetBench implements Callable<Integer> {
-  private static final Duration LOOK_EVERY = Duration.ofMillis(250);
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
@@ -83,48 +77,25 @@ final class FleetBench implements Callable<Integer> {
     arguments.mustBeBetween("--robots", robots, 2, 500);
     arguments.mustBeBetween("--seconds", seconds, 1, 3600);
     arguments.mustBeBetween("--warm-up", warmUp, 0, 3600);
-    Path webapp = Webapp.folder();
-    try (StopSignal stop = new StopSignal();
-        TemporaryFolder data = TemporaryFolder.create("toqa-bench")) {
-      Configuration configuration = Configuration.of(webapp, List.of(options(data.path())));
-      Operation measurement = this::measure;
-      return measurement.runOn(configuration, webapp, stop);
-    }
+    Operation measurement = this::measure;
+    return measurement.runAlone(settings());
   }
 
   private int measure(Toqa toqa, URI address, StopSignal stop) throws Exception {
     Demand demand = Demand.on(toqa.fleet(), robots, seed);
-    run(toqa.fleet().feed(), demand, new FleetMeter(toqa.fleetTime()), warmUp, stop);
+    demand.keep(warmUp, stop, snapshot -> {});
     FleetMeter meter = new FleetMeter(toqa.fleetTime());
-    run(toqa.fleet().feed(), demand, meter, seconds, stop);
+    demand.keep(seconds, stop, meter::sees);
     Report report = meter.report();
     spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
     return report.nearestMetres() >= 0 ? ExitCode.OK : Main.FAILED;
   }
 
-  private static void run(
-      SnapshotFeed feed, Demand demand, FleetMeter meter, int seconds, StopSignal stop)
-      throws Exception {
-    long end = System.nanoTime() + Duration.ofSeconds(seconds).toNanos();
-    long version = -1;
-    while (System.nanoTime() < end && !stop.isWished()) {
-      FleetSnapshot snapshot = feed.awaitNewer(version, LOOK_EVERY);
-      if (snapshot.version() > version) {
-        version = snapshot.version();
-        meter.sees(snapshot);
-        demand.fill(snapshot);
-      }
-    }
-  }
-
-  private Layer options(Path data) {
-    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
-    options.put(Setting.SIMULATE, String.valueOf(robots));
-    options.put(Setting.SPEED, speed);
-    options.put(Setting.LOG_LEVEL, "ERROR");
-    options.put(Setting.DATA, data.toString());
-    options.put(Setting.MAP, map);
-    options.put(Setting.PORT, "0");
-    return Layer.ofCommandLine(options);
+  private Map<Setting, @Nullable String> settings() {
+    Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
+    settings.put(Setting.SIMULATE, String.valueOf(robots));
+    settings.put(Setting.SPEED, speed);
+    settings.put(Setting.MAP, map);
+    return settings;
   }
 }

@@ -2,6 +2,10 @@ package org.toqa.app;
 
 import java.net.URI;
 import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /** What is done while the whole product runs in this process. */
 @FunctionalInterface
@@ -13,6 +17,22 @@ interface Operation {
    * @return the exit code
    */
   int run(Toqa toqa, URI address, StopSignal stop) throws Exception;
+
+  /**
+   * Does this with a product of its own: in a folder that is gone afterwards, on any free port, and
+   * silent but for errors.
+   */
+  default int runAlone(Map<Setting, @Nullable String> settings) throws Exception {
+    Path webapp = Webapp.folder();
+    try (StopSignal stop = new StopSignal();
+        TemporaryFolder data = TemporaryFolder.create("toqa-bench")) {
+      Map<Setting, @Nullable String> all = new EnumMap<>(settings);
+      all.put(Setting.DATA, data.path().toString());
+      all.put(Setting.PORT, "0");
+      all.put(Setting.LOG_LEVEL, "ERROR");
+      return runOn(Configuration.of(webapp, List.of(Layer.ofCommandLine(all))), webapp, stop);
+    }
+  }
 
   /**
    * Starts the product, does this, and closes everything in order: no request meets a closed fleet,

@@ -1,10 +1,8 @@
 package org.toqa.app;
 
 import java.net.URI;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.EnumMap;
-import java.util.List;
 import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.Callable;
@@ -76,15 +74,9 @@ final class TaskBench implements Callable<Integer> {
     arguments.mustBeBetween("--warm-up", warmUp, 0, 100_000);
     arguments.mustBeBetween("--clients", clients, 1, 1000);
     arguments.mustBeBetween("--robots", robots, 0, 500);
-    Path webapp = Webapp.folder();
-    try (StopSignal stop = new StopSignal();
-        TemporaryFolder data = TemporaryFolder.create("toqa-bench")) {
-      String password = UUID.randomUUID().toString();
-      Configuration configuration =
-          Configuration.of(webapp, List.of(options(data.path(), password)));
-      Operation measurement = (toqa, address, wish) -> measure(address, password);
-      return measurement.runOn(configuration, webapp, stop);
-    }
+    String password = UUID.randomUUID().toString();
+    Operation measurement = (toqa, address, stop) -> measure(address, password);
+    return measurement.runAlone(settings(password));
   }
 
   private int measure(URI address, String password) throws Exception {
@@ -99,14 +91,11 @@ final class TaskBench implements Callable<Integer> {
     }
   }
 
-  private Layer options(Path data, String password) {
-    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
-    options.put(Setting.SIMULATE, String.valueOf(robots));
-    options.put(Setting.LOG_LEVEL, "ERROR");
-    options.put(Setting.DATA, data.toString());
-    options.put(Setting.DATABASE_URL, database);
-    options.put(Setting.MANAGER, USER + ":" + password);
-    options.put(Setting.PORT, "0");
-    return Layer.ofCommandLine(options);
+  private Map<Setting, @Nullable String> settings(String password) {
+    Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
+    settings.put(Setting.SIMULATE, String.valueOf(robots));
+    settings.put(Setting.DATABASE_URL, database);
+    settings.put(Setting.MANAGER, USER + ":" + password);
+    return settings;
   }
 }

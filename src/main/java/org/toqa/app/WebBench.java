@@ -1,18 +1,14 @@
 package org.toqa.app;
 
 import java.net.URI;
-import java.nio.file.Path;
-import java.time.Duration;
 import java.time.InstantSource;
 import java.util.EnumMap;
-import java.util.List;
 import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.Timings;
 import org.toqa.app.command.Arguments;
-import org.toqa.fleet.FleetSnapshot;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -34,7 +30,6 @@ import tools.jackson.databind.json.JsonMapper;
     })
 final class WebBench implements Callable<Integer> {
   private static final String USER = "bench";
-  private static final Duration LOOK_EVERY = Duration.ofMillis(250);
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
@@ -105,15 +100,9 @@ final class WebBench implements Callable<Integer> {
     arguments.mustBeBetween("--rate", rate, 1, 1000);
     arguments.mustBeBetween("--seconds", seconds, 1, 3600);
     arguments.mustBeBetween("--warm-up", warmUp, 0, 3600);
-    Path webapp = Webapp.folder();
-    try (StopSignal stop = new StopSignal();
-        TemporaryFolder data = TemporaryFolder.create("toqa-bench")) {
-      String password = UUID.randomUUID().toString();
-      Configuration configuration =
-          Configuration.of(webapp, List.of(options(data.path(), password)));
-      Operation measurement = (toqa, address, wish) -> measure(toqa, address, password, wish);
-      return measurement.runOn(configuration, webapp, stop);
-    }
+    String password = UUID.randomUUID().toString();
+    Operation measurement = (toqa, address, stop) -> measure(toqa, address, password, stop);
+    return measurement.runAlone(settings(password));
   }
 
   private int measure(Toqa toqa, URI address, String password, StopSignal stop) throws Exception {
@@ -121,11 +110,11 @@ final class WebBench implements Callable<Integer> {
     String token = TaskClients.token(address, USER, password);
     try (LiveReaders readers = LiveReaders.open(address, token, browsers, InstantSource.system());
         PageVisitors visitors = PageVisitors.begin(address, token, rate)) {
-      keepBusy(toqa, demand, warmUp, stop);
+      demand.keep(warmUp, stop, snapshot -> {});
       readers.forget();
       visitors.forget();
       FleetMeter meter = new FleetMeter(toqa.fleetTime());
-      keepBusy(toqa, demand, seconds, stop);
+      demand.keep(seconds, stop, snapshot -> {});
       FleetMeter.Report fleet = meter.report();
       Report report =
           new Report(
@@ -142,27 +131,11 @@ final class WebBench implements Callable<Integer> {
     }
   }
 
-  private static void keepBusy(Toqa toqa, Demand demand, int seconds, StopSignal stop)
-      throws Exception {
-    long end = System.nanoTime() + Duration.ofSeconds(seconds).toNanos();
-    long version = -1;
-    while (System.nanoTime() < end && !stop.isWished()) {
-      FleetSnapshot snapshot = toqa.fleet().feed().awaitNewer(version, LOOK_EVERY);
-      if (snapshot.version() > version) {
-        version = snapshot.version();
-        demand.fill(snapshot);
-      }
-    }
-  }
-
-  private Layer options(Path data, String password) {
-    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
-    options.put(Setting.SIMULATE, String.valueOf(robots));
-    options.put(Setting.LOG_LEVEL, "ERROR");
-    options.put(Setting.DATA, data.toString());
-    options.put(Setting.MAP, map);
-    options.put(Setting.MANAGER, USER + ":" + password);
-    options.put(Setting.PORT, "0");
-    return Layer.ofCommandLine(options);
+  private Map<Setting, @Nullable String> settings(String password) {
+    Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
+    settings.put(Setting.SIMULATE, String.valueOf(robots));
+    settings.put(Setting.MAP, map);
+    settings.put(Setting.MANAGER, USER + ":" + password);
+    return settings;
   }
 }
