@@ -7,6 +7,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.toqa.web.Metrics;
 import org.toqa.web.access.Caller;
 
 /** Live events: the fleet's snapshots as a stream. */
@@ -31,9 +32,10 @@ public final class EventsServlet extends ApiServlet {
                     events,
                     request.getHeader("Last-Event-ID"),
                     streams::size));
-    async.addListener(new StreamEnd(thread));
+    Metrics metrics = services().metrics();
+    async.addListener(new StreamEnd(thread, metrics));
     streams.add(thread);
-    services().metrics().streamBegun();
+    metrics.streamBegun();
     thread.start();
   }
 
@@ -53,15 +55,17 @@ public final class EventsServlet extends ApiServlet {
   /** The container ended the request, perhaps because the reader has gone: so ends its thread. */
   private final class StreamEnd implements AsyncListener {
     private final Thread thread;
+    private final Metrics metrics;
 
-    StreamEnd(Thread thread) {
+    StreamEnd(Thread thread, Metrics metrics) {
       this.thread = thread;
+      this.metrics = metrics;
     }
 
     @Override
     public void onComplete(AsyncEvent event) {
       if (streams.remove(thread)) {
-        services().metrics().streamEnded();
+        metrics.streamEnded();
       }
       thread.interrupt();
     }
