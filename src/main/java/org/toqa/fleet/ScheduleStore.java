@@ -17,6 +17,9 @@ public interface ScheduleStore {
 
   Optional<Schedule> schedule(long id);
 
+  /** The one that came with that key. */
+  Optional<Schedule> scheduleOf(UUID key);
+
   /** Those that are not paused and due by then. */
   List<Schedule> due(Instant now);
 

@@ -4,8 +4,6 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.time.Duration;
 import java.time.Instant;
-import java.time.LocalDateTime;
-import java.time.ZoneOffset;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -549,9 +547,6 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   private static TaskRow row(ResultSet rs) throws SQLException {
-    Double length = Rows.nullableDouble(rs, "load_length");
-    Double width = Rows.nullableDouble(rs, "load_width");
-    LocalDateTime deadline = rs.getObject("deadline", LocalDateTime.class);
     TransportTask task =
         new TransportTask(
             rs.getLong("id"),
@@ -565,8 +560,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                 rs.getString("goal_station")),
             rs.getString("floor"),
             rs.getInt("priority"),
-            deadline == null ? null : deadline.toInstant(ZoneOffset.UTC),
-            length == null || width == null ? null : new LoadSize(length, width),
+            Rows.nullableInstant(rs, "deadline"),
+            Rows.loadSize(rs),
             rs.getString("user_name"),
             Rows.instant(rs, "created_at"));
     String ending = rs.getString("ending");

@@ -8,7 +8,6 @@ import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.LocalTime;
 import java.time.ZoneId;
-import java.time.ZoneOffset;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
@@ -58,6 +57,16 @@ public final class JdbiScheduleStore implements ScheduleStore {
         h ->
             h.createQuery(SELECT + "where id = :id")
                 .bind("id", id)
+                .map(JdbiScheduleStore::schedule)
+                .findOne());
+  }
+
+  @Override
+  public Optional<Schedule> scheduleOf(UUID key) {
+    return sql.in(
+        h ->
+            h.createQuery(SELECT + "where submission = :key")
+                .bind("key", key.toString())
                 .map(JdbiScheduleStore::schedule)
                 .findOne());
   }
@@ -226,8 +235,6 @@ public final class JdbiScheduleStore implements ScheduleStore {
   }
 
   private static Schedule schedule(ResultSet rs, StatementContext context) throws SQLException {
-    Double length = Rows.nullableDouble(rs, "load_length");
-    Double width = Rows.nullableDouble(rs, "load_width");
     TaskOrder order =
         new TaskOrder(
             rs.getString("name"),
@@ -237,16 +244,16 @@ public final class JdbiScheduleStore implements ScheduleStore {
             rs.getString("floor"),
             rs.getInt("priority"),
             null,
-            length == null || width == null ? null : new LoadSize(length, width));
+            Rows.loadSize(rs));
     return new Schedule(
         rs.getLong("id"),
         order,
         recurrence(rs),
-        instant(rs, "until_at"),
+        Rows.nullableInstant(rs, "until_at"),
         rs.getBoolean("paused"),
         rs.getString("user_name"),
         Rows.instant(rs, "created_at"),
-        instant(rs, "due_at"),
+        Rows.nullableInstant(rs, "due_at"),
         Rows.nullableLong(rs, "last_task"));
   }
 
@@ -271,11 +278,6 @@ public final class JdbiScheduleStore implements ScheduleStore {
               LocalTime.parse(rs.getString("time_of_day")),
               ZoneId.of(rs.getString("zone")));
     };
-  }
-
-  private static @Nullable Instant instant(ResultSet rs, String column) throws SQLException {
-    LocalDateTime moment = rs.getObject(column, LocalDateTime.class);
-    return moment == null ? null : moment.toInstant(ZoneOffset.UTC);
   }
 
   private static @Nullable LocalDateTime utc(@Nullable Instant moment) {

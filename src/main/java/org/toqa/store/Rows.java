@@ -6,6 +6,7 @@ import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneOffset;
 import org.jspecify.annotations.Nullable;
+import org.toqa.mission.TransportTask.LoadSize;
 
 /** Reads columns. */
 final class Rows {
@@ -13,6 +14,17 @@ final class Rows {
 
   static Instant instant(ResultSet rs, String column) throws SQLException {
     return rs.getObject(column, LocalDateTime.class).toInstant(ZoneOffset.UTC);
+  }
+
+  static @Nullable Instant nullableInstant(ResultSet rs, String column) throws SQLException {
+    return rs.getObject(column) == null ? null : instant(rs, column);
+  }
+
+  /** Null where nobody said it. */
+  static @Nullable LoadSize loadSize(ResultSet rs) throws SQLException {
+    Double length = nullableDouble(rs, "load_length");
+    Double width = nullableDouble(rs, "load_width");
+    return length == null || width == null ? null : new LoadSize(length, width);
   }
 
   static @Nullable Long nullableLong(ResultSet rs, String column) throws SQLException {

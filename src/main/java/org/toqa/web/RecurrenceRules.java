@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalTime;
 import java.time.ZoneId;
+import java.time.temporal.ChronoUnit;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
@@ -99,6 +100,6 @@ public final class RecurrenceRules {
       return now;
     }
     Instant checked = new InputRules(texts, errors).deadlineToCome(field, given, now);
-    return checked == null ? now : checked;
+    return (checked == null ? now : checked).truncatedTo(ChronoUnit.MILLIS); // as it is stored
   }
 }

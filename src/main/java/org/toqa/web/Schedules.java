@@ -2,6 +2,8 @@ package org.toqa.web;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
@@ -29,10 +31,38 @@ public final class Schedules {
     return caller.isManager() || caller.name().equalsIgnoreCase(schedule.user());
   }
 
+  /** What became of a wish. */
+  public sealed interface Outcome {
+    record Answered(Answer<Schedule> answer) implements Outcome {}
+
+    /** It came before, and this is its schedule. */
+    record Repeated(Schedule schedule) implements Outcome {}
+
+    /** Its key came before with another wish. */
+    record OtherWish() implements Outcome {}
+  }
+
   /**
    * @param key the same one for the same wish
    */
-  public Answer<Schedule> add(
+  public Outcome add(
+      TaskOrder order, Recurrence recurrence, @Nullable Instant until, Caller user, UUID key) {
+    Optional<Schedule> before = services.schedules().scheduleOf(key);
+    if (before.isEmpty()) {
+      return new Outcome.Answered(addNew(order, recurrence, until, user, key));
+    }
+    Schedule schedule = before.get();
+    return order.equals(schedule.order())
+            && recurrence.equals(schedule.recurrence())
+            && Objects.equals(until, schedule.until())
+        ? new Outcome.Repeated(schedule)
+        : new Outcome.OtherWish();
+  }
+
+  /**
+   * @param key that no schedule has yet
+   */
+  public Answer<Schedule> addNew(
       TaskOrder order, Recurrence recurrence, @Nullable Instant until, Caller user, UUID key) {
     List<Refusal> refusals =
         FleetAnswers.await(services.fleet().refusals(List.of(order), user.name()));

@@ -2,8 +2,10 @@ package org.toqa.web;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.util.List;
 import java.util.Map;
@@ -178,6 +180,27 @@ class SchedulesTest {
     clerk.post("tasks/new", form);
     assertEquals(1, JSON.readTree(clerk.get("api/v1/schedules").body()).size(), "a double click");
     assertEquals(0, server.fleet().count());
+    form.put("time", "09:00");
+    assertEquals(303, clerk.post("tasks/new", form).statusCode(), "back in the browser, and again");
+    assertEquals(2, JSON.readTree(clerk.get("api/v1/schedules").body()).size());
+  }
+
+  @Test
+  void theSameKeyWishesForOneSchedule() {
+    String weekly =
+        "\"weekdays\":[\"MONDAY\",\"FRIDAY\"],\"time\":\"08:00\",\"zone\":\"Europe/Paris\"";
+    String once = "\"at\":\"2098-07-01T15:00:00.1234567Z\"";
+    for (String times : List.of(weekly, once)) {
+      String key = "key-" + times.length();
+      long first = id(add(clerk, times, key));
+      assertEquals(first, id(add(clerk, times, key)));
+
+      HttpResponse<String> other = add(clerk, times + ",\"until\":\"2099-01-01T00:00:00Z\"", key);
+      assertEquals(422, other.statusCode(), other.body());
+      assertTrue(other.body().contains("came before with another order"), other.body());
+      assertNotEquals(first, id(add(manager, times, key)), "another user's key");
+    }
+    assertEquals(4, JSON.readTree(clerk.get("api/v1/schedules").body()).size());
   }
 
   @ParameterizedTest
@@ -224,5 +247,16 @@ class SchedulesTest {
 
   private static HttpResponse<String> add(Visitor visitor, String times) {
     return visitor.postJson("api/v1/schedules", "{\"task\":%s,%s}".formatted(TASK, times));
+  }
+
+  private static HttpResponse<String> add(Visitor visitor, String times, String key) {
+    return visitor.send(
+        visitor
+            .request("api/v1/schedules")
+            .header("Content-Type", "application/json")
+            .header("X-CSRF-Token", visitor.csrf())
+            .header("Idempotency-Key", key)
+            .POST(BodyPublishers.ofString("{\"task\":%s,%s}".formatted(TASK, times)))
+            .build());
   }
 }

@@ -41,9 +41,13 @@ public final class SchedulesServlet extends ApiServlet {
     }
     refuseIfAny(errors);
     Schedule schedule =
-        accepted(
-            new Schedules(services(), texts)
-                .add(order, recurrence, until, Caller.of(request), IdempotencyKey.of(request)));
+        switch (new Schedules(services(), texts)
+            .add(order, recurrence, until, Caller.of(request), IdempotencyKey.of(request))) {
+          case Schedules.Outcome.Answered(var answer) -> accepted(answer);
+          case Schedules.Outcome.Repeated(Schedule before) -> before;
+          case Schedules.Outcome.OtherWish() ->
+              throw Problem.of(422, texts.get("problem.idempotencyKey.used")).raised();
+        };
     response.setHeader("Location", request.getContextPath() + "/api/v1/schedules/" + schedule.id());
     Json.send(response, HttpServletResponse.SC_CREATED, ScheduleJson.of(schedule));
   }

@@ -78,9 +78,14 @@ public final class NewTaskServlet extends PageServlet {
     }
     Caller user = Caller.of(request);
     UUID key = Submissions.key(user.account(), "schedule " + wish(request));
-    return accepted(
-        new Schedules(services(), texts).add(order.orElseThrow(), recurrence, until, user, key),
-        errors);
+    Schedules schedules = new Schedules(services(), texts);
+    return switch (schedules.add(order.orElseThrow(), recurrence, until, user, key)) {
+      case Schedules.Outcome.Answered(var answer) -> accepted(answer, errors);
+      case Schedules.Outcome.Repeated(Schedule before) -> Optional.of(before);
+      case Schedules.Outcome.OtherWish() ->
+          accepted(
+              schedules.addNew(order.get(), recurrence, until, user, UUID.randomUUID()), errors);
+    };
   }
 
   private static Recurrence recurrence(FormFields fields, RecurrenceRules rules) {
