@@ -1,3 +1,4 @@
+import {changed} from './changes.js';
 import {address, fetchJson} from './server.js';
 
 /** Longer than the server is ever silent, in milliseconds. */
@@ -14,6 +15,7 @@ export function follow(onSnapshot, onConnection = () => {}) {
   let state = '';
   let heard = performance.now();
   let source;
+  let snapshot;
 
   const say = (next) => {
     if (next !== state) {
@@ -24,6 +26,11 @@ export function follow(onSnapshot, onConnection = () => {}) {
   const hear = () => {
     heard = performance.now();
     say('live');
+  };
+  const show = (next) => {
+    hear();
+    snapshot = next;
+    onSnapshot(next);
   };
   /** The browser comes back by itself after a broken line, and says which event it had last. */
   const lose = () => {
@@ -49,11 +56,9 @@ export function follow(onSnapshot, onConnection = () => {}) {
   const open = () => {
     source?.close();
     heard = performance.now();
-    source = new EventSource(address('api/v1/events'));
-    source.addEventListener('snapshot', (event) => {
-      hear();
-      onSnapshot(JSON.parse(event.data));
-    });
+    source = new EventSource(address('api/v1/events?changes=true'));
+    source.addEventListener('snapshot', (event) => show(JSON.parse(event.data)));
+    source.addEventListener('change', (event) => show(changed(snapshot, JSON.parse(event.data))));
     source.addEventListener('alive', hear);
     source.addEventListener('error', lose);
   };

@@ -45,7 +45,7 @@ final class LiveReaders implements AutoCloseable {
       throws IOException, InterruptedException {
     LiveReaders readers = new LiveReaders(clock);
     HttpRequest request =
-        HttpRequest.newBuilder(root.resolve("api/v1/events"))
+        HttpRequest.newBuilder(root.resolve("api/v1/events?changes=true"))
             .header("Authorization", "Bearer " + token)
             .build();
     for (int i = 0; i < count; i++) {
@@ -100,10 +100,10 @@ final class LiveReaders implements AutoCloseable {
   }
 
   /** A robot that was heard of since the last event. */
-  private void note(JsonNode snapshot, Map<String, String> last, Instant now) {
+  private void note(JsonNode event, Map<String, String> last, Instant now) {
     List<Double> ages = new ArrayList<>();
-    for (JsonNode robot : snapshot.get("robots")) {
-      String seen = robot.get("lastSeen").asString("");
+    for (JsonNode robot : event.path("robots")) {
+      String seen = robot.path("lastSeen").asString("");
       if (!seen.isEmpty() && !seen.equals(last.put(robot.get("name").asString(), seen))) {
         ages.add(Duration.between(Instant.parse(seen), now).toNanos() / 1e6);
       }

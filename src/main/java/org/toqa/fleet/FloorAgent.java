@@ -184,6 +184,7 @@ final class FloorAgent extends AbstractBehavior<FloorMessage> {
     if (state.changed) {
       reports.send();
     }
+    manager.tell(new ManagerMessage.Ticked(state.floor.name()));
   }
 
   private Behavior<FloorMessage> closed() {

@@ -114,6 +114,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   /** Floors with a round under way. */
   private final Set<String> deciding = new HashSet<>();
 
+  /** Floors whose tick is under way. */
+  private final Set<String> ticking = new HashSet<>();
+
   private boolean changed = true;
 
   static Behavior<ManagerMessage> of(
@@ -254,6 +257,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.Begun m -> handedOver.remove(m.task());
       case ManagerMessage.NotBegun m -> requeue(m.mission());
       case ManagerMessage.FloorReport m -> reported(m);
+      case ManagerMessage.Ticked m -> ticked(m.floor());
       case ManagerMessage.Decided m -> decided(m);
       case ManagerMessage.StoreWatched m -> publish(); // also where simulated time stands still
       case ManagerMessage.Tick m -> tick(m.now());
@@ -863,10 +867,25 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   // --- the picture ------------------------------------------------------------------------------
 
+  /** What changes is in the picture when every floor has done its tick, or at the next tick. */
   private void tick(Instant now) {
+    if (!ticking.isEmpty() || floors.isEmpty()) {
+      publishWhatChanged();
+    }
     floors.values().forEach(f -> f.tell(new FloorMessage.Tick(now)));
+    ticking.addAll(floors.keySet());
     beginRounds();
     lookAtDeadlines(now);
+  }
+
+  private void ticked(String floor) {
+    ticking.remove(floor);
+    if (ticking.isEmpty()) {
+      publishWhatChanged();
+    }
+  }
+
+  private void publishWhatChanged() {
     if (changed) {
       publish();
     }

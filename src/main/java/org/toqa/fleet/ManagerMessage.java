@@ -148,6 +148,9 @@ sealed interface ManagerMessage {
       List<String> alerts)
       implements ManagerMessage {}
 
+  /** The floor has done what its tick asked for; a report of it, if any, came before. */
+  record Ticked(String floor) implements ManagerMessage {}
+
   /**
    * A round of allocation is over.
    *

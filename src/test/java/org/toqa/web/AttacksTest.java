@@ -89,6 +89,7 @@ class AttacksTest {
               "api/v1/tasks",
               List.of(
                   "offset", "limit", "state", "robot", "user", "text", "from", "until", "sort")),
+          Map.entry("api/v1/events", List.of("changes")),
           Map.entry("api/v1/map", List.of("floor")),
           Map.entry("api/v1/tracks", List.of("floor", "from", "until")));
 

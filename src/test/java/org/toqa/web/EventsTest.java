@@ -1,6 +1,7 @@
 package org.toqa.web;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,6 +12,7 @@ import java.io.InputStreamReader;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
 import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
@@ -25,6 +27,8 @@ import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
 import org.toqa.store.Account;
 import org.toqa.store.Role;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
 
 /** Live events: coming back to them, not reading them, and losing the right to see them. */
 @Timeout(60)
@@ -71,6 +75,42 @@ class EventsTest {
     try (BufferedReader lines = open(clerk, seen)) {
       assertEquals("snapshot", value("event: ", lines));
       assertTrue(value("data: ", lines).contains("\"x\":3"));
+    }
+  }
+
+  @Test
+  void whoAsksForChangesGetsAllOnceAndThenWhatChanged() throws IOException {
+    driveTo(1);
+    try (BufferedReader lines = open(clerk, "?changes=true", "")) {
+      assertEquals("snapshot", value("event: ", lines));
+      JsonNode first = JsonMapper.shared().readTree(value("data: ", lines));
+      assertTrue(first.get("robots").get(0).has("maxLoad"), first.toString());
+      driveTo(2);
+      assertEquals("change", value("event: ", lines));
+      String id = value("id: ", lines);
+      JsonNode change = JsonMapper.shared().readTree(value("data: ", lines));
+      assertEquals("r1", change.get("robots").get(0).get("name").asString());
+      assertEquals(2, change.get("robots").get(0).get("pose").get("x").asDouble());
+      assertFalse(change.get("robots").get(0).has("maxLoad"), change.toString());
+      assertFalse(change.has("tasks"), change.toString());
+
+      try (BufferedReader again = open(clerk, "?changes=true", id)) {
+        assertEquals("alive", value("event: ", again));
+        driveTo(3);
+        assertEquals("change", value("event: ", again));
+      }
+      try (BufferedReader late = open(clerk, "?changes=true", id)) {
+        assertEquals("snapshot", value("event: ", late), "it missed something");
+      }
+    }
+  }
+
+  @Test
+  void askingForChangesIsAYesOrANo() {
+    for (String query : List.of("?changes=1", "?changes=", "?changes=TRUE", "?changes=%00")) {
+      HttpResponse<String> answer = clerk.get("api/v1/events" + query);
+      assertEquals(400, answer.statusCode(), query);
+      assertTrue(answer.body().contains("“changes” must be true or false."), answer.body());
     }
   }
 
@@ -198,8 +238,12 @@ class EventsTest {
   }
 
   private static BufferedReader open(Visitor visitor, String lastId) {
+    return open(visitor, "", lastId);
+  }
+
+  private static BufferedReader open(Visitor visitor, String query, String lastId) {
     HttpRequest request =
-        visitor.request("api/v1/events").header("Last-Event-ID", lastId).GET().build();
+        visitor.request("api/v1/events" + query).header("Last-Event-ID", lastId).GET().build();
     InputStream stream = visitor.send(request, BodyHandlers.ofInputStream()).body();
     return new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8));
   }

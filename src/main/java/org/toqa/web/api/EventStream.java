@@ -25,7 +25,7 @@ final class EventStream implements Runnable {
   private static final Duration PACE = Duration.ofMillis(100);
 
   /** A second, to all readers together: where there are many, each is sent fewer. */
-  private static final int MOST_EVENTS = 800;
+  private static final int MOST_EVENTS = 2000;
 
   private static final byte[] RETRY = "retry: 2000\n\n".getBytes(StandardCharsets.UTF_8);
   private static final byte[] ALIVE = "event: alive\ndata: {}\n\n".getBytes(StandardCharsets.UTF_8);
@@ -34,10 +34,12 @@ final class EventStream implements Runnable {
   private final Services services;
   private final Caller caller;
   private final SnapshotEvents events;
+  private final boolean isOfChanges;
   private final @Nullable String lastId;
   private final IntSupplier readers;
 
   /**
+   * @param isOfChanges whether the reader puts snapshots together from what changed
    * @param lastId what the reader says it has; an id that is none counts as nothing
    * @param readers how many there are
    */
@@ -46,12 +48,14 @@ final class EventStream implements Runnable {
       Services services,
       Caller caller,
       SnapshotEvents events,
+      boolean isOfChanges,
       @Nullable String lastId,
       IntSupplier readers) {
     this.async = async;
     this.services = services;
     this.caller = caller;
     this.events = events;
+    this.isOfChanges = isOfChanges;
     this.lastId = lastId;
     this.readers = readers;
   }
@@ -83,7 +87,7 @@ final class EventStream implements Runnable {
     SnapshotFeed feed = services.fleet().feed();
     out.write(RETRY);
     FleetSnapshot sent = feed.latest();
-    send(out, events.id(sent).equals(lastId) ? ALIVE : events.event(sent));
+    send(out, events.id(sent).equals(lastId) ? ALIVE : events.whole(sent));
     long checked = System.nanoTime();
     while (true) {
       Thread.sleep(pace());
@@ -94,9 +98,13 @@ final class EventStream implements Runnable {
         }
         checked = System.nanoTime();
       }
-      send(out, newest.version() > sent.version() ? events.event(newest) : ALIVE);
+      send(out, newest.version() > sent.version() ? event(sent, newest) : ALIVE);
       sent = newest;
     }
+  }
+
+  private byte[] event(FleetSnapshot sent, FleetSnapshot newest) {
+    return isOfChanges ? events.change(sent, newest) : events.whole(newest);
   }
 
   private Duration pace() {

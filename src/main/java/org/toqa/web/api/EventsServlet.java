@@ -5,9 +5,11 @@ import jakarta.servlet.AsyncEvent;
 import jakarta.servlet.AsyncListener;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
+import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.toqa.web.Metrics;
+import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
 /** Live events: the fleet's snapshots as a stream. */
@@ -17,6 +19,7 @@ public final class EventsServlet extends ApiServlet {
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response) {
+    boolean isOfChanges = isOfChanges(request);
     doHead(request, response);
     Caller caller = Caller.of(request);
     AsyncContext async = request.startAsync();
@@ -30,6 +33,7 @@ public final class EventsServlet extends ApiServlet {
                     services(),
                     caller,
                     events,
+                    isOfChanges,
                     request.getHeader("Last-Event-ID"),
                     streams::size));
     Metrics metrics = services().metrics();
@@ -37,6 +41,15 @@ public final class EventsServlet extends ApiServlet {
     streams.add(thread);
     metrics.streamBegun();
     thread.start();
+  }
+
+  private static boolean isOfChanges(HttpServletRequest request) {
+    return switch (Objects.requireNonNullElse(request.getParameter("changes"), "false")) {
+      case "true" -> true;
+      case "false" -> false;
+      default ->
+          throw Problem.of(400, Texts.of(request).get("problem.queryFlag", "changes")).raised();
+    };
   }
 
   @Override

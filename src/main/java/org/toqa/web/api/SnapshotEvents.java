@@ -2,13 +2,15 @@ package org.toqa.web.api;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.UUID;
-import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetSnapshot;
+import tools.jackson.databind.node.ObjectNode;
 
-/** Snapshots as server-sent events. The newest is written once, however many read it. */
+/** Snapshots as server-sent events, each written once, however many read it. */
 final class SnapshotEvents {
 
   private record SnapshotJson(
@@ -34,31 +36,50 @@ final class SnapshotEvents {
     }
   }
 
-  private record Written(long version, byte[] event) {}
+  private record Step(long before, long now) {}
+
+  private static final long NOTHING = -1;
+  private static final int KEPT = 16; // readers are at a few versions only, and mostly at the same
 
   /** Versions begin anew with the server: an id of its life before is not one of this life. */
   private final String life = UUID.randomUUID().toString();
 
-  private final AtomicReference<@Nullable Written> newest = new AtomicReference<>();
+  private final Map<Long, ObjectNode> pictures = new Newest<>();
+  private final Map<Step, byte[]> written = new Newest<>();
 
   /** What a reader shows who has this snapshot. */
   String id(FleetSnapshot snapshot) {
     return life + "-" + snapshot.version();
   }
 
-  /** The event's bytes; callers must not change them. */
-  byte[] event(FleetSnapshot snapshot) {
-    Written written = newest.get();
-    if (written == null || written.version != snapshot.version()) {
-      written = new Written(snapshot.version(), write(snapshot));
-      newest.set(written);
-    }
-    return written.event;
+  /** All of it, for who has nothing. Callers must not change the event's bytes. */
+  synchronized byte[] whole(FleetSnapshot snapshot) {
+    return written.computeIfAbsent(
+        new Step(NOTHING, snapshot.version()), _ -> event("snapshot", snapshot, picture(snapshot)));
   }
 
-  private byte[] write(FleetSnapshot snapshot) {
-    return "event: snapshot\nid: %s\ndata: %s\n\n"
-        .formatted(id(snapshot), Json.MAPPER.writeValueAsString(SnapshotJson.of(snapshot)))
+  /** What has changed, for who has the one before. Callers must not change the event's bytes. */
+  synchronized byte[] change(FleetSnapshot before, FleetSnapshot now) {
+    return written.computeIfAbsent(
+        new Step(before.version(), now.version()),
+        _ -> event("change", now, SnapshotChange.between(picture(before), picture(now))));
+  }
+
+  private ObjectNode picture(FleetSnapshot snapshot) {
+    return pictures.computeIfAbsent(
+        snapshot.version(), _ -> Json.MAPPER.valueToTree(SnapshotJson.of(snapshot)));
+  }
+
+  private byte[] event(String name, FleetSnapshot snapshot, ObjectNode data) {
+    return "event: %s\nid: %s\ndata: %s\n\n"
+        .formatted(name, id(snapshot), Json.MAPPER.writeValueAsString(data))
         .getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static final class Newest<K, V> extends LinkedHashMap<K, V> {
+    @Override
+    protected boolean removeEldestEntry(Map.Entry<K, V> eldest) {
+      return size() > KEPT;
+    }
   }
 }
