@@ -1,9 +1,5 @@
 package org.toqa.app;
 
-import com.sun.management.OperatingSystemMXBean;
-import java.lang.management.ManagementFactory;
-import java.time.Duration;
-import java.time.Instant;
 import java.time.InstantSource;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -18,12 +14,7 @@ import org.toqa.mission.TaskState;
 
 /** Measures the fleet of this process, from when it is made until it reports. */
 final class FleetMeter {
-  private final OperatingSystemMXBean system =
-      ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
-  private final InstantSource fleetTime;
-  private final long cpuAtFirst = system.getProcessCpuTime();
-  private final long began = System.nanoTime();
-  private final Instant fleetBegan;
+  private final PaceMeter meter;
   private final double heapAtFirst = Heap.usedMegabytes();
 
   /** Those that had ended before. */
@@ -48,8 +39,9 @@ final class FleetMeter {
   }
 
   /**
-   * @param pace the fleet's seconds a second; below 1 where the machine cannot keep up
-   * @param cores processor seconds a second
+   * @param seconds that it took
+   * @param pace as in {@link PaceMeter.Reading}
+   * @param cores as there
    * @param metresDriven by all robots together
    * @param nearestMetres the least that two robots' edges were apart
    * @param heapBeforeMb megabytes in use at the begin, after the garbage was collected
@@ -67,8 +59,7 @@ final class FleetMeter {
       double heapAfterMb) {}
 
   FleetMeter(InstantSource fleetTime) {
-    this.fleetTime = fleetTime;
-    this.fleetBegan = fleetTime.instant();
+    meter = new PaceMeter(fleetTime);
   }
 
   void sees(FleetSnapshot snapshot) {
@@ -89,12 +80,12 @@ final class FleetMeter {
   }
 
   Report report() {
-    double nanos = System.nanoTime() - began;
+    PaceMeter.Reading reading = meter.read();
     return new Report(
         positions.size(),
-        nanos / 1e9,
-        Duration.between(fleetBegan, fleetTime.instant()).toNanos() / nanos,
-        (system.getProcessCpuTime() - cpuAtFirst) / nanos,
+        reading.seconds(),
+        reading.pace(),
+        reading.cores(),
         metres,
         done.size(),
         nearest,

@@ -113,9 +113,9 @@ final class WebBench implements Callable<Integer> {
       demand.keep(warmUp, stop, snapshot -> {});
       readers.forget();
       visitors.forget();
-      FleetMeter meter = new FleetMeter(toqa.fleetTime());
+      PaceMeter meter = new PaceMeter(toqa.fleetTime());
       demand.keep(seconds, stop, snapshot -> {});
-      FleetMeter.Report fleet = meter.report();
+      PaceMeter.Reading reading = meter.read();
       Report report =
           new Report(
               robots,
@@ -124,8 +124,8 @@ final class WebBench implements Callable<Integer> {
               visitors.failed(),
               Milliseconds.of(readers.millis()),
               readers.events(),
-              fleet.pace(),
-              fleet.cores());
+              reading.pace(),
+              reading.cores());
       spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
       return report.failed() == 0 ? ExitCode.OK : Main.FAILED;
     }
