@@ -7,33 +7,40 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
 /**
- * Keeps of one robot's positions those at which its way bends.
+ * Keeps of one robot's positions those at which its way bends or its speed changes.
  *
- * <p>Every position seen since the last one kept leaves a cone of directions, seen from there, in
- * which a straight line passes it closely enough; a position outside of what all of them have in
- * common means that the one before it is kept. That takes the same few numbers however long the way
- * (Williams, "An efficient algorithm for the piecewise linear approximation of planar curves",
- * 1978). A robot that stands costs nothing.
+ * <p>Every position seen since the last one kept leaves, along each axis, a range of even speeds
+ * that pass it closely enough at its moment; a position outside of what all of them have in common
+ * means that the one before it is kept. That takes the same few numbers however long the way (the
+ * swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref and Zwaenepoel, "Online piece-wise linear
+ * approximation of numerical streams with precision guarantees", 2009). A robot that stands costs
+ * nothing.
  */
 final class TrackThinner {
-  /** Metres that the track may be beside the way. */
+  /** Metres along each axis by which the track may be beside where the robot was at a moment. */
   static final double TOLERANCE = 0.10;
 
-  /** A robot that moves leaves a point so often at least, so that times are true on straights. */
+  /** A robot that moves leaves a point so often at least. */
   private static final Duration LONGEST = Duration.ofMinutes(1);
 
   private final String robot;
   private @Nullable TrackPoint kept;
   private @Nullable TrackPoint last;
+  private Speeds alongX = Speeds.ANY;
+  private Speeds alongY = Speeds.ANY;
 
-  /** Radians; the middle of the first cone, from which the others are measured. */
-  private double axis = Double.NaN;
+  /** Metres a second. */
+  private record Speeds(double least, double most) {
+    static final Speeds ANY = new Speeds(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
 
-  private double least;
-  private double most;
+    boolean has(double speed) {
+      return least <= speed && speed <= most;
+    }
 
-  /** Metres from the kept point; who comes nearer again has turned round. */
-  private double farthest;
+    Speeds narrowed(double speed, double reach) {
+      return new Speeds(Math.max(least, speed - reach), Math.min(most, speed + reach));
+    }
+  }
 
   TrackThinner(String robot) {
     this.robot = robot;
@@ -43,46 +50,47 @@ final class TrackThinner {
   Optional<TrackPoint> add(Instant at, Vec2 position) {
     TrackPoint now = new TrackPoint(robot, at, position);
     if (kept == null || last == null) {
-      return Optional.of(keep(now, now));
+      kept = now;
+      last = now;
+      return Optional.of(now);
     }
-    double distance = kept.position().distanceTo(position);
-    boolean isLate = distance > TOLERANCE && Duration.between(kept.at(), at).compareTo(LONGEST) > 0;
-    if (isLate || distance < farthest - TOLERANCE || !narrow(kept.position(), position, distance)) {
-      return Optional.of(keep(last, now));
+    if (!at.isAfter(last.at())) {
+      return Optional.empty(); // nothing has been heard since
     }
-    farthest = Math.max(farthest, distance);
+    if (last.equals(kept) || isPassed(kept, now)) {
+      narrow(kept, now);
+      last = now;
+      return Optional.empty();
+    }
+    TrackPoint bend = last;
+    alongX = Speeds.ANY;
+    alongY = Speeds.ANY;
+    narrow(bend, now);
+    kept = bend;
     last = now;
-    return Optional.empty();
+    return Optional.of(bend);
   }
 
-  private TrackPoint keep(TrackPoint point, TrackPoint now) {
-    kept = point;
-    last = now;
-    axis = Double.NaN;
-    farthest = point.position().distanceTo(now.position());
-    narrow(point.position(), now.position(), farthest);
-    return point;
+  private boolean isPassed(TrackPoint from, TrackPoint to) {
+    boolean isLate =
+        from.position().distanceTo(to.position()) > TOLERANCE
+            && Duration.between(from.at(), to.at()).compareTo(LONGEST) > 0;
+    Vec2 speed = speed(from, to);
+    return !isLate && alongX.has(speed.x()) && alongY.has(speed.y());
   }
 
-  /** False where the position is outside of the cone. */
-  private boolean narrow(Vec2 from, Vec2 to, double distance) {
-    if (distance <= TOLERANCE) {
-      return true;
-    }
-    double direction = Math.atan2(to.y() - from.y(), to.x() - from.x());
-    double half = Math.asin(TOLERANCE / distance);
-    if (Double.isNaN(axis)) {
-      axis = direction;
-      least = -half;
-      most = half;
-      return true;
-    }
-    double side = Math.IEEEremainder(direction - axis, 2 * Math.PI);
-    if (side < least || side > most) {
-      return false;
-    }
-    least = Math.max(least, side - half);
-    most = Math.min(most, side + half);
-    return true;
+  private void narrow(TrackPoint from, TrackPoint to) {
+    Vec2 speed = speed(from, to);
+    double reach = TOLERANCE / seconds(from, to);
+    alongX = alongX.narrowed(speed.x(), reach);
+    alongY = alongY.narrowed(speed.y(), reach);
+  }
+
+  private static Vec2 speed(TrackPoint from, TrackPoint to) {
+    return to.position().minus(from.position()).times(1 / seconds(from, to));
+  }
+
+  private static double seconds(TrackPoint from, TrackPoint to) {
+    return Duration.between(from.at(), to.at()).toNanos() / 1e9;
   }
 }

@@ -51,20 +51,55 @@ class TrackThinnerTest {
   }
 
   @Test
-  void noPositionIsFarFromTheTrack() {
+  void whereARobotWaitedForSecondsItStands() {
+    drive(new Vec2(0, 0), new Vec2(3, 0));
+    drive(new Vec2(3, 0), new Vec2(3, 0));
+    Instant waited = now.minusSeconds(5);
+    drive(new Vec2(3, 0), new Vec2(6, 0));
+    drive(new Vec2(6, 0), new Vec2(6, 3));
+
+    near(new Vec2(3, 0), at(waited));
+    assertEquals(4, kept.size(), kept::toString);
+  }
+
+  @Test
+  void whatIsSeenAgainWithoutANewWordCountsOnce() {
+    for (int i = 0; i < 5; i++) {
+      see(new Vec2(i, 0), Duration.ofSeconds(1));
+      see(new Vec2(i, 0), Duration.ZERO);
+    }
+
+    assertEquals(1, kept.size(), kept::toString);
+  }
+
+  @Test
+  void whoComesBackElsewhereAfterALongSilenceLeavesNoPointTwice() {
+    see(new Vec2(0, 0), Duration.ZERO);
+    see(new Vec2(9, 9), Duration.ofHours(1));
+    see(new Vec2(9, 9), Duration.ofSeconds(1));
+
+    assertEquals(
+        List.of(START, START.plus(Duration.ofHours(1))),
+        kept.stream().map(TrackPoint::at).toList());
+  }
+
+  @Test
+  void theTrackIsNearWhereTheRobotWasAtEveryMoment() {
     Random random = new Random(1);
-    List<Vec2> seen = new ArrayList<>();
+    List<TrackPoint> seen = new ArrayList<>();
     double heading = 0;
+    double speed = 0.25;
     Vec2 position = new Vec2(0, 0);
     for (int i = 0; i < 20_000; i++) {
       heading += 0.2 * random.nextGaussian();
-      position = position.plus(new Vec2(Math.cos(heading), Math.sin(heading)).times(0.05));
-      seen.add(position);
+      speed = Math.clamp(speed + 0.1 * random.nextGaussian(), 0, 0.5);
+      position = position.plus(new Vec2(Math.cos(heading), Math.sin(heading)).times(0.2 * speed));
       see(position, Duration.ofMillis(200));
+      seen.add(new TrackPoint("r1", now, position));
     }
 
-    for (Vec2 point : seen.subList(0, 19_000)) {
-      assertTrue(distanceToTrack(point) < 2 * TrackThinner.TOLERANCE + 0.05, point::toString);
+    for (TrackPoint point : seen.subList(0, 19_000)) {
+      near(point.position(), at(point.at()));
     }
     assertTrue(kept.size() < 20_000 / 5, () -> kept.size() + " points");
   }
@@ -80,25 +115,23 @@ class TrackThinnerTest {
     thinner.add(now, position).ifPresent(kept::add);
   }
 
-  private double distanceToTrack(Vec2 point) {
-    double least = Double.POSITIVE_INFINITY;
-    for (int i = 1; i < kept.size(); i++) {
-      least = Math.min(least, distance(point, kept.get(i - 1).position(), kept.get(i).position()));
+  /** Where the track says that the robot was. */
+  private Vec2 at(Instant moment) {
+    int next = 1;
+    while (kept.get(next).at().isBefore(moment)) {
+      next++;
     }
-    return least;
-  }
-
-  private static double distance(Vec2 point, Vec2 from, Vec2 to) {
-    Vec2 line = to.minus(from);
-    Vec2 way = point.minus(from);
-    double length = line.x() * line.x() + line.y() * line.y();
+    TrackPoint from = kept.get(next - 1);
+    TrackPoint to = kept.get(next);
     double share =
-        length == 0 ? 0 : Math.clamp((way.x() * line.x() + way.y() * line.y()) / length, 0, 1);
-    return point.distanceTo(from.plus(line.times(share)));
+        (double) Duration.between(from.at(), moment).toNanos()
+            / Duration.between(from.at(), to.at()).toNanos();
+    return from.position().plus(to.position().minus(from.position()).times(share));
   }
 
   private static void near(Vec2 expected, Vec2 actual) {
     assertTrue(
-        expected.distanceTo(actual) <= TrackThinner.TOLERANCE + 0.1, expected + " " + actual);
+        expected.distanceTo(actual) <= Math.sqrt(2) * TrackThinner.TOLERANCE + 1e-9,
+        expected + " " + actual);
   }
 }
