@@ -60,6 +60,7 @@ class LiveInBrowserTest extends BrowserTest {
     page().locator("main button").click();
     assertThat(page().locator("#age")).containsText("Live");
     page().evaluate(WATCH);
+    awaitBoth(server.fleet().latest().version());
 
     for (int i = 0; i < CHANGES; i++) {
       change();
