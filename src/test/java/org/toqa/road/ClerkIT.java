@@ -7,15 +7,21 @@ import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.assertions.LocatorAssertions.HasTextOptions;
 import com.microsoft.playwright.options.AriaRole;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.testbed.BrowserTest;
+import org.toqa.testbed.RealMySql;
 
-/** What a clerk does: logs in, clicks start and goal on the map, and watches the load get there. */
+/**
+ * What a clerk does: logs in, clicks start and goal on the map, and watches the load get there; at
+ * a desk with H2, on a phone with MySQL.
+ */
 class ClerkIT extends BrowserTest {
   private static final double WIDTH = 20.1; // the lab: 67 x 40 cells of 0.30 m
   private static final double HEIGHT = 12.0;
@@ -23,11 +29,18 @@ class ClerkIT extends BrowserTest {
   @TempDir private Path folder;
 
   @ParameterizedTest
-  @CsvSource({"1280, 900", "390, 844"})
-  void aTaskIsAssignedOnTheMapAndSeenToItsEnd(int width, int height) throws Exception {
+  @CsvSource({"1280, 900, false", "390, 844, true"})
+  void aTaskIsAssignedOnTheMapAndSeenToItsEnd(int width, int height, boolean isMySql)
+      throws Exception {
     Page page = page();
     page.setViewportSize(width, height);
-    try (RunningServer server = new RunningServer(folder, "--simulate", "3", "--speed", "10")) {
+    List<String> options = new ArrayList<>(List.of("--simulate", "3", "--speed", "10"));
+    if (isMySql) {
+      Path config = folder.resolve("server.yaml");
+      Files.writeString(config, "database:\n  url: \"" + RealMySql.newDatabase() + "\"\n");
+      options.addAll(List.of("--config", config.toString()));
+    }
+    try (RunningServer server = new RunningServer(folder, options.toArray(String[]::new))) {
       page.navigate(server.root().toString());
       page.getByLabel("Name").fill(RunningServer.MANAGER);
       page.getByLabel("Password").fill(RunningServer.PASSWORD);

@@ -18,7 +18,7 @@ import org.toqa.testbed.BrowserTest;
 
 /** What the pages put together from changes is what the server would have sent whole. */
 class LiveInBrowserTest extends BrowserTest {
-  private static final int CHANGES = 60;
+  private static final int CHANGES = 30;
 
   /** Notes each snapshot by its version, those that come whole and those put together. */
   private static final String WATCH =

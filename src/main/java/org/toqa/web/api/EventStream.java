@@ -25,7 +25,9 @@ final class EventStream implements Runnable {
   private static final Duration PACE = Duration.ofMillis(100);
 
   /** A second, to all readers together: where there are many, each is sent fewer. */
-  private static final int MOST_EVENTS = 2000;
+  private static final int MOST_CHANGES = 2000;
+
+  private static final int MOST_SNAPSHOTS = 800;
 
   private static final byte[] RETRY = "retry: 2000\n\n".getBytes(StandardCharsets.UTF_8);
   private static final byte[] ALIVE = "event: alive\ndata: {}\n\n".getBytes(StandardCharsets.UTF_8);
@@ -108,7 +110,8 @@ final class EventStream implements Runnable {
   }
 
   private Duration pace() {
-    Duration fair = Duration.ofSeconds(readers.getAsInt()).dividedBy(MOST_EVENTS);
+    int most = isOfChanges ? MOST_CHANGES : MOST_SNAPSHOTS;
+    Duration fair = Duration.ofSeconds(readers.getAsInt()).dividedBy(most);
     return fair.compareTo(PACE) > 0 ? fair : PACE;
   }
 
