@@ -48,11 +48,12 @@ public final class Main implements Runnable {
 
   static CommandLine commandLine() {
     CommandLine line = new CommandLine(new Main());
-    // The other benches know nothing of a server; one needs all of it, two its map.
+    // The other benches know nothing of a server; some need all of it, two its map.
     requireNonNull(line.getSubcommands().get("bench"))
         .addSubcommand(new FleetBench())
         .addSubcommand(new TaskBench())
         .addSubcommand(new WebBench())
+        .addSubcommand(new DaemonBench())
         .addSubcommand(new AllocationBench(Webapp::shippedMap))
         .addSubcommand(new FormationBench(Webapp::shippedMap));
     return line.setParameterExceptionHandler((e, args) -> complain(e))

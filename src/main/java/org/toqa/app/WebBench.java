@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.toqa.app.bench.Timings;
 import org.toqa.app.command.Arguments;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -73,14 +72,6 @@ final class WebBench implements Callable<Integer> {
       paramLabel = "FILE",
       description = "The floor's map, .yaml or .map (default: the shipped map).")
   private @Nullable String map;
-
-  private record Milliseconds(long count, double p50Ms, double p99Ms, double maxMs) {
-    static Milliseconds of(double[] millis) {
-      Timings timings = new Timings(millis);
-      return new Milliseconds(
-          millis.length, timings.percentile(0.5), timings.percentile(0.99), timings.max());
-    }
-  }
 
   private record Report(
       int robots,
