@@ -40,6 +40,15 @@ find_database() {
   fi
 }
 
+# The programs that back MySQL up and restore it are unpacked.
+find_mysql_client() {
+  mkdir -p "$cache"
+  if ! unpack sid mysql-client "$cache/mysql-client"; then
+    say "found no client of MySQL: mysql-client of Debian sid cannot be had"
+    exit 1
+  fi
+}
+
 # Waits for at most a minute; false where the server ended, as when another one has the port.
 database_answers() {
   seconds=60

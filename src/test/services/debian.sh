@@ -67,7 +67,7 @@ within() {
   system=$1/root
   program=$2
   shift 2
-  libraries=$(dirname "$(find "$system/usr/lib" "$system/lib" -name libc.so.6 | head -n 1)")
+  libraries=$(dirname "$(find "$system/usr/lib" "$system/lib" -name libc.so.6 2>/dev/null | head -n 1)")
   loader=$(find "$libraries" -name 'ld-linux*.so.*' | head -n 1)
   exec "$loader" --library-path "$libraries:$system/usr/lib/$(basename "$libraries")" \
     "$system$program" "$@"

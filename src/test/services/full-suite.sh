@@ -20,7 +20,7 @@ Usage: ./toqa test
 
 Runs the full test suite. On Debian it brings what it needs: Chromium, socat, iproute2, faketime
 and the compilers of the firmware (installed when you are root, named when not), a private MySQL
-server and the fuzzer Schemathesis (unpacked into ~/.cache/toqa, not installed).
+server with its client and the fuzzer Schemathesis (unpacked into ~/.cache/toqa, not installed).
 TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours instead; its user must be allowed to
 create databases.
 END
@@ -64,6 +64,7 @@ say "testing the firmware"
 make -s -C firmware test sim
 schemathesis
 start_database
+[ "${brand:-}" != mysql ] || find_mysql_client
 
 ./mvnw -B -ntp verify -Pfull -Dtoqa.mysql.url="$database_url" -Dtoqa.schemathesis="$fuzzer" &
 maven=$!

@@ -10,18 +10,19 @@
 <%@ attribute name="id" description="if the field's name is not the only one of its kind" %>
 <%@ attribute name="focus" type="java.lang.Boolean" %>
 <%@ attribute name="optional" type="java.lang.Boolean" %>
+<%@ attribute name="idle" type="java.lang.Boolean" description="another form of the page was sent, which has a field of this name too" %>
 <%@ attribute name="value" description="what stands in it at first" %>
 <%@ taglib prefix="c" uri="jakarta.tags.core" %>
 <%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
 <%@ taglib prefix="fn" uri="jakarta.tags.functions" %>
 <c:set var="fieldId" value="${empty id ? name : id}"/>
-<c:set var="error" value="${errors[empty errorAt ? name : errorAt]}"/>
+<c:set var="error" value="${idle ? null : errors[empty errorAt ? name : errorAt]}"/>
 <c:set var="direction" value="${latin or not empty inputmode or type == 'email' or type == 'password' ? 'ltr' : 'auto'}"/>
 <c:set var="explained" value="${not empty error or not empty hint}"/>
 <label for="${fieldId}"><fmt:message key="${label}"/></label>
 <input id="${fieldId}" name="${name}" type="${empty type ? 'text' : type}" dir="${direction}"${optional ? '' : ' required'} autocomplete="${empty autocomplete ? 'off' : autocomplete}"
   <c:if test="${not empty inputmode}"> inputmode="${inputmode}"</c:if>
-  <c:if test="${type != 'password'}"> value="${fn:escapeXml(param[name] == null ? value : param[name])}"</c:if>
+  <c:if test="${type != 'password'}"> value="${fn:escapeXml(idle or param[name] == null ? value : param[name])}"</c:if>
   <c:if test="${not empty error}"> aria-invalid="true"</c:if>
   <c:if test="${explained}"> aria-describedby="${fieldId}-help"</c:if>
   <c:if test="${focus}"> autofocus</c:if>>

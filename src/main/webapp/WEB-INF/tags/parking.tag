@@ -8,4 +8,4 @@
   <option value=""><fmt:message key="${none}"/></option>
   <c:forEach items="${floors}" var="floor"><c:forEach items="${floor.parking}" var="place"><option dir="auto" ${place.name == chosen ? 'selected' : ''}><c:out value="${place.name}"/></option></c:forEach></c:forEach>
 </select>
-<c:if test="${not empty errors.parking}"><small id="parking-help"><bdi><c:out value="${errors.parking}"/></bdi></small></c:if>
+<c:if test="${not empty errors.parking}"><small id="parking-help" class="wrong"><bdi><c:out value="${errors.parking}"/></bdi></small></c:if>

@@ -1,8 +1,10 @@
 <%@ tag body-content="empty" pageEncoding="UTF-8" trimDirectiveWhitespaces="true" %>
 <%@ attribute name="chosen" required="true" %>
+<%@ taglib prefix="c" uri="jakarta.tags.core" %>
 <%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
 <label for="role"><fmt:message key="users.add.role"/></label>
-<select id="role" name="role">
+<select id="role" name="role" ${empty errors.role ? '' : 'aria-invalid="true" aria-describedby="role-help"'}>
   <option value="CLERK"><fmt:message key="users.role.CLERK"/></option>
   <option value="MANAGER" ${chosen == 'MANAGER' ? 'selected' : ''}><fmt:message key="users.role.MANAGER"/></option>
 </select>
+<c:if test="${not empty errors.role}"><small id="role-help" class="wrong"><bdi><c:out value="${errors.role}"/></bdi></small></c:if>

@@ -9,6 +9,7 @@
 <fmt:formatNumber value="${robot.footprint}" maxFractionDigits="3" var="footprint"/>
 <fmt:formatNumber value="${robot.speed}" maxFractionDigits="2" var="speed"/>
 <t:page title="${title}" here="robot" script="track.js">
+  <t:errors/>
   <div id="live" data-live="robot" data-name="${fn:escapeXml(robot.name)}">
     <div class="heading">
       <h1><c:out value="${title}"/></h1>
@@ -63,7 +64,6 @@
   <c:if test="${caller.isManager()}">
     <article class="card" id="orders" data-live="orders" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.task ? '' : 'hidden'}>
       <h2><fmt:message key="robot.orders"/></h2>
-      <t:errors/>
       <div class="choices">
         <c:url value="/robots/${robot.name}/${robot.held ? 'resume' : 'hold'}" var="holdOrResume"/>
         <c:if test="${empty pause}">
@@ -124,13 +124,14 @@
       <c:url value="/robots/${robot.name}/change" var="change"/>
       <form method="post" action="<c:out value="${change}"/>" novalidate>
         <t:csrf/>
+        <t:version/>
         <div class="grid">
-          <div><t:field name="host" id="change-host" label="robots.add.host" value="${robot.host}"/></div>
-          <div><t:field name="port" id="change-port" label="robots.add.port" inputmode="numeric" value="${robot.port}"/></div>
+          <div><t:field name="host" id="change-host" label="robots.add.host" latin="true" idle="${sent == 'pair'}" value="${robot.host}"/></div>
+          <div><t:field name="port" id="change-port" label="robots.add.port" inputmode="numeric" idle="${sent == 'pair'}" value="${robot.port}"/></div>
         </div>
         <div class="grid">
           <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal" value="${robot.maxLoad}"/></div>
-          <div><t:parking chosen="${robot.parking}" none="robot.parking.none"/></div>
+          <div><t:parking chosen="${param.parking == null ? robot.parking : param.parking}" none="robot.parking.none"/></div>
         </div>
         <button><fmt:message key="robot.change.submit"/></button>
       </form>
@@ -153,9 +154,10 @@
         <c:url value="/robots/${robot.name}/pair" var="pair"/>
         <form method="post" action="<c:out value="${pair}"/>" novalidate>
           <t:csrf/>
+          <t:version/>
           <div class="grid">
-            <div><t:field name="host" label="robots.add.host" latin="true" value="${robot.host}"/></div>
-            <div><t:field name="port" label="robots.add.port" inputmode="numeric" value="${robot.port}"/></div>
+            <div><t:field name="host" label="robots.add.host" latin="true" idle="${sent == 'change'}" value="${robot.host}"/></div>
+            <div><t:field name="port" label="robots.add.port" inputmode="numeric" idle="${sent == 'change'}" value="${robot.port}"/></div>
           </div>
           <t:field name="code" label="robot.pair.code" latin="true"/>
           <button><fmt:message key="robot.pair.submit"/></button>

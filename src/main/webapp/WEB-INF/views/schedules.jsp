@@ -13,6 +13,7 @@
     </div>
     <div class="choices"><a role="button" href="${root}/tasks/new"><fmt:message key="tasks.new"/></a></div>
   </div>
+  <t:errors/>
   <c:if test="${not empty param.added}"><p class="notice good" role="status"><fmt:message key="schedules.added"/></p></c:if>
   <c:if test="${empty entries}"><p class="notice"><fmt:message key="schedules.empty"/></p></c:if>
   <c:if test="${not empty entries}">
@@ -54,6 +55,7 @@
                   <c:forTokens items="${empty schedule.due ? '' : schedule.paused ? 'resume,' : 'pause,'}delete" delims="," var="wish">
                     <form method="post" action="${root}/schedules/${schedule.id}/${wish}">
                       <t:csrf/>
+                      <c:if test="${wish == 'delete'}"><input type="hidden" name="version" value="${entry.version.text}"></c:if>
                       <button class="outline"><fmt:message key="schedules.${wish}"/></button>
                     </form>
                   </c:forTokens>

@@ -8,6 +8,7 @@
 <fmt:formatNumber value="${task.task.load}" maxFractionDigits="2" var="load"/>
 <c:set var="usualPriority" value="${task.task.priority == 10 or task.task.priority == 0 or task.task.priority == -10}"/>
 <t:page title="${title}" here="task" script="live.js">
+  <t:errors/>
   <div id="live" data-live="task" data-name="${task.task.id}">
     <div class="heading">
       <div>
@@ -77,7 +78,6 @@
   </div>
   <article class="card" id="wishes" data-live="wishes" data-name="${task.task.id}" ${mayChange and not task.state.isEnded() ? '' : 'hidden'}>
     <h2><fmt:message key="task.wishes"/></h2>
-    <t:errors/>
     <c:if test="${mayChange and not task.state.isEnded()}">
       <c:if test="${not empty task.needs}">
         <form class="choices" method="post" action="${root}/tasks/${task.task.id}/answer">
@@ -91,10 +91,11 @@
       </form>
       <form class="inline" method="post" action="${root}/tasks/${task.task.id}/priority">
         <t:csrf/>
+        <t:version/>
         <label for="priority"><fmt:message key="newTask.priority"/></label>
         <select id="priority" name="priority">
           <c:if test="${not usualPriority}"><option value="${task.task.priority}" selected>${task.task.priority}</option></c:if>
-          <c:forTokens items="10,0,-10" delims="," var="level"><option value="${level}" ${level == task.task.priority ? 'selected' : ''}><fmt:message key="newTask.priority.${level}"/></option></c:forTokens>
+          <c:forTokens items="10,0,-10" delims="," var="level"><option value="${level}" ${level == (empty param.priority ? task.task.priority : param.priority) ? 'selected' : ''}><fmt:message key="newTask.priority.${level}"/></option></c:forTokens>
         </select>
         <button class="outline"><fmt:message key="task.priority.submit"/></button>
         <c:if test="${not empty errors.priority}"><small class="wrong"><bdi><c:out value="${errors.priority}"/></bdi></small></c:if>

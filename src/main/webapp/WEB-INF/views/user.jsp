@@ -91,6 +91,7 @@
     <h2><fmt:message key="users.email"/></h2>
     <form method="post" action="${root}/users/${user.id}/email" novalidate>
       <t:csrf/>
+      <t:version/>
       <div class="grid">
         <div><t:field name="email" label="users.email" type="email" hint="users.email.hint" optional="true" value="${user.email}" autocomplete="${own ? 'email' : 'off'}"/></div>
         <c:if test="${own}"><div><t:field name="password" id="email-password" errorAt="emailPassword" label="users.password.old" type="password" autocomplete="current-password"/></div></c:if>
@@ -103,8 +104,10 @@
       <h2><fmt:message key="users.change"/></h2>
       <form method="post" action="${root}/users/${user.id}/change">
         <t:csrf/>
-        <t:role chosen="${user.role}"/>
-        <label><input type="checkbox" name="disabled" ${user.disabled() ? 'checked' : ''}> <fmt:message key="users.change.disabled"/></label>
+        <t:version/>
+        <t:role chosen="${param.role == null ? user.role : param.role}"/>
+        <label><input type="checkbox" name="disabled" ${(param.role == null ? user.disabled() : param.disabled != null) ? 'checked' : ''} ${empty errors.disabled ? '' : 'aria-describedby="disabled-help"'}> <fmt:message key="users.change.disabled"/></label>
+        <c:if test="${not empty errors.disabled}"><small id="disabled-help" class="wrong"><bdi><c:out value="${errors.disabled}"/></bdi></small></c:if>
         <p class="faint"><fmt:message key="users.change.disabled.hint"/></p>
         <button><fmt:message key="users.change.submit"/></button>
       </form>

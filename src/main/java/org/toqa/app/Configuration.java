@@ -24,6 +24,7 @@ import org.toqa.fleet.ChargingRules;
  * @param port 0: any free one
  * @param tls what the pages are encrypted with; null: they are not
  * @param proxy the address of the proxy that says for whom it asks; null: none
+ * @param requestsPerSecond how many of one caller are answered; 0: all
  * @param data the folder for what the server keeps
  * @param map the floor's map
  * @param allocator who decides which robots carry what
@@ -46,6 +47,7 @@ public record Configuration(
     int port,
     @Nullable Tls tls,
     @Nullable InetAddress proxy,
+    int requestsPerSecond,
     Path data,
     Path map,
     Database database,
@@ -140,6 +142,7 @@ public record Configuration(
           wholeNumber(Setting.PORT, 0, 65_535),
           tls(),
           proxy(),
+          wholeNumber(Setting.REQUESTS_PER_SECOND, 0, 100_000),
           data,
           map(shippedMap),
           database(data),

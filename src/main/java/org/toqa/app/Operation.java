@@ -20,7 +20,7 @@ interface Operation {
 
   /**
    * Does this with a product of its own: in a folder that is gone afterwards, on any free port, and
-   * silent but for errors.
+   * silent but for errors. Its callers may ask as fast as they can.
    */
   default int runAlone(Map<Setting, @Nullable String> settings) throws Exception {
     Path webapp = Webapp.folder();
@@ -29,6 +29,7 @@ interface Operation {
       Map<Setting, @Nullable String> all = new EnumMap<>(settings);
       all.put(Setting.DATA, data.path().toString());
       all.put(Setting.PORT, "0");
+      all.put(Setting.REQUESTS_PER_SECOND, "0");
       all.put(Setting.LOG_LEVEL, "ERROR");
       return runOn(Configuration.of(webapp, List.of(Layer.ofCommandLine(all))), webapp, stop);
     }

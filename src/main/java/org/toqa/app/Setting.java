@@ -12,6 +12,8 @@ enum Setting {
       "tls.certificate", "", "a PEM file with the certificate and those that vouch for it"),
   TLS_KEY("tls.key", "", "a PEM file with the certificate's private key, without a password"),
   PROXY("proxy", "", "the IP address of the proxy in front of this server"),
+  REQUESTS_PER_SECOND(
+      "requestsPerSecond", "300", "a whole number from 0 to 100000; 0 sets no limit"),
   DATA("data", "toqa-data", "a folder"),
   MAP("map", "", "a .yaml (ROS map_server) or .map (MovingAI) file"),
   DATABASE_URL("database.url", "", "a JDBC URL that begins with jdbc:mysql: or jdbc:h2:"),

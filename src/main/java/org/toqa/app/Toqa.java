@@ -1,5 +1,6 @@
 package org.toqa.app;
 
+import com.github.benmanes.caffeine.cache.Ticker;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -48,6 +49,7 @@ import org.toqa.web.Metrics;
 import org.toqa.web.Services;
 import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.Passwords;
+import org.toqa.web.access.RequestLimit;
 
 /**
  * The product behind its web pages: store, fleet and simulated robots. It has one owner, the
@@ -168,6 +170,7 @@ final class Toqa implements AutoCloseable {
             passwordLinks,
             passwords,
             metrics,
+            new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
             wallClock);
     return new Toqa(configuration, clock, services, parts);
   }

@@ -1,5 +1,6 @@
 package org.toqa.web;
 
+import io.micrometer.core.instrument.Counter;
 import io.micrometer.core.instrument.Gauge;
 import io.micrometer.core.instrument.MeterRegistry;
 import io.micrometer.core.instrument.MultiGauge;
@@ -41,6 +42,7 @@ public final class Metrics implements AutoCloseable {
   private final MultiGauge batteries;
   private final JvmGcMetrics collector = new JvmGcMetrics();
   private final AtomicInteger streams = new AtomicInteger();
+  private final Counter tooFast;
 
   public Metrics(SnapshotFeed feed) {
     this.feed = feed;
@@ -63,6 +65,10 @@ public final class Metrics implements AutoCloseable {
     Gauge.builder("toqa.streams", streams, AtomicInteger::get)
         .description("Readers of live events")
         .register(registry);
+    tooFast =
+        Counter.builder("toqa.http.too.fast")
+            .description("Requests that were refused because their caller asked too fast")
+            .register(registry);
     new JvmMemoryMetrics().bindTo(registry);
     new JvmThreadMetrics().bindTo(registry);
     new ProcessorMetrics().bindTo(registry);
@@ -96,6 +102,10 @@ public final class Metrics implements AutoCloseable {
         .tags("method", method, "door", door, "status", status / 100 + "xx")
         .register(registry)
         .record(time);
+  }
+
+  public void refusedAsTooFast() {
+    tooFast.increment();
   }
 
   public void streamBegun() {

@@ -14,6 +14,7 @@ import org.toqa.store.Statistics;
 import org.toqa.web.access.Login;
 import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.Passwords;
+import org.toqa.web.access.RequestLimit;
 
 /** What the web application stands on. Whoever starts it puts this into the servlet context. */
 public record Services(
@@ -28,6 +29,7 @@ public record Services(
     PasswordLinks passwordLinks,
     Passwords passwords,
     Metrics metrics,
+    RequestLimit requestLimit,
     InstantSource clock,
     Login login,
     Submissions submissions) {
@@ -47,6 +49,7 @@ public record Services(
       PasswordLinks passwordLinks,
       Passwords passwords,
       Metrics metrics,
+      RequestLimit requestLimit,
       InstantSource clock) {
     return new Services(
         fleet,
@@ -60,6 +63,7 @@ public record Services(
         passwordLinks,
         passwords,
         metrics,
+        requestLimit,
         clock,
         Login.of(accounts, passwords, clock),
         new Submissions(fleet, archive));

@@ -32,6 +32,7 @@ class ConfigurationTest {
     assertEquals(Path.of("/webapp/WEB-INF/maps/lab.yaml"), configuration.map());
     assertEquals(Policy.OPTIMAL, configuration.allocator());
     assertEquals(0, configuration.simulate());
+    assertEquals(300, configuration.requestsPerSecond());
     assertNull(configuration.manager());
   }
 
@@ -105,6 +106,7 @@ class ConfigurationTest {
         "PORT          | 80.5           | a whole number from 0 to 65535",
         "PORT          | -1             | a whole number from 0 to 65535",
         "PORT          | 99999999999    | a whole number from 0 to 65535",
+        "REQUESTS_PER_SECOND | 100001   | from 0 to 100000; 0 sets no limit",
         "ADDRESS       | no such host   | a host name or IP address",
         "DATA          | ''             | a folder",
         "DATA          | pom.xml        | it must be a folder",

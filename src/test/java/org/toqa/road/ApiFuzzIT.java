@@ -50,7 +50,8 @@ class ApiFuzzIT {
   @BeforeAll
   static void start() throws Exception {
     assumeFalse(PROGRAM.isEmpty(), "Schemathesis is not here.");
-    server = new RunningServer(folder, "--simulate", "3");
+    Path config = Files.writeString(folder.resolve("server.yaml"), "requestsPerSecond: 0\n");
+    server = new RunningServer(folder, "--config", config.toString(), "--simulate", "3");
     for (int task = 0; task < 3; task++) {
       server.addTask("box", "Workbench 2", "Mill");
     }

@@ -15,6 +15,25 @@ class BackupIT {
   @TempDir private Path folder;
 
   @Test
+  void theFolderOfAServerThatIsStoppedHoldsAll() throws Exception {
+    Path data = folder.resolve("data");
+    Path backup = folder.resolve("data.backup");
+    try (RunningServer server = new RunningServer(folder, "--simulate", "1", "--speed", "20")) {
+      KeptWork work = KeptWork.begin(server);
+      server.stop();
+      copyFolder(data, backup);
+      server.startAgain();
+      work.goOnWithoutABackup();
+      server.stop();
+      Files.move(data, folder.resolve("data.lost"));
+      copyFolder(backup, data);
+      server.startAgain();
+
+      work.assertRestoredAndGoesOn();
+    }
+  }
+
+  @Test
   void aRobotThatIsAheadOfTheRestoredServerIsUsedAgain() throws Exception {
     Path data = folder.resolve("data");
     Path backup = Files.createDirectory(folder.resolve("backup"));
@@ -36,6 +55,11 @@ class BackupIT {
       long third = server.addTask("after it", "Workbench 1", "Packing 1");
       server.awaitState(third, "DONE");
     }
+  }
+
+  private static void copyFolder(Path from, Path to) throws Exception {
+    Process copy = new ProcessBuilder("cp", "-a", from.toString(), to.toString()).start();
+    assertEquals(0, copy.waitFor());
   }
 
   private static void copyDatabase(Path from, Path to) throws IOException {

@@ -61,13 +61,21 @@ final class RunningServer implements AutoCloseable {
     api.close();
   }
 
+  /** As a service manager does it. */
+  void stop() throws Exception {
+    process.terminate();
+    process.exitCode();
+    killed.add(process);
+    api.close();
+  }
+
   void startAgain() throws Exception {
     process = launch();
     root = URI.create(process.awaitErr("http://[^ ]*").group());
     api = new ApiClient(root, MANAGER, PASSWORD);
   }
 
-  /** Everything on standard error of the servers that were killed. */
+  /** Everything on standard error of the servers that were killed or stopped. */
   List<String> lastWords() throws InterruptedException {
     List<String> lines = new ArrayList<>();
     for (ToqaProcess server : killed) {

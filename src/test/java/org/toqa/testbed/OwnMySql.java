@@ -53,6 +53,17 @@ public final class OwnMySql implements AutoCloseable {
     return "jdbc:mysql://127.0.0.1:" + port + "/toqa?user=root&createDatabaseIfNotExist=true";
   }
 
+  public int port() {
+    return port;
+  }
+
+  /** Where no MySQL can be had. */
+  public boolean isMariaDb() throws SQLException {
+    try (Connection connection = DriverManager.getConnection(url())) {
+      return connection.getMetaData().getDatabaseProductVersion().contains("MariaDB");
+    }
+  }
+
   /** It keeps its connections, and says nothing. */
   public void freeze() throws Exception {
     signal("-STOP");

@@ -8,6 +8,7 @@ import com.deque.html.axecore.playwright.AxeBuilder;
 import com.deque.html.axecore.results.AxeResults;
 import com.deque.html.axecore.results.CheckedNode;
 import com.deque.html.axecore.results.Rule;
+import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.ColorScheme;
 import java.util.ArrayList;
@@ -93,8 +94,22 @@ class AccessibilityInBrowserTest extends BrowserTest {
       }
       look(path, found);
     }
+    meetRival();
+    look("users/1/change", found);
 
     assertEquals(List.of(), found, () -> String.join("\n", found));
+  }
+
+  /** Another manager changes the user whose form is open here, before it is sent. */
+  private void meetRival() {
+    page().navigate(server.root() + "users/1");
+    Locator form = page().locator("form[action$='/change']");
+    form.locator("[name=disabled]").check();
+    try (Visitor other = Visitor.loggedIn(server.root(), WebTestServer.MANAGER)) {
+      other.post("users/1/change", Map.of("role", "MANAGER"));
+    }
+    form.locator("button").click();
+    assertThat(page().locator("#role-help")).isVisible();
   }
 
   @Test

@@ -91,6 +91,18 @@ class OpenApiTest {
   }
 
   @Test
+  void everyDoorButTheOneForMonitorsSaysThatItsCallerMayBeToldToWait() {
+    for (Map.Entry<String, JsonNode> path : document.get("paths").properties()) {
+      for (JsonNode operation : path.getValue()) {
+        assertEquals(
+            !path.getKey().equals("/api/v1/health"),
+            operation.at("/responses/429/$ref").asString("").endsWith("/TooManyRequests"),
+            path::getKey);
+      }
+    }
+  }
+
+  @Test
   void everyReferenceLeadsSomewhere() {
     for (JsonNode reference : document.findValues("$ref")) {
       assertTrue(

@@ -476,6 +476,42 @@ class PagesInBrowserTest {
     assertThat(page.locator("main")).not().containsText("r1");
   }
 
+  @ParameterizedTest
+  @CsvSource({"1280, 900, en", "390, 844, en", "1280, 900, ar", "390, 844, ar"})
+  void whatAnotherManagerHasStoredMeanwhileStandsBesideTheEntries(
+      int width, int height, String language) {
+    Page page = loggedIn(width, height, ColorScheme.LIGHT);
+    page.navigate(server.root() + "language/" + language);
+    page.navigate(server.root() + "robots/r2");
+    Locator form = page.locator("#change");
+    form.locator("#change-port").fill("7400");
+    form.locator("#parking").selectOption("P2");
+    try (Visitor other = Visitor.loggedIn(server.root(), WebTestServer.MANAGER)) {
+      Map<String, String> stored =
+          Map.of("host", "10.0.0.9", "port", "7300", "maxLoad", "5", "parking", "P3");
+      assertEquals(303, other.post("robots/r2/change", stored).statusCode());
+    }
+    form.locator("button").first().click();
+
+    assertThat(page.locator("main > [role=alert]")).isVisible();
+    assertThat(form.locator("#change-host-help")).containsText("10.0.0.9");
+    assertThat(form.locator("#change-port-help")).containsText("7300");
+    assertThat(form.locator("#parking-help")).containsText("P3");
+    assertThat(form.locator("#maxLoad-help")).hasCount(0);
+    assertThat(page.locator("#pair #port")).hasValue("7300");
+    assertThat(page.locator("#pair [aria-invalid]")).hasCount(0);
+    assertThat(form.locator("#change-port")).hasValue("7400");
+    assertThat(form.locator("#parking")).hasValue("P2");
+    picture(page, "robot-rivals-top-" + width + language);
+    form.scrollIntoViewIfNeeded();
+    picture(page, "robot-rivals-" + width + language);
+    assertFits(page);
+    form.locator("button").first().click();
+    assertThat(page.locator("main > [role=alert]")).hasCount(0);
+    assertThat(page.locator("dl").first()).containsText(":7400");
+    assertThat(page.locator("dl").first()).containsText("P2");
+  }
+
   @Test
   void theApiIsTriedOutOnItsPage() {
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);

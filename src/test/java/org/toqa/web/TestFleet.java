@@ -302,8 +302,34 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   @Override
   public CompletionStage<Answer<RobotView>> changeRobot(
       String name, RobotChange change, String user) {
-    return change(
-        name, known -> robot(name, known.state(), known.pose(), change.host(), change.port()));
+    return change(name, known -> changed(known, change));
+  }
+
+  private static RobotView changed(RobotView known, RobotChange change) {
+    return new RobotView(
+        known.name(),
+        known.floor(),
+        known.state(),
+        known.pose(),
+        known.battery(),
+        known.task(),
+        known.phase(),
+        change.maxLoad(),
+        known.footprint(),
+        known.speed(),
+        change.host(),
+        change.port(),
+        change.parking(),
+        change.host().equals("127.0.0.1"),
+        known.route(),
+        known.released(),
+        known.errors(),
+        known.doing(),
+        known.lastSeen(),
+        known.held(),
+        known.charger(),
+        known.fingerprint(),
+        known.alert());
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.toqa.web;
 
+import com.github.benmanes.caffeine.cache.Ticker;
 import java.io.File;
 import java.io.IOException;
 import java.net.URI;
@@ -37,6 +38,7 @@ import org.toqa.store.Statistics;
 import org.toqa.testbed.RealMySql;
 import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.Passwords;
+import org.toqa.web.access.RequestLimit;
 
 /** The shipped web application in an embedded Tomcat, over a fleet in memory. */
 final class WebTestServer implements AutoCloseable {
@@ -46,6 +48,8 @@ final class WebTestServer implements AutoCloseable {
 
   /** Argon2id takes its time; once is enough. */
   private static final Passwords PASSWORDS = new Passwords();
+
+  private static final RequestLimit NO_LIMIT = new RequestLimit(0, Ticker.systemTicker());
 
   private static final String PASSWORD_HASH = PASSWORDS.hash(PASSWORD);
 
@@ -74,7 +78,8 @@ final class WebTestServer implements AutoCloseable {
             0,
             Boolean.getBoolean("toqa.browser.mysql")
                 ? Database.open(RealMySql.newDatabase(), "", "")
-                : inMemory()));
+                : inMemory(),
+            NO_LIMIT));
   }
 
   /**
@@ -84,6 +89,11 @@ final class WebTestServer implements AutoCloseable {
    */
   static WebTestServer start(int port) throws IOException, LifecycleException {
     return withUsers(startEmpty(port));
+  }
+
+  /** With a clerk and a manager, who are told to wait when they ask too fast. */
+  static WebTestServer start(RequestLimit limit) throws IOException, LifecycleException {
+    return withUsers(new WebTestServer(0, inMemory(), limit));
   }
 
   private static WebTestServer withUsers(WebTestServer server) {
@@ -98,14 +108,15 @@ final class WebTestServer implements AutoCloseable {
    * @param port 0 for a free one
    */
   static WebTestServer startEmpty(int port) throws IOException, LifecycleException {
-    return new WebTestServer(port, inMemory());
+    return new WebTestServer(port, inMemory(), NO_LIMIT);
   }
 
   private static Database inMemory() {
     return Database.inMemory("web-" + System.nanoTime());
   }
 
-  private WebTestServer(int port, Database database) throws IOException, LifecycleException {
+  private WebTestServer(int port, Database database, RequestLimit limit)
+      throws IOException, LifecycleException {
     this.database = database;
     Jdbi jdbi = database.jdbi();
     accounts = new Accounts(jdbi, InstantSource.system());
@@ -131,6 +142,7 @@ final class WebTestServer implements AutoCloseable {
             links,
             PASSWORDS,
             new Metrics(fleet.feed()),
+            limit,
             InstantSource.system());
     store = new JdbiFleetStore(jdbi);
     baseDir = Files.createTempDirectory("toqa-web-test");

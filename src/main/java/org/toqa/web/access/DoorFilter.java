@@ -14,9 +14,6 @@ import org.toqa.web.Door;
 import org.toqa.web.Doors;
 import org.toqa.web.Right;
 import org.toqa.web.Services;
-import org.toqa.web.Texts;
-import org.toqa.web.api.Problem;
-import org.toqa.web.page.ErrorServlet;
 
 /**
  * Stands before everything and lets through who may pass, by the list of {@link Doors}.
@@ -37,13 +34,13 @@ public final class DoorFilter extends HttpFilter {
     String path = Doors.pathOf(request);
     Optional<Doors.Place> place = Doors.at(path);
     if (place.isEmpty()) {
-      refuse(request, response, 404, "problem.noSuchPage");
+      Refusal.send(request, response, 404, "problem.noSuchPage");
       return;
     }
     Optional<Door> door = place.get().door(request.getMethod());
     if (door.isEmpty()) {
       response.setHeader("Allow", place.get().allow());
-      refuse(request, response, 405, "problem.method", place.get().allow());
+      Refusal.send(request, response, 405, "problem.method", place.get().allow());
       return;
     }
     Doors.keepParameters(request, place.get());
@@ -60,7 +57,7 @@ public final class DoorFilter extends HttpFilter {
     }
     if (!Services.from(request.getServletContext()).accounts().hasManager()) {
       if (door.isApi()) {
-        refuse(request, response, 503, "problem.noManager");
+        Refusal.send(request, response, 503, "problem.noManager");
       } else {
         response.sendRedirect(
             request.getContextPath() + "/first-start", HttpServletResponse.SC_SEE_OTHER);
@@ -74,7 +71,7 @@ public final class DoorFilter extends HttpFilter {
       return false;
     }
     if (door.right() == Right.MANAGER && !caller.orElseThrow().isManager()) {
-      refuse(request, response, 403, "problem.managersOnly");
+      Refusal.send(request, response, 403, "problem.managersOnly");
       return false;
     }
     return isOwnPageOrRead(door, request, response);
@@ -85,7 +82,7 @@ public final class DoorFilter extends HttpFilter {
     if (door.method().equals("GET") || comesFromOwnPage(door, request)) {
       return true;
     }
-    refuse(request, response, 403, door.isApi() ? "problem.csrfHeader" : "problem.csrfForm");
+    Refusal.send(request, response, 403, door.isApi() ? "problem.csrfHeader" : "problem.csrfForm");
     return false;
   }
 
@@ -107,7 +104,7 @@ public final class DoorFilter extends HttpFilter {
       throws IOException {
     if (door.isApi()) {
       response.setHeader("WWW-Authenticate", "Bearer");
-      refuse(request, response, 401, "problem.login");
+      Refusal.send(request, response, 401, "problem.login");
     } else {
       String next =
           door.method().equals("GET")
@@ -115,21 +112,6 @@ public final class DoorFilter extends HttpFilter {
               : "";
       response.sendRedirect(
           request.getContextPath() + "/" + next, HttpServletResponse.SC_SEE_OTHER);
-    }
-  }
-
-  private static void refuse(
-      HttpServletRequest request,
-      HttpServletResponse response,
-      int status,
-      String key,
-      Object... values)
-      throws IOException {
-    String sentence = Texts.of(request).get(key, values);
-    if (Door.isApi(Doors.pathOf(request))) {
-      Problem.of(status, sentence).send(request, response);
-    } else {
-      ErrorServlet.send(request, response, status, sentence);
     }
   }
 }

@@ -14,6 +14,7 @@ import org.toqa.mission.Question;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
+import org.toqa.web.Version;
 
 /** What the servlets of the API have in common: raised problems become answers. */
 abstract class ApiServlet extends HttpServlet {
@@ -40,6 +41,16 @@ abstract class ApiServlet extends HttpServlet {
   static void refuseIfAny(FieldErrors errors) {
     if (!errors.isEmpty()) {
       throw Problem.of(errors).raised();
+    }
+  }
+
+  /**
+   * @throws Problem.Raised when the caller means another version than this
+   */
+  static void refuseOther(Version version, HttpServletRequest request) {
+    String wanted = request.getHeader("If-Match");
+    if (wanted != null && !version.isAmong(wanted)) {
+      throw Problem.of(412, Texts.of(request).get("problem.changedMeanwhile")).raised();
     }
   }
 

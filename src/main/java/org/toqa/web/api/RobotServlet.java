@@ -16,6 +16,7 @@ import org.toqa.web.FleetAnswers;
 import org.toqa.web.InputRules;
 import org.toqa.web.PairingForm;
 import org.toqa.web.Texts;
+import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
 
 /** One robot; and a person's word where it is and what it shall do. */
@@ -43,7 +44,7 @@ public final class RobotServlet extends ApiServlet {
   protected void doPut(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     RobotView robot = robot(request);
-    Version.of(robot).refuseOther(request);
+    refuseOther(Version.of(robot), request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     InputRules rules = new InputRules(Texts.of(request), errors);

@@ -14,6 +14,7 @@ import org.toqa.web.FieldErrors;
 import org.toqa.web.InputRules;
 import org.toqa.web.Texts;
 import org.toqa.web.UserWishes;
+import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
 
 /** One user: his sessions and tokens, password and e-mail address, what he may do, and the end. */
@@ -41,7 +42,7 @@ public final class UserServlet extends ApiServlet {
   protected void doPut(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Account user = user(request);
-    Version.of(user).refuseOther(request);
+    refuseOther(Version.of(user), request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     Texts texts = Texts.of(request);

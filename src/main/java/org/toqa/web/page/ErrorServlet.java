@@ -79,7 +79,7 @@ public final class ErrorServlet extends PageServlet {
 
   private static String headingKey(int status) {
     return switch (status) {
-      case 403, 404, 405, 503 -> "error.heading." + status;
+      case 403, 404, 405, 429, 503 -> "error.heading." + status;
       default -> status < 500 ? "error.heading.400" : "error.heading.500";
     };
   }

@@ -20,6 +20,7 @@ import org.toqa.web.access.CsrfToken;
  * WEB-INF/views} does.
  */
 abstract class PageServlet extends HttpServlet {
+  private static final int CONFLICT = 409;
   private static final int UNPROCESSABLE = 422;
 
   /** Stands for the whole form where no field is at fault. */
@@ -53,7 +54,24 @@ abstract class PageServlet extends HttpServlet {
   static void showAgain(
       HttpServletRequest request, HttpServletResponse response, String view, FieldErrors errors)
       throws ServletException, IOException {
-    response.setStatus(UNPROCESSABLE);
+    showAgain(request, response, view, errors, UNPROCESSABLE);
+  }
+
+  /** The same where somebody else has changed meanwhile what the form would change. */
+  static void showConflict(
+      HttpServletRequest request, HttpServletResponse response, String view, FieldErrors errors)
+      throws ServletException, IOException {
+    showAgain(request, response, view, errors, CONFLICT);
+  }
+
+  private static void showAgain(
+      HttpServletRequest request,
+      HttpServletResponse response,
+      String view,
+      FieldErrors errors,
+      int status)
+      throws ServletException, IOException {
+    response.setStatus(status);
     request.setAttribute("errors", errors.sentences());
     show(request, response, view);
   }

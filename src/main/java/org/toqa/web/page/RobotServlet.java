@@ -19,6 +19,7 @@ import org.toqa.web.FleetAnswers;
 import org.toqa.web.InputRules;
 import org.toqa.web.PairingForm;
 import org.toqa.web.Texts;
+import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
 
 /** One robot: its state, and a manager's word where it is and what it shall do. */
@@ -28,7 +29,7 @@ public final class RobotServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    if (offerRobot(request)) {
+    if (offerRobot(request).isPresent()) {
       show(request, response, "robot");
     } else {
       notFound(request, response, "problem.noSuchRobot");
@@ -38,8 +39,15 @@ public final class RobotServlet extends PageServlet {
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    if (!offerRobot(request)) {
+    Optional<RobotView> now = offerRobot(request);
+    if (now.isEmpty()) {
       notFound(request, response, "problem.noSuchRobot");
+      return;
+    }
+    request.setAttribute("sent", Doors.lastSegment(request));
+    FieldErrors differences = differences(now.get(), request);
+    if (!differences.isEmpty()) {
+      showConflict(request, response, "robot", differences);
       return;
     }
     FieldErrors errors = new FieldErrors();
@@ -50,6 +58,16 @@ public final class RobotServlet extends PageServlet {
     } else {
       showAgain(request, response, "robot", errors);
     }
+  }
+
+  private static FieldErrors differences(RobotView robot, HttpServletRequest request) {
+    Texts texts = Texts.of(request);
+    return new Rivals(request, Version.of(robot))
+        .text("host", robot.host(), "")
+        .number("port", robot.port(), String.valueOf(robot.port()))
+        .number("maxLoad", robot.maxLoad(), texts.get("common.kilograms", robot.maxLoad()))
+        .text("parking", robot.parking(), texts.get("robot.parking.none"))
+        .differences();
   }
 
   /** The wish of the form that was sent, if its fields are right. */
@@ -106,16 +124,20 @@ public final class RobotServlet extends PageServlet {
     return errors.isEmpty() ? Optional.of(pose) : Optional.empty();
   }
 
-  private boolean offerRobot(HttpServletRequest request) {
+  private Optional<RobotView> offerRobot(HttpServletRequest request) {
     String name = Doors.parameter(request, "name");
     FleetSnapshot fleet = services().fleet().feed().latest();
     Optional<RobotView> robot =
         fleet.robots().stream().filter(r -> r.name().equals(name)).findFirst();
-    robot.ifPresent(r -> request.setAttribute("robot", r));
+    robot.ifPresent(
+        r -> {
+          request.setAttribute("robot", r);
+          request.setAttribute("version", Version.of(r));
+        });
     request.setAttribute("floors", services().fleet().floors());
     request.setAttribute("trackHours", TRACK_HOURS);
     request.setAttribute(
         "keepsPlace", fleet.floors().stream().anyMatch(floor -> floor.kept().containsKey(name)));
-    return robot.isPresent();
+    return robot;
   }
 }

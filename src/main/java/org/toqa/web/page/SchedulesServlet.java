@@ -10,8 +10,10 @@ import java.util.Optional;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.web.Doors;
+import org.toqa.web.FieldErrors;
 import org.toqa.web.Schedules;
 import org.toqa.web.Texts;
+import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
 
 /** All schedules, and what people want of them. */
@@ -22,7 +24,8 @@ public final class SchedulesServlet extends PageServlet {
    *
    * @param kind names the text that says when it is due
    */
-  public record Entry(Schedule schedule, String kind, List<DayOfWeek> days, boolean mayChange) {
+  public record Entry(
+      Schedule schedule, Version version, String kind, List<DayOfWeek> days, boolean mayChange) {
     static Entry of(Schedule schedule, Caller caller) {
       return switch (schedule.recurrence()) {
         case Recurrence.Once once -> of(schedule, "once", List.of(), caller);
@@ -33,18 +36,23 @@ public final class SchedulesServlet extends PageServlet {
     }
 
     private static Entry of(Schedule schedule, String kind, List<DayOfWeek> days, Caller caller) {
-      return new Entry(schedule, kind, days, Schedules.isAllowed(caller, schedule));
+      return new Entry(
+          schedule, Version.of(schedule), kind, days, Schedules.isAllowed(caller, schedule));
     }
   }
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
+    offer(request);
+    show(request, response, "schedules");
+  }
+
+  private void offer(HttpServletRequest request) {
     Caller caller = Caller.of(request);
     request.setAttribute(
         "entries",
         services().schedules().schedules().stream().map(s -> Entry.of(s, caller)).toList());
-    show(request, response, "schedules");
   }
 
   @Override
@@ -58,6 +66,13 @@ public final class SchedulesServlet extends PageServlet {
     Caller caller = Caller.of(request);
     if (!Schedules.isAllowed(caller, schedule.get())) {
       ErrorServlet.send(request, response, 403, Texts.of(request).get("problem.notYourSchedule"));
+      return;
+    }
+    if (new Rivals(request, Version.of(schedule.get())).wasChanged()) {
+      FieldErrors errors = new FieldErrors();
+      errors.add("form", Texts.of(request).get("error.changed.schedule", schedule.get().id()));
+      offer(request);
+      showConflict(request, response, "schedules", errors);
       return;
     }
     Schedules schedules = new Schedules(services(), Texts.of(request));

@@ -6,6 +6,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
@@ -15,6 +16,7 @@ import org.toqa.web.FleetAnswers;
 import org.toqa.web.TaskWishes;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
+import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
 
 /** One task: its state, its robots, what happened, and what people want of it. */
@@ -28,6 +30,9 @@ public final class TaskServlet extends PageServlet {
           TaskState.CARRYING,
           TaskState.RETURNING,
           TaskState.DONE);
+
+  /** Those that have a name. */
+  private static final Set<Integer> USUAL_PRIORITIES = Set.of(10, 0, -10);
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
@@ -53,6 +58,12 @@ public final class TaskServlet extends PageServlet {
       ErrorServlet.send(request, response, 403, Texts.of(request).get("problem.notYourTask"));
       return;
     }
+    FieldErrors differences = differences(task.get(), request);
+    if (!differences.isEmpty()) {
+      offer(request, task.get());
+      showConflict(request, response, "task", differences);
+      return;
+    }
     FieldErrors errors = new FieldErrors();
     MissionEvent.Wish wish = wish(request, errors);
     long id = task.get().id();
@@ -66,6 +77,15 @@ public final class TaskServlet extends PageServlet {
       offer(request, task(request).orElse(task.get()));
       showAgain(request, response, "task", errors);
     }
+  }
+
+  private static FieldErrors differences(TaskView task, HttpServletRequest request) {
+    int priority = task.task().priority();
+    String shown =
+        USUAL_PRIORITIES.contains(priority)
+            ? Texts.of(request).get("newTask.priority." + priority)
+            : String.valueOf(priority);
+    return new Rivals(request, Version.of(task)).number("priority", priority, shown).differences();
   }
 
   private static MissionEvent.Wish wish(HttpServletRequest request, FieldErrors errors) {
@@ -87,6 +107,7 @@ public final class TaskServlet extends PageServlet {
 
   private void offer(HttpServletRequest request, TaskView task) {
     request.setAttribute("task", task);
+    request.setAttribute("version", Version.of(task));
     request.setAttribute("mayChange", TaskWishes.isAllowed(Caller.of(request), task));
     request.setAttribute("history", services().archive().history(task.id()));
     request.setAttribute("road", ROAD);

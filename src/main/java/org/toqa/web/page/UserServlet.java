@@ -14,6 +14,7 @@ import org.toqa.web.InputRules;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.UserWishes;
+import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
 import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.SessionCookie;
@@ -39,6 +40,12 @@ public final class UserServlet extends PageServlet {
       return;
     }
     Account user = found.get();
+    FieldErrors differences = differences(user, request);
+    if (!differences.isEmpty()) {
+      offer(user, request, services());
+      showConflict(request, response, "user", differences);
+      return;
+    }
     FieldErrors errors = new FieldErrors();
     UserWishes wishes = new UserWishes(services(), Texts.of(request), errors);
     String next =
@@ -77,8 +84,29 @@ public final class UserServlet extends PageServlet {
 
   /** For the view "user". */
   static void offer(Account user, HttpServletRequest request, Services services) {
-    request.setAttribute("user", services.accounts().byId(user.id()).orElse(user));
+    Account now = services.accounts().byId(user.id()).orElse(user);
+    request.setAttribute("user", now);
+    request.setAttribute("version", Version.of(now));
     request.setAttribute("sessions", services.sessions().of(user.id()));
+  }
+
+  private static FieldErrors differences(Account user, HttpServletRequest request) {
+    Texts texts = Texts.of(request);
+    Rivals rivals = new Rivals(request, Version.of(user));
+    switch (Doors.lastSegment(request)) {
+      case "change" -> {
+        String role = user.role().name();
+        rivals.entry("role", request.getParameter("role"), role, texts.get("users.role." + role));
+        rivals.entry(
+            "disabled",
+            String.valueOf(request.getParameter("disabled") != null),
+            String.valueOf(user.disabled()),
+            texts.get(user.disabled() ? "users.disabled" : "users.enabled"));
+      }
+      case "email" -> rivals.text("email", user.email(), texts.get("common.none"));
+      default -> {}
+    }
+    return rivals.differences();
   }
 
   private String delete(
