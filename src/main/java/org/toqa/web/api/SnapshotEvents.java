@@ -3,12 +3,17 @@ package org.toqa.web.api;
 import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.util.List;
+import java.util.Locale;
 import java.util.UUID;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.wording.Sentence;
 
-/** Snapshots as server-sent events. The newest is written once, however many read it. */
+/**
+ * Snapshots as server-sent events in one language. The newest is written once, however many read
+ * it.
+ */
 final class SnapshotEvents {
 
   private record SnapshotJson(
@@ -19,7 +24,7 @@ final class SnapshotEvents {
       int queued,
       List<FloorJson> floors,
       @Nullable HoldJson pause,
-      List<String> alerts) {
+      List<Sentence> alerts) {
 
     static SnapshotJson of(FleetSnapshot snapshot) {
       return new SnapshotJson(
@@ -39,7 +44,12 @@ final class SnapshotEvents {
   /** Versions begin anew with the server: an id of its life before is not one of this life. */
   private final String life = UUID.randomUUID().toString();
 
+  private final Locale language;
   private final AtomicReference<@Nullable Written> newest = new AtomicReference<>();
+
+  SnapshotEvents(Locale language) {
+    this.language = language;
+  }
 
   /** What a reader shows who has this snapshot. */
   String id(FleetSnapshot snapshot) {
@@ -58,7 +68,7 @@ final class SnapshotEvents {
 
   private byte[] write(FleetSnapshot snapshot) {
     return "event: snapshot\nid: %s\ndata: %s\n\n"
-        .formatted(id(snapshot), Json.MAPPER.writeValueAsString(SnapshotJson.of(snapshot)))
+        .formatted(id(snapshot), Json.in(language).writeValueAsString(SnapshotJson.of(snapshot)))
         .getBytes(StandardCharsets.UTF_8);
   }
 }
