@@ -4,8 +4,8 @@ import java.util.List;
 
 /**
  * All that the fleet can say. Its words are in {@code sentences.properties}, a file for each
- * language, in this order. The history keeps these names: a sentence that is told by another name
- * is read in English there.
+ * language, in this order. Stored events name these: where one gets another name or other values,
+ * older events are read in English.
  */
 public enum Phrase {
   // Parts of sentences

@@ -118,6 +118,8 @@ class LanguagesInBrowserTest extends BrowserTest {
     assertThat(page().locator("#robots .what").first()).hasText("ينقل حمولة المهمة 2");
     assertThat(page().locator("#robots bdi[lang=en][dir=ltr]"))
         .hasText("The battery is nearly empty.");
+    assertThat(page().locator("#tasks")).containsText("جارٍ البحث عن روبوت.");
+    assertEquals(List.of(), latin(page().locator(".what bdi:not([lang=en])").allTextContents()));
     assertThat(page().locator("#tasks")).containsText("في الانتظار");
     picture("ar-map-question");
   }
@@ -168,6 +170,14 @@ class LanguagesInBrowserTest extends BrowserTest {
     page().getByText("أوقف كل الروبوتات مؤقتًا").click();
     assertThat(page().locator("#pause")).containsText("كل الروبوتات موقوفة مؤقتًا");
     assertFits(name, "paused");
+  }
+
+  /** Those that have Latin words, but names that are isolated. */
+  private static List<String> latin(List<String> texts) {
+    return texts.stream()
+        .map(LanguagesTest::withoutIsolated)
+        .filter(text -> text.matches("(?s).*[A-Za-z]{2,}.*"))
+        .toList();
   }
 
   private void arabic() {

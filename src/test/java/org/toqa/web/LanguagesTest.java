@@ -215,7 +215,7 @@ class LanguagesTest {
   }
 
   /** Names may be Latin; an isolation may stand in another one. */
-  private static String withoutIsolated(String text) {
+  static String withoutIsolated(String text) {
     String inner = text.replaceAll("[\u2066\u2068][^\u2066\u2068\u2069]*\u2069", "");
     return inner.equals(text) ? text : withoutIsolated(inner);
   }
