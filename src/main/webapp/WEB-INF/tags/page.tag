@@ -46,7 +46,7 @@
   </header>
   <c:if test="${not empty caller}">
     <t:pause/>
-    <div id="alerts" role="alert"><c:forEach items="${alerts}" var="alert"><p class="notice bad"><t:english text="${alert}"/></p></c:forEach></div>
+    <div id="alerts" role="alert"><c:forEach items="${alerts}" var="alert"><p class="notice bad"><t:said sentence="${alert}"/></p></c:forEach></div>
   </c:if>
   <main id="content" class="${layout}">
     <jsp:doBody/>

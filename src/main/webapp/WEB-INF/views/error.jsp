@@ -8,7 +8,7 @@
   <article class="card">
     <p class="status">${status}</p>
     <h1>${heading}</h1>
-    <p><bdi><c:out value="${sentence}"/></bdi></p>
+    <p><c:out value="${sentence}"/></p>
     <a role="button" href="${root}/${empty caller ? '' : 'map'}"><fmt:message key="${empty caller ? 'error.login' : 'error.back'}"/></a>
   </article>
 </t:page>

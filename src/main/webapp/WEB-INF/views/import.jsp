@@ -23,7 +23,7 @@
           <tr>
             <td class="number" data-label="<fmt:message key="import.column.line"/>">${fault.line}</td>
             <td data-label="<fmt:message key="import.column.column"/>"><c:if test="${not empty fault.column}"><code dir="auto"><c:out value="${fault.column}"/></code></c:if></td>
-            <th scope="row" class="whole"><bdi><c:out value="${fault.sentence}"/></bdi></th>
+            <th scope="row" class="whole"><c:out value="${fault.sentence}"/></th>
           </tr>
         </c:forEach>
       </tbody>

@@ -16,10 +16,10 @@
       <t:state of="robot" state="${robot.state}"/>
     </div>
     <c:forEach items="${robot.errors}" var="fault"><p class="notice bad"><t:english text="${fault.text}"/>${" "}<small>(<bdi dir="ltr"><c:out value="${fault.code}"/></bdi>)</small></p></c:forEach>
-    <c:if test="${not empty robot.alert}"><p class="notice bad" role="alert"><t:english text="${robot.alert}"/></p></c:if>
+    <c:if test="${not empty robot.alert}"><p class="notice bad" role="alert"><t:said sentence="${robot.alert}"/></p></c:if>
     <article>
       <dl>
-        <dt><fmt:message key="robot.doing"/></dt><dd><t:english text="${robot.doing}"/></dd>
+        <dt><fmt:message key="robot.doing"/></dt><dd><t:said sentence="${robot.doing}"/></dd>
         <dt><fmt:message key="robot.task"/></dt>
         <dd><c:choose><c:when test="${empty robot.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.task}"><fmt:message key="task.title"><fmt:param value="${robot.task}"/></fmt:message></a></c:otherwise></c:choose></dd>
         <dt><fmt:message key="robot.phase"/></dt><dd><fmt:message key="robot.phase.${robot.phase}"/></dd>

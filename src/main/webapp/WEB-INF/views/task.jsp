@@ -17,13 +17,12 @@
       </div>
       <t:state of="task" state="${task.state}"/>
     </div>
-    <c:if test="${not empty task.waitingFor}"><p class="notice"><strong><fmt:message key="task.waitingFor"/></strong>${" "}<t:english text="${task.waitingFor}"/></p></c:if>
-    <c:if test="${not empty task.late}"><p class="notice bad"><strong><fmt:message key="task.late"/></strong>${" "}<t:english text="${task.late}"/></p></c:if>
+    <c:if test="${not empty task.waitingFor}"><p class="notice"><strong><fmt:message key="task.waitingFor"/></strong>${" "}<t:said sentence="${task.waitingFor}"/></p></c:if>
+    <c:if test="${not empty task.late}"><p class="notice bad"><strong><fmt:message key="task.late"/></strong>${" "}<t:said sentence="${task.late}"/></p></c:if>
     <c:if test="${not empty task.loadAt}"><p class="notice"><strong><fmt:message key="task.loadAt"/></strong>${" "}<t:place place="${task.loadAt}"/></p></c:if>
     <c:if test="${task.held}"><p class="notice"><fmt:message key="task.held"/></p></c:if>
     <c:if test="${not empty task.needs}">
-      <fmt:message key="task.question.${task.needs.kind}" var="question"><fmt:param value="${task.needs.robot}"/><fmt:param value="${task.needs.why}"/><fmt:param value="${task.needs.place}"/></fmt:message>
-      <p class="notice bad"><strong><fmt:message key="task.needs"/></strong>${" "}<c:out value="${question}"/></p>
+      <p class="notice bad"><strong><fmt:message key="task.needs"/></strong>${" "}<t:said sentence="${task.needs.question}"/></p>
     </c:if>
     <c:if test="${reached >= 0}">
       <fmt:message key="task.road" var="label"/>
@@ -70,7 +69,7 @@
         <c:if test="${empty history}"><p class="faint"><fmt:message key="task.history.empty"/></p></c:if>
         <ol class="history">
           <c:forEach items="${history}" var="event">
-            <li><p><t:english text="${event.text}"/></p><p class="faint"><t:time at="${event.at}"/> · <bdi><c:out value="${event.who}"/></bdi></p></li>
+            <li><p><t:said sentence="${event.said}"/></p><p class="faint"><t:time at="${event.at}"/> · <bdi><c:out value="${event.who}"/></bdi></p></li>
           </c:forEach>
         </ol>
       </article>

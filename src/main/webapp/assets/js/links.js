@@ -4,8 +4,8 @@ import {address} from './server.js';
 /**
  * Makes a list show these things with links to them.
  *
- * @param entries each with key, href, state, letter, title, side, and what was said or a text of the
- *     page's own
+ * @param entries each with key, href, state, letter, title, side, what there is to say, and a robot's
+ *     own words for a fault, which are English and go before it
  */
 export function showLinks(list, entries) {
   showEntries(list, entries, ({key}) => key, ({href}) => makeEntry(href), fillEntry);
@@ -23,15 +23,14 @@ function makeEntry(href) {
   return element('li', '', link);
 }
 
-/** What the fleet says is English; where it says nothing there is a text in the page's language. */
-function fillEntry(item, {state, letter, title, side, said, what}) {
+function fillEntry(item, {state, letter, title, side, what, fault}) {
   const sign = item.querySelector('.letter');
   sign.dataset.state = state;
   write(sign, letter);
   write(item.querySelector('strong bdi'), title);
   write(item.querySelector('.side'), side);
   const words = item.querySelector('.what bdi');
-  words.lang = said ? 'en' : document.documentElement.lang;
-  words.dir = said ? 'ltr' : 'auto';
-  write(words, said ?? what ?? '');
+  words.lang = fault ? 'en' : document.documentElement.lang;
+  words.dir = fault ? 'ltr' : document.dir;
+  write(words, fault ?? what ?? '');
 }

@@ -213,13 +213,13 @@ function makeCount({state}) {
   return element('li', '', button);
 }
 
-// Who does not trust whom: a sentence, or undefined.
-function refusal({alert, errors}) {
-  return alert ?? errors.find(({code}) => code === 'REFUSED')?.text;
+// Whom the robot did not let in: its fault, or undefined.
+function stranger({errors}) {
+  return errors.find(({code}) => code === 'REFUSED');
 }
 
 function isInNeed(robot) {
-  return IN_NEED.has(robot.state) || refusal(robot) !== undefined;
+  return IN_NEED.has(robot.state) || robot.alert !== null || stranger(robot) !== undefined;
 }
 
 function robotEntry(robot) {
@@ -230,7 +230,8 @@ function robotEntry(robot) {
     letter: text(`robot.letter.${robot.state}`),
     title: robot.name,
     side: robot.battery === null ? '' : percent.format(robot.battery),
-    said: refusal(robot) ?? robot.errors[0]?.text ?? robot.doing,
+    what: robot.alert ?? robot.doing,
+    fault: robot.alert ? undefined : (stranger(robot) ?? robot.errors[0])?.text,
   };
 }
 
@@ -242,13 +243,8 @@ function taskEntry(task) {
     letter: String(task.id),
     title: task.name,
     side: text(`task.state.${task.state}`),
-    said: task.needs ? undefined : task.late ?? task.waitingFor,
-    what: task.needs ? question(task.needs) : task.robots.join(text('common.comma')),
+    what: task.needs?.question ?? task.late ?? task.waitingFor ?? task.robots.join(text('common.comma')),
   };
-}
-
-function question({kind, robot, why, place}) {
-  return text(`task.question.${kind}`, robot, why, place);
 }
 
 function showRobots() {
@@ -265,7 +261,7 @@ function showTasks() {
   $('#more-tasks').hidden = more <= 0;
 }
 
-function standstillEntry({robots: names, since, text: said}) {
+function standstillEntry({robots: names, since, text: what}) {
   return {
     key: `standstill ${since} ${names}`,
     href: `robots/${encodeURIComponent(names[0])}`,
@@ -273,11 +269,11 @@ function standstillEntry({robots: names, since, text: said}) {
     letter: '!',
     title: text('map.standstill'),
     side: '',
-    said,
+    what,
   };
 }
 
-function chargerEntry({name, since, text: said}) {
+function chargerEntry({name, since, text: what}) {
   return {
     key: `charger ${since} ${name}`,
     href: 'history?kind=robot.charger-fails',
@@ -285,7 +281,7 @@ function chargerEntry({name, since, text: said}) {
     letter: '!',
     title: text('map.charger'),
     side: '',
-    said,
+    what,
   };
 }
 

@@ -81,11 +81,7 @@ function showAlerts(alerts) {
     place.replaceChildren(...alerts.map((alert) => {
       const line = document.createElement('p');
       line.className = 'notice bad';
-      const words = document.createElement('bdi');
-      words.lang = 'en';
-      words.dir = 'ltr';
-      words.textContent = alert;
-      line.append(words);
+      line.textContent = alert;
       return line;
     }));
   }

@@ -30,21 +30,18 @@ function robotEntry(name, {moves}, events) {
     letter: '',
     title: name,
     side: text(moves ? 'replay.drove' : 'replay.stood'),
-    said: last && (last.task ? `Task ${last.task}: ${last.text}` : last.text),
+    what: last && (last.task ? `${text('replay.task', last.task)}: ${last.text}` : last.text),
   };
 }
 
-function makeEvent({at, text: said, task}) {
+function makeEvent({at, text: what, task}) {
   const time = element('time', '', clock.format(new Date(at)));
   time.dateTime = at;
-  const words = element('bdi', '', said);
-  words.lang = 'en';
-  words.dir = 'ltr';
   const source = element('p', 'faint', time);
   if (task) {
     const link = element('a', '', text('replay.task', task));
     link.href = address(`tasks/${task}`);
     source.append(' · ', link);
   }
-  return element('li', '', element('p', '', words), source);
+  return element('li', '', element('p', '', what), source);
 }

@@ -7,7 +7,6 @@ import static java.util.stream.Collectors.toSet;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -17,6 +16,8 @@ import java.util.stream.Stream;
 import org.toqa.allocation.Auction.Bid;
 import org.toqa.allocation.InTurn.Chosen;
 import org.toqa.allocation.Situation.Given;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Each task is announced to the free robots in turn, and the least bid gets it; a robot that does
@@ -142,29 +143,26 @@ public final class ContractNet implements Allocator {
 
     private Decision exchanged(long job, String from) {
       return new Decision.Assigned(
-          job,
-          List.of(requireNonNull(holders.get(job))),
-          "taken over from " + from + " in exchange, which costs less energy in all");
+          job, List.of(requireNonNull(holders.get(job))), Phrase.TAKEN_IN_EXCHANGE.with(from));
     }
   }
 
-  private static String why(Auction auction) {
+  private static Sentence why(Auction auction) {
     List<Bid> bids = auction.bids();
-    String least =
+    Sentence least =
         bids.size() == 1
-            ? "the only bid, " + kilojoules(bids.getFirst())
-            : "the least of %d bids, %s; the next was %s with %s"
-                .formatted(
-                    bids.size(),
-                    kilojoules(bids.getFirst()),
-                    bids.get(1).robot(),
-                    kilojoules(bids.get(1)));
+            ? Phrase.ONLY_BID.with(kilojoules(bids.getFirst()))
+            : Phrase.LEAST_BID.with(
+                bids.size(),
+                kilojoules(bids.getFirst()),
+                bids.get(1).robot(),
+                kilojoules(bids.get(1)));
     return auction.silent().isEmpty()
         ? least
-        : least + "; no answer from " + String.join(", ", auction.silent());
+        : Phrase.NO_ANSWER_FROM.with(least, Sentence.names(auction.silent()));
   }
 
-  private static String kilojoules(Bid bid) {
-    return String.format(Locale.ROOT, "%.1f kJ", bid.joules() / 1000);
+  private static double kilojoules(Bid bid) {
+    return bid.joules() / 1000;
   }
 }

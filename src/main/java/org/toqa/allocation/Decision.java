@@ -1,6 +1,7 @@
 package org.toqa.allocation;
 
 import java.util.List;
+import org.toqa.wording.Sentence;
 
 /** What an allocator answers for a task, with its reason as a sentence for people. */
 public sealed interface Decision {
@@ -8,14 +9,14 @@ public sealed interface Decision {
   /** The task's id. */
   long job();
 
-  String why();
+  Sentence why();
 
   /**
    * These robots shall carry it.
    *
    * @param why completes "Given to r1: "
    */
-  record Assigned(long job, List<String> robots, String why) implements Decision {
+  record Assigned(long job, List<String> robots, Sentence why) implements Decision {
     public Assigned {
       robots = List.copyOf(robots);
     }
@@ -26,7 +27,7 @@ public sealed interface Decision {
    *
    * @param drained robots that are free and would do it if they had charged
    */
-  record Waits(long job, String why, List<String> drained) implements Decision {
+  record Waits(long job, Sentence why, List<String> drained) implements Decision {
     public Waits {
       drained = List.copyOf(drained);
     }

@@ -3,6 +3,7 @@ package org.toqa.allocation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.toqa.wording.Sentence;
 
 /** Serves one task after the other, the one that has waited longest first. */
 final class InTurn {
@@ -17,7 +18,7 @@ final class InTurn {
   /**
    * @param why completes "Given to r1: "
    */
-  record Chosen(Candidate robot, String why) {}
+  record Chosen(Candidate robot, Sentence why) {}
 
   static List<Decision> decide(Situation situation, Choice choice) {
     WaitingReason reason = new WaitingReason(situation);

@@ -3,8 +3,9 @@ package org.toqa.allocation;
 import static java.util.Comparator.comparingDouble;
 
 import java.util.List;
-import java.util.Locale;
 import org.toqa.allocation.InTurn.Chosen;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * The free robot nearest to the load, as the crow flies, of those that can carry it. What the
@@ -24,10 +25,7 @@ public final class NearestFreeRobot implements Allocator {
                 .map(r -> new Chosen(r, why(r, job))));
   }
 
-  private static String why(Candidate robot, Job job) {
-    return String.format(
-        Locale.ROOT,
-        "the nearest free robot, %.1f m from the load",
-        robot.position().distanceTo(job.start()));
+  private static Sentence why(Candidate robot, Job job) {
+    return Phrase.NEAREST_FREE.with(robot.position().distanceTo(job.start()));
   }
 }

@@ -4,12 +4,13 @@ import static java.util.stream.Collectors.toSet;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.toqa.allocation.Costs.Cost;
 import org.toqa.allocation.Situation.Given;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * As many tasks as there are robots for them, at the least total cost over all free robots and all
@@ -118,17 +119,13 @@ public final class OptimalAllocator implements Allocator {
       return holder(job).equals(Optional.of(robots.get(robot).robot()));
     }
 
-    String why(int job, Candidate robot) {
-      double approach = costs.get(job).get(robots.indexOf(robot)).approach();
-      String taken = holder(job).map(from -> ", taken over from " + from).orElse("");
-      return String.format(
-          Locale.ROOT,
-          "%.1f m from the load; the least energy for all tasks together (%d to give, %d %s free)%s",
-          approach,
-          situation.waiting().size(),
-          situation.free().size(),
-          situation.free().size() == 1 ? "robot" : "robots",
-          taken);
+    Sentence why(int job, Candidate robot) {
+      Sentence least =
+          Phrase.LEAST_ENERGY.with(
+              costs.get(job).get(robots.indexOf(robot)).approach(),
+              situation.waiting().size(),
+              situation.free().size());
+      return holder(job).map(from -> Phrase.TAKEN_OVER.with(least, from)).orElse(least);
     }
   }
 }

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.toqa.geometry.Vec2;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Who may fetch and set down where. Robots that stand round a load have no room for others among
@@ -38,23 +40,23 @@ final class PlacesInTurn {
   }
 
   /** Why it cannot have its places now, a sentence; empty: it can. */
-  Optional<String> objection(Job job, boolean together) {
+  Optional<Sentence> objection(Job job, boolean together) {
     return objection(job, together, uses);
   }
 
   /** The same, as if no task waited for a place. */
-  Optional<String> objectionOfUsers(Job job, boolean together) {
+  Optional<Sentence> objectionOfUsers(Job job, boolean together) {
     return objection(
         job, together, uses.stream().filter(use -> !waiting.contains(use.task())).toList());
   }
 
-  private Optional<String> objection(Job job, boolean together, List<PlaceUse> others) {
-    return objection(job, job.start(), "start", together, others)
-        .or(() -> objection(job, job.goal(), "goal", together, others));
+  private Optional<Sentence> objection(Job job, boolean together, List<PlaceUse> others) {
+    return objection(job, job.start(), Phrase.START, together, others)
+        .or(() -> objection(job, job.goal(), Phrase.GOAL, together, others));
   }
 
-  private Optional<String> objection(
-      Job job, Vec2 place, String name, boolean together, List<PlaceUse> others) {
+  private Optional<Sentence> objection(
+      Job job, Vec2 place, Phrase name, boolean together, List<PlaceUse> others) {
     return others.stream()
         .filter(use -> use.task() != job.id() && (together || use.together()))
         .filter(use -> use.place().distanceTo(place) < PlaceUse.REACH)
@@ -62,14 +64,14 @@ final class PlacesInTurn {
         .map(use -> sentence(use, name, together));
   }
 
-  private String sentence(PlaceUse use, String name, boolean together) {
+  private Sentence sentence(PlaceUse use, Phrase name, boolean together) {
+    return phrase(use, together).with(use.task(), name.with());
+  }
+
+  private Phrase phrase(PlaceUse use, boolean together) {
     if (waiting.contains(use.task())) {
-      return "Task %d comes first at its %s.".formatted(use.task(), name);
+      return Phrase.ANOTHER_COMES_FIRST;
     }
-    return together
-        ? "It needs several robots, which need its %s for themselves; task %d uses it now."
-            .formatted(name, use.task())
-        : "The robots that carry the load of task %d together use its %s now."
-            .formatted(use.task(), name);
+    return together ? Phrase.TEAM_NEEDS_PLACE : Phrase.PLACE_USED_BY_TEAM;
   }
 }

@@ -1,34 +1,36 @@
 package org.toqa.allocation;
 
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
 /** Whether a robot can be given a task now, or what keeps it. */
 public enum Standing {
   /** Idle, or on its way home. */
-  FREE("is free", "are free"),
-  BUSY("works on another task", "work on other tasks"),
-  HELD("is held", "are held"),
+  FREE(Phrase.NEEDED_ELSEWHERE, Phrase.CANNOT_OF_SEVERAL),
+  BUSY(Phrase.WORKS_ON_ANOTHER, Phrase.WORK_ON_OTHERS),
+  HELD(Phrase.IS_HELD, Phrase.ARE_HELD),
   /** At a charging point, on its way there, or waiting for one. */
-  CHARGING("must charge first", "must charge first"),
-  OUT_OF_SERVICE("is out of service", "are out of service"),
-  LOST("is lost: nothing is heard from it", "are lost"),
-  CONNECTING("has not been heard of yet", "have not been heard of yet"),
-  NOT_LOCALISED("does not know where it is", "do not know where they are"),
-  ERROR("reports an error", "report an error");
+  CHARGING(Phrase.CHARGES_FIRST, Phrase.CHARGE_FIRST),
+  OUT_OF_SERVICE(Phrase.IS_OUT_OF_SERVICE, Phrase.ARE_OUT_OF_SERVICE),
+  LOST(Phrase.IS_LOST, Phrase.ARE_LOST),
+  CONNECTING(Phrase.IS_UNHEARD_YET, Phrase.ARE_UNHEARD_YET),
+  NOT_LOCALISED(Phrase.IS_NOT_LOCALISED, Phrase.ARE_NOT_LOCALISED),
+  ERROR(Phrase.REPORTS_ERROR, Phrase.REPORT_ERRORS);
 
-  private final String ofOne;
-  private final String ofSeveral;
+  private final Phrase ofOne;
+  private final Phrase ofSeveral;
 
-  Standing(String ofOne, String ofSeveral) {
+  Standing(Phrase ofOne, Phrase ofSeveral) {
     this.ofOne = ofOne;
     this.ofSeveral = ofSeveral;
   }
 
   /** Follows a robot's name in a sentence. */
-  String ofOne() {
-    return ofOne;
+  Sentence ofOne() {
+    return ofOne.with();
   }
 
-  /** Follows a number of robots in a sentence. */
-  String ofSeveral() {
-    return ofSeveral;
+  Sentence ofSeveral(long robots) {
+    return ofSeveral.with(robots);
   }
 }

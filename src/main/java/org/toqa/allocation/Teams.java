@@ -5,10 +5,11 @@ import static java.util.Comparator.comparingDouble;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import org.toqa.allocation.Costs.Cost;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Gives loads that are too heavy for every robot that fits through their way to several, and leaves
@@ -75,7 +76,7 @@ public final class Teams implements Allocator {
       return situation.robots().stream().filter(r -> costs.fits(job, r)).toList();
     }
 
-    private boolean waits(Job job, Optional<String> objection) {
+    private boolean waits(Job job, Optional<Sentence> objection) {
       objection.ifPresent(why -> decisions.add(new Decision.Waits(job.id(), why, List.of())));
       return objection.isPresent();
     }
@@ -143,14 +144,9 @@ public final class Teams implements Allocator {
 
   private static Decision assigned(Job job, List<Candidate> team, Costs costs) {
     double approach = costs.of(share(job, team.size()), team.getFirst()).approach();
-    String why =
-        String.format(
-            Locale.ROOT,
-            "too heavy for one; %d carry %.1f kg each, and %s leads, %.1f m from the load",
-            team.size(),
-            job.load() / team.size(),
-            team.getFirst().robot(),
-            approach);
+    Sentence why =
+        Phrase.TOO_HEAVY_FOR_ONE.with(
+            team.size(), job.load() / team.size(), team.getFirst().robot(), approach);
     return new Decision.Assigned(job.id(), team.stream().map(Candidate::robot).toList(), why);
   }
 

@@ -2,18 +2,18 @@ package org.toqa.allocation;
 
 import static java.util.stream.Collectors.counting;
 import static java.util.stream.Collectors.groupingBy;
-import static java.util.stream.Collectors.joining;
 
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.toqa.allocation.Costs.Obstacle;
 import org.toqa.geometry.Vec2;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
-/** Why a task waits, as a sentence for people. */
+/** Why a task waits. */
 public final class WaitingReason {
   /** Of so many robots each is named; of more, they are counted. */
   private static final int NAMED = 3;
@@ -46,9 +46,9 @@ public final class WaitingReason {
   }
 
   /** The reason of a task that no robot was given. */
-  public String of(Job job) {
+  public Sentence of(Job job) {
     if (robots.isEmpty()) {
-      return "No robot has been added yet.";
+      return Phrase.NO_ROBOT_ADDED.with();
     }
     List<Candidate> strong = robots.stream().filter(r -> r.isStrongEnough(job)).toList();
     if (strong.isEmpty()) {
@@ -56,84 +56,62 @@ public final class WaitingReason {
     }
     if (strong.size() == 1) {
       Candidate only = strong.getFirst();
-      return robots.size() == 1
-          ? "The only robot, %s, %s.".formatted(only.robot(), keeps(job, only))
-          : "The only robot that is strong enough, %s, %s."
-              .formatted(only.robot(), keeps(job, only));
+      Phrase phrase = robots.size() == 1 ? Phrase.ONLY_ROBOT : Phrase.ONLY_STRONG_ROBOT;
+      return phrase.with(only.robot(), keeps(job, only));
     }
-    return "None of the %d robots that are strong enough can take it now: %s."
-        .formatted(
-            strong.size(),
-            strong.size() <= NAMED
-                ? strong.stream().map(r -> r.robot() + " " + keeps(job, r)).collect(joining(", "))
-                : counted(strong));
+    return Phrase.NONE_OF_STRONG_ROBOTS.with(
+        strong.size(),
+        Sentence.joined(
+            Phrase.LISTED, strong.size() <= NAMED ? named(job, strong) : counted(strong)));
   }
 
   /** Says the true number of robots that the load needs, and how many are there. */
-  private String tooHeavyForOne(Job job) {
+  private Sentence tooHeavyForOne(Job job) {
     Optional<Integer> needed = TeamSize.of(job.load(), robots);
     double together = robots.stream().mapToDouble(Candidate::maxLoad).sum();
     if (job.load() > together) {
-      return "The load weighs %s kg, and all %d robots together carry %s kg."
-          .formatted(kilograms(job.load()), robots.size(), kilograms(together));
+      return Phrase.TOO_HEAVY_FOR_ALL.with(job.load(), robots.size(), together);
     }
     if (needed.isEmpty()) {
-      return "The load weighs %s kg, and no robots carry it in even shares."
-          .formatted(kilograms(job.load()));
+      return Phrase.NO_EVEN_SHARES.with(job.load());
     }
     long free = robots.stream().filter(Candidate::isFree).count();
-    return "It needs %d robots that carry it together, and %d of %d %s free."
-        .formatted(needed.get(), free, robots.size(), free == 1 ? "is" : "are");
+    return Phrase.NEEDS_TEAM.with(needed.get(), free, robots.size());
   }
 
-  private String keeps(Job job, Candidate robot) {
+  private List<Sentence> named(Job job, List<Candidate> strong) {
+    return strong.stream()
+        .map(robot -> Phrase.ROBOT_AND_CLAUSE.with(robot.robot(), keeps(job, robot)))
+        .toList();
+  }
+
+  private Sentence keeps(Job job, Candidate robot) {
+    Long task = robot.task();
     return switch (robot.standing()) {
       case FREE -> keepsFree(job, robot);
-      case BUSY ->
-          robot.task() == null ? robot.standing().ofOne() : "works on task " + robot.task();
+      case BUSY -> task == null ? robot.standing().ofOne() : Phrase.WORKS_ON_TASK.with(task);
       default -> robot.standing().ofOne();
     };
   }
 
-  private String keepsFree(Job job, Candidate robot) {
+  private Sentence keepsFree(Job job, Candidate robot) {
+    Double battery = robot.battery();
     return switch (costs.of(job, robot).obstacle()) {
-      case null -> "is needed for another task first";
-      case TOO_WEAK -> "is too weak";
-      case NO_WAY ->
-          String.format(
-              Locale.ROOT,
-              "finds no way to the load and its goal that is wide enough for its %.2f m",
-              robot.diameter());
+      case null -> robot.standing().ofOne();
+      case TOO_WEAK -> Phrase.IS_TOO_WEAK.with();
+      case NO_WAY -> Phrase.FINDS_NO_WAY.with(robot.diameter());
       case BATTERY ->
-          robot.battery() == null
-              ? "would not get to a charger after it"
-              : String.format(
-                  Locale.ROOT,
-                  "has %.0f %% and would not get to a charger after it",
-                  100 * robot.battery());
+          battery == null
+              ? Phrase.WOULD_NOT_REACH_CHARGER.with()
+              : Phrase.WOULD_NOT_REACH_CHARGER_WITH.with(Math.round(100 * battery));
     };
   }
 
-  private static String counted(List<Candidate> strong) {
+  private static List<Sentence> counted(List<Candidate> strong) {
     Map<Standing, Long> numbers =
         strong.stream()
             .collect(
                 groupingBy(Candidate::standing, () -> new EnumMap<>(Standing.class), counting()));
-    return numbers.entrySet().stream()
-        .map(
-            e ->
-                e.getKey() == Standing.FREE
-                    ? e.getValue()
-                        + " cannot reach it, must charge first or are needed for other tasks first"
-                    : e.getValue()
-                        + " "
-                        + (e.getValue() == 1 ? e.getKey().ofOne() : e.getKey().ofSeveral()))
-        .collect(joining(", "));
-  }
-
-  private static String kilograms(double load) {
-    return load == Math.rint(load)
-        ? String.format(Locale.ROOT, "%.0f", load)
-        : Double.toString(load);
+    return numbers.entrySet().stream().map(e -> e.getKey().ofSeveral(e.getValue())).toList();
   }
 }

@@ -3,6 +3,8 @@ package org.toqa.allocation;
 import java.util.List;
 import java.util.Optional;
 import org.toqa.allocation.InTurn.Chosen;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * The load-based allocator (Tanta, "Load-based allocation"): of the robots that are strong enough,
@@ -31,14 +33,13 @@ public final class ZoneAllocator implements Allocator {
                 .map(zone -> new Chosen(zones.robotOf(zone), why(zones, zone, job))));
   }
 
-  private static String why(Zones zones, int zone, Job job) {
+  private static Sentence why(Zones zones, int zone, Job job) {
     int home = zones.zoneOf(job.start());
-    String where = "the load lies in zone %d of %d".formatted(home + 1, zones.count());
     if (zone == home) {
-      return where + ", and it parks there";
+      return Phrase.PARKS_IN_ZONE.with(home + 1, zones.count());
     }
-    return Math.abs(zone - home) <= BEST
-        ? where + ", and it parks beside it, in zone %d".formatted(zone + 1)
-        : where + "; it parks in zone %d, the nearest with a free robot".formatted(zone + 1);
+    Phrase phrase =
+        Math.abs(zone - home) <= BEST ? Phrase.PARKS_BESIDE_ZONE : Phrase.PARKS_NEAREST_TO_ZONE;
+    return phrase.with(home + 1, zones.count(), zone + 1);
   }
 }

@@ -19,6 +19,7 @@ import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.Question;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Sentence;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
@@ -94,11 +95,11 @@ final class DemoTasks {
       switch (answer) {
         case Answer.Accepted<TaskView>(TaskView task) ->
             runs.put(task.id(), new Run(task, time.instant()));
-        case Answer.Refused<TaskView>(String field, String sentence) ->
+        case Answer.Refused<TaskView>(String field, Sentence sentence) ->
             throw new IllegalStateException(order.name() + ": " + sentence);
-        case Answer.Conflict<TaskView>(String sentence, Question needs) ->
+        case Answer.Conflict<TaskView>(Sentence sentence, Question needs) ->
             throw new IllegalStateException(order.name() + ": " + sentence);
-        case Answer.Unknown<TaskView>(String sentence) ->
+        case Answer.Unknown<TaskView>(Sentence sentence) ->
             throw new IllegalStateException(order.name() + ": " + sentence);
       }
     }

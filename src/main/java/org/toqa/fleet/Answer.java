@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Objection;
 import org.toqa.mission.Question;
+import org.toqa.wording.Sentence;
 
 /** What the fleet answers to a wish: done and stored, or refused in a sentence. */
 public sealed interface Answer<T> {
@@ -13,17 +14,17 @@ public sealed interface Answer<T> {
    * @param field the field of the order that is at fault, if it is one
    * @param sentence what is wrong and what to do, for a person
    */
-  record Refused<T>(@Nullable String field, String sentence) implements Answer<T> {}
+  record Refused<T>(@Nullable String field, Sentence sentence) implements Answer<T> {}
 
   /**
    * It cannot be now, as things stand.
    *
    * @param needs what a person must say too, if that is what is missing
    */
-  record Conflict<T>(String sentence, @Nullable Question needs) implements Answer<T> {}
+  record Conflict<T>(Sentence sentence, @Nullable Question needs) implements Answer<T> {}
 
   /** Nothing of that name or number exists. */
-  record Unknown<T>(String sentence) implements Answer<T> {}
+  record Unknown<T>(Sentence sentence) implements Answer<T> {}
 
   static <T> Answer<T> conflict(Objection objection) {
     return new Conflict<>(objection.sentence(), objection.needs());
@@ -33,9 +34,9 @@ public sealed interface Answer<T> {
   default <R> Answer<R> refusal() {
     return switch (this) {
       case Accepted<T> accepted -> throw new IllegalStateException("Accepted: " + accepted);
-      case Refused<T>(String field, String sentence) -> new Refused<>(field, sentence);
-      case Conflict<T>(String sentence, Question needs) -> new Conflict<>(sentence, needs);
-      case Unknown<T>(String sentence) -> new Unknown<>(sentence);
+      case Refused<T>(String field, Sentence sentence) -> new Refused<>(field, sentence);
+      case Conflict<T>(Sentence sentence, Question needs) -> new Conflict<>(sentence, needs);
+      case Unknown<T>(Sentence sentence) -> new Unknown<>(sentence);
     };
   }
 }

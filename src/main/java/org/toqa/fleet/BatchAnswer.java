@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Sentence;
 
 /** What the fleet answers to orders of which all are wanted or none. */
 public sealed interface BatchAnswer {
@@ -25,5 +26,5 @@ public sealed interface BatchAnswer {
    * @param field the field of the order that is at fault, if it is one
    * @param sentence what is wrong and what to do, for a person
    */
-  record Refusal(int place, @Nullable String field, String sentence) {}
+  record Refusal(int place, @Nullable String field, Sentence sentence) {}
 }

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.toqa.fleet.BatchAnswer.Refusal;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Sentence;
 
 /**
  * Checks many orders at once. Their ways take time, so that is done on a thread of its own.
@@ -27,11 +28,11 @@ record BatchCheck(
       Answer<TransportTask> checked = check.task(orders.get(place), user, now, together);
       switch (checked) {
         case Answer.Accepted<TransportTask>(TransportTask task) -> tasks.add(task);
-        case Answer.Refused<TransportTask>(String field, String sentence) ->
+        case Answer.Refused<TransportTask>(String field, Sentence sentence) ->
             refusals.add(new Refusal(place, field, sentence));
-        case Answer.Conflict<TransportTask>(String sentence, var needs) ->
+        case Answer.Conflict<TransportTask>(Sentence sentence, var needs) ->
             refusals.add(new Refusal(place, null, sentence));
-        case Answer.Unknown<TransportTask>(String sentence) ->
+        case Answer.Unknown<TransportTask>(Sentence sentence) ->
             refusals.add(new Refusal(place, null, sentence));
       }
     }

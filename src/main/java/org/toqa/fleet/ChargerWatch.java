@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.grid.Place;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Which charging points do not charge: a robot stood there, and its battery did not rise. Confined
@@ -60,9 +62,7 @@ final class ChargerWatch {
     if (stay.risen().plus(patience).isAfter(now) || fails(point)) {
       return Finding.NOTHING_NEW;
     }
-    String text =
-        "Charger %s does not charge: the battery of %s has not risen for %s. Robots charge elsewhere where they can; look at the charger."
-            .formatted(point.name(), robot, text(patience));
+    Sentence text = Phrase.CHARGER_IS_FAULTY.with(point.name(), robot, text(patience));
     faulty.put(point.name(), new FaultyCharger(point.name(), point.position(), now, text));
     return Finding.FAILS;
   }
@@ -85,7 +85,9 @@ final class ChargerWatch {
     return List.copyOf(faulty.values());
   }
 
-  private static String text(Duration duration) {
-    return duration.toMinutes() == 0 ? duration.toSeconds() + " s" : duration.toMinutes() + " min";
+  private static Sentence text(Duration duration) {
+    return duration.toMinutes() == 0
+        ? Phrase.SECONDS.with(duration.toSeconds())
+        : Phrase.MINUTES.with(duration.toMinutes());
   }
 }

@@ -3,7 +3,6 @@ package org.toqa.fleet;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -16,6 +15,8 @@ import org.toqa.grid.Place;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Lets robots charge (CMCT, "Self-recharging"): one whose battery is low, or that has worked for
@@ -108,8 +109,8 @@ final class Charging {
 
   // --- whether ----------------------------------------------------------------------------------
 
-  /** A clause for people; empty while it need not charge or cannot be taken from its task. */
-  private Optional<String> whyItMust(FloorRobot robot) {
+  /** A clause; empty while it need not charge or cannot be taken from its task. */
+  private Optional<Sentence> whyItMust(FloorRobot robot) {
     Double battery = robot.battery;
     if (battery == null || !robot.isFit()) {
       return Optional.empty();
@@ -118,7 +119,7 @@ final class Charging {
     return switch (mission.map(m -> phase(m, robot)).orElse(0)) {
       case 1 ->
           battery < rules.below() && !lastsFor(mission.orElseThrow(), robot, battery)
-              ? Optional.of(percent(battery) + " do not last for the task")
+              ? Optional.of(Phrase.NOT_ENOUGH_FOR_ITS_TASK.with(percent(battery)))
               : Optional.empty();
       case 2 -> Optional.empty();
       default -> Optional.ofNullable(due(robot, battery));
@@ -129,18 +130,15 @@ final class Charging {
     return mission.carrier(robot.name()).map(Carrier::phase).orElse(0);
   }
 
-  private @Nullable String due(FloorRobot robot, double battery) {
+  private @Nullable Sentence due(FloorRobot robot, double battery) {
     if (battery < rules.below()) {
-      return "its battery has " + percent(battery);
+      return Phrase.BATTERY_HAS.with(percent(battery));
     }
     if (robot.worked.compareTo(rules.work()) >= 0) {
-      return String.format(
-          Locale.ROOT,
-          "it has worked for %.1f hours since it last charged",
-          robot.worked.toSeconds() / 3600.0);
+      return Phrase.HAS_WORKED_FOR.with(robot.worked.toSeconds() / 3600.0);
     }
     return robot.lacksFor != null && battery < rules.until()
-        ? percent(battery) + " do not last for task " + robot.lacksFor
+        ? Phrase.NOT_ENOUGH_FOR_TASK.with(percent(battery), robot.lacksFor)
         : null;
   }
 
@@ -159,10 +157,10 @@ final class Charging {
 
   // --- where ------------------------------------------------------------------------------------
 
-  private void begin(FloorRobot robot, String why) {
+  private void begin(FloorRobot robot, Sentence why) {
     Optional<Place> point = queues.soonest(robot).map(ChargingQueues.Choice::point);
     if (point.isEmpty()) {
-      says(robot, "Must charge, but finds no way to a charger");
+      says(robot, Phrase.NO_WAY_TO_CHARGER.with());
       return;
     }
     takeTurn(robot, point.get(), why);
@@ -174,18 +172,17 @@ final class Charging {
                 missions.happened(mission.id(), new MissionEvent.MustCharge(robot.name(), why)));
   }
 
-  private void takeTurn(FloorRobot robot, Place point, String why) {
+  private void takeTurn(FloorRobot robot, Place point, Sentence why) {
     robot.turn = new Turn(point.name(), state.now);
     robot.lacksFor = null;
     List<FloorRobot> ahead = queues.ahead(robot, point);
-    String text =
-        robot.name()
-            + (ahead.isEmpty()
-                ? " drives to charger " + point.name()
-                : " waits for " + charger(point, ahead))
-            + ": "
-            + why;
-    save(robot, ahead.isEmpty() ? "robot.to-charger" : "robot.waits-for-charger", text);
+    if (ahead.isEmpty()) {
+      Sentence text = Phrase.ROBOT_DRIVES_TO_CHARGER.with(robot.name(), point.name(), why);
+      save(robot, "robot.to-charger", text);
+    } else {
+      Sentence text = Phrase.ROBOT_AWAITS_CHARGER.with(robot.name(), charger(point, ahead), why);
+      save(robot, "robot.waits-for-charger", text);
+    }
   }
 
   // --- on its way, waiting, charging ------------------------------------------------------------
@@ -194,9 +191,9 @@ final class Charging {
     Optional<Place> point =
         state.floor.charging().stream().filter(p -> p.name().equals(turn.point())).findFirst();
     if (point.isEmpty()) {
-      giveUp(robot, "there is no charger " + turn.point() + " any more");
+      giveUp(robot, Phrase.CHARGER_IS_GONE.with(turn.point()));
     } else if (!robot.inService) {
-      giveUp(robot, "it is out of service");
+      giveUp(robot, Phrase.LEFT_SERVICE.with());
     } else if (robot.isHeard() && !goesElsewhere(robot, point.get())) {
       List<FloorRobot> ahead = queues.ahead(robot, point.get());
       if (ahead.isEmpty()) {
@@ -217,18 +214,19 @@ final class Charging {
             .soonest(robot)
             .map(ChargingQueues.Choice::point)
             .filter(choice -> !state.chargers.fails(choice));
-    other.ifPresent(choice -> takeTurn(robot, choice, point.name() + " does not charge"));
+    other.ifPresent(
+        choice -> takeTurn(robot, choice, Phrase.CHARGER_DOES_NOT_CHARGE.with(point.name())));
     return other.isPresent();
   }
 
   private void goOn(FloorRobot robot, Place point) {
     boolean isThere = queues.isAt(robot, point) && robot.isStanding();
     if (!isThere) {
-      says(robot, "Drives to charger " + point.name());
+      says(robot, Phrase.DRIVES_TO_CHARGER.with(point.name()));
     } else if (!robot.charging) {
-      says(robot, "Charges at " + point.name());
+      says(robot, Phrase.CHARGES_AT.with(point.name()));
       if (robot.errand != null) { // else it stood there when the server started
-        note(robot, "robot.charging", robot.name() + " charges at " + point.name());
+        note(robot, "robot.charging", Phrase.ROBOT_CHARGES.with(robot.name(), point.name()));
       }
     }
     robot.charging = isThere;
@@ -245,20 +243,15 @@ final class Charging {
   private void watch(FloorRobot robot, Place point, double battery) {
     switch (state.chargers.look(robot.name(), point, battery, state.now)) {
       case FAILS -> {
-        says(robot, "Stands at charger " + point.name() + ", which does not charge it");
+        says(robot, Phrase.STANDS_AT_FAULTY_CHARGER.with(point.name()));
         note(
             robot,
             "robot.charger-fails",
-            "Charger "
-                + point.name()
-                + " does not charge "
-                + robot.name()
-                + ": it stays at "
-                + percent(battery));
+            Phrase.CHARGER_FAILS.with(point.name(), robot.name(), percent(battery)));
       }
       case WORKS_AGAIN -> {
-        says(robot, "Charges at " + point.name());
-        note(robot, "robot.charger-works", "Charger " + point.name() + " charges again");
+        says(robot, Phrase.CHARGES_AT.with(point.name()));
+        note(robot, "robot.charger-works", Phrase.CHARGER_WORKS_AGAIN.with(point.name()));
       }
       case NOTHING_NEW -> {}
     }
@@ -269,7 +262,7 @@ final class Charging {
     if (robot.errand != null && robot.errand.task() == null) {
       robot.errand = null; // it may drive home meanwhile
     }
-    says(robot, "Waits for " + charger(point, ahead));
+    says(robot, Phrase.AWAITS_CHARGER.with(charger(point, ahead)));
     if (!robot.isFit()) {
       return;
     }
@@ -277,19 +270,14 @@ final class Charging {
     queues
         .soonest(robot)
         .filter(choice -> choice.seconds() + WORTHWHILE_SECONDS < here)
-        .ifPresent(choice -> takeTurn(robot, choice.point(), "that is sooner"));
+        .ifPresent(choice -> takeTurn(robot, choice.point(), Phrase.IS_SOONER.with()));
   }
 
-  private String charger(Place point, List<FloorRobot> ahead) {
+  private Sentence charger(Place point, List<FloorRobot> ahead) {
     FloorRobot first = ahead.getFirst();
-    String others = ahead.size() == 1 ? "" : ", after " + (ahead.size() - 1) + " more";
-    return "charger "
-        + point.name()
-        + ", "
-        + (queues.isAt(first, point)
-            ? "where " + first.name() + " is"
-            : "to which " + first.name() + " drives")
-        + others;
+    Phrase phrase = queues.isAt(first, point) ? Phrase.OCCUPIED_CHARGER : Phrase.CLAIMED_CHARGER;
+    Sentence charger = phrase.with(point.name(), first.name());
+    return ahead.size() == 1 ? charger : Phrase.AFTER_MORE.with(charger, ahead.size() - 1);
   }
 
   private void isCharged(FloorRobot robot, Place point, double battery) {
@@ -298,14 +286,14 @@ final class Charging {
     end(
         robot,
         "robot.charged",
-        robot.name() + " has charged at " + point.name() + ": " + percent(battery));
+        Phrase.ROBOT_HAS_CHARGED.with(robot.name(), point.name(), percent(battery)));
   }
 
-  private void giveUp(FloorRobot robot, String why) {
-    end(robot, "robot.charge-ended", robot.name() + " charges no more: " + why);
+  private void giveUp(FloorRobot robot, Sentence why) {
+    end(robot, "robot.charge-ended", Phrase.ROBOT_CHARGES_NO_MORE.with(robot.name(), why));
   }
 
-  private void end(FloorRobot robot, String kind, String text) {
+  private void end(FloorRobot robot, String kind, Sentence text) {
     robot.turn = null;
     robot.charging = false;
     state.chargers.left(robot.name());
@@ -316,7 +304,7 @@ final class Charging {
     save(robot, kind, text);
   }
 
-  private void save(FloorRobot robot, String kind, String text) {
+  private void save(FloorRobot robot, String kind, Sentence text) {
     robot.turnStored = false;
     state.changed = true;
     ChargeRecord record = record(robot);
@@ -330,22 +318,22 @@ final class Charging {
     return new ChargeRecord(robot.name(), robot.worked, robot.turn);
   }
 
-  private void note(FloorRobot robot, String kind, String text) {
+  private void note(FloorRobot robot, String kind, Sentence text) {
     state.note(event(robot, kind, text));
   }
 
-  private EventRecord event(FloorRobot robot, String kind, String text) {
+  private EventRecord event(FloorRobot robot, String kind, Sentence text) {
     return state.event(kind, robot.name(), EventRecord.SYSTEM, text);
   }
 
-  private void says(FloorRobot robot, @Nullable String sentence) {
+  private void says(FloorRobot robot, @Nullable Sentence sentence) {
     if (!Objects.equals(sentence, robot.chargingSays)) {
       robot.chargingSays = sentence;
       state.changed = true;
     }
   }
 
-  private static String percent(double battery) {
-    return String.format(Locale.ROOT, "%.0f %%", 100 * battery);
+  private static long percent(double battery) {
+    return Math.round(100 * battery);
   }
 }

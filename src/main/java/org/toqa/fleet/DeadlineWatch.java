@@ -9,11 +9,13 @@ import java.util.Optional;
 import java.util.Set;
 import org.toqa.fleet.Forecast.Delivery;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Which tasks cannot be delivered by their deadlines. Confined to one agent. */
 final class DeadlineWatch {
   private final double pace;
-  private final Map<Long, String> late = new HashMap<>();
+  private final Map<Long, Sentence> late = new HashMap<>();
 
   /** Tasks of an earlier run of the server, which was told of them already. */
   private final Set<Long> toldBefore;
@@ -38,7 +40,7 @@ final class DeadlineWatch {
    * @param earliest empty where that cannot be said now
    * @return a sentence if it has just become clear that the task will be late
    */
-  Optional<String> look(TaskView task, Optional<Delivery> earliest, Instant now) {
+  Optional<Sentence> look(TaskView task, Optional<Delivery> earliest, Instant now) {
     Instant deadline = task.task().deadline();
     if (deadline == null || earliest.isEmpty()) {
       return Optional.empty();
@@ -51,9 +53,7 @@ final class DeadlineWatch {
       late.remove(task.id());
       return Optional.empty();
     }
-    String sentence =
-        "The deadline cannot be met: %s would deliver it %s after it at the earliest."
-            .formatted(delivery.robot(), text(after));
+    Sentence sentence = Phrase.CANNOT_BE_IN_TIME.with(delivery.robot(), text(after));
     return late.putIfAbsent(task.id(), sentence) == null && isNew
         ? Optional.of(sentence)
         : Optional.empty();
@@ -68,9 +68,9 @@ final class DeadlineWatch {
     return task.told(late.get(task.id()));
   }
 
-  private static String text(Duration duration) {
+  private static Sentence text(Duration duration) {
     return duration.toMinutes() == 0
-        ? Math.max(1, duration.toSeconds()) + " s"
-        : duration.toMinutes() + " min " + duration.toSecondsPart() + " s";
+        ? Phrase.SECONDS.with(Math.max(1, duration.toSeconds()))
+        : Phrase.MINUTES_AND_SECONDS.with(duration.toMinutes(), duration.toSecondsPart());
   }
 }

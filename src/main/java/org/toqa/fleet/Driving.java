@@ -12,6 +12,7 @@ import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.traffic.floor.Decision;
+import org.toqa.wording.Sentence;
 
 /** Tells the traffic what each robot is to do, and the robots what the traffic decides. */
 final class Driving {
@@ -162,7 +163,7 @@ final class Driving {
     }
   }
 
-  private void note(FloorRobot robot, @Nullable String reason) {
+  private void note(FloorRobot robot, @Nullable Sentence reason) {
     if (!Objects.equals(robot.trouble, reason)) {
       robot.trouble = reason;
       state.changed = true;

@@ -6,6 +6,8 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * One line of the history.
@@ -14,10 +16,14 @@ import org.toqa.mission.TransportTask;
  * @param task the task it concerns, if any
  * @param robot the robot it concerns, if any
  * @param who a user's name, or {@code toqa}
- * @param text a sentence for people
  */
 public record EventRecord(
-    Instant at, String kind, @Nullable Long task, @Nullable String robot, String who, String text) {
+    Instant at,
+    String kind,
+    @Nullable Long task,
+    @Nullable String robot,
+    String who,
+    Sentence said) {
 
   /** Characters; a robot may say more than the history keeps. */
   private static final int LONGEST_TEXT = 500;
@@ -25,8 +31,10 @@ public record EventRecord(
   /** Who acts when no person does. */
   public static final String SYSTEM = "toqa";
 
-  public EventRecord {
-    text = text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT - 3) + "...";
+  /** In English. */
+  public String text() {
+    String text = said.english();
+    return text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT - 3) + "...";
   }
 
   /**
@@ -41,7 +49,7 @@ public record EventRecord(
         task.id(),
         null,
         task.user(),
-        "Asked for by " + task.user());
+        Phrase.ASKED_FOR_BY.with(task.user()));
   }
 
   /** What the history says of a mission's step. */
@@ -50,7 +58,7 @@ public record EventRecord(
     String who = event instanceof MissionEvent.Wish wish ? wish.user() : SYSTEM;
     long task = step.mission().id();
     return step.history().stream()
-        .map(text -> new EventRecord(at, event.kind(), task, robot, who, text))
+        .map(said -> new EventRecord(at, event.kind(), task, robot, who, said))
         .toList();
   }
 }

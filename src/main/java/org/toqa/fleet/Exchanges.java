@@ -15,6 +15,7 @@ import org.toqa.allocation.Decision;
 import org.toqa.allocation.Situation.Given;
 import org.toqa.fleet.FloorMessage.Move;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Sentence;
 
 /**
  * Tasks that robots have and that other robots may still take over: which ones, and what an
@@ -70,7 +71,7 @@ final class Exchanges {
     List<Move> moves = new ArrayList<>();
     for (Decision decision : decisions) {
       TaskView task = byId.get(decision.job());
-      if (decision instanceof Decision.Assigned(long id, List<String> chosen, String why)
+      if (decision instanceof Decision.Assigned(long id, List<String> chosen, Sentence why)
           && task != null
           && isOpen(task)) {
         moves.add(new Move(id, task.robots().getFirst(), chosen.getFirst(), why));

@@ -3,6 +3,7 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Sentence;
 
 /**
  * The whole fleet at one moment, immutable.
@@ -14,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param queued how many tasks wait in the queue, also those that are not among {@code tasks}
  * @param floors those that have reported, in their order
  * @param pause null while the fleet is not paused
- * @param alerts sentences that concern the whole fleet, such as a store that does not answer
+ * @param alerts what concerns the whole fleet, such as a store that does not answer
  */
 public record FleetSnapshot(
     long version,
@@ -24,7 +25,7 @@ public record FleetSnapshot(
     int queued,
     List<FloorView> floors,
     @Nullable Hold pause,
-    List<String> alerts) {
+    List<Sentence> alerts) {
 
   public FleetSnapshot {
     robots = List.copyOf(robots);

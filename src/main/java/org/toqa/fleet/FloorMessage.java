@@ -13,6 +13,7 @@ import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.wording.Sentence;
 
 /**
  * What a floor agent is told: by the manager, by its robots' agents, by its store, by the clock.
@@ -20,7 +21,7 @@ import org.toqa.mission.MissionEvent;
 sealed interface FloorMessage {
 
   /** These robots shall carry out this task. */
-  record Begin(Mission mission, List<String> robots, String why) implements FloorMessage {}
+  record Begin(Mission mission, List<String> robots, Sentence why) implements FloorMessage {}
 
   /**
    * Tasks whose loads are not picked up go to other robots: all of these moves, or none where one
@@ -28,7 +29,7 @@ sealed interface FloorMessage {
    */
   record Exchange(List<Move> moves) implements FloorMessage {}
 
-  record Move(long task, String from, String to, String why) {}
+  record Move(long task, String from, String to, Sentence why) {}
 
   /** A person wants something of a task. */
   record Wished(long task, MissionEvent.Wish wish, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
@@ -118,7 +119,7 @@ sealed interface FloorMessage {
   record Disconnected(String robot, String why) implements FromRobot {}
 
   /** It is not connected, for one end does not trust the other. */
-  record LinkRefused(String robot, String why) implements FromRobot {}
+  record LinkRefused(String robot, Sentence why) implements FromRobot {}
 
   record Silent(String robot, Instant since) implements FromRobot {}
 

@@ -12,6 +12,8 @@ import org.toqa.grid.CellRuns;
 import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.traffic.floor.Route;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** What a floor tells the manager of itself, its robots and its tasks. */
 final class FloorReports {
@@ -28,7 +30,7 @@ final class FloorReports {
   void send() {
     state.changed = false;
     String trouble = state.storeTrouble();
-    List<String> alerts = trouble == null ? List.of() : List.of(StoreWatch.AWAY);
+    List<Sentence> alerts = trouble == null ? List.of() : List.of(StoreWatch.AWAY);
     manager.tell(
         new ManagerMessage.FloorReport(
             floorView(),
@@ -64,31 +66,32 @@ final class FloorReports {
         mission, mission.state().isEnded() ? null : waitingFor(mission), dated.changedAt());
   }
 
-  private @Nullable String waitingFor(Mission mission) {
-    List<String> reasons = new ArrayList<>();
+  private @Nullable Sentence waitingFor(Mission mission) {
+    List<Sentence> reasons = new ArrayList<>();
     for (Carrier c : mission.carriers()) {
       FloorRobot robot = state.robots.get(c.robot());
       if (c.released() || robot == null) {
         continue;
       }
       switch (robot.state()) {
-        case CONNECTING, LOST -> reasons.add(robot.name() + " is not connected");
-        case NOT_LOCALISED ->
-            reasons.add(robot.name() + " does not know where it is: say it on the robot's page");
-        case ERROR -> reasons.add(robot.name() + " reports an error");
-        case OUT_OF_SERVICE ->
-            reasons.add(robot.name() + " is out of service: put it back in service");
+        case CONNECTING, LOST -> reasons.add(Phrase.NOT_CONNECTED.with(robot.name()));
+        case NOT_LOCALISED -> reasons.add(Phrase.NOT_LOCALISED.with(robot.name()));
+        case ERROR ->
+            reasons.add(Phrase.ROBOT_AND_CLAUSE.with(robot.name(), Phrase.REPORTS_ERROR.with()));
+        case OUT_OF_SERVICE -> reasons.add(Phrase.OUT_OF_SERVICE.with(robot.name()));
         case IDLE, DRIVING, HOLDING, CHARGING -> {
           if (robot.holdReason != null) {
             reasons.add(robot.holdReason);
           } else if (robot.trouble != null) {
             reasons.add(robot.trouble);
           } else {
-            Optional.ofNullable(robot.reasonOfGroup()).ifPresent(reasons::add);
+            Optional.ofNullable(robot.reasonOfGroup())
+                .map(Sentence::verbatim)
+                .ifPresent(reasons::add);
           }
         }
       }
     }
-    return reasons.isEmpty() ? null : String.join("; ", reasons);
+    return reasons.isEmpty() ? null : Sentence.joined(Phrase.LISTED_APART, reasons);
   }
 }

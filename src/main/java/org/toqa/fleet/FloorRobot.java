@@ -23,6 +23,8 @@ import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.traffic.floor.Route;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * What a floor agent knows of one of its robots. Confined to that agent.
@@ -70,8 +72,8 @@ final class FloorRobot {
   List<Fault> errors = List.of();
   @Nullable Instant lastSeen;
 
-  /** Why it and the server do not trust each other, a sentence; null: they do, or never met. */
-  @Nullable String alert;
+  /** Why it and the server do not trust each other; null: they do, or never met. */
+  @Nullable Sentence alert;
 
   /** When the history was last told whom it did not let in. */
   Instant refusalNoted = Instant.MIN;
@@ -112,14 +114,14 @@ final class FloorRobot {
   /** Whether it stands at the charging point and is the first one there. */
   boolean charging;
 
-  /** What it does about charging, a sentence. */
-  @Nullable String chargingSays;
+  /** What it does about charging. */
+  @Nullable Sentence chargingSays;
 
   /** A task that it was free for, but its battery would not have lasted. */
   @Nullable Long lacksFor;
 
-  /** Why it shall hold, a sentence; null: it need not. */
-  @Nullable String holdReason;
+  /** Why it shall hold; null: it need not. */
+  @Nullable Sentence holdReason;
 
   /** Whether it was told to hold, on this connection. */
   boolean toldToHold;
@@ -136,7 +138,7 @@ final class FloorRobot {
   @Nullable Instant idleSince;
 
   Instant notBefore = Instant.MIN;
-  @Nullable String trouble;
+  @Nullable Sentence trouble;
 
   /**
    * A phase that the robot shall drive.
@@ -318,20 +320,20 @@ final class FloorRobot {
         alert);
   }
 
-  private String doing(@Nullable Errand work) {
+  private Sentence doing(@Nullable Errand work) {
     return switch (state()) {
       case CONNECTING ->
-          alert == null
-              ? "Not heard of yet; trying to reach " + record.host() + ":" + record.port()
-              : alert;
+          alert == null ? Phrase.TRYING_TO_REACH.with(record.host(), record.port()) : alert;
       case LOST ->
-          "Lost: %s %s"
-              .formatted(
-                  alert == null ? "nothing heard from it." : alert,
-                  pose == null ? "Nobody knows where it is." : "Its place stays reserved.");
-      case NOT_LOCALISED -> "Does not know where it is: say it on the robot's page";
-      case ERROR -> errors.isEmpty() ? "Reports an error" : "Reports: " + errors.getFirst().text();
-      case OUT_OF_SERVICE -> "Out of service. " + outOfService();
+          Phrase.LOST.with(
+              alert == null ? Phrase.NOTHING_HEARD.with() : alert,
+              (pose == null ? Phrase.NOBODY_KNOWS_WHERE : Phrase.PLACE_STAYS_RESERVED).with());
+      case NOT_LOCALISED -> Phrase.MUST_BE_LOCALISED.with();
+      case ERROR ->
+          errors.isEmpty()
+              ? Phrase.HAS_ERROR.with()
+              : Phrase.HAS_FAULT.with(errors.getFirst().text());
+      case OUT_OF_SERVICE -> Phrase.STAYS_OUT_OF_SERVICE.with(outOfService().with());
       case IDLE, DRIVING, HOLDING, CHARGING -> {
         if (holdReason != null) {
           yield holdReason;
@@ -339,18 +341,16 @@ final class FloorRobot {
         if (chargingSays != null && (work == null || work.task() == null)) {
           yield trouble == null ? chargingSays : trouble;
         }
-        yield work == null ? "Free" : working(work);
+        yield work == null ? Phrase.IS_FREE.with() : working(work);
       }
     };
   }
 
-  private String outOfService() {
+  private Phrase outOfService() {
     if (isHeard()) {
-      return "It stays where it is and gets no task.";
+      return Phrase.STAYS_WITHOUT_TASK;
     }
-    return pose == null
-        ? "Its place is free."
-        : "Nothing heard from it: its place stays reserved until a person says that it is free.";
+    return pose == null ? Phrase.PLACE_IS_FREE : Phrase.PLACE_STAYS_UNTIL_SAID;
   }
 
   /** Of its certificate, 64 digits; null: it was never paired. */
@@ -364,19 +364,22 @@ final class FloorRobot {
     return role == Role.ALONE || errors.isEmpty() ? null : errors.getFirst().text();
   }
 
-  private String working(Errand work) {
+  private Sentence working(Errand work) {
     if (trouble != null) {
       return trouble;
     }
     String reason = reasonOfGroup();
     if (reason != null) {
-      return reason;
+      return Sentence.verbatim(reason);
+    }
+    Long task = work.task();
+    if (task == null || work.phase() == 0) {
+      return Phrase.DRIVES_HOME.with();
     }
     return switch (work.phase()) {
-      case 0 -> "Drives home";
-      case 1 -> "Drives to the load of task " + work.task();
-      case 2 -> "Carries the load of task " + work.task();
-      default -> "Drives home from task " + work.task();
+      case 1 -> Phrase.DRIVES_TO_LOAD.with(task);
+      case 2 -> Phrase.CARRIES_LOAD.with(task);
+      default -> Phrase.DRIVES_HOME_FROM.with(task);
     };
   }
 }

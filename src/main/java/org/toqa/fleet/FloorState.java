@@ -14,6 +14,8 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 import org.toqa.mission.Mission;
 import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** The floor as it is now, which the parts of its agent share. Confined to that agent. */
 final class FloorState {
@@ -77,7 +79,7 @@ final class FloorState {
   }
 
   /** A line for the history of the robot and of the task that it works for. */
-  EventRecord event(String kind, String robot, String who, String text) {
+  EventRecord event(String kind, String robot, String who, Sentence text) {
     Long task = missions.of(robot).map(Mission::id).orElse(null);
     return new EventRecord(clock.instant(), kind, task, robot, who, text);
   }
@@ -94,7 +96,7 @@ final class FloorState {
   }
 
   static <T> Answer<T> unknown(String robot) {
-    return new Answer.Unknown<>("There is no robot " + robot + " on this floor.");
+    return new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT_HERE.with(robot));
   }
 
   /** Why the store does not answer, or null while it does. */

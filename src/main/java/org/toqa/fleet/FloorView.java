@@ -6,6 +6,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
+import org.toqa.wording.Sentence;
 
 /**
  * A floor as readers see it: what is in the way beside its walls and the robots that drive.
@@ -32,17 +33,17 @@ public record FloorView(
    * A charging point that does not charge.
    *
    * @param where metres, map frame
-   * @param text a sentence for people
    */
-  public record FaultyCharger(String name, Vec2 where, Instant since, String text) {}
+  public record FaultyCharger(String name, Vec2 where, Instant since, Sentence text) {}
 
   /**
    * Robots that do not get on.
    *
    * @param where they stand, metres, map frame, in the order of the robots
-   * @param text a sentence for people: who, where, and what is done about it
+   * @param text who, where, and what is done about it
    */
-  public record StandstillView(List<String> robots, List<Vec2> where, Instant since, String text) {
+  public record StandstillView(
+      List<String> robots, List<Vec2> where, Instant since, Sentence text) {
     public StandstillView {
       robots = List.copyOf(robots);
       where = List.copyOf(where);

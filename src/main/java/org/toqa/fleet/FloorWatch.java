@@ -14,8 +14,9 @@ import org.toqa.fleet.ObstacleMap.Obstacle;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
-import org.toqa.mission.TaskPlace;
 import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * What a floor learns beside its map: obstacles, which it tells the traffic, and standstills, which
@@ -28,7 +29,7 @@ final class FloorWatch {
   private final StandstillReport standstills;
 
   /** A line for the history of a robot and of the task that it has. */
-  record Remark(String kind, String robot, String text) {}
+  record Remark(String kind, String robot, Sentence text) {}
 
   FloorWatch(FloorMap floor, FloorTraffic traffic) {
     this.floor = floor;
@@ -56,12 +57,7 @@ final class FloorWatch {
         .map(
             obstacle ->
                 new Remark(
-                    "floor.obstacle",
-                    robot,
-                    robot
-                        + " sees something at "
-                        + place(obstacle)
-                        + " that the map does not show; robots go round it"))
+                    "floor.obstacle", robot, Phrase.SEES_OBSTACLE.with(robot, place(obstacle))))
         .toList();
   }
 
@@ -83,9 +79,7 @@ final class FloorWatch {
                 new Remark(
                     "floor.obstacle-gone",
                     obstacle.seenBy(),
-                    "The obstacle at "
-                        + place(obstacle)
-                        + " was not seen any more; robots may drive there again"))
+                    Phrase.OBSTACLE_GONE.with(place(obstacle))))
         .toList();
   }
 
@@ -105,7 +99,7 @@ final class FloorWatch {
       begun.robots().forEach(r -> remarks.add(new Remark("traffic.standstill", r, begun.text())));
     }
     for (StandstillView over : change.over()) {
-      String text = StandstillReport.over(over);
+      Sentence text = StandstillReport.over(over);
       over.robots().forEach(r -> remarks.add(new Remark("traffic.resolved", r, text)));
     }
     return remarks;
@@ -126,7 +120,7 @@ final class FloorWatch {
         faultyChargers);
   }
 
-  private String place(Obstacle obstacle) {
-    return new TaskPlace(floor.grid().centre(obstacle.cell()), null).text();
+  private Sentence place(Obstacle obstacle) {
+    return Sentence.of(floor.grid().centre(obstacle.cell()));
   }
 }

@@ -15,6 +15,8 @@ import org.toqa.mission.Carrier;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * The floor's groups: missions with several robots, the first of which leads. While they carry, the
@@ -211,15 +213,15 @@ final class Formations {
   }
 
   /**
-   * Why the whole group shall come to a stand before it is told otherwise, a sentence; null: it
-   * need not. Robots that are stopped one by one would tear at the load.
+   * Why the whole group shall come to a stand before it is told otherwise; null: it need not.
+   * Robots that are stopped one by one would tear at the load.
    */
-  @Nullable String reasonToStand(Mission mission) {
+  @Nullable Sentence reasonToStand(Mission mission) {
     if (!isGroup(mission) || mission.state() != TaskState.CARRYING) {
       return null;
     }
     if (mission.isStopping()) {
-      return "Comes to a stand to set the load of task " + mission.id() + " down";
+      return Phrase.STOPS_TO_SET_DOWN.with(mission.id());
     }
     FloorRobot leader = state.robots.get(leader(mission));
     boolean goesElsewhere =
@@ -228,6 +230,6 @@ final class Formations {
             && leader.toldGoal != null
             && Objects.equals(leader.reportedTask, mission.id())
             && !leader.toldGoal.equals(mission.destination().position());
-    return goesElsewhere ? "Comes to a stand: the load goes elsewhere" : null;
+    return goesElsewhere ? Phrase.STOPS_TO_GO_ELSEWHERE.with() : null;
   }
 }

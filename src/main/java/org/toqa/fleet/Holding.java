@@ -5,6 +5,8 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.mission.Mission;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Lets robots hold that shall stand where they are, and go on when nothing keeps them. */
 final class Holding {
@@ -36,7 +38,7 @@ final class Holding {
 
   /** Tells the robot to hold or to go on, until it says that it does. */
   void holdOrGoOn(FloorRobot robot) {
-    String reason = reason(robot);
+    Sentence reason = reason(robot);
     state.changed |= !Objects.equals(reason, robot.holdReason);
     robot.holdReason = reason;
     boolean shall = reason != null;
@@ -53,22 +55,22 @@ final class Holding {
     }
   }
 
-  private @Nullable String reason(FloorRobot robot) {
+  private @Nullable Sentence reason(FloorRobot robot) {
     if (pause != null) {
-      return "All robots are paused by " + pause.user();
+      return Phrase.ALL_PAUSED_BY.with(pause.user());
     }
     if (state.hold != null) {
-      return "All robots of " + state.floor.name() + " are on hold by " + state.hold.user();
+      return Phrase.FLOOR_HELD_BY.with(state.floor.name(), state.hold.user());
     }
     if (robot.held) {
-      return "On hold by a person’s word";
+      return Phrase.HELD_BY_A_PERSON.with();
     }
     return state.missions.of(robot.name()).map(this::reason).orElse(null);
   }
 
-  private @Nullable String reason(Mission mission) {
+  private @Nullable Sentence reason(Mission mission) {
     return mission.held()
-        ? "Task " + mission.id() + " is on hold"
+        ? Phrase.TASK_ON_HOLD.with(mission.id())
         : state.formations.reasonToStand(mission);
   }
 

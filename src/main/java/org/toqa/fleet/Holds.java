@@ -10,6 +10,8 @@ import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * What is on hold by a person's word: all robots, or those of a floor. Robots hold at once, and go
@@ -63,7 +65,7 @@ final class Holds {
             at,
             m.pause() ? "fleet.paused" : "fleet.resumed",
             m.user(),
-            m.pause() ? " paused all robots" : " let all robots go on");
+            (m.pause() ? Phrase.ALL_PAUSED : Phrase.ALL_LET_GO_ON).with(m.user()));
     if (next != null) {
       pauseIs(next);
     }
@@ -89,7 +91,7 @@ final class Holds {
   void hold(ManagerMessage.HoldFloor m) {
     if (!floors.containsKey(m.floor())) {
       m.replyTo()
-          .tell(StatusReply.success(new Answer.Unknown<>("There is no floor " + m.floor() + ".")));
+          .tell(StatusReply.success(new Answer.Unknown<>(Phrase.NO_SUCH_FLOOR.with(m.floor()))));
       return;
     }
     Hold now = ofFloors.get(m.floor());
@@ -104,9 +106,8 @@ final class Holds {
             at,
             m.hold() ? "floor.held" : "floor.resumed",
             m.user(),
-            m.hold()
-                ? " put all robots of " + m.floor() + " on hold"
-                : " let the robots of " + m.floor() + " go on");
+            (m.hold() ? Phrase.FLOOR_PUT_ON_HOLD : Phrase.FLOOR_LET_GO_ON)
+                .with(m.user(), m.floor()));
     if (next != null) {
       holdIs(m.floor(), next);
     }
@@ -133,8 +134,8 @@ final class Holds {
     Objects.requireNonNull(floors.get(floor)).tell(new FloorMessage.HoldFloor(next));
   }
 
-  private static EventRecord event(Instant at, String kind, String user, String did) {
-    return new EventRecord(at, kind, null, null, user, user + did);
+  private static EventRecord event(Instant at, String kind, String user, Sentence text) {
+    return new EventRecord(at, kind, null, null, user, text);
   }
 
   private static void answer(

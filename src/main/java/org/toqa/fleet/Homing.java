@@ -1,11 +1,12 @@
 package org.toqa.fleet;
 
 import java.time.Duration;
-import java.util.Locale;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorRobot.Errand;
 import org.toqa.mission.Mission;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Sends robots that have nothing to do to their parking points. */
 final class Homing {
@@ -23,26 +24,21 @@ final class Homing {
   }
 
   /** Why a person cannot send the robot home now; null if it can be. */
-  @Nullable String objection(FloorRobot robot) {
+  @Nullable Sentence objection(FloorRobot robot) {
     Optional<Mission> mission = state.missions.of(robot.name());
     if (mission.isPresent()) {
-      return robot.name() + " works for task " + mission.get().id() + "; it drives home after it.";
+      return Phrase.HOME_AFTER_TASK.with(robot.name(), mission.get().id());
     }
     if (robot.turn != null) {
-      return robot.name() + " must charge first; it drives home after it.";
+      return Phrase.HOME_AFTER_CHARGING.with(robot.name());
     }
     if (state.home(robot.name()).isEmpty()) {
-      return robot.name() + " has no parking point, so it has no home.";
+      return Phrase.HAS_NO_HOME.with(robot.name());
     }
     if (robot.holdReason != null) {
-      return robot.name() + " is on hold; let it go on first.";
+      return Phrase.LET_IT_GO_ON_FIRST.with(robot.name());
     }
-    return robot.isFit()
-        ? null
-        : robot.name()
-            + " cannot drive now: it is "
-            + robot.state().name().toLowerCase(Locale.ROOT).replace('_', ' ')
-            + ".";
+    return robot.isFit() ? null : Phrase.CANNOT_DRIVE_NOW.with(robot.name());
   }
 
   /** Parking when idle. */

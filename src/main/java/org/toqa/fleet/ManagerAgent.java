@@ -56,6 +56,8 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.Objection;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Takes tasks, keeps their queue, decides who carries what, and hangs up the picture of the whole
@@ -71,7 +73,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private static final Duration DEADLINES_EVERY = Duration.ofSeconds(1);
 
-  private static final String NOT_LOOKED_AT = "Looking for a robot.";
+  private static final Sentence NOT_LOOKED_AT = Phrase.LOOKING_FOR_ROBOT.with();
 
   private final FleetStore store;
   private final StoreWriter writer;
@@ -103,10 +105,10 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final Map<String, List<PlaceUse>> placesSeen = new HashMap<>();
 
   /** By floor and task: what the last round said of those that wait. */
-  private final Map<String, Map<Long, String>> reasons = new HashMap<>();
+  private final Map<String, Map<Long, Sentence>> reasons = new HashMap<>();
 
   /** Tasks for several robots that have no room round the load, and why. */
-  private final Map<Long, String> roomless = new HashMap<>();
+  private final Map<Long, Sentence> roomless = new HashMap<>();
 
   /** Floors whose robots or tasks have changed since the last round began. */
   private final Set<String> due = new HashSet<>();
@@ -477,7 +479,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         new RobotIntake.Wish(
             m.user(),
             "robot.added",
-            m.user() + " added " + robot.name(),
+            Phrase.ROBOT_ADDED.with(m.user(), robot.name()),
             new RobotAsker(
                 m.replyTo(),
                 stored -> self.tell(new ManagerMessage.RobotStored(stored, m.replyTo())),
@@ -498,7 +500,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         new RobotIntake.Wish(
             m.user(),
             "robot.paired",
-            m.user() + " paired " + robot.name() + " with this server",
+            Phrase.ROBOT_PAIRED.with(m.user(), robot.name()),
             new RobotAsker(
                 m.replyTo(),
                 stored -> self.tell(new ManagerMessage.RobotChanged(stored, m.replyTo())),
@@ -524,7 +526,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         new RobotIntake.Wish(
             m.user(),
             "robot.changed",
-            m.user() + " changed " + robot.name(),
+            Phrase.ROBOT_CHANGED.with(m.user(), robot.name()),
             new RobotAsker(
                 m.replyTo(),
                 stored -> self.tell(new ManagerMessage.RobotChanged(stored, m.replyTo())),
@@ -585,9 +587,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                 m.replyTo()
                     .tell(
                         StatusReply.success(
-                            new Answer.Conflict<>(
-                                "Task " + m.task() + " has ended; it cannot be changed any more.",
-                                null))));
+                            new Answer.Conflict<>(Phrase.TASK_HAS_ENDED.with(m.task()), null))));
   }
 
   private void wished(TaskQueue.Queued queued, ManagerMessage.Wished m) {
@@ -645,7 +645,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             floor -> floor.tell(message),
             () ->
                 replyTo.tell(
-                    StatusReply.success(new Answer.Unknown<>("There is no robot " + robot + "."))));
+                    StatusReply.success(new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT.with(robot)))));
   }
 
   private Optional<ActorRef<FloorMessage>> floorAgent(String name) {
@@ -778,11 +778,11 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     changed = true;
     ActorRef<FloorMessage> floor = requireNonNull(floors.get(m.floor()));
     Set<String> free = exchange(floor, m);
-    Map<Long, String> waiting = new HashMap<>();
+    Map<Long, Sentence> waiting = new HashMap<>();
     for (Decision decision : m.decisions()) {
       switch (decision) {
-        case Decision.Assigned(long id, List<String> chosen, String why) -> {
-          Optional<String> objection = objection(id, chosen.size(), m.floor());
+        case Decision.Assigned(long id, List<String> chosen, Sentence why) -> {
+          Optional<Sentence> objection = objection(id, chosen.size(), m.floor());
           if (objection.isPresent()) {
             roomless.put(id, objection.get());
             due.add(m.floor());
@@ -792,7 +792,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             due.add(m.floor());
           }
         }
-        case Decision.Waits(long id, String why, List<String> drained) -> {
+        case Decision.Waits(long id, Sentence why, List<String> drained) -> {
           waiting.put(id, why);
           if (!drained.isEmpty()) {
             floor.tell(new FloorMessage.Recharge(drained, id));
@@ -804,7 +804,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     reasons.put(m.floor(), waiting);
   }
 
-  private Optional<String> objection(long task, int robots, String floor) {
+  private Optional<Sentence> objection(long task, int robots, String floor) {
     TeamRoom room = new TeamRoom(requireNonNull(maps.get(floor)).grid());
     return queue.get(task).flatMap(queued -> room.objection(queued.mission(), robots));
   }
@@ -840,7 +840,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     return queue.get(task).filter(TaskQueue.Queued::mayBegin).flatMap(q -> queue.remove(task));
   }
 
-  private void handOver(Mission mission, List<String> chosen, String why) {
+  private void handOver(Mission mission, List<String> chosen, Sentence why) {
     handedOver.put(
         mission.id(), TaskView.of(mission.assign(chosen, why).mission(), null, clock.instant()));
     requireNonNull(floors.get(mission.task().floor()))
@@ -895,7 +895,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     changed = false;
     List<RobotView> views = new ArrayList<>();
     Map<Long, TaskView> tasks = new HashMap<>();
-    Set<String> alerts = new LinkedHashSet<>();
+    Set<Sentence> alerts = new LinkedHashSet<>();
     if (!storeWatch.answers()) {
       alerts.add(StoreWatch.AWAY);
     }
@@ -942,25 +942,25 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   }
 
   /** What the last round said; of a task that it did not look at, what is plain without one. */
-  private String reason(TaskQueue.Queued queued, @Nullable WaitingReason plain) {
-    String noRoom = roomless.get(queued.task().id());
+  private Sentence reason(TaskQueue.Queued queued, @Nullable WaitingReason plain) {
+    Sentence noRoom = roomless.get(queued.task().id());
     if (noRoom != null) {
       return noRoom;
     }
-    String said = reasons.getOrDefault(queued.task().floor(), Map.of()).get(queued.task().id());
+    Sentence said = reasons.getOrDefault(queued.task().floor(), Map.of()).get(queued.task().id());
     if (said != null) {
       return said;
     }
     return plain == null ? NOT_LOOKED_AT : plain.of(queued.job());
   }
 
-  private TaskView view(long queued, String why) {
+  private TaskView view(long queued, Sentence why) {
     return view(queue.get(queued).orElseThrow(), why);
   }
 
-  private static TaskView view(TaskQueue.Queued queued, String why) {
+  private static TaskView view(TaskQueue.Queued queued, Sentence why) {
     Mission mission = queued.mission();
-    return TaskView.of(mission, mission.held() ? "On hold." : why, queued.since());
+    return TaskView.of(mission, mission.held() ? Phrase.ON_HOLD.with() : why, queued.since());
   }
 
   private List<FloorView> floorViews() {

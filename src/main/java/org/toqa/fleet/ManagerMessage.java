@@ -11,6 +11,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Sentence;
 
 /** What the manager agent is told: by users, by floors, by its store, by the clock. */
 sealed interface ManagerMessage {
@@ -145,7 +146,7 @@ sealed interface ManagerMessage {
       List<RobotView> robots,
       List<TaskView> missions,
       List<TaskView> ended,
-      List<String> alerts)
+      List<Sentence> alerts)
       implements ManagerMessage {}
 
   /** The floor has done what its tick asked for; a report of it, if any, came before. */

@@ -3,7 +3,6 @@ package org.toqa.fleet;
 import java.time.Instant;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -26,6 +25,8 @@ import org.toqa.planning.PlanResult;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.traffic.oneshot.LacamFloorPlanner;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Checks wishes against the floors before anything of them is stored. */
 final class OrderCheck {
@@ -53,26 +54,20 @@ final class OrderCheck {
     Optional<FloorMap> floor = floor(order.floor());
     if (floor.isEmpty()) {
       return new Answer.Refused<>(
-          "floor", "There is no floor " + order.floor() + ". " + floorNames());
+          "floor", Phrase.NO_SUCH_FLOOR_BUT.with(String.valueOf(order.floor()), floorNames()));
     }
     if (order.load() > together) {
-      return new Answer.Refused<>(
-          "load",
-          String.format(
-              Locale.ROOT,
-              "The robots cannot carry %s kg: all together carry %s kg. Split the load.",
-              order.load(),
-              together));
+      return new Answer.Refused<>("load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), together));
     }
-    Answer<TaskPlace> start = place(floor.get(), "start", order.start());
+    Answer<TaskPlace> start = place(floor.get(), Phrase.START, order.start());
     if (!(start instanceof Answer.Accepted<TaskPlace>(TaskPlace from))) {
       return start.refusal();
     }
-    Answer<TaskPlace> goal = place(floor.get(), "goal", order.goal());
+    Answer<TaskPlace> goal = place(floor.get(), Phrase.GOAL, order.goal());
     if (!(goal instanceof Answer.Accepted<TaskPlace>(TaskPlace to))) {
       return goal.refusal();
     }
-    String obstacle = obstacle(floor.get(), from, to);
+    Sentence obstacle = obstacle(floor.get(), from, to);
     if (obstacle != null) {
       return new Answer.Refused<>("goal", obstacle);
     }
@@ -93,8 +88,7 @@ final class OrderCheck {
 
   Answer<RobotRecord> robot(RobotOrder order, List<RobotRecord> existing) {
     if (existing.stream().anyMatch(r -> r.name().equalsIgnoreCase(order.name()))) {
-      return new Answer.Refused<>(
-          "name", "There is a robot " + order.name() + " already; choose another name.");
+      return new Answer.Refused<>("name", Phrase.ROBOT_NAME_TAKEN.with(order.name()));
     }
     FloorMap floor = floors.getFirst();
     Set<String> taken = parkingOf(existing.stream());
@@ -107,7 +101,7 @@ final class OrderCheck {
               .findFirst()
               .orElse(null);
     } else {
-      Optional<String> objection = objectionToParking(parking, floor, taken);
+      Optional<Sentence> objection = objectionToParking(parking, floor, taken);
       if (objection.isPresent()) {
         return new Answer.Refused<>("parking", objection.get());
       }
@@ -127,12 +121,11 @@ final class OrderCheck {
   Answer<RobotRecord> change(RobotRecord robot, RobotChange change, List<RobotRecord> existing) {
     RobotRecord changed = robot.changed(change);
     if (robot.simulated() && !changed.address().equals(robot.address())) {
-      return new Answer.Refused<>(
-          "host", robot.name() + " is simulated: the server itself says where it listens.");
+      return new Answer.Refused<>("host", Phrase.SIMULATED_HAS_NO_ADDRESS.with(robot.name()));
     }
     Set<String> taken =
         parkingOf(existing.stream().filter(other -> !other.name().equals(robot.name())));
-    Optional<String> objection =
+    Optional<Sentence> objection =
         Optional.ofNullable(change.parking())
             .flatMap(
                 parking ->
@@ -147,14 +140,13 @@ final class OrderCheck {
     return robots.map(RobotRecord::parking).filter(p -> p != null).collect(Collectors.toSet());
   }
 
-  private static Optional<String> objectionToParking(
+  private static Optional<Sentence> objectionToParking(
       String parking, FloorMap floor, Set<String> taken) {
     if (floor.parking().stream().map(Place::name).noneMatch(parking::equals)) {
-      return Optional.of(
-          "There is no parking point " + parking + "; there are " + names(floor.parking()) + ".");
+      return Optional.of(Phrase.NO_SUCH_PARKING.with(parking, names(floor.parking())));
     }
     return taken.contains(parking)
-        ? Optional.of("Another robot parks at " + parking + "; choose another parking point.")
+        ? Optional.of(Phrase.PARKING_TAKEN.with(parking))
         : Optional.empty();
   }
 
@@ -164,70 +156,54 @@ final class OrderCheck {
         : floors.stream().filter(f -> f.name().equals(name)).findFirst();
   }
 
-  private Answer<TaskPlace> place(FloorMap floor, String field, Where where) {
+  private Answer<TaskPlace> place(FloorMap floor, Phrase end, Where where) {
     return switch (where) {
       case Where.Station(String name) ->
           floor.stations().stream()
               .filter(s -> s.name().equals(name))
               .findFirst()
-              .map(s -> standing(floor, field, new TaskPlace(s.position(), s.name())))
+              .map(s -> standing(floor, end, new TaskPlace(s.position(), s.name())))
               .orElseGet(
                   () ->
                       new Answer.Refused<>(
-                          field,
-                          "There is no station "
-                              + name
-                              + "; there are "
-                              + names(floor.stations())
-                              + "."));
-      case Where.Point(Vec2 position) -> standing(floor, field, new TaskPlace(position, null));
+                          fieldOf(end),
+                          Phrase.NO_SUCH_STATION.with(name, names(floor.stations()))));
+      case Where.Point(Vec2 position) -> standing(floor, end, new TaskPlace(position, null));
     };
   }
 
-  private Answer<TaskPlace> standing(FloorMap floor, String field, TaskPlace place) {
+  private Answer<TaskPlace> standing(FloorMap floor, Phrase end, TaskPlace place) {
     OccupancyGrid grid = floor.grid();
     Cell cell = grid.cellAt(place.position());
     if (!grid.contains(cell)) {
       Vec2 low = grid.origin();
       Vec2 high = low.plus(new Vec2(grid.width(), grid.height()).times(grid.resolution()));
       return new Answer.Refused<>(
-          field,
-          String.format(
-              Locale.ROOT,
-              "The %s %s lies off the map, which goes from (%.2f, %.2f) to (%.2f, %.2f).",
-              field,
-              place.text(),
-              low.x(),
-              low.y(),
-              high.x(),
-              high.y()));
+          fieldOf(end),
+          Phrase.LIES_OFF_MAP.with(end.with(), place.said(), Sentence.of(low), Sentence.of(high)));
     }
     if (!canStand(floor, place.position())) {
-      return new Answer.Refused<>(
-          field,
-          "The "
-              + field
-              + " "
-              + place.text()
-              + " lies in a wall or too near to one for a robot; choose a free place.");
+      return new Answer.Refused<>(fieldOf(end), Phrase.LIES_IN_WALL.with(end.with(), place.said()));
     }
     return new Answer.Accepted<>(place);
   }
 
+  private static String fieldOf(Phrase end) {
+    return end == Phrase.START ? "start" : "goal";
+  }
+
   /** Why nothing can be carried from the one to the other; null if it can. */
-  private @Nullable String obstacle(FloorMap floor, TaskPlace from, TaskPlace to) {
+  private @Nullable Sentence obstacle(FloorMap floor, TaskPlace from, TaskPlace to) {
     OccupancyGrid grid = standable(floor);
     Cell start = grid.cellAt(from.position());
     Cell goal = grid.cellAt(to.position());
     if (start.equals(goal)) {
-      return "Start and goal are the same place; choose another goal.";
+      return Phrase.SAME_PLACE.with();
     }
     boolean isWay =
         new HeadingAStar().plan(grid, start, goal) instanceof PlanResult.Found
             || isWayInTraffic(floor, from.position(), to.position());
-    return isWay
-        ? null
-        : "There is no way for a robot from " + from.text() + " to " + to.text() + ".";
+    return isWay ? null : Phrase.NO_WAY_BETWEEN.with(from.said(), to.said());
   }
 
   /** Whether the smallest robot can stand on the point itself, or in the middle of its cell. */
@@ -261,15 +237,13 @@ final class OrderCheck {
         floor.name(), name -> Inflation.of(floor.grid(), SMALLEST_RADIUS));
   }
 
-  private String floorNames() {
-    return "There are "
-        + floors.stream().map(FloorMap::name).collect(Collectors.joining(", "))
-        + ".";
+  private Sentence floorNames() {
+    return Sentence.names(floors.stream().map(FloorMap::name).toList());
   }
 
-  private static String names(List<Place> places) {
+  private static Sentence names(List<Place> places) {
     return places.isEmpty()
-        ? "none on this floor"
-        : places.stream().map(Place::name).collect(Collectors.joining(", "));
+        ? Phrase.NONE_ON_FLOOR.with()
+        : Sentence.names(places.stream().map(Place::name).toList());
   }
 }

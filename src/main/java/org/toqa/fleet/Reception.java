@@ -14,6 +14,8 @@ import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Takes in what a floor's robots say, and tells the traffic and the missions. */
 final class Reception {
@@ -151,13 +153,16 @@ final class Reception {
         robot.errors.stream().filter(e -> e.code().equals(REFUSED)).findFirst();
     if (refusal.isPresent() && !robot.refusalNoted.plus(REFUSALS_EVERY).isAfter(state.now)) {
       robot.refusalNoted = state.now;
-      note(robot, "robot.stranger", robot.name() + " let somebody not in. " + refusal.get().text());
+      note(
+          robot,
+          "robot.stranger",
+          Phrase.STRANGER_NOT_LET_IN.with(robot.name(), refusal.get().text()));
     } else if (refusal.isEmpty()) {
       robot.refusalNoted = Instant.MIN;
     }
   }
 
-  private void note(FloorRobot robot, String kind, String text) {
+  private void note(FloorRobot robot, String kind, Sentence text) {
     state.note(state.event(kind, robot.name(), EventRecord.SYSTEM, text));
   }
 
@@ -211,7 +216,7 @@ final class Reception {
   private void refused(FloorRobot robot, String reason) {
     robot.driveUnderway = false;
     robot.cancelling = false;
-    robot.trouble = robot.name() + " refused a command: " + reason;
+    robot.trouble = Phrase.REFUSED_A_COMMAND.with(robot.name(), reason);
     robot.notBefore = state.now.plus(RETRY_AFTER);
     if (robot.drive != 0) {
       robot.cancelDrive();

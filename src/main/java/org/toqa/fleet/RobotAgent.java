@@ -26,6 +26,7 @@ import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
+import org.toqa.wording.Sentence;
 
 /**
  * The server's side of one robot: it owns the link, the sequence numbers and the record of the last
@@ -133,7 +134,7 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
         floor.tell(new FloorMessage.Disconnected(robot.name(), m.why()));
       }
       case RobotMessage.LinkRefused m -> {
-        disconnected(m.why());
+        disconnected(m.why().english());
         floor.tell(new FloorMessage.LinkRefused(robot.name(), m.why()));
       }
       case RobotMessage.Reconnect m -> reconnect(m.robot());
@@ -349,7 +350,7 @@ final class RobotAgent extends AbstractBehavior<RobotMessage> {
     }
 
     @Override
-    public void refused(String sentence) {
+    public void refused(Sentence sentence) {
       self.tell(new RobotMessage.LinkRefused(sentence));
     }
   }

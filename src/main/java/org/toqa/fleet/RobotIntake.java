@@ -8,6 +8,8 @@ import org.toqa.link.PairingResult;
 import org.toqa.link.RobotLinks;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Pairs a robot where there is a code, then stores it; on threads of its own. */
 final class RobotIntake {
@@ -30,7 +32,7 @@ final class RobotIntake {
    * @param kind of the history's line, such as {@code robot.added}
    * @param text of that line
    */
-  record Wish(String user, String kind, String text, Asker asker) {}
+  record Wish(String user, String kind, Sentence text, Asker asker) {}
 
   /** Is told one of these, by a thread of the intake's. */
   interface Asker {
@@ -60,8 +62,8 @@ final class RobotIntake {
   private void conclude(PairingResult result, RobotRecord robot, Wish wish) {
     switch (result) {
       case PairingResult.Paired(Fingerprint paired) -> store(robot.pairedAs(paired), wish);
-      case PairingResult.Refused(String sentence) -> refuse("code", sentence, robot, wish);
-      case PairingResult.Unreachable(String sentence) -> refuse("host", sentence, robot, wish);
+      case PairingResult.Refused(Sentence sentence) -> refuse("code", sentence, robot, wish);
+      case PairingResult.Unreachable(Sentence sentence) -> refuse("host", sentence, robot, wish);
     }
   }
 
@@ -76,15 +78,15 @@ final class RobotIntake {
         wish.asker()::failed);
   }
 
-  private void refuse(String field, String sentence, RobotRecord robot, Wish wish) {
-    String text = "%s could not pair %s: %s".formatted(wish.user(), robot.name(), sentence);
+  private void refuse(String field, Sentence sentence, RobotRecord robot, Wish wish) {
+    Sentence text = Phrase.ROBOT_NOT_PAIRED.with(wish.user(), robot.name(), sentence);
     EventRecord event = event("robot.pairing-refused", robot, wish, text);
     writer.write(
         () -> store.addEvents(List.of(event)),
         () -> wish.asker().refused(new Answer.Refused<>(field, sentence)));
   }
 
-  private EventRecord event(String kind, RobotRecord robot, Wish wish, String text) {
+  private EventRecord event(String kind, RobotRecord robot, Wish wish, Sentence text) {
     return new EventRecord(clock.instant(), kind, null, robot.name(), wish.user(), text);
   }
 }

@@ -13,6 +13,7 @@ import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
+import org.toqa.wording.Sentence;
 
 /** What a robot agent is told: by its floor, by its link, by its store, by the clock. */
 sealed interface RobotMessage {
@@ -71,7 +72,7 @@ sealed interface RobotMessage {
   record LinkDown(String why) implements RobotMessage {}
 
   /** The link is down, for one end does not trust the other. */
-  record LinkRefused(String why) implements RobotMessage {}
+  record LinkRefused(Sentence why) implements RobotMessage {}
 
   /** The robot has another certificate, and perhaps another address. */
   record Reconnect(RobotRecord robot) implements RobotMessage {}

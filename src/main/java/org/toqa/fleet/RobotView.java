@@ -7,6 +7,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.trust.Fingerprint;
+import org.toqa.wording.Sentence;
 
 /**
  * A robot as readers see it.
@@ -20,11 +21,10 @@ import org.toqa.link.trust.Fingerprint;
  * @param speed metres a second at which it drives straight on
  * @param route the rest of its way as a line, map frame; empty when it stands
  * @param released how many points of {@code route} it may already drive to
- * @param doing a sentence for people
  * @param held whether it shall hold: by a person's word, for its task, or since all are paused
  * @param charger the charging point that it charges at, drives to or waits for; null: none
  * @param fingerprint of the certificate that pairing recorded; null: the link is not encrypted
- * @param alert why it and the server do not trust each other, a sentence; null: nothing is wrong
+ * @param alert why it and the server do not trust each other; null: nothing is wrong
  */
 public record RobotView(
     String name,
@@ -44,12 +44,12 @@ public record RobotView(
     List<Vec2> route,
     int released,
     List<Fault> errors,
-    String doing,
+    Sentence doing,
     @Nullable Instant lastSeen,
     boolean held,
     @Nullable String charger,
     @Nullable Fingerprint fingerprint,
-    @Nullable String alert) {
+    @Nullable Sentence alert) {
 
   public RobotView {
     route = List.copyOf(route);

@@ -8,6 +8,8 @@ import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.MissionEvent.OfRobot;
 import org.toqa.mission.TaskPlace;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Tells from a robot's condition what the mission that it works for must know. */
 final class RobotWatch {
@@ -53,19 +55,20 @@ final class RobotWatch {
   private Optional<OfRobot> lost(FloorRobot robot, @Nullable TaskPlace place, Instant now) {
     Duration silence = Duration.between(robot.quietSince, now);
     if (silence.compareTo(lostAfter) >= 0) {
-      return Optional.of(new MissionEvent.RobotFailed(robot.name(), "is not heard of", place));
+      return Optional.of(
+          new MissionEvent.RobotFailed(robot.name(), Phrase.IS_NOT_HEARD_OF.with(), place));
     }
     return silence.compareTo(ASK_AFTER) >= 0
         ? Optional.of(new MissionEvent.RobotLost(robot.name(), place))
         : Optional.empty();
   }
 
-  private static String error(FloorRobot robot) {
+  private static Sentence error(FloorRobot robot) {
     if (robot.errors.isEmpty()) {
-      return "reports an error";
+      return Phrase.REPORTS_ERROR.with();
     }
     String code = robot.errors.getFirst().code();
-    return "reports the error "
-        + (code.length() > LONGEST_CODE ? code.substring(0, LONGEST_CODE) : code);
+    return Phrase.REPORTS_CODE.with(
+        code.length() > LONGEST_CODE ? code.substring(0, LONGEST_CODE) : code);
   }
 }

@@ -4,6 +4,8 @@ import java.util.List;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** What people want of a floor's robots: to stand, to go home, to be out of service, to be told. */
 final class RobotWishes {
@@ -48,7 +50,7 @@ final class RobotWishes {
 
   void remove(FloorMessage.RemoveRobot m) {
     FloorRobot robot = state.robots.get(m.robot());
-    String objection = robot == null ? null : objectionToRemoval(robot);
+    Sentence objection = robot == null ? null : objectionToRemoval(robot);
     if (robot == null || objection != null) {
       m.replyTo()
           .tell(
@@ -59,28 +61,25 @@ final class RobotWishes {
       return;
     }
     EventRecord event =
-        state.event("robot.removed", m.robot(), m.user(), m.user() + " removed " + m.robot());
+        state.event(
+            "robot.removed", m.robot(), m.user(), Phrase.ROBOT_REMOVED.with(m.user(), m.robot()));
     state.writer.tryOnce(
         () -> state.store.removeRobot(m.robot(), List.of(event)),
         () -> self.tell(new FloorMessage.RobotRemoved(m)),
         failure -> m.replyTo().tell(StatusReply.error(failure)));
   }
 
-  private @Nullable String objectionToRemoval(FloorRobot robot) {
+  private @Nullable Sentence objectionToRemoval(FloorRobot robot) {
     if (robot.record.simulated()) {
-      return "%s is simulated: start the server with fewer simulated robots."
-          .formatted(robot.name());
+      return Phrase.SIMULATED_CANNOT_BE_REMOVED.with(robot.name());
     }
     if (robot.inService) {
-      return "Take %s out of service first; then it can be removed.".formatted(robot.name());
+      return Phrase.TAKE_OUT_FIRST.with(robot.name());
     }
     return state
         .missions
         .of(robot.name())
-        .map(
-            mission ->
-                "%s works for task %d. Cancel the task, or let it end, and remove the robot then."
-                    .formatted(robot.name(), mission.id()))
+        .map(mission -> Phrase.REMOVE_AFTER_TASK.with(robot.name(), mission.id()))
         .orElse(null);
   }
 
@@ -94,19 +93,16 @@ final class RobotWishes {
       return FloorState.unknown(m.robot());
     }
     if (!robot.connected) {
-      return new Answer.Refused<>(null, m.robot() + " is not connected; try again when it is.");
+      return new Answer.Refused<>(null, Phrase.LOCATE_WHEN_CONNECTED.with(m.robot()));
     }
     if (robot.drive != 0 || robot.driveUnderway) {
-      return new Answer.Refused<>(
-          null,
-          m.robot() + " is on its way; say where it is when it has arrived, or cancel its task.");
+      return new Answer.Refused<>(null, Phrase.LOCATE_WHEN_ARRIVED.with(m.robot()));
     }
     if (!state.floor.grid().isFree(m.pose().position())) {
-      return new Answer.Refused<>(
-          "x", "A robot cannot stand there: that is a wall or off the map.");
+      return new Answer.Refused<>("x", Phrase.CANNOT_STAND_THERE.with());
     }
     robot.agent.tell(new RobotMessage.Locate(m.pose()));
-    String text = m.user() + " said where " + m.robot() + " is";
+    Sentence text = Phrase.ROBOT_LOCATED.with(m.user(), m.robot());
     state.note(
         new EventRecord(state.clock.instant(), "robot.located", null, m.robot(), m.user(), text));
     return new Answer.Accepted<>(reports.view(robot));
@@ -131,9 +127,9 @@ final class RobotWishes {
   private EventRecord event(FloorMessage.HoldRobot m) {
     return m.hold()
         ? state.event(
-            "robot.held", m.robot(), m.user(), m.user() + " put " + m.robot() + " on hold")
+            "robot.held", m.robot(), m.user(), Phrase.ROBOT_PUT_ON_HOLD.with(m.user(), m.robot()))
         : state.event(
-            "robot.resumed", m.robot(), m.user(), m.user() + " let " + m.robot() + " go on");
+            "robot.resumed", m.robot(), m.user(), Phrase.ROBOT_LET_GO_ON.with(m.user(), m.robot()));
   }
 
   void sendHome(FloorMessage.SendHome m) {
@@ -142,7 +138,7 @@ final class RobotWishes {
       m.replyTo().tell(StatusReply.success(FloorState.unknown(m.robot())));
       return;
     }
-    String objection = homing.objection(robot);
+    Sentence objection = homing.objection(robot);
     if (objection != null) {
       m.replyTo().tell(StatusReply.success(new Answer.Conflict<>(objection, null)));
       return;
@@ -150,7 +146,10 @@ final class RobotWishes {
     homing.sendHome(robot);
     EventRecord event =
         state.event(
-            "robot.sent-home", m.robot(), m.user(), m.user() + " sent " + m.robot() + " home");
+            "robot.sent-home",
+            m.robot(),
+            m.user(),
+            Phrase.ROBOT_SENT_HOME.with(m.user(), m.robot()));
     reports.send();
     RobotView view = reports.view(robot);
     state.writer.write(
@@ -174,22 +173,18 @@ final class RobotWishes {
             m.inService() ? "robot.in-service" : "robot.out-of-service",
             m.robot(),
             m.user(),
-            sentence(m, clears));
+            phrase(m, clears).with(m.user(), m.robot()));
     state.writer.tryOnce(
         () -> state.store.saveService(m.robot(), m.inService(), List.of(event)),
         () -> self.tell(new FloorMessage.ServiceStored(m, clears)),
         failure -> m.replyTo().tell(StatusReply.error(failure)));
   }
 
-  private static String sentence(FloorMessage.Serve m, boolean clears) {
+  private static Phrase phrase(FloorMessage.Serve m, boolean clears) {
     if (m.inService()) {
-      return m.user() + " put " + m.robot() + " back in service";
+      return Phrase.ROBOT_PUT_BACK;
     }
-    return m.user()
-        + " took "
-        + m.robot()
-        + " out of service"
-        + (clears ? "; it does not stand any more where it was lost" : "");
+    return clears ? Phrase.LOST_ROBOT_TAKEN_OUT : Phrase.ROBOT_TAKEN_OUT;
   }
 
   void serviceStored(FloorMessage.Serve m, boolean clears) {

@@ -14,6 +14,8 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Puts in the tasks of schedules when they are due: one task for one due time, also where the
@@ -65,7 +67,7 @@ public final class Scheduler {
           now,
           "schedule.skipped",
           task,
-          "%s was skipped, since its last task %d has not ended".formatted(name(schedule), task));
+          Phrase.SCHEDULE_SKIPPED.with(schedule.id(), schedule.user(), task));
     } else {
       begin(schedule, key, now);
     }
@@ -82,11 +84,11 @@ public final class Scheduler {
           .toCompletableFuture()
           .get(LIMIT.toMillis(), TimeUnit.MILLISECONDS)) {
         case Answer.Accepted<TaskView>(TaskView task) -> began(schedule, task.id(), now);
-        case Answer.Refused<TaskView>(String field, String sentence) ->
+        case Answer.Refused<TaskView>(String field, Sentence sentence) ->
             refused(schedule, sentence, now);
-        case Answer.Conflict<TaskView>(String sentence, var needs) ->
+        case Answer.Conflict<TaskView>(Sentence sentence, var needs) ->
             refused(schedule, sentence, now);
-        case Answer.Unknown<TaskView>(String sentence) -> refused(schedule, sentence, now);
+        case Answer.Unknown<TaskView>(Sentence sentence) -> refused(schedule, sentence, now);
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -97,16 +99,25 @@ public final class Scheduler {
   }
 
   private void began(Schedule schedule, long task, Instant now) {
-    advance(schedule, now, "schedule.began", task, name(schedule) + " put it in");
+    advance(
+        schedule,
+        now,
+        "schedule.began",
+        task,
+        Phrase.SCHEDULE_BEGAN.with(schedule.id(), schedule.user()));
   }
 
-  private void refused(Schedule schedule, String sentence, Instant now) {
+  private void refused(Schedule schedule, Sentence sentence, Instant now) {
     advance(
-        schedule, now, "schedule.refused", null, name(schedule) + " put in no task: " + sentence);
+        schedule,
+        now,
+        "schedule.refused",
+        null,
+        Phrase.SCHEDULE_REFUSED.with(schedule.id(), schedule.user(), sentence));
   }
 
   private void advance(
-      Schedule schedule, Instant now, String kind, @Nullable Long task, String text) {
+      Schedule schedule, Instant now, String kind, @Nullable Long task, Sentence text) {
     store.advance(
         schedule,
         schedule.dueAfter(now).orElse(null),

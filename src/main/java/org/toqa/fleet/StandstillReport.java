@@ -2,16 +2,16 @@ package org.toqa.fleet;
 
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.floor.Standstill;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
-/** Tells which standstills of a floor are new, which last and which are over, in sentences. */
+/** Tells which standstills of a floor are new, which last and which are over. */
 final class StandstillReport {
   /** A ring of more robots is told by the first of them, so that it fits the history. */
   private static final int MOST_NAMED = 4;
@@ -61,32 +61,28 @@ final class StandstillReport {
 
   private StandstillView view(Standstill standstill) {
     List<Vec2> where = standstill.cells().stream().map(grid::centre).toList();
-    String whoAndWhere = named(standstill.robots()) + " at " + places(where);
-    String text =
+    Phrase phrase =
         switch (standstill.kind()) {
-          case CYCLE_OF_WAITS ->
-              whoAndWhere + " wait for each other in a ring. Their ways are planned anew.";
-          case NOT_MOVING ->
-              whoAndWhere
-                  + " may drive and has not got on for long. It keeps its place, and the others"
-                  + " are planned round it; look what holds it up.";
+          case CYCLE_OF_WAITS -> Phrase.RING_OF_WAITS;
+          case NOT_MOVING -> Phrase.DOES_NOT_MOVE;
         };
+    Sentence text = phrase.with(named(standstill.robots()), places(where));
     return new StandstillView(standstill.robots(), where, standstill.since(), text);
   }
 
-  static String over(StandstillView standstill) {
-    return "The standstill of " + named(standstill.robots()) + " is over.";
+  static Sentence over(StandstillView standstill) {
+    return Phrase.STANDSTILL_OVER.with(named(standstill.robots()));
   }
 
-  private static String named(List<String> robots) {
-    return robots.stream().limit(MOST_NAMED).collect(Collectors.joining(", "))
-        + (robots.size() > MOST_NAMED ? " and " + (robots.size() - MOST_NAMED) + " more" : "");
+  private static Sentence named(List<String> robots) {
+    Sentence first = Sentence.names(robots.stream().limit(MOST_NAMED).toList());
+    return robots.size() > MOST_NAMED
+        ? Phrase.AND_MORE.with(first, robots.size() - MOST_NAMED)
+        : first;
   }
 
-  private static String places(List<Vec2> where) {
-    return where.stream()
-        .limit(MOST_NAMED)
-        .map(p -> String.format(Locale.ROOT, "(%.2f, %.2f)", p.x(), p.y()))
-        .collect(Collectors.joining(", "));
+  private static Sentence places(List<Vec2> where) {
+    return Sentence.joined(
+        Phrase.LISTED, where.stream().limit(MOST_NAMED).map(Sentence::of).toList());
   }
 }

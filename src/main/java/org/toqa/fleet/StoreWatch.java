@@ -5,13 +5,13 @@ import java.util.function.Consumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Asks the store every two seconds, on a thread of its own, whether it is there. */
 final class StoreWatch implements AutoCloseable {
   /** What people are told while it is not. */
-  static final String AWAY =
-      "The database does not answer. Robots finish what they were told and then wait;"
-          + " nothing new is accepted until it is back.";
+  static final Sentence AWAY = Phrase.DATABASE_AWAY.with();
 
   private static final Logger log = LoggerFactory.getLogger(StoreWatch.class);
   private static final Duration PACE = Duration.ofSeconds(2);

@@ -8,6 +8,7 @@ import org.toqa.mission.Question;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Sentence;
 
 /**
  * A task as readers see it.
@@ -24,9 +25,9 @@ public record TaskView(
     boolean held,
     List<String> robots,
     @Nullable TaskPlace loadAt,
-    @Nullable String waitingFor,
+    @Nullable Sentence waitingFor,
     @Nullable Question needs,
-    @Nullable String late,
+    @Nullable Sentence late,
     Instant changedAt) {
 
   public TaskView {
@@ -36,7 +37,7 @@ public record TaskView(
   /**
    * @param waitingFor a sentence while it waits, else null
    */
-  public static TaskView of(Mission mission, @Nullable String waitingFor, Instant changedAt) {
+  public static TaskView of(Mission mission, @Nullable Sentence waitingFor, Instant changedAt) {
     return new TaskView(
         mission.task(),
         mission.state(),
@@ -49,7 +50,7 @@ public record TaskView(
         changedAt);
   }
 
-  TaskView told(@Nullable String nextLate) {
+  TaskView told(@Nullable Sentence nextLate) {
     return new TaskView(task, state, held, robots, loadAt, waitingFor, needs, nextLate, changedAt);
   }
 

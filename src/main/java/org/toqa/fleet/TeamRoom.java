@@ -3,6 +3,8 @@ package org.toqa.fleet;
 import java.util.Optional;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Whether a floor has room for robots that carry a load together, all the way. */
 final class TeamRoom {
@@ -12,8 +14,8 @@ final class TeamRoom {
     this.places = new FormationPlaces(grid);
   }
 
-  /** Why so many robots cannot carry it, a sentence; empty if they can, or one does. */
-  Optional<String> objection(Mission mission, int robots) {
+  /** Why so many robots cannot carry it; empty if they can, or one does. */
+  Optional<Sentence> objection(Mission mission, int robots) {
     boolean isPossible =
         robots < 2
             || places
@@ -27,7 +29,7 @@ final class TeamRoom {
     return isPossible
         ? Optional.empty()
         : Optional.of(
-            "It needs %d robots that carry it together, and there is no room for them round it at %s or no way for them to %s."
-                .formatted(robots, mission.object().text(), mission.task().goal().text()));
+            Phrase.NO_ROOM_FOR_TEAM.with(
+                robots, mission.object().said(), mission.task().goal().said()));
   }
 }

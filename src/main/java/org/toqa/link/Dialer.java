@@ -12,6 +12,7 @@ import org.toqa.link.trust.HandshakeException;
 import org.toqa.link.trust.HandshakeException.Reason;
 import org.toqa.link.trust.LinkSocket;
 import org.toqa.link.trust.LinkTls;
+import org.toqa.wording.Phrase;
 
 /** Connects to robots, and says in a sentence why it cannot. */
 final class Dialer {
@@ -51,9 +52,7 @@ final class Dialer {
     InetSocketAddress address = new InetSocketAddress(to.host(), to.port());
     InetAddress ip = address.getAddress();
     if (ip != null && !ip.isLoopbackAddress() && to.fingerprint() == null && !plainOffLoopback) {
-      throw LinkException.refusal(
-          "%s is on another machine (%s) and is not paired: enter the code that it shows."
-              .formatted(to.robot(), to.place()));
+      throw LinkException.refusal(Phrase.NOT_PAIRED.with(to.robot(), to.place()));
     }
     return tcp(to.robot(), to.place(), address);
   }
@@ -83,35 +82,23 @@ final class Dialer {
   static LinkException untrusted(RobotAddress to, Reason reason, IOException e) {
     String robot = to.robot();
     return switch (reason) {
-      case STRANGER ->
-          LinkException.refusal(
-              "What answers at %s is not %s: it has another key than the one recorded. If %s was set up anew, pair it again; if not, find out who answers there."
-                  .formatted(to.place(), robot, robot));
-      case REFUSED ->
-          LinkException.refusal(
-              "%s does not accept this server: it was paired with another one, or this server's key is new. Pair it again."
-                  .formatted(robot));
-      case NOT_TLS ->
-          LinkException.refusal(
-              "What answers at %s does not encrypt, and %s is paired. If %s was set up anew, pair it again; if not, find out who answers there."
-                  .formatted(to.place(), robot, robot));
+      case STRANGER -> LinkException.refusal(Phrase.HAS_ANOTHER_KEY.with(to.place(), robot));
+      case REFUSED -> LinkException.refusal(Phrase.DOES_NOT_ACCEPT_SERVER.with(robot));
+      case NOT_TLS -> LinkException.refusal(Phrase.DOES_NOT_ENCRYPT.with(to.place(), robot));
       case FAILED ->
-          LinkException.refusal(
-              "No connection to %s by TLS 1.3 came about: %s".formatted(robot, e.getMessage()));
+          LinkException.refusal(Phrase.NO_TLS.with(robot, String.valueOf(e.getMessage())));
       case CUT_OFF -> new LinkException("The connection to %s was cut off.".formatted(robot));
-      case LATE -> new LinkException("%s does not answer at %s.".formatted(robot, to.place()));
+      case LATE -> new LinkException(Phrase.DOES_NOT_ANSWER.with(robot, to.place()));
     };
   }
 
   private static LinkException unreachable(String robot, String place, IOException e) {
     return switch (e) {
-      case UnknownHostException _ ->
-          new LinkException("The host of %s in %s is not known.".formatted(robot, place));
-      case SocketTimeoutException _ ->
-          new LinkException("%s does not answer at %s.".formatted(robot, place));
+      case UnknownHostException _ -> new LinkException(Phrase.HOST_NOT_KNOWN.with(robot, place));
+      case SocketTimeoutException _ -> new LinkException(Phrase.DOES_NOT_ANSWER.with(robot, place));
       default ->
           new LinkException(
-              "%s cannot be reached at %s: %s.".formatted(robot, place, e.getMessage()));
+              Phrase.CANNOT_BE_REACHED.with(robot, place, String.valueOf(e.getMessage())));
     };
   }
 }

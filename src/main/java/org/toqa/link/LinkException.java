@@ -1,23 +1,38 @@
 package org.toqa.link;
 
+import org.toqa.wording.Sentence;
+
 /** Why a connection was not made or has ended; the message is a sentence for people. */
 final class LinkException extends Exception {
   private static final long serialVersionUID = 1;
 
+  private final transient Sentence sentence;
   private final boolean refusal;
 
-  LinkException(String sentence) {
+  /**
+   * @param message for the log alone
+   */
+  LinkException(String message) {
+    this(Sentence.verbatim(message));
+  }
+
+  LinkException(Sentence sentence) {
     this(sentence, false);
   }
 
-  private LinkException(String sentence, boolean refusal) {
-    super(sentence);
+  private LinkException(Sentence sentence, boolean refusal) {
+    super(sentence.english());
+    this.sentence = sentence;
     this.refusal = refusal;
   }
 
   /** One end does not trust the other. */
-  static LinkException refusal(String sentence) {
+  static LinkException refusal(Sentence sentence) {
     return new LinkException(sentence, true);
+  }
+
+  Sentence sentence() {
+    return sentence;
   }
 
   boolean isRefusal() {

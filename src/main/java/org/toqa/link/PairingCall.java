@@ -20,6 +20,8 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.link.trust.PairingProof;
 import org.toqa.link.trust.TimeLimit;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * The server's side of pairing with one robot:
@@ -47,12 +49,10 @@ record PairingCall(LinkTls tls, String robot, String place, PairingCode code) {
         return converse(link);
       }
     } catch (LinkException e) {
-      return new PairingResult.Unreachable(String.valueOf(e.getMessage()));
+      return new PairingResult.Unreachable(e.sentence());
     } catch (HandshakeException e) {
       return e.reason() == Reason.STRANGER
-          ? new PairingResult.Refused(
-              "The code is not that of what answers at %s: check code, host and port."
-                  .formatted(place))
+          ? new PairingResult.Refused(Phrase.CODE_OF_ANOTHER.with(place))
           : unreachable();
     } catch (IOException e) {
       return unreachable();
@@ -64,9 +64,7 @@ record PairingCall(LinkTls tls, String robot, String place, PairingCode code) {
   }
 
   private PairingResult unreachable() {
-    return new PairingResult.Unreachable(
-        "What answers at %s does not pair: look whether the daemon of %s runs and shows a code."
-            .formatted(place, robot));
+    return new PairingResult.Unreachable(Phrase.DOES_NOT_PAIR.with(place, robot));
   }
 
   private PairingResult converse(LinkSocket link) throws IOException {
@@ -80,16 +78,12 @@ record PairingCall(LinkTls tls, String robot, String place, PairingCode code) {
     }
     return switch (answer) {
       case Paired(String name, String _) when !name.equals(robot) ->
-          new PairingResult.Unreachable(
-              "At %s answers a robot of another name, not %s; correct the address or the name."
-                  .formatted(place, robot));
+          new PairingResult.Unreachable(Phrase.HAS_ANOTHER_NAME.with(place, robot));
       case Paired(String _, String proof)
           when PairingProof.ROBOT.isShownBy(proof, code, peer, own) ->
           new PairingResult.Paired(peer);
-      case Paired _ ->
-          new PairingResult.Refused(
-              "What answers at %s does not know its own code.".formatted(place));
-      case Unpaired(String reason) -> new PairingResult.Refused(reason);
+      case Paired _ -> new PairingResult.Refused(Phrase.DOES_NOT_KNOW_CODE.with(place));
+      case Unpaired(String reason) -> new PairingResult.Refused(Sentence.verbatim(reason));
       case Pair _ -> unreachable();
     };
   }

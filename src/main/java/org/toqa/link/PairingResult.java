@@ -1,6 +1,7 @@
 package org.toqa.link;
 
 import org.toqa.link.trust.Fingerprint;
+import org.toqa.wording.Sentence;
 
 /** What came of the attempt to pair with a robot. */
 public sealed interface PairingResult {
@@ -12,17 +13,9 @@ public sealed interface PairingResult {
    */
   record Paired(Fingerprint robot) implements PairingResult {}
 
-  /**
-   * The code is not the robot's, or not any more.
-   *
-   * @param sentence for people
-   */
-  record Refused(String sentence) implements PairingResult {}
+  /** The code is not the robot's, or not any more. */
+  record Refused(Sentence sentence) implements PairingResult {}
 
-  /**
-   * No robot that pairs was found there.
-   *
-   * @param sentence for people
-   */
-  record Unreachable(String sentence) implements PairingResult {}
+  /** No robot that pairs was found there. */
+  record Unreachable(Sentence sentence) implements PairingResult {}
 }

@@ -3,6 +3,7 @@ package org.toqa.link;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage;
+import org.toqa.wording.Sentence;
 
 /**
  * The server's end of the link to one robot; it connects, and connects again, by itself.
@@ -32,15 +33,15 @@ public interface RobotLink extends AutoCloseable {
     void received(AgentMessage message);
 
     /**
-     * @param sentence why, for people
+     * @param why for the log
      */
-    void disconnected(String sentence);
+    void disconnected(String why);
 
     /**
      * The same, and one end does not trust the other: a person must look into it.
      *
-     * @param sentence what is wrong and what to do, for people
+     * @param sentence what is wrong and what to do
      */
-    void refused(String sentence);
+    void refused(Sentence sentence);
   }
 }

@@ -2,6 +2,7 @@ package org.toqa.link;
 
 import org.jspecify.annotations.Nullable;
 import org.toqa.link.message.ServerMessage;
+import org.toqa.wording.Sentence;
 
 /** A link that connects, listens, and connects again, on a virtual thread of its own. */
 final class TcpRobotLink implements RobotLink {
@@ -13,7 +14,7 @@ final class TcpRobotLink implements RobotLink {
   private final Thread thread;
   private volatile boolean closed;
   private volatile @Nullable RobotConnection connection;
-  private String told = "";
+  private @Nullable Sentence told;
 
   TcpRobotLink(RobotAddress address, Dialer dialer, Listener listener) {
     this.address = address;
@@ -45,7 +46,7 @@ final class TcpRobotLink implements RobotLink {
       try {
         converse();
       } catch (LinkException e) {
-        tell(String.valueOf(e.getMessage()), e.isRefusal());
+        tell(e.sentence(), e.isRefusal());
       }
       pause();
     }
@@ -55,7 +56,7 @@ final class TcpRobotLink implements RobotLink {
     try (RobotConnection made = RobotConnection.open(address, dialer)) {
       var hello = made.hello();
       backoff.reset();
-      told = "";
+      told = null;
       connection = made;
       listener.connected(hello);
       while (!closed) {
@@ -67,7 +68,7 @@ final class TcpRobotLink implements RobotLink {
   }
 
   /** Once for each reason, not once for each attempt. */
-  private void tell(String sentence, boolean refusal) {
+  private void tell(Sentence sentence, boolean refusal) {
     if (closed || sentence.equals(told)) {
       return;
     }
@@ -75,7 +76,7 @@ final class TcpRobotLink implements RobotLink {
     if (refusal) {
       listener.refused(sentence);
     } else {
-      listener.disconnected(sentence);
+      listener.disconnected(sentence.english());
     }
   }
 

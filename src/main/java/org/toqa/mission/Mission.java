@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * A task's life: a pure state machine over the three phases (Tanta, "Task phases").
@@ -33,7 +35,7 @@ public record Mission(
   /**
    * @param history sentences for the task's history; empty when the event changed nothing
    */
-  public record Step(Mission mission, List<MissionCommand> commands, List<String> history) {
+  public record Step(Mission mission, List<MissionCommand> commands, List<Sentence> history) {
     public Step {
       commands = List.copyOf(commands);
       history = List.copyOf(history);
@@ -54,10 +56,10 @@ public record Mission(
   }
 
   /** Robots were chosen for a queued task. */
-  public Step assign(List<String> robots, String why) {
+  public Step assign(List<String> robots, Sentence why) {
     Mission mission =
         by(robots.stream().map(Carrier::chosen).toList()).in(TaskState.ASSIGNED).troubled(null);
-    return mission.step(mission.driveAll(1), "Given to " + String.join(", ", robots) + ": " + why);
+    return mission.step(mission.driveAll(1), Phrase.GIVEN_TO.with(Sentence.names(robots), why));
   }
 
   public long id() {
@@ -170,7 +172,7 @@ public record Mission(
   }
 
   /** All its robots are let go, and it is in that state then. */
-  Step letAllGo(TaskState next, String... history) {
+  Step letAllGo(TaskState next, Sentence... history) {
     List<MissionCommand> commands = new ArrayList<>();
     carriers.stream()
         .filter(c -> !c.released())
@@ -182,11 +184,11 @@ public record Mission(
   }
 
   /** One robot is let go; without the last one the task is done. */
-  Step letGo(String robot, String sentence) {
+  Step letGo(String robot, Sentence sentence) {
     Mission left = replace(robot, Carrier::letGo);
     List<MissionCommand> commands = List.of(new MissionCommand.LetGo(robot));
     return left.carriers.stream().allMatch(Carrier::released)
-        ? left.in(TaskState.DONE).step(commands, sentence, "Done")
+        ? left.in(TaskState.DONE).step(commands, sentence, Phrase.DONE.with())
         : left.step(commands, sentence);
   }
 
@@ -226,7 +228,7 @@ public record Mission(
     return new Mission(task, state, carriers, held, ending, setDown, next);
   }
 
-  Step step(List<MissionCommand> commands, String... history) {
+  Step step(List<MissionCommand> commands, Sentence... history) {
     return new Step(this, commands, List.of(history));
   }
 

@@ -1,6 +1,7 @@
 package org.toqa.mission;
 
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Sentence;
 
 /** What can happen to a mission. An event that is repeated or comes too late changes nothing. */
 public sealed interface MissionEvent {
@@ -46,7 +47,7 @@ public sealed interface MissionEvent {
    *
    * @param robot the one that had it
    */
-  record Exchanged(String robot, String to, String why) implements OfRobot {
+  record Exchanged(String robot, String to, Sentence why) implements OfRobot {
     @Override
     public String kind() {
       return "task.exchanged";
@@ -79,7 +80,7 @@ public sealed interface MissionEvent {
    * @param why a clause about the robot, such as {@code reports an error}
    * @param place where it was last, if that is known
    */
-  record RobotFailed(String robot, String why, @Nullable TaskPlace place) implements OfRobot {
+  record RobotFailed(String robot, Sentence why, @Nullable TaskPlace place) implements OfRobot {
     @Override
     public String kind() {
       return "task.robot-failed";
@@ -99,7 +100,7 @@ public sealed interface MissionEvent {
    *
    * @param why a clause, such as {@code its battery has 18 %}
    */
-  record MustCharge(String robot, String why) implements OfRobot {
+  record MustCharge(String robot, Sentence why) implements OfRobot {
     @Override
     public String kind() {
       return "task.robot-charges";

@@ -1,14 +1,15 @@
 package org.toqa.mission;
 
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Sentence;
 
 /**
  * Why a task cannot do now what a person wishes.
  *
  * @param needs what the person must say too, if that is what is missing
  */
-public record Objection(String sentence, @Nullable Question needs) {
-  static Objection because(String sentence) {
+public record Objection(Sentence sentence, @Nullable Question needs) {
+  static Objection because(Sentence sentence) {
     return new Objection(sentence, null);
   }
 }

@@ -1,6 +1,8 @@
 package org.toqa.mission;
 
 import java.util.List;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** How a mission goes on while its robots do what they should. */
 final class PhaseRules {
@@ -10,7 +12,7 @@ final class PhaseRules {
     if (mission.state() != TaskState.ASSIGNED || event.phase() != 1) {
       return mission.unchanged();
     }
-    return mission.in(TaskState.TO_OBJECT).step(List.of(), event.robot() + " set out for the load");
+    return mission.in(TaskState.TO_OBJECT).step(List.of(), Phrase.SET_OUT.with(event.robot()));
   }
 
   static Mission.Step ended(Mission mission, MissionEvent.PhaseEnded event) {
@@ -21,15 +23,15 @@ final class PhaseRules {
     Mission arrived = withoutTroubleOf(event.robot(), mission);
     arrived = arrived.replace(event.robot(), Carrier::arrivedAtEnd);
     return switch (event.phase()) {
-      case 1 -> atObject(arrived, event.robot() + " is at the load");
+      case 1 -> atObject(arrived, Phrase.IS_AT_LOAD.with(event.robot()));
       case 2 -> atDestination(arrived, event.robot());
-      default -> arrived.letGo(event.robot(), event.robot() + " has parked");
+      default -> arrived.letGo(event.robot(), Phrase.HAS_PARKED.with(event.robot()));
     };
   }
 
   static Mission.Step retasked(Mission mission, MissionEvent.Retasked event) {
     return mission.phaseOf(event.robot()) == 3
-        ? mission.letGo(event.robot(), event.robot() + " took another task on its way home")
+        ? mission.letGo(event.robot(), Phrase.TOOK_ANOTHER.with(event.robot()))
         : mission.unchanged();
   }
 
@@ -43,7 +45,7 @@ final class PhaseRules {
         .step(
             List.of(
                 new MissionCommand.LetGo(event.robot()), new MissionCommand.Drive(event.to(), 1)),
-            "Given to " + event.to() + " instead of " + event.robot() + ": " + event.why());
+            Phrase.GIVEN_INSTEAD.with(event.to(), event.robot(), event.why()));
   }
 
   static Mission.Step stopped(Mission mission, MissionEvent.Stopped event) {
@@ -53,38 +55,44 @@ final class PhaseRules {
     }
     Mission stopped = mission.replace(event.robot(), Carrier::arrivedAtEnd);
     if (!isComplete(stopped)) {
-      return stopped.step(List.of(), event.robot() + " has stopped");
+      return stopped.step(List.of(), Phrase.HAS_STOPPED.with(event.robot()));
     }
     return stopped
         .withLoadAt(event.place())
-        .letAllGo(TaskState.CANCELLED, "Set down at " + event.place().text(), "Cancelled");
+        .letAllGo(
+            TaskState.CANCELLED,
+            Phrase.SET_DOWN.with(event.place().said()),
+            Phrase.CANCELLED.with());
   }
 
-  private static Mission.Step atObject(Mission mission, String one) {
+  private static Mission.Step atObject(Mission mission, Sentence one) {
     if (!isComplete(mission)) {
       return mission.in(TaskState.TO_OBJECT).step(List.of(), one);
     }
     Mission carrying = mission.by(nextPhase(mission, 2)).in(TaskState.CARRYING);
     return carrying.step(
-        carrying.driveAll(2), sentences(mission, one, "Picked up at " + mission.object().text()));
+        carrying.driveAll(2),
+        sentences(mission, one, Phrase.PICKED_UP.with(mission.object().said())));
   }
 
   private static Mission.Step atDestination(Mission mission, String robot) {
-    String where = mission.destination().text();
+    Sentence where = mission.destination().said();
     if (mission.ending() == LoadChoice.BACK) {
       return isComplete(mission)
           ? mission
               .withLoadAt(null)
-              .letAllGo(TaskState.CANCELLED, "Brought back to " + where, "Cancelled")
-          : mission.step(List.of(), robot + " is back at the start");
+              .letAllGo(
+                  TaskState.CANCELLED, Phrase.BROUGHT_BACK.with(where), Phrase.CANCELLED.with())
+          : mission.step(List.of(), Phrase.IS_BACK_AT_START.with(robot));
     }
-    String one = robot + " is at the goal";
+    Sentence one = Phrase.IS_AT_GOAL.with(robot);
     if (!isComplete(mission)) {
       return mission.step(List.of(), one);
     }
     Mission returning =
         mission.by(nextPhase(mission, 3)).in(TaskState.RETURNING).withLoadAt(null).troubled(null);
-    return returning.step(returning.driveAll(3), sentences(mission, one, "Delivered at " + where));
+    return returning.step(
+        returning.driveAll(3), sentences(mission, one, Phrase.DELIVERED.with(where)));
   }
 
   private static Mission withoutTroubleOf(String robot, Mission mission) {
@@ -100,7 +108,7 @@ final class PhaseRules {
     return mission.carriers().stream().map(c -> c.released() ? c : c.inPhase(phase)).toList();
   }
 
-  private static String[] sentences(Mission mission, String one, String all) {
-    return mission.carriers().size() == 1 ? new String[] {all} : new String[] {one, all};
+  private static Sentence[] sentences(Mission mission, Sentence one, Sentence all) {
+    return mission.carriers().size() == 1 ? new Sentence[] {all} : new Sentence[] {one, all};
   }
 }

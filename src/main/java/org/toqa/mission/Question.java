@@ -2,21 +2,21 @@ package org.toqa.mission;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Sentence;
 
 /**
  * What a person must decide, and the words to answer it with.
  *
- * @param question a sentence; who asks in another language has what it is made of
  * @param robot that cannot go on; null where it is about none
  * @param why a clause about that robot, such as {@code is not heard of}
  * @param place where that robot is; null where nobody knows
  */
 public record Question(
     Kind kind,
-    String question,
+    Sentence question,
     List<String> answers,
     @Nullable String robot,
-    @Nullable String why,
+    @Nullable Sentence why,
     @Nullable String place) {
 
   public enum Kind {
@@ -34,7 +34,7 @@ public record Question(
     answers = List.copyOf(answers);
   }
 
-  static Question about(Trouble trouble, Kind kind, String question, List<String> answers) {
+  static Question about(Trouble trouble, Kind kind, Sentence question, List<String> answers) {
     TaskPlace place = trouble.place();
     return new Question(
         kind,

@@ -1,8 +1,8 @@
 package org.toqa.mission;
 
-import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
+import org.toqa.wording.Sentence;
 
 /**
  * Where a task starts or ends.
@@ -14,8 +14,11 @@ public record TaskPlace(Vec2 position, @Nullable String station) {
 
   /** For people: the station's name, or the coordinates. */
   public String text() {
-    return station != null
-        ? station
-        : String.format(Locale.ROOT, "(%.2f, %.2f)", position.x(), position.y());
+    return said().english();
+  }
+
+  /** The same, in the reader's language. */
+  public Sentence said() {
+    return station != null ? Sentence.verbatim(station) : Sentence.of(position);
   }
 }

@@ -1,6 +1,8 @@
 package org.toqa.mission;
 
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * What keeps a robot from going on with its mission.
@@ -9,14 +11,19 @@ import org.jspecify.annotations.Nullable;
  * @param place where the robot was last; null when nobody knows
  * @param waits whether a person said that the mission waits for the robot
  */
-public record Trouble(String robot, String why, @Nullable TaskPlace place, boolean waits) {
+public record Trouble(String robot, Sentence why, @Nullable TaskPlace place, boolean waits) {
 
   Trouble waiting() {
     return new Trouble(robot, why, place, true);
   }
 
-  /** For people: which robot, what, and where if that is known. */
-  public String text() {
-    return robot + " " + why;
+  /** Which robot, and what. */
+  Sentence said() {
+    return Phrase.ROBOT_AND_CLAUSE.with(robot, why);
+  }
+
+  /** Whether it says the same, also where it was stored in other parts. */
+  boolean isAs(Trouble other) {
+    return said().english().equals(other.said().english());
   }
 }

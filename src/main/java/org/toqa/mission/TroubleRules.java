@@ -4,20 +4,22 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * What becomes of a mission when one of its robots cannot go on: without the load it goes back to
  * the queue, with the load on board a person is asked, and after delivery the robot is let go.
  */
 final class TroubleRules {
-  private static final String LOST = "is not heard of";
-
   private TroubleRules() {}
 
   static Mission.Step lost(Mission mission, MissionEvent.RobotLost event) {
     return mission.phaseOf(event.robot()) == 3
         ? mission.unchanged()
-        : ask(mission, new Trouble(event.robot(), LOST, event.place(), false));
+        : ask(
+            mission,
+            new Trouble(event.robot(), Phrase.IS_NOT_HEARD_OF.with(), event.place(), false));
   }
 
   /** A person's word that the mission waits holds until the robot is back. */
@@ -31,18 +33,18 @@ final class TroubleRules {
 
   static Mission.Step withdrawn(Mission mission, MissionEvent.RobotWithdrawn event) {
     return stopsWorking(
-        mission, new Trouble(event.robot(), "was taken out of service", event.place(), false));
+        mission, new Trouble(event.robot(), Phrase.WAS_TAKEN_OUT.with(), event.place(), false));
   }
 
   /** No robot goes to charge with a load on board. */
   static Mission.Step charges(Mission mission, MissionEvent.MustCharge event) {
-    String sentence = event.robot() + " must charge: " + event.why();
+    Sentence sentence = Phrase.MUST_CHARGE_SINCE.with(event.robot(), event.why());
     return switch (mission.phaseOf(event.robot())) {
       case 1 ->
           toTheQueue(
               mission,
-              new Trouble(event.robot(), "must charge", null, false),
-              sentence + "; another robot is looked for");
+              new Trouble(event.robot(), Phrase.MUST_CHARGE.with(), null, false),
+              Phrase.ANOTHER_LOOKED_FOR.with(sentence));
       case 2 -> mission.unchanged();
       default -> mission.letGo(event.robot(), sentence);
     };
@@ -51,7 +53,7 @@ final class TroubleRules {
   static Mission.Step back(Mission mission, MissionEvent.RobotBack event) {
     return troubleOf(event.robot(), mission) == null
         ? mission.unchanged()
-        : mission.troubled(null).step(List.of(), event.robot() + " can go on");
+        : mission.troubled(null).step(List.of(), Phrase.CAN_GO_ON.with(event.robot()));
   }
 
   static Mission.Step answered(Mission mission, MissionEvent.Answer event) {
@@ -63,14 +65,14 @@ final class TroubleRules {
       case WAIT ->
           mission
               .troubled(trouble.waiting())
-              .step(List.of(), event.user() + " said: wait for " + trouble.robot());
-      case ANOTHER -> toTheQueue(mission, trouble, event.user() + " gave it to another robot");
+              .step(List.of(), Phrase.SAID_TO_WAIT.with(event.user(), trouble.robot()));
+      case ANOTHER -> toTheQueue(mission, trouble, Phrase.GAVE_TO_ANOTHER.with(event.user()));
       case CANCEL ->
           mission
               .withLoadAt(trouble.place())
               .letAllGo(
                   TaskState.CANCELLED,
-                  "Cancelled by " + event.user() + "; the load stays " + where(trouble));
+                  Phrase.CANCELLED_LOAD_STAYS.with(event.user(), where(trouble)));
     };
   }
 
@@ -85,22 +87,18 @@ final class TroubleRules {
           Question.about(
               trouble,
               Question.Kind.NOT_FETCHED,
-              trouble.text() + " and has not fetched the load. Shall another robot do it?",
+              Phrase.ASK_FOR_ANOTHER.with(trouble.said()),
               answers));
     }
-    String fetch = answers.contains(Reply.ANOTHER.word()) ? "another robot fetch it there, " : "";
+    Phrase question =
+        answers.contains(Reply.ANOTHER.word())
+            ? Phrase.ASK_FOR_ANOTHER_WITH_LOAD
+            : Phrase.ASK_TO_WAIT_WITH_LOAD;
     return Optional.of(
         Question.about(
             trouble,
             trouble.place() == null ? Question.Kind.ON_BOARD_SOMEWHERE : Question.Kind.ON_BOARD,
-            trouble.text()
-                + " with the load on board, "
-                + where(trouble)
-                + ". Shall "
-                + fetch
-                + "the task wait for "
-                + trouble.robot()
-                + ", or be cancelled and the load stay there?",
+            question.with(trouble.said(), where(trouble), trouble.robot()),
             answers));
   }
 
@@ -115,15 +113,15 @@ final class TroubleRules {
 
   private static Mission.Step stopsWorking(Mission mission, Trouble trouble) {
     return switch (mission.phaseOf(trouble.robot())) {
-      case 1 -> toTheQueue(mission, trouble, trouble.text() + "; another robot is looked for");
+      case 1 -> toTheQueue(mission, trouble, Phrase.ANOTHER_LOOKED_FOR.with(trouble.said()));
       case 2 -> ask(mission, trouble);
-      default -> mission.letGo(trouble.robot(), trouble.text());
+      default -> mission.letGo(trouble.robot(), trouble.said());
     };
   }
 
   private static Mission.Step ask(Mission mission, Trouble trouble) {
     Trouble known = mission.trouble();
-    if (known != null && known.text().equals(trouble.text())) {
+    if (known != null && known.isAs(trouble)) {
       return mission.unchanged();
     }
     if (known != null && !known.robot().equals(trouble.robot())) {
@@ -131,21 +129,19 @@ final class TroubleRules {
     }
     TaskPlace place = trouble.place() == null && known != null ? known.place() : trouble.place();
     Trouble asked = new Trouble(trouble.robot(), trouble.why(), place, false);
-    String sentence =
-        isCarrying(mission)
-            ? asked.text() + " with the load on board, " + where(asked)
-            : asked.text();
+    Sentence sentence =
+        isCarrying(mission) ? Phrase.WITH_LOAD.with(asked.said(), where(asked)) : asked.said();
     return mission.troubled(asked).step(List.of(), sentence);
   }
 
   /** What was on board stands where its robot was last. */
-  private static Mission.Step toTheQueue(Mission mission, Trouble trouble, String sentence) {
+  private static Mission.Step toTheQueue(Mission mission, Trouble trouble, Sentence sentence) {
     Mission queued =
         isCarrying(mission) && trouble.place() != null
             ? mission.withLoadAt(trouble.place())
             : mission;
     return queued.letAllGo(
-        TaskState.QUEUED, sentence, "Waits for a robot; the load is at " + queued.object().text());
+        TaskState.QUEUED, sentence, Phrase.WAITS_FOR_ROBOT.with(queued.object().said()));
   }
 
   private static boolean isCarrying(Mission mission) {
@@ -157,8 +153,8 @@ final class TroubleRules {
     return trouble != null && trouble.robot().equals(robot) ? trouble : null;
   }
 
-  private static String where(Trouble trouble) {
+  private static Sentence where(Trouble trouble) {
     TaskPlace place = trouble.place();
-    return place == null ? "nobody knows where" : "at " + place.text();
+    return place == null ? Phrase.NOWHERE_KNOWN.with() : Phrase.AT_PLACE.with(place.said());
   }
 }

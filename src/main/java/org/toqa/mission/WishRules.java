@@ -3,6 +3,8 @@ package org.toqa.mission;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** What people may want of a mission, and what follows. */
 final class WishRules {
@@ -22,11 +24,7 @@ final class WishRules {
     return switch (mission.state()) {
       case CANCELLED -> Optional.empty();
       case DONE, FAILED -> toChanging(mission);
-      case RETURNING ->
-          Optional.of(
-              Objection.because(
-                  "The load is delivered already: there is nothing to cancel. Its robots are on"
-                      + " their way home."));
+      case RETURNING -> Optional.of(Objection.because(Phrase.DELIVERED_ALREADY.with()));
       case CARRYING ->
           cancel.choice() == null && mission.ending() == null
               ? Optional.of(whereTo(mission))
@@ -36,11 +34,7 @@ final class WishRules {
   }
 
   private static Objection whereTo(Mission mission) {
-    String question =
-        "The load is on board. Shall it be set down here, where the robot stops, or be brought"
-            + " back to "
-            + mission.task().start().text()
-            + "?";
+    Sentence question = Phrase.ASK_WHERE_TO.with(mission.task().start().said());
     return new Objection(
         question,
         new Question(Question.Kind.SET_DOWN, question, List.of("here", "back"), null, null, null));
@@ -48,25 +42,20 @@ final class WishRules {
 
   private static Optional<Objection> toChanging(Mission mission) {
     return mission.state().isEnded()
-        ? Optional.of(
-            Objection.because(
-                "Task " + mission.id() + " has ended; it cannot be changed any more."))
+        ? Optional.of(Objection.because(Phrase.TASK_HAS_ENDED.with(mission.id())))
         : Optional.empty();
   }
 
   private static Optional<Objection> toAnswering(Mission mission, MissionEvent.Answer answer) {
     Optional<Question> question = mission.question();
     if (question.isEmpty()) {
-      return Optional.of(
-          Objection.because("Task " + mission.id() + " asks nothing now; look at it again."));
+      return Optional.of(Objection.because(Phrase.TASK_ASKS_NOTHING.with(mission.id())));
     }
     return question.get().answers().contains(answer.reply().word())
         ? Optional.empty()
         : Optional.of(
             new Objection(
-                "That is not possible now. Answer with one of: "
-                    + String.join(", ", question.get().answers())
-                    + ".",
+                Phrase.ANSWER_WITH_ONE_OF.with(String.join(", ", question.get().answers())),
                 question.get()));
   }
 
@@ -75,7 +64,7 @@ final class WishRules {
       return mission.unchanged();
     }
     if (mission.state() != TaskState.CARRYING) {
-      return mission.letAllGo(TaskState.CANCELLED, "Cancelled by " + event.user());
+      return mission.letAllGo(TaskState.CANCELLED, Phrase.CANCELLED_BY.with(event.user()));
     }
     LoadChoice choice = event.choice();
     if (choice == null || choice == mission.ending()) {
@@ -83,26 +72,23 @@ final class WishRules {
     }
     Mission ending = onTheWayAgain(mission).ending(choice);
     return switch (choice) {
-      case HERE ->
-          ending.step(stopAll(ending), event.user() + " cancelled it: the load is set down here");
+      case HERE -> ending.step(stopAll(ending), Phrase.CANCELLED_LOAD_HERE.with(event.user()));
       case BACK ->
           ending.step(
               ending.driveAll(2),
-              event.user()
-                  + " cancelled it: the load is brought back to "
-                  + mission.task().start().text());
+              Phrase.CANCELLED_LOAD_BACK.with(event.user(), mission.task().start().said()));
     };
   }
 
   static Mission.Step hold(Mission mission, MissionEvent.Hold event) {
     return mission.held()
         ? mission.unchanged()
-        : mission.onHold(true).step(List.of(), event.user() + " put it on hold");
+        : mission.onHold(true).step(List.of(), Phrase.TASK_PUT_ON_HOLD.with(event.user()));
   }
 
   static Mission.Step resume(Mission mission, MissionEvent.Resume event) {
     return mission.held()
-        ? mission.onHold(false).step(List.of(), event.user() + " let it go on")
+        ? mission.onHold(false).step(List.of(), Phrase.TASK_LET_GO_ON.with(event.user()))
         : mission.unchanged();
   }
 
@@ -112,10 +98,7 @@ final class WishRules {
         ? mission.unchanged()
         : mission
             .prioritised(event.priority())
-            .step(
-                List.of(),
-                "%s changed its priority from %d to %d"
-                    .formatted(event.user(), before, event.priority()));
+            .step(List.of(), Phrase.PRIORITY_CHANGED.with(event.user(), before, event.priority()));
   }
 
   /** Robots that had arrived somewhere drive anew. */

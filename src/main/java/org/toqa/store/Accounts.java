@@ -16,6 +16,8 @@ import org.jdbi.v3.core.JdbiException;
 import org.jdbi.v3.core.statement.StatementContext;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * The users of the web application. There is always at least one manager who can log in once there
@@ -119,7 +121,7 @@ public final class Accounts {
           sql.inTransaction(
               handle -> {
                 Account account = insert(handle, name, email, passwordHash, role);
-                tell(handle, "user.added", by, "%s added the user %s".formatted(by, name));
+                tell(handle, "user.added", by, Phrase.USER_ADDED.with(by, name));
                 return account;
               }));
     } catch (StoreException e) {
@@ -131,8 +133,8 @@ public final class Accounts {
     }
   }
 
-  private void tell(Handle handle, String kind, String by, String text) {
-    Events.addOfUsers(handle, clock.instant(), kind, by, text);
+  private void tell(Handle handle, String kind, String by, Sentence said) {
+    Events.addOfUsers(handle, clock.instant(), kind, by, said);
   }
 
   /** Empty when there is a manager already, or a user of that name. */
@@ -151,11 +153,7 @@ public final class Accounts {
             return Outcome.LAST_MANAGER;
           }
           handle.execute("delete from users where id = ?", id);
-          tell(
-              handle,
-              "user.deleted",
-              by,
-              "%s deleted the user %s".formatted(by, account.get().name()));
+          tell(handle, "user.deleted", by, Phrase.USER_DELETED.with(by, account.get().name()));
           return Outcome.DONE;
         });
   }
@@ -184,13 +182,10 @@ public final class Accounts {
         });
   }
 
-  private static String changed(Account old, Role role, boolean disabled, String by) {
-    return "%s made %s a %s%s"
-        .formatted(
-            by,
-            old.name(),
-            role.name().toLowerCase(Locale.ROOT),
-            disabled ? " who may not log in" : "");
+  private static Sentence changed(Account old, Role role, boolean disabled, String by) {
+    Phrase phrase = role == Role.MANAGER ? Phrase.USER_MADE_MANAGER : Phrase.USER_MADE_CLERK;
+    Sentence made = phrase.with(by, old.name());
+    return disabled ? Phrase.WHO_MAY_NOT_LOG_IN.with(made) : made;
   }
 
   private static boolean isLastManager(Handle handle, Account account) {
@@ -206,11 +201,7 @@ public final class Accounts {
             return false;
           }
           setPassword(handle, id, passwordHash);
-          tell(
-              handle,
-              "user.password",
-              by,
-              "%s changed the password of %s".formatted(by, account.get().name()));
+          tell(handle, "user.password", by, Phrase.PASSWORD_CHANGED.with(by, account.get().name()));
           return true;
         });
   }
@@ -238,11 +229,7 @@ public final class Accounts {
                   old -> {
                     handle.execute("update users set email = ? where id = ?", email, id);
                     handle.execute("delete from password_resets where user_id = ?", id);
-                    tell(
-                        handle,
-                        "user.changed",
-                        by,
-                        "%s changed the e-mail address of %s".formatted(by, old.name()));
+                    tell(handle, "user.changed", by, Phrase.EMAIL_CHANGED.with(by, old.name()));
                   });
           return found.isPresent();
         });

@@ -4,14 +4,16 @@ import java.sql.ResultSet;
 import java.sql.SQLException;
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.statement.PreparedBatch;
 import org.jdbi.v3.core.statement.StatementContext;
 import org.toqa.fleet.EventRecord;
+import org.toqa.wording.Sentence;
 
 /** The table of events, within a transaction of somebody else. */
 final class Events {
-  static final String COLUMNS = "at, kind, task_id, robot, who, text";
+  static final String COLUMNS = "at, kind, task_id, robot, who, text, said";
 
   private Events() {}
 
@@ -27,7 +29,9 @@ final class Events {
   static void addNew(Handle h, List<EventRecord> events) {
     PreparedBatch batch =
         h.prepareBatch(
-            "insert into events (" + COLUMNS + ") values (:at, :kind, :task, :robot, :who, :text)");
+            "insert into events ("
+                + COLUMNS
+                + ") values (:at, :kind, :task, :robot, :who, :text, :said)");
     for (EventRecord e : events) {
       batch
           .bind("at", Sql.utc(e.at()))
@@ -36,6 +40,7 @@ final class Events {
           .bind("robot", e.robot())
           .bind("who", e.who())
           .bind("text", e.text())
+          .bind("said", SentenceJson.write(e.said()))
           .add();
     }
     if (batch.size() > 0) {
@@ -44,8 +49,8 @@ final class Events {
   }
 
   /** What somebody did with a user. */
-  static void addOfUsers(Handle h, Instant at, String kind, String by, String text) {
-    addNew(h, List.of(new EventRecord(at, kind, null, null, by, text)));
+  static void addOfUsers(Handle h, Instant at, String kind, String by, Sentence said) {
+    addNew(h, List.of(new EventRecord(at, kind, null, null, by, said)));
   }
 
   private static boolean isThere(Handle h, EventRecord e) {
@@ -57,9 +62,10 @@ final class Events {
         .stream()
         .anyMatch(
             stored ->
-                stored.equals(
-                    new EventRecord(
-                        stored.at(), e.kind(), e.task(), e.robot(), e.who(), e.text())));
+                Objects.equals(stored.task(), e.task())
+                    && Objects.equals(stored.robot(), e.robot())
+                    && stored.who().equals(e.who())
+                    && stored.text().equals(e.text()));
   }
 
   /** Oldest first. */
@@ -77,6 +83,6 @@ final class Events {
         Rows.nullableLong(rs, "task_id"),
         rs.getString("robot"),
         rs.getString("who"),
-        rs.getString("text"));
+        SentenceJson.read(rs.getString("said"), rs.getString("text")));
   }
 }

@@ -301,7 +301,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
       """
       id, name, user_name, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
       goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at, held, ending,
-      set_down_x, set_down_y, trouble_robot, trouble_why, trouble_x, trouble_y, trouble_waits
+      set_down_x, set_down_y, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits
       """;
 
   @Override
@@ -449,8 +449,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             update tasks set state = :state, changed_at = :at, priority = :priority, held = :held, ending = :ending,
               assigned_at = coalesce(assigned_at, :assigned), delivered_at = coalesce(delivered_at, :delivered),
               set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
-              trouble_why = :troubleWhy, trouble_x = :troubleX, trouble_y = :troubleY,
-              trouble_waits = :troubleWaits
+              trouble_why = :troubleWhy, trouble_said = :troubleSaid, trouble_x = :troubleX,
+              trouble_y = :troubleY, trouble_waits = :troubleWaits
             where id = :id
             """)
         .bind("state", mission.state().name())
@@ -463,7 +463,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         .bind("setDownX", setDown == null ? null : setDown.position().x())
         .bind("setDownY", setDown == null ? null : setDown.position().y())
         .bind("troubleRobot", trouble == null ? null : trouble.robot())
-        .bind("troubleWhy", trouble == null ? null : trouble.why())
+        .bind("troubleWhy", trouble == null ? null : trouble.why().english())
+        .bind("troubleSaid", trouble == null ? null : SentenceJson.write(trouble.why()))
         .bind("troubleX", place == null ? null : place.position().x())
         .bind("troubleY", place == null ? null : place.position().y())
         .bind("troubleWaits", trouble != null && trouble.waits())
@@ -583,7 +584,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         ? null
         : new Trouble(
             robot,
-            rs.getString("trouble_why"),
+            SentenceJson.read(rs.getString("trouble_said"), rs.getString("trouble_why")),
             spot(rs, "trouble"),
             rs.getBoolean("trouble_waits"));
   }

@@ -28,6 +28,7 @@ import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.wording.Phrase;
 
 /** The schedules on H2 and on MySQL. */
 public final class JdbiScheduleStore implements ScheduleStore {
@@ -101,7 +102,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
         null,
         null,
         schedule.user(),
-        "%s added schedule %d: %s".formatted(schedule.user(), id, schedule.order().name()));
+        Phrase.SCHEDULE_ADDED.with(schedule.user(), id, schedule.order().name()));
   }
 
   private static Optional<Long> idOf(Handle h, UUID key) {

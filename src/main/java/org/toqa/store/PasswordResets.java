@@ -6,6 +6,7 @@ import java.time.InstantSource;
 import java.util.Optional;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
+import org.toqa.wording.Phrase;
 
 /**
  * Secrets by which a forgotten password is replaced, each once and for a while. A user has at most
@@ -37,11 +38,7 @@ public final class PasswordResets {
               Secret.hash(secret),
               Sql.utc(now.plus(life)));
           Events.addOfUsers(
-              handle,
-              now,
-              "user.reset",
-              by,
-              "A link to replace the password of %s was made".formatted(user.name()));
+              handle, now, "user.reset", by, Phrase.PASSWORD_LINK_MADE.with(user.name()));
           return secret;
         });
   }
@@ -66,11 +63,7 @@ public final class PasswordResets {
           String name = user.get().name();
           Accounts.setPassword(handle, user.get().id(), passwordHash);
           Events.addOfUsers(
-              handle,
-              clock.instant(),
-              "user.password",
-              name,
-              "%s replaced a forgotten password by a link".formatted(name));
+              handle, clock.instant(), "user.password", name, Phrase.PASSWORD_REPLACED.with(name));
           return true;
         });
   }

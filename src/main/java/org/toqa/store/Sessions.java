@@ -14,6 +14,7 @@ import org.jdbi.v3.core.statement.StatementContext;
 import org.jspecify.annotations.Nullable;
 import org.toqa.store.Session.Kind;
 import org.toqa.store.Session.Origin;
+import org.toqa.wording.Phrase;
 
 /** Who is logged in, from where, and by which secret. They outlive the server's process. */
 public final class Sessions {
@@ -70,7 +71,7 @@ public final class Sessions {
               clock.instant(),
               "user.token",
               user.name(),
-              "%s made the API token %s".formatted(user.name(), name));
+              Phrase.TOKEN_MADE.with(user.name(), name));
           return insert(handle, user, Kind.TOKEN, name, origin, life);
         });
   }
@@ -120,7 +121,7 @@ public final class Sessions {
                 clock.instant(),
                 "user.session",
                 by,
-                "%s ended a session of %s".formatted(by, user.name()));
+                Phrase.SESSION_ENDED.with(by, user.name()));
           }
           return ended;
         });

@@ -13,6 +13,8 @@ import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.web.access.Caller;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** What people want of schedules. */
 public final class Schedules {
@@ -73,10 +75,10 @@ public final class Schedules {
     Schedule schedule =
         Schedule.of(order, recurrence, until, user.name(), services.clock().instant());
     if (schedule.due() == null) {
-      return new Answer.Refused<>("until", texts.get("error.schedule.never"));
+      return new Answer.Refused<>("until", Sentence.verbatim(texts.get("error.schedule.never")));
     }
     if (services.schedules().schedules().size() >= MOST) {
-      return new Answer.Refused<>(null, texts.get("error.schedule.many", MOST));
+      return new Answer.Refused<>(null, Sentence.verbatim(texts.get("error.schedule.many", MOST)));
     }
     long id = services.schedules().add(schedule, key);
     return new Answer.Accepted<>(services.schedules().schedule(id).orElseThrow());
@@ -86,7 +88,11 @@ public final class Schedules {
     if (!schedule.paused()) {
       services
           .schedules()
-          .savePause(schedule.id(), true, schedule.due(), event(schedule, user, "paused"));
+          .savePause(
+              schedule.id(),
+              true,
+              schedule.due(),
+              event(schedule, user, "schedule.paused", Phrase.SCHEDULE_PAUSED));
     }
   }
 
@@ -99,23 +105,24 @@ public final class Schedules {
               schedule.id(),
               false,
               schedule.dueAfter(services.clock().instant()).orElse(null),
-              event(schedule, user, "resumed"));
+              event(schedule, user, "schedule.resumed", Phrase.SCHEDULE_RESUMED));
     }
   }
 
   public void delete(Schedule schedule, Caller user) {
-    services.schedules().delete(schedule.id(), event(schedule, user, "deleted"));
+    services
+        .schedules()
+        .delete(schedule.id(), event(schedule, user, "schedule.deleted", Phrase.SCHEDULE_DELETED));
   }
 
-  private List<EventRecord> event(Schedule schedule, Caller user, String done) {
+  private List<EventRecord> event(Schedule schedule, Caller user, String kind, Phrase done) {
     return List.of(
         new EventRecord(
             services.clock().instant(),
-            "schedule." + done,
+            kind,
             null,
             null,
             user.name(),
-            "%s %s schedule %d: %s"
-                .formatted(user.name(), done, schedule.id(), schedule.order().name())));
+            done.with(user.name(), schedule.id(), schedule.order().name())));
   }
 }

@@ -57,7 +57,7 @@ public final class TaskImport {
     };
   }
 
-  private static Outcome faulty(OrderTable table, List<BatchAnswer.Refusal> refusals) {
+  private Outcome faulty(OrderTable table, List<BatchAnswer.Refusal> refusals) {
     refusals.forEach(
         refusal ->
             table
@@ -66,7 +66,7 @@ public final class TaskImport {
                     new LineFault(
                         table.rows().get(refusal.place()).line(),
                         refusal.field(),
-                        refusal.sentence())));
+                        texts.say(refusal.sentence()))));
     return new Outcome.Faulty(table.faults());
   }
 

@@ -10,6 +10,7 @@ import org.toqa.fleet.TaskArchive.Filter;
 import org.toqa.fleet.TaskArchive.Sort;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
 
 /** All tasks as readers see them: live where the fleet still has them, else from the archive. */
 public final class Tasks {
@@ -44,7 +45,7 @@ public final class Tasks {
             stored.held(),
             stored.robots(),
             stored.loadAt(),
-            isQueueLong() ? "Other tasks in the queue come before it." : "Looking for a robot.",
+            (isQueueLong() ? Phrase.OTHERS_COME_FIRST : Phrase.LOOKING_FOR_ROBOT).with(),
             stored.needs(),
             stored.late(),
             stored.changedAt())

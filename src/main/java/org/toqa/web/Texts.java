@@ -6,6 +6,7 @@ import java.text.MessageFormat;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.ResourceBundle;
+import org.toqa.wording.Sentence;
 
 /** All sentences and words that people read, in one language. */
 public final class Texts {
@@ -53,5 +54,10 @@ public final class Texts {
 
   public String get(String key, Object... values) {
     return new MessageFormat(bundle.getString(key), locale).format(values);
+  }
+
+  /** What the fleet says. */
+  public String say(Sentence sentence) {
+    return sentence.in(locale);
   }
 }

@@ -25,6 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.toqa.geometry.Vec2;
+import org.toqa.wording.Sentence;
 
 /** What every allocator holds to. */
 class AllocatorContractTest {
@@ -50,7 +51,7 @@ class AllocatorContractTest {
           decisions.stream().map(Decision::job).sorted().toList(),
           "seed " + seed);
       for (Decision decision : decisions) {
-        assertFalse(decision.why().isBlank());
+        assertFalse(decision.why().english().isBlank());
         for (String name : Outcome.robots(decision)) {
           Candidate robot = requireNonNull(robots.get(name));
           assertTrue(chosen.add(name), "seed " + seed + ": " + name + " has two tasks");
@@ -140,12 +141,14 @@ class AllocatorContractTest {
         List.of(
             new Decision.Waits(
                 1,
-                "None of the 2 robots that are strong enough can take it now:"
-                    + " r1 finds no way to the load and its goal that is wide enough for its 0.26 m,"
-                    + " r2 finds no way to the load and its goal that is wide enough for its"
-                    + " 0.26 m.",
+                Sentence.verbatim(
+                    "None of the 2 robots that are strong enough can take it now:"
+                        + " r1 finds no way to the load and its goal that is wide enough for its"
+                        + " 0.26 m,"
+                        + " r2 finds no way to the load and its goal that is wide enough for its"
+                        + " 0.26 m."),
                 List.of())),
-        allocator.allocate(situation));
+        Outcome.inEnglish(allocator.allocate(situation)));
   }
 
   @ParameterizedTest
@@ -159,10 +162,11 @@ class AllocatorContractTest {
         List.of(
             new Decision.Waits(
                 1,
-                "The only robot, wide, finds no way to the load and its goal that is wide enough"
-                    + " for its 0.60 m.",
+                Sentence.verbatim(
+                    "The only robot, wide, finds no way to the load and its goal that is wide enough"
+                        + " for its 0.60 m."),
                 List.of())),
-        allocator.allocate(throughADoor(List.of(wide))));
+        Outcome.inEnglish(allocator.allocate(throughADoor(List.of(wide)))));
   }
 
   @Test
@@ -233,9 +237,10 @@ class AllocatorContractTest {
         List.of(
             new Decision.Waits(
                 1,
-                "The only robot, r1, has 11 % and would not get to a charger after it.",
+                Sentence.verbatim(
+                    "The only robot, r1, has 11 % and would not get to a charger after it."),
                 List.of("r1"))),
-        allocator.allocate(withChargerAtTheOtherEnd(0.11)));
+        Outcome.inEnglish(allocator.allocate(withChargerAtTheOtherEnd(0.11))));
     assertInstanceOf(
         Decision.Assigned.class, allocator.allocate(withChargerAtTheOtherEnd(0.12)).getFirst());
   }
@@ -312,7 +317,7 @@ class AllocatorContractTest {
     List<Decision> decisions =
         allocator.allocate(situation(List.of(job(1, load, 5)), List.of(robots)));
     assertEquals(List.of(new Decision.Waits(1, decisions.getFirst().why(), List.of())), decisions);
-    return decisions.getFirst().why();
+    return decisions.getFirst().why().english();
   }
 
   private static Job byId(Situation situation, long id) {

@@ -16,6 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.toqa.allocation.Auction.Bid;
 import org.toqa.allocation.Auction.Refusal;
 import org.toqa.allocation.Situation.Given;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 class ContractNetTest {
 
@@ -25,12 +27,15 @@ class ContractNetTest {
     assertEquals(
         List.of(
             new Decision.Assigned(
-                1, List.of("r2"), "the least of 3 bids, 0.3 kJ; the next was r1 with 0.5 kJ")),
-        new ContractNet()
-            .allocate(
-                situation(
-                    List.of(job(1, 0, 10)),
-                    List.of(free("r1", 0, 5), free("r2", 0, 8), free("r3", 0, 30)))));
+                1,
+                List.of("r2"),
+                Sentence.verbatim("the least of 3 bids, 0.3 kJ; the next was r1 with 0.5 kJ"))),
+        Outcome.inEnglish(
+            new ContractNet()
+                .allocate(
+                    situation(
+                        List.of(job(1, 0, 10)),
+                        List.of(free("r1", 0, 5), free("r2", 0, 8), free("r3", 0, 30))))));
   }
 
   @Test
@@ -67,10 +72,14 @@ class ContractNetTest {
 
     // 10 m and 1 m with the load: 977 J
     assertEquals(
-        List.of(new Decision.Assigned(1, List.of("r1"), "the only bid, 1.0 kJ; no answer from r2")),
-        new ContractNet(withoutR2)
-            .allocate(
-                situation(List.of(job(1, 0, 10)), List.of(free("r1", 0, 0), free("r2", 0, 9)))));
+        List.of(
+            new Decision.Assigned(
+                1, List.of("r1"), Sentence.verbatim("the only bid, 1.0 kJ; no answer from r2"))),
+        Outcome.inEnglish(
+            new ContractNet(withoutR2)
+                .allocate(
+                    situation(
+                        List.of(job(1, 0, 10)), List.of(free("r1", 0, 0), free("r2", 0, 9))))));
   }
 
   @Test
@@ -100,9 +109,6 @@ class ContractNetTest {
   }
 
   private static Decision exchanged(long job, String from, String to) {
-    return new Decision.Assigned(
-        job,
-        List.of(to),
-        "taken over from " + from + " in exchange, which costs less energy in all");
+    return new Decision.Assigned(job, List.of(to), Phrase.TAKEN_IN_EXCHANGE.with(from));
   }
 }

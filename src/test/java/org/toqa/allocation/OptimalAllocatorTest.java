@@ -11,6 +11,7 @@ import static org.toqa.allocation.Floors.situation;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.toqa.allocation.Situation.Given;
+import org.toqa.wording.Sentence;
 
 class OptimalAllocatorTest {
   private static final String LEAST = " m from the load; the least energy for all tasks together";
@@ -21,11 +22,17 @@ class OptimalAllocatorTest {
     // in turn: r2 to task 1 (2 m), r1 to task 2 (9 m); together: r1 to 1 (4 m), r2 to 2 (3 m)
     assertEquals(
         List.of(
-            new Decision.Assigned(1, List.of("r1"), "4.0" + LEAST + " (2 to give, 2 robots free)"),
-            new Decision.Assigned(2, List.of("r2"), "3.0" + LEAST + " (2 to give, 2 robots free)")),
-        allocator.allocate(
-            situation(
-                List.of(job(1, 5, 4), job(2, 5, 9)), List.of(free("r1", 5, 0), free("r2", 5, 6)))));
+            new Decision.Assigned(
+                1, List.of("r1"), Sentence.verbatim("4.0" + LEAST + " (2 to give, 2 robots free)")),
+            new Decision.Assigned(
+                2,
+                List.of("r2"),
+                Sentence.verbatim("3.0" + LEAST + " (2 to give, 2 robots free)"))),
+        Outcome.inEnglish(
+            allocator.allocate(
+                situation(
+                    List.of(job(1, 5, 4), job(2, 5, 9)),
+                    List.of(free("r1", 5, 0), free("r2", 5, 6))))));
   }
 
   @Test
@@ -58,8 +65,9 @@ class OptimalAllocatorTest {
             new Decision.Assigned(
                 1,
                 List.of("r2"),
-                "1.0" + LEAST + " (0 to give, 1 robot free), taken over from r1")),
-        withFreeRobotAt(9, given));
+                Sentence.verbatim(
+                    "1.0" + LEAST + " (0 to give, 1 robot free), taken over from r1"))),
+        Outcome.inEnglish(withFreeRobotAt(9, given)));
   }
 
   private List<Decision> withFreeRobotAt(double x, Given given) {

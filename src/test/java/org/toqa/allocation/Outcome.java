@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.toqa.allocation.Situation.Given;
+import org.toqa.wording.Sentence;
 
 /** Who has what after a round, and what that costs. */
 final class Outcome {
@@ -21,6 +22,19 @@ final class Outcome {
       holders.put(given.job().id(), given.robot());
     }
     decisions.forEach(d -> robots(d).forEach(name -> holders.put(d.job(), name)));
+  }
+
+  /** The decisions, with their reasons as they read in English. */
+  static List<Decision> inEnglish(List<Decision> decisions) {
+    return decisions.stream().map(Outcome::inEnglish).toList();
+  }
+
+  private static Decision inEnglish(Decision decision) {
+    Sentence why = Sentence.verbatim(decision.why().english());
+    return switch (decision) {
+      case Decision.Assigned d -> new Decision.Assigned(d.job(), d.robots(), why);
+      case Decision.Waits d -> new Decision.Waits(d.job(), why, d.drained());
+    };
   }
 
   static List<String> robots(Decision decision) {

@@ -114,7 +114,7 @@ class PlacesInTurnTest {
       Map<Long, Job> byId = queue.stream().collect(toMap(Job::id, job -> job));
       for (Decision decision :
           allocator.allocate(situation(NOON.plusSeconds(100), queue, List.of(), robots, inUse))) {
-        if (decision instanceof Decision.Assigned(long id, List<String> chosen, String _)) {
+        if (decision instanceof Decision.Assigned(long id, List<String> chosen, var _)) {
           Job job = requireNonNull(byId.get(id));
           active.keySet().forEach(other -> assertApart(job, other));
           active.put(job, chosen);
@@ -152,6 +152,6 @@ class PlacesInTurnTest {
   private Map<Long, String> waiting(Policy policy, List<Job> jobs, List<PlaceUse> inUse) {
     return policy.allocator().allocate(situation(NOON, jobs, List.of(), four, inUse)).stream()
         .filter(Decision.Waits.class::isInstance)
-        .collect(toMap(Decision::job, Decision::why));
+        .collect(toMap(Decision::job, d -> d.why().english()));
   }
 }

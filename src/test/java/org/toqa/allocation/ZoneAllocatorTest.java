@@ -8,6 +8,7 @@ import static org.toqa.allocation.Floors.situation;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.toqa.wording.Sentence;
 
 /** The floor is 80 m long; four robots make zones of 20 m. */
 class ZoneAllocatorTest {
@@ -47,10 +48,10 @@ class ZoneAllocatorTest {
   }
 
   private static List<Decision> given(String robot, String why) {
-    return List.of(new Decision.Assigned(1, List.of(robot), why));
+    return List.of(new Decision.Assigned(1, List.of(robot), Sentence.verbatim(why)));
   }
 
   private List<Decision> allocate(double x, Candidate... robots) {
-    return allocator.allocate(situation(List.of(job(1, 3, x)), List.of(robots)));
+    return Outcome.inEnglish(allocator.allocate(situation(List.of(job(1, 3, x)), List.of(robots))));
   }
 }

@@ -14,6 +14,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Sentence;
 
 class FleetMeterTest {
   private static final Instant NOON = Instant.parse("2026-06-01T12:00:00Z");
@@ -82,7 +83,7 @@ class FleetMeterTest {
         List.of(),
         0,
         List.of(),
-        "Drives",
+        Sentence.verbatim("Drives"),
         NOON,
         false,
         null,

@@ -30,7 +30,7 @@ class ChargerWatchTest {
     assertEquals(
         "Charger C1 does not charge: the battery of r1 has not risen for 10 min. Robots charge"
             + " elsewhere where they can; look at the charger.",
-        watch.faulty().getFirst().text());
+        watch.faulty().getFirst().text().english());
   }
 
   @Test

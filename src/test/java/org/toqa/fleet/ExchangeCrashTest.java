@@ -28,6 +28,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Sentence;
 
 /** Two robots exchange their tasks, and the server is killed at one of its writes. */
 @Timeout(120)
@@ -100,8 +101,12 @@ class ExchangeCrashTest {
       if (exchanges && situation.given().size() == 2) {
         Situation.Given one = situation.given().getFirst();
         Situation.Given other = situation.given().getLast();
-        decisions.add(new Decision.Assigned(one.job().id(), List.of(other.robot()), "exchange"));
-        decisions.add(new Decision.Assigned(other.job().id(), List.of(one.robot()), "exchange"));
+        decisions.add(
+            new Decision.Assigned(
+                one.job().id(), List.of(other.robot()), Sentence.verbatim("exchange")));
+        decisions.add(
+            new Decision.Assigned(
+                other.job().id(), List.of(one.robot()), Sentence.verbatim("exchange")));
       }
       Iterator<String> free =
           situation.robots().stream()
@@ -115,8 +120,10 @@ class ExchangeCrashTest {
               job ->
                   decisions.add(
                       free.hasNext()
-                          ? new Decision.Assigned(job.id(), List.of(free.next()), "next")
-                          : new Decision.Waits(job.id(), "no robot is free", List.of())));
+                          ? new Decision.Assigned(
+                              job.id(), List.of(free.next()), Sentence.verbatim("next"))
+                          : new Decision.Waits(
+                              job.id(), Sentence.verbatim("no robot is free"), List.of())));
       return decisions;
     }
   }

@@ -23,6 +23,7 @@ import org.toqa.mission.LoadChoice;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Reply;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Sentence;
 
 /**
  * A fleet at work as text: after remarks ({@code #} and a blank) the map, cells of 1 m, a line a
@@ -232,8 +233,8 @@ final class FleetScenario {
         .anyMatch(faulty -> faulty.name().equals(charger));
   }
 
-  private static boolean says(@Nullable String sentence, String words) {
-    return sentence != null && sentence.contains(words);
+  private static boolean says(@Nullable Sentence sentence, String words) {
+    return sentence != null && sentence.english().contains(words);
   }
 
   private long id(String task) {

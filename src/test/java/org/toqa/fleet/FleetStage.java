@@ -24,6 +24,7 @@ import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.wording.Sentence;
 
 /** The agents over a real store, with robots that the test plays, in time that the test brings. */
 final class FleetStage implements AutoCloseable {
@@ -99,7 +100,7 @@ final class FleetStage implements AutoCloseable {
 
           @Override
           public PairingResult pair(String robot, String host, int port, PairingCode code) {
-            return new PairingResult.Unreachable("Scripted robots do not pair.");
+            return new PairingResult.Unreachable(Sentence.verbatim("Scripted robots do not pair."));
           }
         };
     return new AgentFleet(

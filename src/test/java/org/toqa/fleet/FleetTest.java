@@ -36,6 +36,7 @@ import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Reply;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
 
 /** The agents over a real store, with robots that the test plays. */
 @Timeout(60)
@@ -388,7 +389,7 @@ class FleetTest {
     FleetSnapshot waiting = stage.fleet.feed().latest();
     assertTrue(waitsFor(waiting, task).contains("(4.50, 1.50)"));
     String carrier = task(waiting, task).robots().getFirst();
-    assertEquals(waitsFor(waiting, task), robot(waiting, carrier).doing(), carrier);
+    assertEquals(waitsFor(waiting, task), robot(waiting, carrier).doing().english(), carrier);
     played("r2").sees();
     until(view -> task(view, task).state() == TaskState.DONE);
   }
@@ -407,7 +408,7 @@ class FleetTest {
 
     assertEquals(List.of("r1"), standstill.robots());
     untilHistory("traffic.resolved", "The standstill of r1 is over.");
-    untilHistory("traffic.standstill", standstill.text());
+    untilHistory("traffic.standstill", standstill.text().english());
     until(view -> task(view, task).state() == TaskState.DONE);
     assertTrue(
         stage.store.history(task).stream().anyMatch(e -> e.kind().equals("traffic.standstill")));
@@ -562,7 +563,7 @@ class FleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
     assertEquals(
-        new Answer.Unknown<>("There is no floor attic."),
+        new Answer.Unknown<>(Phrase.NO_SUCH_FLOOR.with("attic")),
         stage.fleet.holdFloor("attic", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
 
     assertEquals("Max", accepted(stage.fleet.holdFloor("hall", "Max")).orElseThrow().user());
@@ -572,8 +573,8 @@ class FleetTest {
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
     FleetSnapshot held = stage.fleet.feed().latest();
     assertEquals("Max", Objects.requireNonNull(held.floors().getFirst().hold()).user());
-    assertEquals("All robots of hall are on hold by Max", robot(held, "r1").doing());
-    assertEquals("All robots of hall are on hold by Max", task(held, task).waitingFor());
+    assertEquals(Phrase.FLOOR_HELD_BY.with("hall", "Max"), robot(held, "r1").doing());
+    assertEquals(Phrase.FLOOR_HELD_BY.with("hall", "Max"), task(held, task).waitingFor());
     assertEquals(stopped, played("r1").position());
 
     assertEquals(Optional.empty(), accepted(stage.fleet.resumeFloor("hall", "Boss")));
@@ -598,7 +599,8 @@ class FleetTest {
                 && view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
     assertEquals("Max", Objects.requireNonNull(stage.fleet.feed().latest().pause()).user());
     assertEquals(stopped, played("r1").position());
-    assertEquals("All robots are paused by Max", robot(stage.fleet.feed().latest(), "r1").doing());
+    assertEquals(
+        Phrase.ALL_PAUSED_BY.with("Max"), robot(stage.fleet.feed().latest(), "r1").doing());
 
     accepted(stage.fleet.resumeAll("Boss"));
 
@@ -803,7 +805,7 @@ class FleetTest {
   }
 
   private static String waitsFor(FleetSnapshot view, long task) {
-    return Objects.requireNonNullElse(task(view, task).waitingFor(), "");
+    return Objects.toString(task(view, task).waitingFor(), "");
   }
 
   private static CellRuns obstacles(FleetSnapshot view) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Random;
 import org.jspecify.annotations.Nullable;
@@ -84,6 +85,6 @@ class FormationPlacesTest {
     traffic.isFixed("leader", false);
     traffic.wants("leader", goal.position(), Instant.EPOCH);
     traffic.decide(Instant.EPOCH);
-    return traffic.reason("leader");
+    return Objects.toString(traffic.reason("leader"), null);
   }
 }

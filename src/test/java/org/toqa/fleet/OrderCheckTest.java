@@ -11,6 +11,8 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 class OrderCheckTest {
   /** An aisle of a certain width in cells of 5 cm, four metres long from west to east. */
@@ -49,8 +51,7 @@ class OrderCheckTest {
     assertEquals(
         new Answer.Refused<>(
             "start",
-            "The start (0.50, 0.18) lies in a wall or too near to one for a robot; choose a free"
-                + " place."),
+            Phrase.LIES_IN_WALL.with(Phrase.START.with(), Sentence.of(new Vec2(0.5, 0.18)))),
         carry(aisle(5), new Vec2(0.5, 0.18), new Vec2(3.5, 0.18)));
   }
 }

@@ -38,6 +38,7 @@ import org.toqa.link.trust.PairingCode;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.wording.Sentence;
 
 /** The fleet over a real store, and a robot's daemon in a process of its own that is paired. */
 @Timeout(120)
@@ -181,7 +182,9 @@ class PairedFleetTest {
     char last = code.charAt(code.length() - 1);
     String wrong = code.substring(0, code.length() - 1) + (last == 'A' ? 'B' : 'A');
 
-    assertEquals(new Answer.Refused<>("code", "The code is wrong; tries left: 4."), add(wrong));
+    assertEquals(
+        new Answer.Refused<>("code", Sentence.verbatim("The code is wrong; tries left: 4.")),
+        add(wrong));
     assertEquals(
         "boss could not pair r1: The code is wrong; tries left: 4.",
         history("robot.pairing-refused").text());
@@ -201,7 +204,7 @@ class PairedFleetTest {
             .replace("port: 0", "port: " + daemonNow().port()));
     daemon = daemon("--pair");
 
-    String alert = until(robot -> robot.alert() != null).alert();
+    String alert = String.valueOf(until(robot -> robot.alert() != null).alert());
     assertTrue(
         Objects.requireNonNull(alert).contains("it has another key than the one recorded"), alert);
     assertEquals(alert, history("robot.link-refused").text());

@@ -32,7 +32,7 @@ class StandstillReportTest {
     assertEquals(
         "r1, r2 at (0.50, 1.50), (1.50, 1.50) wait for each other in a ring. Their ways are planned"
             + " anew.",
-        begun.text());
+        begun.text().english());
     assertEquals(List.of(begun), report.lasting());
   }
 
@@ -50,7 +50,8 @@ class StandstillReportTest {
 
     StandstillReport.Change end = report.update(List.of());
 
-    assertEquals("The standstill of r1 is over.", StandstillReport.over(end.over().getFirst()));
+    assertEquals(
+        "The standstill of r1 is over.", StandstillReport.over(end.over().getFirst()).english());
     assertEquals(NOTHING, report.update(List.of()));
   }
 
@@ -62,8 +63,8 @@ class StandstillReportTest {
         report.update(List.of(ring(names.toArray(String[]::new)))).begun().getFirst();
 
     assertEquals(40, begun.robots().size());
-    assertTrue(begun.text().contains(" and 36 more at "), begun.text());
-    assertTrue(begun.text().length() <= LONGEST_EVENT, begun.text());
+    assertTrue(begun.text().english().contains(" and 36 more at "), begun.text()::english);
+    assertTrue(begun.text().english().length() <= LONGEST_EVENT, begun.text()::english);
   }
 
   private static Standstill ring(String... robots) {

@@ -89,7 +89,8 @@ class TaskBatchTest {
     assertEquals(
         List.of("1 goal", "3 start"),
         refused.refusals().stream().map(r -> r.place() + " " + r.field()).toList());
-    assertTrue(refused.refusals().getFirst().sentence().contains("There is no station Nowhere"));
+    assertTrue(
+        refused.refusals().getFirst().sentence().english().contains("There is no station Nowhere"));
     assertEquals(
         refused.refusals(), await(stage.fleet.refusals(orders, "Clara")), "only looked at");
     assertEquals(0, stage.store.count());

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.geometry.Pose;
+import org.toqa.wording.Sentence;
 
 class UseMeterTest {
   private static final Instant START = Instant.parse("2026-11-21T08:00:00Z");
@@ -157,7 +158,7 @@ class UseMeterTest {
         List.of(),
         0,
         List.of(),
-        "",
+        Sentence.verbatim(""),
         seen,
         held,
         null,

@@ -19,6 +19,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.Tuple;
 import org.toqa.geometry.Vec2;
+import org.toqa.wording.Sentence;
 
 /** Whatever comes, in whatever order and however often, a task stays in a legal state. */
 class MissionPropertyTest {
@@ -120,7 +121,7 @@ class MissionPropertyTest {
   /** As the manager does; a task on hold waits. */
   private static Mission givenToRobots(Mission mission) {
     return mission.state() == TaskState.QUEUED && !mission.held()
-        ? mission.assign(List.of("r1", "r2"), "heavy").mission()
+        ? mission.assign(List.of("r1", "r2"), Sentence.verbatim("heavy")).mission()
         : mission;
   }
 
@@ -171,7 +172,8 @@ class MissionPropertyTest {
             .flatAs(
                 (robot, place) ->
                     Arbitraries.of(
-                        new MissionEvent.RobotFailed(robot, "reports an error", place),
+                        new MissionEvent.RobotFailed(
+                            robot, Sentence.verbatim("reports an error"), place),
                         new MissionEvent.RobotLost(robot, place),
                         new MissionEvent.RobotWithdrawn(robot, place)));
     Arbitrary<MissionEvent> others =
@@ -180,8 +182,8 @@ class MissionPropertyTest {
                 Arbitraries.of(
                     new MissionEvent.RobotBack(robot),
                     new MissionEvent.Retasked(robot),
-                    new MissionEvent.MustCharge(robot, "its battery has 10 %"),
-                    new MissionEvent.Exchanged(robot, "r3", "nearer"),
+                    new MissionEvent.MustCharge(robot, Sentence.verbatim("its battery has 10 %")),
+                    new MissionEvent.Exchanged(robot, "r3", Sentence.verbatim("nearer")),
                     new MissionEvent.Stopped(robot, spot())));
     Arbitrary<MissionEvent> wishes =
         Arbitraries.of(

@@ -10,6 +10,7 @@ import java.util.Objects;
 import net.jqwik.api.Example;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
+import org.toqa.wording.Sentence;
 
 class MissionTest {
 
@@ -31,7 +32,7 @@ class MissionTest {
 
   @Example
   void oneRobotFetchesCarriesAndParks() {
-    Mission.Step step = Mission.queued(TASK).assign(List.of("r1"), "nearest");
+    Mission.Step step = Mission.queued(TASK).assign(List.of("r1"), Sentence.verbatim("nearest"));
     assertEquals(TaskState.ASSIGNED, step.mission().state());
     assertEquals(List.of(new MissionCommand.Drive("r1", 1)), step.commands());
 
@@ -54,7 +55,8 @@ class MissionTest {
 
   @Example
   void phaseTwoStartsWhenAllRobotsAreAtTheObject() {
-    Mission mission = Mission.queued(TASK).assign(List.of("r1", "r2"), "heavy").mission();
+    Mission mission =
+        Mission.queued(TASK).assign(List.of("r1", "r2"), Sentence.verbatim("heavy")).mission();
     Mission.Step first = mission.on(new MissionEvent.PhaseEnded("r1", 1));
     assertEquals(TaskState.TO_OBJECT, first.mission().state());
     assertTrue(first.commands().isEmpty());
@@ -68,7 +70,8 @@ class MissionTest {
 
   @Example
   void robotInPhaseThreeMayTakeTheNextTask() {
-    Mission mission = Mission.queued(TASK).assign(List.of("r1"), "nearest").mission();
+    Mission mission =
+        Mission.queued(TASK).assign(List.of("r1"), Sentence.verbatim("nearest")).mission();
     mission = mission.on(new MissionEvent.PhaseEnded("r1", 1)).mission();
     assertFalse(mission.on(new MissionEvent.Retasked("r1")).changed());
     mission = mission.on(new MissionEvent.PhaseEnded("r1", 2)).mission();
@@ -77,7 +80,8 @@ class MissionTest {
 
   @Example
   void beforeThePickUpAnotherRobotMayTakeItOver() {
-    MissionEvent exchanged = new MissionEvent.Exchanged("r1", "r2", "it is nearer");
+    MissionEvent exchanged =
+        new MissionEvent.Exchanged("r1", "r2", Sentence.verbatim("it is nearer"));
 
     Mission.Step step = toObject("r1").on(exchanged);
 
@@ -95,7 +99,8 @@ class MissionTest {
 
   @Example
   void aRobotThatMustChargeGivesItsTaskBackButNeverALoadOnBoard() {
-    MissionEvent charges = new MissionEvent.MustCharge("r1", "its battery has 5 %");
+    MissionEvent charges =
+        new MissionEvent.MustCharge("r1", Sentence.verbatim("its battery has 5 %"));
 
     assertEquals(TaskState.QUEUED, toObject("r1").on(charges).mission().state());
     assertFalse(carrying("r1").on(charges).changed());
@@ -107,7 +112,9 @@ class MissionTest {
   void aRobotThatFailsBeforeItHasTheLoadGivesTheTaskBack() {
     Mission mission = toObject("r1");
 
-    Mission.Step step = mission.on(new MissionEvent.RobotFailed("r1", "reports an error", THERE));
+    Mission.Step step =
+        mission.on(
+            new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE));
 
     assertEquals(TaskState.QUEUED, step.mission().state());
     assertEquals(List.of(), step.mission().robots());
@@ -118,7 +125,9 @@ class MissionTest {
   @Example
   void withTheLoadOnBoardAPersonIsAskedAndAnotherRobotFetchesItFromThere() {
     Mission asked =
-        carrying("r1").on(new MissionEvent.RobotFailed("r1", "reports an error", THERE)).mission();
+        carrying("r1")
+            .on(new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE))
+            .mission();
     assertEquals(TaskState.CARRYING, asked.state());
     assertEquals(
         List.of("another robot", "wait", "cancel"), asked.question().orElseThrow().answers());
@@ -133,7 +142,7 @@ class MissionTest {
 
     assertEquals(TaskState.QUEUED, queued.state());
     assertEquals(THERE, queued.object());
-    Mission again = queued.assign(List.of("r2"), "free").mission();
+    Mission again = queued.assign(List.of("r2"), Sentence.verbatim("free")).mission();
     again = again.on(new MissionEvent.PhaseEnded("r2", 1)).mission();
     assertEquals(TaskState.CARRYING, again.state());
     assertEquals(null, again.loadAt());
@@ -157,7 +166,8 @@ class MissionTest {
 
   @Example
   void whoSaidThatTheTaskWaitsIsNotAskedAgainUntilTheRobotWasBack() {
-    MissionEvent failed = new MissionEvent.RobotFailed("r1", "reports an error", THERE);
+    MissionEvent failed =
+        new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE);
     Mission waits =
         carrying("r1")
             .on(failed)
@@ -204,7 +214,7 @@ class MissionTest {
 
   private static Mission toObject(String robot) {
     return Mission.queued(TASK)
-        .assign(List.of(robot), "nearest")
+        .assign(List.of(robot), Sentence.verbatim("nearest"))
         .mission()
         .on(new MissionEvent.DriveStarted(robot, 1))
         .mission();

@@ -44,6 +44,8 @@ import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.mission.Trouble;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** What every database must do for the fleet; here H2, in {@code MySqlFleetStoreTest} MySQL. */
 class FleetStoreTest {
@@ -184,10 +186,12 @@ class FleetStoreTest {
     store.saveRobot(R1);
     store.saveRobot(R2);
     TransportTask task = added(task("two"));
-    Mission.Step step = Mission.queued(task).assign(List.of("r2", "r1"), "heavy");
+    Mission.Step step =
+        Mission.queued(task).assign(List.of("r2", "r1"), Sentence.verbatim("heavy"));
     store.saveMission(step.mission(), AT, List.of());
     Mission.Step next = step.mission().on(new MissionEvent.PhaseEnded("r1", 1));
-    EventRecord event = new EventRecord(AT, "task.at-object", task.id(), "r1", "toqa", "here");
+    EventRecord event =
+        new EventRecord(AT, "task.at-object", task.id(), "r1", "toqa", Sentence.verbatim("here"));
     store.saveMission(next.mission(), AT.plusMillis(5), List.of(event));
 
     OpenTask open = store.openTasks().getFirst();
@@ -204,11 +208,15 @@ class FleetStoreTest {
   void aRobotThatLosesItsTaskIsAvailableAgain() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    Mission mission = Mission.queued(added(task("box"))).assign(List.of("r1"), "near").mission();
+    Mission mission =
+        Mission.queued(added(task("box")))
+            .assign(List.of("r1"), Sentence.verbatim("near"))
+            .mission();
     store.saveMission(mission, AT, List.of());
     assertEquals(List.of("r1 0 in 1", "r2 1 in 0"), availability());
 
-    Mission exchanged = mission.on(new MissionEvent.Exchanged("r1", "r2", "nearer")).mission();
+    Mission exchanged =
+        mission.on(new MissionEvent.Exchanged("r1", "r2", Sentence.verbatim("nearer"))).mission();
     store.saveMission(exchanged, AT, List.of());
 
     assertEquals(List.of("r1 1 in 0", "r2 0 in 1"), availability());
@@ -217,8 +225,14 @@ class FleetStoreTest {
   @Test
   void ofChangesThatBelongTogetherAllAreStoredOrNone() {
     store.saveRobot(R1);
-    Mission one = Mission.queued(added(task("one"))).assign(List.of("r1"), "near").mission();
-    Mission bad = Mission.queued(added(task("two"))).assign(List.of("nobody"), "?").mission();
+    Mission one =
+        Mission.queued(added(task("one")))
+            .assign(List.of("r1"), Sentence.verbatim("near"))
+            .mission();
+    Mission bad =
+        Mission.queued(added(task("two")))
+            .assign(List.of("nobody"), Sentence.verbatim("?"))
+            .mission();
 
     assertThrows(
         StoreException.class,
@@ -247,7 +261,7 @@ class FleetStoreTest {
             true,
             LoadChoice.BACK,
             place,
-            new Trouble("r1", "reports the error BUMPER", place, true));
+            new Trouble("r1", Phrase.REPORTS_CODE.with("BUMPER"), place, true));
     store.saveMission(odd, AT, List.of());
     assertEquals(odd, store.openTasks().getFirst().mission());
 
@@ -321,7 +335,10 @@ class FleetStoreTest {
     long light = added(asked("Box 7%", 1, "Ann", AT)).id();
     long heavy = added(asked("crate_2", 9, "Max", AT.plusSeconds(60))).id();
     TransportTask third = added(asked("Other box", 5, "ann", AT.plusSeconds(120)));
-    store.saveMission(Mission.queued(third).assign(List.of("r1"), "near").mission(), AT, List.of());
+    store.saveMission(
+        Mission.queued(third).assign(List.of("r1"), Sentence.verbatim("near")).mission(),
+        AT,
+        List.of());
 
     assertEquals(List.of(third.id(), heavy, light), found(Filter.ANY, Sort.NEWEST_FIRST));
     assertEquals(List.of(third.id(), light), found(text("bOx")));
@@ -389,7 +406,8 @@ class FleetStoreTest {
   @Test
   void aChangeThatFailsHasNotHappened() {
     TransportTask task = added(task("one"));
-    Mission unknownRobot = Mission.queued(task).assign(List.of("nobody"), "?").mission();
+    Mission unknownRobot =
+        Mission.queued(task).assign(List.of("nobody"), Sentence.verbatim("?")).mission();
     assertThrows(StoreException.class, () -> store.saveMission(unknownRobot, AT, List.of()));
     assertEquals(TaskState.QUEUED, store.openTasks().getFirst().mission().state());
   }

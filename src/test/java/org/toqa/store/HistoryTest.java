@@ -1,6 +1,7 @@
 package org.toqa.store;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.sql.SQLException;
 import java.time.Duration;
@@ -8,6 +9,7 @@ import java.time.Instant;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.UUID;
 import java.util.stream.Collectors;
@@ -17,6 +19,9 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.NullAndEmptySource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.EventArchive.Entry;
 import org.toqa.fleet.EventArchive.Filter;
 import org.toqa.fleet.EventRecord;
@@ -31,11 +36,15 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** What is kept, found again and pruned; here on H2, in {@code MySqlHistoryTest} on MySQL. */
 class HistoryTest {
   private static final Instant AT = Instant.parse("2026-11-21T10:00:00.123Z");
   private static final Filter ALL = new Filter(null, null, null, null, null, null, true);
+
+  private static final Locale ARABIC = Locale.of("ar");
 
   private Database database;
   private JdbiFleetStore store;
@@ -59,6 +68,57 @@ class HistoryTest {
   @AfterEach
   void closeStore() {
     database.close();
+  }
+
+  @Test
+  void whatWasSaidIsReadInAnotherLanguageAfterARestart() {
+    Sentence said =
+        Phrase.CANCELLED_LOAD_STAYS.with(
+            "Max",
+            Phrase.LISTED_APART.with(
+                Phrase.AT_PLACE.with(Sentence.of(new Vec2(1.5, -2))),
+                Phrase.NOT_ENOUGH_FOR_TASK.with(18, 7L)));
+    store.addEvents(List.of(new EventRecord(AT, "task.answered", 7L, null, "Max", said)));
+
+    EventRecord found =
+        new JdbiEventArchive(database.jdbi()).events(ALL, 100, 1).getFirst().event();
+
+    assertEquals(
+        "Cancelled by Max; the load stays at (1.50, -2.00); 18 % do not last for task 7",
+        found.text());
+    assertEquals(said.in(ARABIC), found.said().in(ARABIC));
+  }
+
+  @ParameterizedTest
+  @NullAndEmptySource
+  @ValueSource(
+      strings = {
+        "{",
+        "7",
+        "{}",
+        "[]",
+        "[\"SAID_BY_A_LATER_SERVER\", \"r1\"]",
+        "[\"HAS_PARKED\"]",
+        "[\"HAS_PARKED\", \"r1\", \"r2\"]",
+        "[\"TASK_ON_HOLD\", \"r1\"]",
+        "[\"AT_PLACE\", [\"POINT\", 1]]"
+      })
+  void whatCannotBeReadIsTheEnglishText(@Nullable String stored) {
+    store.addEvents(List.of(event(AT, "robot.held", null, "r1", "Max", "so it was")));
+    database.jdbi().useHandle(h -> h.execute("update events set said = ?", stored));
+
+    assertEquals(Sentence.verbatim("so it was"), found(ALL).getFirst().said());
+  }
+
+  @Test
+  void whatIsTooLongForTheHistoryIsCutAndEnglish() {
+    Sentence said = Phrase.REFUSED_A_COMMAND.with("r1", "no ".repeat(700));
+    store.addEvents(List.of(new EventRecord(AT, "robot.held", null, "r1", "toqa", said)));
+
+    Sentence found = found(ALL).getFirst().said();
+
+    assertTrue(found.isVerbatim());
+    assertEquals(500, found.english().length());
   }
 
   @Test
@@ -233,7 +293,7 @@ class HistoryTest {
       @Nullable String robot,
       String who,
       String text) {
-    return new EventRecord(at, kind, task, robot, who, text);
+    return new EventRecord(at, kind, task, robot, who, Sentence.verbatim(text));
   }
 
   private TransportTask added(TransportTask task) {

@@ -28,6 +28,7 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Sentence;
 
 /** What a period is in numbers; here on H2, in {@code MySqlStatisticsTest} on MySQL. */
 class StatisticsTest {
@@ -270,6 +271,6 @@ class StatisticsTest {
 
   private static EventRecord event(
       Instant at, String kind, @Nullable Long task, @Nullable String robot, String text) {
-    return new EventRecord(at, kind, task, robot, EventRecord.SYSTEM, text);
+    return new EventRecord(at, kind, task, robot, EventRecord.SYSTEM, Sentence.verbatim(text));
   }
 }

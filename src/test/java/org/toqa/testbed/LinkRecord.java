@@ -9,6 +9,7 @@ import java.util.function.Predicate;
 import org.toqa.link.RobotLink;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.wording.Sentence;
 
 /** What a link to a robot has told, in order, to be taken out piece by piece. */
 public final class LinkRecord implements RobotLink.Listener {
@@ -38,8 +39,8 @@ public final class LinkRecord implements RobotLink.Listener {
   }
 
   @Override
-  public void refused(String sentence) {
-    told.add(new Refusal(sentence));
+  public void refused(Sentence sentence) {
+    told.add(new Refusal(sentence.english()));
   }
 
   public boolean isEmpty() {

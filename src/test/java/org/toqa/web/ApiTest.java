@@ -31,6 +31,7 @@ import org.toqa.fleet.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Sentence;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -90,9 +91,9 @@ class ApiTest {
         .store()
         .addEvents(
             List.of(
-                new EventRecord(at, "robot.held", null, "r1", "Max", "one"),
-                new EventRecord(at, "task.started", 7L, "r1", "toqa", "two"),
-                new EventRecord(at, "task.started", 8L, "r2", "toqa", "three")));
+                new EventRecord(at, "robot.held", null, "r1", "Max", Sentence.verbatim("one")),
+                new EventRecord(at, "task.started", 7L, "r1", "toqa", Sentence.verbatim("two")),
+                new EventRecord(at, "task.started", 8L, "r2", "toqa", Sentence.verbatim("three"))));
 
     JsonNode first = JSON.readTree(get("api/v1/history?robot=r1&limit=1").body());
     JsonNode second =
@@ -321,7 +322,7 @@ class ApiTest {
     long id = JSON.readTree(post(token, "api/v1/tasks", GOOD_TASK).body()).get("id").asLong();
 
     JsonNode waiting = JSON.readTree(get("api/v1/tasks/" + id).body());
-    assertEquals("It waits for a free robot.", waiting.get("waitingFor").stringValue());
+    assertEquals("Looking for a robot.", waiting.get("waitingFor").stringValue());
     assertTrue(waiting.get("needs").isNull());
     assertFalse(waiting.get("held").booleanValue());
     assertEquals(1, waiting.get("history").size());

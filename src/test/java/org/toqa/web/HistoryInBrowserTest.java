@@ -24,6 +24,7 @@ import org.toqa.fleet.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.testbed.BrowserTest;
+import org.toqa.wording.Sentence;
 
 /**
  * What has happened, and where a robot was, in a real browser. Pictures go to {@code
@@ -261,7 +262,8 @@ class HistoryInBrowserTest extends BrowserTest {
       @Nullable String robot,
       String who,
       String text) {
-    return new EventRecord(TestFleet.START.plusSeconds(second), kind, task, robot, who, text);
+    return new EventRecord(
+        TestFleet.START.plusSeconds(second), kind, task, robot, who, Sentence.verbatim(text));
   }
 
   private static TrackPoint at(Duration ago, double x, double y) {

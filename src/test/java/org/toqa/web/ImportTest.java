@@ -142,7 +142,7 @@ class ImportTest {
     String detail = JSON.readTree(answer.body()).get("detail").stringValue();
     assertTrue(detail.contains("Line 2, start: The start is not a free place"), detail);
     assertTrue(detail.contains("Line 3, load: This is not a number."), detail);
-    assertTrue(detail.contains("Line 4, load: No robots here carry that much"), detail);
+    assertTrue(detail.contains("Line 4, load: The robots cannot carry"), detail);
     answer = post("api/v1/tasks/import", GOOD + "c,60,Dock A,Shelf 3\n");
     assertTrue(answer.body().contains("Line 4, load"), answer.body());
     assertEquals(0, added());

@@ -4,8 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
 import java.net.URLEncoder;
 import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +25,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
 
 /** Which language an answer is in, and what Arabic pages and forms are like. */
 class LanguagesTest {
@@ -193,11 +199,11 @@ class LanguagesTest {
 
     assertTrue(page.contains(ARABIC_PAGE));
     String visible =
-        page.replaceAll("(?s)<bdi[ >].*?</bdi>", "")
-            .replaceAll("<option[^>]* dir=\"auto\"[^>]*>[^<]*", "")
-            .replaceAll("<a class=\"language\".*?</a>", "")
-            .replaceAll("<time [^>]*>[^<]*", "")
-            .replaceAll("\u2066[^\u2069]*\u2069", "");
+        withoutIsolated(
+            page.replaceAll("(?s)<bdi[ >].*?</bdi>", "")
+                .replaceAll("<option[^>]* dir=\"auto\"[^>]*>[^<]*", "")
+                .replaceAll("<a class=\"language\".*?</a>", "")
+                .replaceAll("<time [^>]*>[^<]*", ""));
     List<String> words =
         Pattern.compile("(?:>|aria-label=\"|title=\"|data-label=\")([^<\"]*[A-Za-z]{2,}[^<\"]*)")
             .matcher(visible)
@@ -206,6 +212,12 @@ class LanguagesTest {
             .filter(text -> !text.matches("Toqa|.* · Toqa|UTC"))
             .toList();
     assertEquals(List.of(), words);
+  }
+
+  /** Names may be Latin; an isolation may stand in another one. */
+  static String withoutIsolated(String text) {
+    String inner = text.replaceAll("[\u2066\u2068][^\u2066\u2068\u2069]*\u2069", "");
+    return inner.equals(text) ? text : withoutIsolated(inner);
   }
 
   @Test
@@ -269,11 +281,70 @@ class LanguagesTest {
 
     String page = arab.get(task).body();
 
-    assertTrue(page.contains("لا يستطيع الروبوت \u2068r1\u2069 المتابعة"), page);
-    assertTrue(page.contains("(\u2066is not heard of\u2069)"), page);
-    assertTrue(page.contains("عند \u2068(2.00, 2.00)\u2069"), page);
+    assertTrue(
+        page.contains(
+            "\u2068r1\u2069 لا يُسمع منه شيء والحمولة على متنه، عند \u2066(2.00, 2.00)\u2069."),
+        page);
     assertTrue(page.contains(">انتظر الروبوت</button>"), page);
     assertTrue(page.contains("<bdi lang=\"en\" dir=\"ltr\">r1 carries the load.</bdi>"), page);
+  }
+
+  @Test
+  void theFleetSpeaksTheLanguageThatIsAskedFor() throws IOException {
+    String task = location(arab.post("tasks/new", TASK)).replaceAll("\\D", "");
+    long id = Long.parseLong(task);
+    server.fleet().tellLate(id, Phrase.CANNOT_BE_IN_TIME.with("r1", Phrase.SECONDS.with(90)));
+    try (Visitor program = Visitor.loggedIn(server.root(), WebTestServer.MANAGER)) {
+      for (String path : List.of("api/v1/tasks/" + task, "api/v1/tasks", "api/v1/events")) {
+        String arabic = said(program, path, "ar");
+        assertTrue(arabic.contains("\"waitingFor\":\"جارٍ البحث عن روبوت.\""), arabic);
+        assertTrue(arabic.contains("يسلّمها \u2068r1\u2069 متأخرة 90 ث."), arabic);
+        for (String language : List.of("en", "tlh")) {
+          String english = said(program, path, language);
+          assertTrue(english.contains("\"waitingFor\":\"Looking for a robot.\""), english);
+          assertTrue(english.contains("r1 would deliver it 90 s after it"), english);
+        }
+      }
+      assertTrue(said(program, "api/v1/robots/r1", "ar").contains("\"doing\":\"متفرغ\""));
+      assertTrue(said(program, "api/v1/robots/r1", "en").contains("\"doing\":\"Free\""));
+      assertTrue(
+          said(program, "api/v1/tasks/" + task, "ar")
+              .contains("\"text\":\"طلبها \u2068" + WebTestServer.CLERK + "\u2069\""));
+      assertTrue(said(program, "api/v1/events", "ar").contains("تُخطَّط طرقها من جديد."));
+    }
+  }
+
+  @Test
+  void aRefusalOfTheFleetIsInTheLanguageThatIsAskedFor() {
+    Map<String, String> form = new TreeMap<>(TASK);
+    form.put("load", "60");
+
+    assertTrue(arab.post("tasks/new", form).body().contains("لا تستطيع الروبوتات حمل 60 كغم"));
+    HttpResponse<String> answer =
+        arab.postJson(
+            "api/v1/tasks",
+            """
+            {"name":"x","load":60,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}}
+            """);
+    assertEquals(422, answer.statusCode());
+    assertEquals("ar", answer.headers().firstValue("Content-Language").orElseThrow());
+    assertTrue(answer.body().contains("لا تستطيع الروبوتات حمل 60 كغم"), answer.body());
+  }
+
+  /** The first answer, or of the live events the first one. */
+  private static String said(Visitor visitor, String path, String language) throws IOException {
+    HttpResponse<InputStream> answer =
+        visitor.send(
+            visitor.request(path).header("Accept-Language", language).build(),
+            BodyHandlers.ofInputStream());
+    try (BufferedReader lines =
+        new BufferedReader(new InputStreamReader(answer.body(), StandardCharsets.UTF_8))) {
+      String line = lines.readLine();
+      while (line != null && !line.contains("{")) {
+        line = lines.readLine();
+      }
+      return String.valueOf(line);
+    }
   }
 
   private static String location(HttpResponse<?> answer) {

@@ -41,6 +41,8 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * The pages in a real browser. Pictures of them go to {@code target/screenshots}, to be looked at.
@@ -103,8 +105,8 @@ class PagesInBrowserTest {
     assertThat(page.locator("#preview"))
         .hasText(
             Pattern.compile(
-                "It takes 2 robots together. As things stand, r1, r2 would carry it now: they are"
-                    + " near. The load travels about 8.0 m."));
+                "It takes 2 robots together. As things stand, r1, r2 would carry it now: that is"
+                    + " sooner. The load travels about 8.0 m."));
     picture(page, "new-task-picked");
     page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task")).click();
 
@@ -729,7 +731,7 @@ class PagesInBrowserTest {
         List.of(new Vec2(5.4, 4.6), new Vec2(6.15, 3.15), new Vec2(8, 3.1), new Vec2(9, 1.05)),
         2,
         List.of(),
-        "Carries the load to its goal.",
+        Phrase.CARRIES_LOAD.with(task),
         TestFleet.START,
         false,
         null,
@@ -761,7 +763,7 @@ class PagesInBrowserTest {
         still.held(),
         still.charger(),
         still.fingerprint(),
-        alert);
+        alert == null ? null : Sentence.verbatim(alert));
   }
 
   private static RobotView robot(String name, RobotState state, Pose pose) {
@@ -785,7 +787,7 @@ class PagesInBrowserTest {
             List.of(),
             0,
             List.of(new Fault("BATTERY_LOW", "The battery is nearly empty.")),
-            "Stands with an error.",
+            Phrase.HAS_FAULT.with("The battery is nearly empty."),
             TestFleet.START,
             false,
             null,

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
+import org.toqa.wording.Phrase;
 
 class PagesTest {
   private static final Map<String, String> GOOD_TASK =
@@ -78,8 +79,8 @@ class PagesTest {
     assertTrue(page.contains("Box of bolts"));
     assertTrue(page.contains("Dock A"));
     assertTrue(page.contains("10.35, 1.05 m"));
-    assertTrue(page.contains("It waits for a free robot."));
-    assertTrue(page.contains("The task was ordered."));
+    assertTrue(page.contains("Looking for a robot."));
+    assertTrue(page.contains("Asked for by " + WebTestServer.CLERK));
     assertTrue(clerk.get("tasks").body().contains("Box of bolts"));
   }
 
@@ -96,7 +97,7 @@ class PagesTest {
           load  | -1              | The weight must be above 0
           load  | 1e300           | The weight must be above 0
           load  | 1e999           | The weight must be above 0
-          load  | 60              | No robots here carry that much together.
+          load  | 60              | The robots cannot carry 60 kg
           goalX | east            | This is not a number.
           goalX | 1e30            | Coordinates must lie within
           goalX | 0.1             | The goal is not a free place
@@ -149,7 +150,7 @@ class PagesTest {
         .fleet()
         .tellLate(
             Long.parseLong(task.replaceAll("\\D", "")),
-            "The deadline cannot be met: r1 would deliver it 30 s after it at the earliest.");
+            Phrase.CANNOT_BE_IN_TIME.with("r1", Phrase.SECONDS.with(30)));
 
     assertTrue(clerk.get(task).body().contains("r1 would deliver it 30 s after it"));
   }

@@ -19,6 +19,7 @@ import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiUseStore;
+import org.toqa.wording.Sentence;
 
 /** Puts into a server's store what a fleet has done. */
 final class PastWork {
@@ -117,7 +118,9 @@ final class PastWork {
 
   private void failure(Instant at, String kind) {
     store.addEvents(
-        List.of(new EventRecord(at, kind, null, null, EventRecord.SYSTEM, "Something failed")));
+        List.of(
+            new EventRecord(
+                at, kind, null, null, EventRecord.SYSTEM, Sentence.verbatim("Something failed"))));
   }
 
   private void robot(String name) {

@@ -27,6 +27,8 @@ import org.toqa.fleet.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.testbed.BrowserTest;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Going back in time on the map. In the minute before its end r1 drove from (2, 1) to (10, 1), r2
@@ -66,9 +68,19 @@ class ReplayInBrowserTest extends BrowserTest {
         .addEvents(
             List.of(
                 new EventRecord(
-                    end.minusSeconds(55), "task.started", 7L, "r1", "toqa", "r1 drives off"),
+                    end.minusSeconds(55),
+                    "task.started",
+                    7L,
+                    "r1",
+                    "toqa",
+                    Sentence.verbatim("r1 drives off")),
                 new EventRecord(
-                    end.minusSeconds(5), "robot.held", null, "r1", "Max", "Max put r1 on hold")));
+                    end.minusSeconds(5),
+                    "robot.held",
+                    null,
+                    "r1",
+                    "Max",
+                    Phrase.ROBOT_PUT_ON_HOLD.with("Max", "r1"))));
   }
 
   @AfterEach

@@ -52,6 +52,8 @@ import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.Trouble;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** A fleet in memory: it stores wishes by the contract's rules and drives nothing by itself. */
 final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
@@ -70,7 +72,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
       new FleetSnapshot(1, START, List.of(), List.of(), 0, List.of(), null, List.of());
   private List<FloorView> floors = List.of();
   private boolean silent;
-  private List<String> alerts = List.of();
+  private List<Sentence> alerts = List.of();
   private @Nullable Hold pause;
 
   /** From now on the store does not answer. */
@@ -82,7 +84,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   void raise(String alert) {
     lock.lock();
     try {
-      alerts = List.of(alert);
+      alerts = List.of(Sentence.verbatim(alert));
       publish(latest.robots());
     } finally {
       lock.unlock();
@@ -120,7 +122,9 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
                   ? new TaskView(
                       view.task(), state, false, robots, null, null, null, null, latest.at())
                   : view);
-      events.add(new EventRecord(latest.at(), state.name(), id, null, "fleet", sentence));
+      events.add(
+          new EventRecord(
+              latest.at(), state.name(), id, null, "fleet", Sentence.verbatim(sentence)));
       publish(latest.robots());
     } finally {
       lock.unlock();
@@ -128,7 +132,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   /** Publishes that a task will miss its deadline. */
-  void tellLate(long id, String sentence) {
+  void tellLate(long id, Sentence sentence) {
     lock.lock();
     try {
       tasks.replaceAll(
@@ -169,14 +173,15 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
               false,
               List.of(),
               null,
-              "It waits for a free robot.",
+              Phrase.LOOKING_FOR_ROBOT.with(),
               null,
               null,
               latest.at());
       tasks.add(view);
       keys.put(key, view.id());
       events.add(
-          new EventRecord(latest.at(), "QUEUED", task.id(), null, user, "The task was ordered."));
+          new EventRecord(
+              latest.at(), "QUEUED", task.id(), null, user, Phrase.ASKED_FOR_BY.with(user)));
       publish(latest.robots());
       return CompletableFuture.completedFuture(new Answer.Accepted<>(view));
     } finally {
@@ -221,7 +226,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     List<BatchAnswer.Refusal> refusals = new ArrayList<>();
     for (int i = 0; i < orders.size(); i++) {
       if (checked(orders.get(i), user)
-          instanceof Answer.Refused<TransportTask>(String field, String sentence)) {
+          instanceof Answer.Refused<TransportTask>(String field, Sentence sentence)) {
         refusals.add(new BatchAnswer.Refusal(i, field, sentence));
       }
     }
@@ -232,19 +237,20 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     Optional<TaskPlace> start = place(order.start());
     Optional<TaskPlace> goal = place(order.goal());
     if (order.floor() != null && !order.floor().equals(floor.name())) {
-      return new Answer.Refused<>("floor", "There is no floor " + order.floor() + ".");
+      return new Answer.Refused<>("floor", Phrase.NO_SUCH_FLOOR.with(order.floor()));
     }
     if (order.load() > HEAVIEST) {
-      return new Answer.Refused<>(
-          "load", "No robots here carry that much together. Split the load.");
+      return new Answer.Refused<>("load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), HEAVIEST));
     }
     if (start.isEmpty()) {
       return new Answer.Refused<>(
-          "start", "The start is not a free place of the floor. Choose another one.");
+          "start",
+          Sentence.verbatim("The start is not a free place of the floor. Choose another one."));
     }
     if (goal.isEmpty()) {
       return new Answer.Refused<>(
-          "goal", "The goal is not a free place of the floor. Choose another one.");
+          "goal",
+          Sentence.verbatim("The goal is not a free place of the floor. Choose another one."));
     }
     return new Answer.Accepted<>(
         new TransportTask(
@@ -273,7 +279,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
                   new TaskPreview(
                       2,
                       List.of("r1", "r2"),
-                      "they are near",
+                      Phrase.IS_SOONER.with(),
                       List.of(task.start().position(), task.goal().position())))
               : checked.refusal());
     } finally {
@@ -340,11 +346,11 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
           latest.robots().stream().filter(r -> r.name().equals(name)).findFirst();
       if (known.isEmpty()) {
         return CompletableFuture.completedFuture(
-            new Answer.Unknown<>("There is no robot of that name."));
+            new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT.with(name)));
       }
       if (known.get().state() != RobotState.OUT_OF_SERVICE) {
         return CompletableFuture.completedFuture(
-            new Answer.Conflict<>("Take " + name + " out of service first.", null));
+            new Answer.Conflict<>(Phrase.TAKE_OUT_FIRST.with(name), null));
       }
       publish(latest.robots().stream().filter(r -> !r.name().equals(name)).toList());
       return CompletableFuture.completedFuture(new Answer.Accepted<>(known.get()));
@@ -425,7 +431,8 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     Trouble trouble =
         view.needs() == null
             ? null
-            : new Trouble("r1", "is not heard of", new TaskPlace(new Vec2(2, 2), null), false);
+            : new Trouble(
+                "r1", Phrase.IS_NOT_HEARD_OF.with(), new TaskPlace(new Vec2(2, 2), null), false);
     return new Mission(view.task(), view.state(), carriers, view.held(), null, null, trouble);
   }
 
@@ -481,7 +488,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     try {
       if (!floor.equals("hall")) {
         return CompletableFuture.completedFuture(
-            new Answer.Unknown<>("There is no floor " + floor + "."));
+            new Answer.Unknown<>(Phrase.NO_SUCH_FLOOR.with(floor)));
       }
       floors = List.of(new FloorView(floor, next, CellRuns.NONE, Map.of(), List.of(), List.of()));
       publish(latest.robots());
@@ -498,7 +505,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
           latest.robots().stream().filter(r -> r.name().equals(name)).findFirst();
       if (known.isEmpty()) {
         return CompletableFuture.completedFuture(
-            new Answer.Unknown<>("There is no robot of that name."));
+            new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT.with(name)));
       }
       RobotView next = change.apply(known.get());
       publish(latest.robots().stream().map(r -> r.name().equals(name) ? next : r).toList());
@@ -627,7 +634,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         List.of(),
         0,
         List.of(),
-        "Stands at its parking point.",
+        Phrase.IS_FREE.with(),
         pose == null ? null : START,
         false,
         null,
@@ -647,11 +654,19 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
                 List.of("r2", "r3"),
                 List.of(new Vec2(2.25, 0.75), new Vec2(7.35, 2.85)),
                 START,
-                "r2, r3 at (2.25, 0.75), (7.35, 2.85) wait for each other in a ring. Their ways"
-                    + " are planned anew.")),
+                Phrase.RING_OF_WAITS.with(
+                    Sentence.names(List.of("r2", "r3")),
+                    Sentence.joined(
+                        Phrase.LISTED,
+                        List.of(
+                            Sentence.of(new Vec2(2.25, 0.75)),
+                            Sentence.of(new Vec2(7.35, 2.85))))))),
         List.of(
             new FaultyCharger(
-                "C1", new Vec2(10.95, 5.25), START, "Charger C1 does not charge: look at it.")));
+                "C1",
+                new Vec2(10.95, 5.25),
+                START,
+                Phrase.CHARGER_IS_FAULTY.with("C1", "r2", Phrase.MINUTES.with(10)))));
   }
 
   private void publish(List<RobotView> robots) {
@@ -684,7 +699,8 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   private static <T> CompletionStage<Answer<T>> refused(@Nullable String field, String sentence) {
-    return CompletableFuture.completedFuture(new Answer.Refused<>(field, sentence));
+    return CompletableFuture.completedFuture(
+        new Answer.Refused<>(field, Sentence.verbatim(sentence)));
   }
 
   /** 12 m x 6 m in cells of 0.3 m, walls around and one wall with a passage. */

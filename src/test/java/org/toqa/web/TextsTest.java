@@ -5,16 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.text.MessageFormat;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Properties;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.BiPredicate;
@@ -24,12 +19,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.toqa.testbed.TextFile;
 
 /** The texts of one language against those of the other. */
 class TextsTest {
   private static final Path FOLDER = Path.of("src/main/resources/org/toqa/web");
-  private static final Map<String, String> ENGLISH = read("messages.properties");
-  private static final Map<String, String> ARABIC = read("messages_ar.properties");
+  private static final Map<String, String> ENGLISH =
+      TextFile.read(FOLDER.resolve("messages.properties"));
+  private static final Map<String, String> ARABIC =
+      TextFile.read(FOLDER.resolve("messages_ar.properties"));
 
   /** The product's name, what the languages call themselves, and what is written alike. */
   private static final Set<String> ALIKE =
@@ -154,24 +152,5 @@ class TextsTest {
 
   private static long count(String text, String regex) {
     return Pattern.compile(regex).matcher(text).results().map(MatchResult::group).count();
-  }
-
-  /** In the order of the file; a bundle would answer in English what is missing in Arabic. */
-  private static Map<String, String> read(String file) {
-    Map<String, String> inOrder = new LinkedHashMap<>();
-    Properties ordered =
-        new Properties() {
-          @Override
-          public synchronized Object put(Object key, Object value) {
-            assertEquals(null, inOrder.put((String) key, (String) value), key + " stands twice");
-            return super.put(key, value);
-          }
-        };
-    try (var reader = Files.newBufferedReader(FOLDER.resolve(file))) {
-      ordered.load(reader);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-    return inOrder;
   }
 }

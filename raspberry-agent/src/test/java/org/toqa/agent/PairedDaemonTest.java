@@ -133,7 +133,7 @@ class PairedDaemonTest {
 
       assertEquals(
           new LinkRecord.Refusal(
-              "r1 does not accept this server: it was paired with another one, or this server's key"
+              "r1 does not accept this server: it was paired with another one, or this server’s key"
                   + " is new. Pair it again."),
           others.next(),
           "it was greeted");

@@ -40,6 +40,8 @@ import org.toqa.link.trust.LinkSocket;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.link.trust.PairingProof;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * A real daemon that shows a code, and those who try to pair with it, in time that stands still.
@@ -118,7 +120,7 @@ class PairingTest {
   }
 
   private void refused(String sentence, PairingResult result) {
-    assertEquals(new Refused(sentence), result);
+    assertEquals(sentence, assertInstanceOf(Refused.class, result).sentence().english());
     assertTrue(Files.notExists(folder.resolve("robot").resolve("server.pin")));
   }
 
@@ -135,8 +137,9 @@ class PairingTest {
 
     assertEquals(
         new Refused(
-            "The code was used by another server; start the robot's daemon with --pair for a new"
-                + " one."),
+            Sentence.verbatim(
+                "The code was used by another server; start the robot's daemon with --pair for a new"
+                    + " one.")),
         pair(other, code()));
   }
 
@@ -185,7 +188,9 @@ class PairingTest {
     restart(false);
 
     assertTrue(daemon().pairingCode().isEmpty());
-    assertEquals(new Refused("r1 shows no code; start its daemon with --pair."), pair(other, code));
+    assertEquals(
+        new Refused(Sentence.verbatim("r1 shows no code; start its daemon with --pair.")),
+        pair(other, code));
   }
 
   @Test
@@ -202,7 +207,7 @@ class PairingTest {
     daemon().close();
     start(everywhere, true, false); // paired is paired: it does not go back to plain text
     assertEquals(
-        new Refused("r1 shows no code; start its daemon with --pair."),
+        new Refused(Sentence.verbatim("r1 shows no code; start its daemon with --pair.")),
         pair(server, PairingCode.of(fingerprint(), new SecureRandom()).shown()));
   }
 
@@ -275,10 +280,7 @@ class PairingTest {
             .pair("r2", "127.0.0.1", daemon().port(), PairingCode.parse(code()).orElseThrow());
 
     assertEquals(
-        new Unreachable(
-            "At 127.0.0.1:%d answers a robot of another name, not r2; correct the address or the"
-                    .formatted(daemon().port())
-                + " name."),
+        new Unreachable(Phrase.HAS_ANOTHER_NAME.with("127.0.0.1:" + daemon().port(), "r2")),
         result);
   }
 

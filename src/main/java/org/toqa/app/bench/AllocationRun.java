@@ -185,7 +185,7 @@ final class AllocationRun {
     roundMillis.add(Timings.processorMillis() - begin);
     Map<Robot, Job> begun = new LinkedHashMap<>();
     for (Decision decision : decisions) {
-      if (decision instanceof Decision.Assigned(long id, List<String> names, String why)) {
+      if (decision instanceof Decision.Assigned(long id, List<String> names, var _)) {
         Job job = Optional.ofNullable(waiting.remove(id)).orElseGet(() -> takenBack(id));
         begun.put(requireNonNull(robots.get(names.getFirst())), job);
       }

@@ -20,6 +20,7 @@ import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
+import org.toqa.wording.Sentence;
 
 /**
  * Who may drive where on one floor, and in which order.
@@ -246,7 +247,7 @@ public final class FloorTraffic {
   }
 
   /** Why it does not go on, for people; null while it does. */
-  public @Nullable String reason(String robot) {
+  public @Nullable Sentence reason(String robot) {
     Hindrance why = mover(robot).why();
     return why == null ? null : why.sentence();
   }

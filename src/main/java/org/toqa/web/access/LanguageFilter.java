@@ -30,6 +30,7 @@ public final class LanguageFilter extends HttpFilter {
         Config.FMT_LOCALIZATION_CONTEXT,
         new LocalizationContext(texts.bundle(), texts.locale()));
     request.setAttribute("language", language.tag());
+    request.setAttribute("locale", texts.locale());
     request.setAttribute("languages", Language.values());
     request.setAttribute("direction", texts.get("language.direction"));
     if (!request.getServletPath().startsWith("/assets/")) {

@@ -15,6 +15,7 @@ import org.toqa.web.FieldErrors;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.Version;
+import org.toqa.wording.Sentence;
 
 /** What the servlets of the API have in common: raised problems become answers. */
 abstract class ApiServlet extends HttpServlet {
@@ -57,20 +58,22 @@ abstract class ApiServlet extends HttpServlet {
   /**
    * @throws Problem.Raised when the fleet says no
    */
-  static <T> T accepted(Answer<T> answer) {
+  static <T> T accepted(HttpServletRequest request, Answer<T> answer) {
+    Texts texts = Texts.of(request);
     return switch (answer) {
       case Answer.Accepted<T>(T value) -> value;
-      case Answer.Refused<T>(String field, String sentence) -> {
+      case Answer.Refused<T>(String field, Sentence sentence) -> {
         if (field == null) {
-          throw Problem.of(422, sentence).raised();
+          throw Problem.of(422, texts.say(sentence)).raised();
         }
         FieldErrors errors = new FieldErrors();
-        errors.add(field, sentence);
+        errors.add(field, texts.say(sentence));
         throw Problem.of(errors).raised();
       }
-      case Answer.Conflict<T>(String sentence, Question needs) ->
-          throw Problem.conflict(sentence, needs).raised();
-      case Answer.Unknown<T>(String sentence) -> throw Problem.of(404, sentence).raised();
+      case Answer.Conflict<T>(Sentence sentence, Question needs) ->
+          throw Problem.conflict(texts.say(sentence), needs).raised();
+      case Answer.Unknown<T>(Sentence sentence) ->
+          throw Problem.of(404, texts.say(sentence)).raised();
     };
   }
 

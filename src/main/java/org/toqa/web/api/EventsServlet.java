@@ -5,16 +5,25 @@ import jakarta.servlet.AsyncEvent;
 import jakarta.servlet.AsyncListener;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.toqa.web.Language;
 import org.toqa.web.Metrics;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
 /** Live events: the fleet's snapshots as a stream. */
 public final class EventsServlet extends ApiServlet {
-  private final transient SnapshotEvents events = new SnapshotEvents();
+  private final transient Map<Locale, SnapshotEvents> events =
+      Arrays.stream(Language.values())
+          .map(Language::locale)
+          .collect(Collectors.toMap(Function.identity(), SnapshotEvents::new));
   private final transient Set<Thread> streams = ConcurrentHashMap.newKeySet();
 
   @Override
@@ -32,7 +41,7 @@ public final class EventsServlet extends ApiServlet {
                     async,
                     services(),
                     caller,
-                    events,
+                    Objects.requireNonNull(events.get(Texts.of(request).locale())),
                     isOfChanges,
                     request.getHeader("Last-Event-ID"),
                     streams::size));

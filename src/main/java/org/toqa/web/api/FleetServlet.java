@@ -28,7 +28,7 @@ public final class FleetServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Json.send(response, 200, FleetJson.of(services().fleet().feed().latest().pause()));
+    Json.send(request, response, 200, FleetJson.of(services().fleet().feed().latest().pause()));
   }
 
   @Override
@@ -38,6 +38,10 @@ public final class FleetServlet extends ApiServlet {
     String user = Caller.of(request).name();
     CompletionStage<Answer<Optional<Hold>>> wish =
         Doors.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user);
-    Json.send(response, 200, FleetJson.of(accepted(FleetAnswers.await(wish)).orElse(null)));
+    Json.send(
+        request,
+        response,
+        200,
+        FleetJson.of(accepted(request, FleetAnswers.await(wish)).orElse(null)));
   }
 }

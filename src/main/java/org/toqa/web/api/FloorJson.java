@@ -7,6 +7,7 @@ import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.geometry.Vec2;
+import org.toqa.wording.Sentence;
 
 /**
  * A floor on the wire; the fields are those of {@link FloorView}. Cells are runs as in {@link
@@ -23,7 +24,7 @@ record FloorJson(
   /** Cells that stay reserved for a robot that is not heard of. */
   record KeptJson(String robot, List<Integer> cells) {}
 
-  record StandstillJson(List<String> robots, List<Vec2> where, Instant since, String text) {
+  record StandstillJson(List<String> robots, List<Vec2> where, Instant since, Sentence text) {
     static StandstillJson of(StandstillView view) {
       return new StandstillJson(view.robots(), view.where(), view.since(), view.text());
     }

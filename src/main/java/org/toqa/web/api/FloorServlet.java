@@ -31,7 +31,7 @@ public final class FloorServlet extends ApiServlet {
         Doors.lastSegment(request).equals("hold")
             ? fleet.holdFloor(floor, user)
             : fleet.resumeFloor(floor, user);
-    Hold hold = accepted(FleetAnswers.await(wish)).orElse(null);
-    Json.send(response, 200, new FloorHoldJson(floor, HoldJson.of(hold)));
+    Hold hold = accepted(request, FleetAnswers.await(wish)).orElse(null);
+    Json.send(request, response, 200, new FloorHoldJson(floor, HoldJson.of(hold)));
   }
 }

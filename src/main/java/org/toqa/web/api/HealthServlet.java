@@ -5,17 +5,18 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import org.toqa.wording.Sentence;
 
 /** Says that the server answers, and what ails the whole fleet. */
 public final class HealthServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    List<String> alerts = services().fleet().feed().latest().alerts();
+    List<Sentence> alerts = services().fleet().feed().latest().alerts();
     if (alerts.isEmpty()) {
-      Json.send(response, 200, Map.of("status", "UP"));
+      Json.send(request, response, 200, Map.of("status", "UP"));
     } else {
-      Json.send(response, 503, Map.of("status", "DEGRADED", "alerts", alerts));
+      Json.send(request, response, 503, Map.of("status", "DEGRADED", "alerts", alerts));
     }
   }
 }

@@ -11,6 +11,7 @@ import org.toqa.fleet.EventArchive.Filter;
 import org.toqa.fleet.EventRecord;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.HistoryFilter;
+import org.toqa.wording.Sentence;
 
 /** Everything that has happened, newest first. */
 public final class HistoryServlet extends ApiServlet {
@@ -29,10 +30,10 @@ public final class HistoryServlet extends ApiServlet {
       @Nullable Long task,
       @Nullable String robot,
       String who,
-      String text) {
+      Sentence text) {
     static EntryJson of(Entry entry) {
       EventRecord e = entry.event();
-      return new EntryJson(entry.id(), e.at(), e.kind(), e.task(), e.robot(), e.who(), e.text());
+      return new EntryJson(entry.id(), e.at(), e.kind(), e.task(), e.robot(), e.who(), e.said());
     }
   }
 
@@ -47,6 +48,7 @@ public final class HistoryServlet extends ApiServlet {
     int limit = queryNumber(request, "limit", USUAL_LIMIT, 1, HIGHEST_LIMIT);
     List<Entry> entries = services().history().events(filter, before, limit);
     Json.send(
+        request,
         response,
         200,
         new HistoryJson(

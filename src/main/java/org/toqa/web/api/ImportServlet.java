@@ -64,7 +64,11 @@ public final class ImportServlet extends ApiServlet {
           case TaskImport.Outcome.OtherTable() ->
               throw Problem.of(422, texts.get("problem.idempotencyKey.used")).raised();
         };
-    Json.send(response, HttpServletResponse.SC_CREATED, tasks.stream().map(TaskJson::of).toList());
+    Json.send(
+        request,
+        response,
+        HttpServletResponse.SC_CREATED,
+        tasks.stream().map(TaskJson::of).toList());
   }
 
   private static byte[] table(HttpServletRequest request, Texts texts) throws IOException {

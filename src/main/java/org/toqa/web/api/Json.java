@@ -1,24 +1,57 @@
 package org.toqa.web.api;
 
+import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.Locale;
+import org.toqa.web.Texts;
+import org.toqa.wording.Sentence;
+import tools.jackson.core.JsonGenerator;
 import tools.jackson.core.StreamReadFeature;
+import tools.jackson.databind.ObjectWriter;
+import tools.jackson.databind.SerializationContext;
+import tools.jackson.databind.ValueSerializer;
 import tools.jackson.databind.json.JsonMapper;
+import tools.jackson.databind.module.SimpleModule;
 
 /** Reads and writes JSON, strictly. */
 final class Json {
   static final JsonMapper MAPPER =
-      JsonMapper.builder().enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
+      JsonMapper.builder()
+          .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+          .addModule(new SimpleModule().addSerializer(Sentence.class, new InReadersLanguage()))
+          .build();
 
   private Json() {}
 
-  static void send(HttpServletResponse response, int status, Object body) throws IOException {
-    send(response, status, "application/json", body);
+  /** What the fleet says is written in the language of the writer. */
+  private static final class InReadersLanguage extends ValueSerializer<Sentence> {
+    @Override
+    public void serialize(Sentence said, JsonGenerator to, SerializationContext context) {
+      to.writeString(said.in(context.getLocale()));
+    }
   }
 
-  static void send(HttpServletResponse response, int status, String mediaType, Object body)
+  static ObjectWriter in(Locale locale) {
+    return MAPPER.writer().with(locale);
+  }
+
+  static void send(
+      HttpServletRequest request, HttpServletResponse response, int status, Object body)
       throws IOException {
-    byte[] bytes = MAPPER.writeValueAsBytes(body);
+    send(request, response, status, "application/json", body);
+  }
+
+  static void send(
+      HttpServletRequest request,
+      HttpServletResponse response,
+      int status,
+      String mediaType,
+      Object body)
+      throws IOException {
+    Texts texts = Texts.of(request);
+    texts.tell(response);
+    byte[] bytes = in(texts.locale()).writeValueAsBytes(body);
     response.setStatus(status);
     response.setContentType(mediaType);
     response.setContentLength(bytes.length);

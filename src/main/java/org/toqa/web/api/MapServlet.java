@@ -9,6 +9,6 @@ public final class MapServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Json.send(response, 200, MapJson.of(floor(request)));
+    Json.send(request, response, 200, MapJson.of(floor(request)));
   }
 }

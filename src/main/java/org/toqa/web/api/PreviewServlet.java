@@ -16,8 +16,11 @@ public final class PreviewServlet extends ApiServlet {
       throws IOException {
     TaskOrder order = TaskOrderJson.read(request);
     TaskPreview preview =
-        accepted(FleetAnswers.await(services().fleet().preview(order, Caller.of(request).name())));
+        accepted(
+            request,
+            FleetAnswers.await(services().fleet().preview(order, Caller.of(request).name())));
     Json.send(
+        request,
         response,
         200,
         Map.of(

@@ -10,7 +10,6 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Question;
 import org.toqa.web.FieldErrors;
 import org.toqa.web.LineFaults;
-import org.toqa.web.Texts;
 
 /**
  * An error of the API as RFC 9457 has it.
@@ -93,8 +92,7 @@ public record Problem(
   }
 
   public void send(HttpServletRequest request, HttpServletResponse response) throws IOException {
-    Texts.of(request).tell(response);
-    Json.send(response, status, "application/problem+json", this);
+    Json.send(request, response, status, "application/problem+json", this);
   }
 
   /** The phrase that RFC 9110 gives the status. */

@@ -9,6 +9,7 @@ import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.wording.Sentence;
 
 /** A robot on the wire; the fields are those of {@link RobotView}, the route as it is drawn. */
 record RobotJson(
@@ -29,12 +30,12 @@ record RobotJson(
     List<Vec2> route,
     int released,
     List<Fault> errors,
-    String doing,
+    Sentence doing,
     @Nullable Instant lastSeen,
     boolean held,
     @Nullable String charger,
     @Nullable String fingerprint,
-    @Nullable String alert) {
+    @Nullable Sentence alert) {
 
   static RobotJson of(RobotView view) {
     DrawnRoute route = DrawnRoute.of(view.route(), view.released());

@@ -24,7 +24,7 @@ public final class RobotServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    send(robot(request), response);
+    send(request, response, robot(request));
   }
 
   private RobotView robot(HttpServletRequest request) {
@@ -35,9 +35,11 @@ public final class RobotServlet extends ApiServlet {
         .orElseThrow(() -> Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).raised());
   }
 
-  private static void send(RobotView robot, HttpServletResponse response) throws IOException {
+  private static void send(
+      HttpServletRequest request, HttpServletResponse response, RobotView robot)
+      throws IOException {
     response.setHeader("ETag", Version.of(robot).tag());
-    Json.send(response, 200, RobotJson.of(robot));
+    Json.send(request, response, 200, RobotJson.of(robot));
   }
 
   @Override
@@ -58,14 +60,19 @@ public final class RobotServlet extends ApiServlet {
     refuseIfAny(errors);
     String user = Caller.of(request).name();
     send(
-        accepted(FleetAnswers.await(services().fleet().changeRobot(robot.name(), change, user))),
-        response);
+        request,
+        response,
+        accepted(
+            request,
+            FleetAnswers.await(services().fleet().changeRobot(robot.name(), change, user))));
   }
 
   @Override
   protected void doDelete(HttpServletRequest request, HttpServletResponse response) {
     String robot = Doors.parameter(request, "name");
-    accepted(FleetAnswers.await(services().fleet().removeRobot(robot, Caller.of(request).name())));
+    accepted(
+        request,
+        FleetAnswers.await(services().fleet().removeRobot(robot, Caller.of(request).name())));
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 
@@ -84,7 +91,7 @@ public final class RobotServlet extends ApiServlet {
           case "pair" -> services().fleet().pair(robot, pairing(request), user);
           default -> services().fleet().locate(robot, pose(request), user);
         };
-    Json.send(response, 200, RobotJson.of(accepted(FleetAnswers.await(wish))));
+    Json.send(request, response, 200, RobotJson.of(accepted(request, FleetAnswers.await(wish))));
   }
 
   private static PairingOrder pairing(HttpServletRequest request) throws IOException {

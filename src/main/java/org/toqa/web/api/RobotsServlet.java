@@ -19,6 +19,7 @@ public final class RobotsServlet extends ApiServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Json.send(
+        request,
         response,
         200,
         services().fleet().feed().latest().robots().stream().map(RobotJson::of).toList());
@@ -32,13 +33,15 @@ public final class RobotsServlet extends ApiServlet {
     RobotOrder order = read(fields, Texts.of(request), errors);
     refuseIfAny(errors);
     RobotView robot =
-        accepted(FleetAnswers.await(services().fleet().addRobot(order, Caller.of(request).name())));
+        accepted(
+            request,
+            FleetAnswers.await(services().fleet().addRobot(order, Caller.of(request).name())));
     response.setHeader(
         "Location",
         request.getContextPath()
             + "/api/v1/robots/"
             + URLEncoder.encode(robot.name(), StandardCharsets.UTF_8));
-    Json.send(response, HttpServletResponse.SC_CREATED, RobotJson.of(robot));
+    Json.send(request, response, HttpServletResponse.SC_CREATED, RobotJson.of(robot));
   }
 
   private static RobotOrder read(JsonFields fields, Texts texts, FieldErrors errors) {

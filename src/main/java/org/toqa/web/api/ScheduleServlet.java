@@ -14,7 +14,7 @@ public final class ScheduleServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Json.send(response, 200, ScheduleJson.of(schedule(request)));
+    Json.send(request, response, 200, ScheduleJson.of(schedule(request)));
   }
 
   @Override
@@ -27,7 +27,7 @@ public final class ScheduleServlet extends ApiServlet {
     } else {
       schedules.resume(schedule, Caller.of(request));
     }
-    Json.send(response, 200, ScheduleJson.of(schedule(request)));
+    Json.send(request, response, 200, ScheduleJson.of(schedule(request)));
   }
 
   @Override

@@ -22,7 +22,10 @@ public final class SchedulesServlet extends ApiServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Json.send(
-        response, 200, services().schedules().schedules().stream().map(ScheduleJson::of).toList());
+        request,
+        response,
+        200,
+        services().schedules().schedules().stream().map(ScheduleJson::of).toList());
   }
 
   @Override
@@ -43,13 +46,13 @@ public final class SchedulesServlet extends ApiServlet {
     Schedule schedule =
         switch (new Schedules(services(), texts)
             .add(order, recurrence, until, Caller.of(request), IdempotencyKey.of(request))) {
-          case Schedules.Outcome.Answered(var answer) -> accepted(answer);
+          case Schedules.Outcome.Answered(var answer) -> accepted(request, answer);
           case Schedules.Outcome.Repeated(Schedule before) -> before;
           case Schedules.Outcome.OtherWish() ->
               throw Problem.of(422, texts.get("problem.idempotencyKey.used")).raised();
         };
     response.setHeader("Location", request.getContextPath() + "/api/v1/schedules/" + schedule.id());
-    Json.send(response, HttpServletResponse.SC_CREATED, ScheduleJson.of(schedule));
+    Json.send(request, response, HttpServletResponse.SC_CREATED, ScheduleJson.of(schedule));
   }
 
   private static Recurrence recurrence(

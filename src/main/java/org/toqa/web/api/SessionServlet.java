@@ -49,6 +49,7 @@ public final class SessionServlet extends ApiServlet {
     switch (outcome) {
       case Login.Outcome.Welcome welcome ->
           Json.send(
+              request,
               response,
               200,
               Map.of(

@@ -4,13 +4,16 @@ import java.nio.charset.StandardCharsets;
 import java.time.Instant;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.wording.Sentence;
+import tools.jackson.databind.ObjectWriter;
 import tools.jackson.databind.node.ObjectNode;
 
-/** Snapshots as server-sent events, each written once, however many read it. */
+/** Snapshots as server-sent events in one language, each written once, however many read it. */
 final class SnapshotEvents {
 
   private record SnapshotJson(
@@ -21,7 +24,7 @@ final class SnapshotEvents {
       int queued,
       List<FloorJson> floors,
       @Nullable HoldJson pause,
-      List<String> alerts) {
+      List<Sentence> alerts) {
 
     static SnapshotJson of(FleetSnapshot snapshot) {
       return new SnapshotJson(
@@ -46,6 +49,11 @@ final class SnapshotEvents {
 
   private final Map<Long, ObjectNode> pictures = new Newest<>();
   private final Map<Step, byte[]> written = new Newest<>();
+  private final ObjectWriter writer;
+
+  SnapshotEvents(Locale language) {
+    writer = Json.in(language);
+  }
 
   /** What a reader shows who has this snapshot. */
   String id(FleetSnapshot snapshot) {
@@ -67,12 +75,12 @@ final class SnapshotEvents {
 
   private ObjectNode picture(FleetSnapshot snapshot) {
     return pictures.computeIfAbsent(
-        snapshot.version(), _ -> Json.MAPPER.valueToTree(SnapshotJson.of(snapshot)));
+        snapshot.version(), _ -> writer.valueToTree(SnapshotJson.of(snapshot)));
   }
 
   private byte[] event(String name, FleetSnapshot snapshot, ObjectNode data) {
     return "event: %s\nid: %s\ndata: %s\n\n"
-        .formatted(name, id(snapshot), Json.MAPPER.writeValueAsString(data))
+        .formatted(name, id(snapshot), writer.writeValueAsString(data))
         .getBytes(StandardCharsets.UTF_8);
   }
 

@@ -14,7 +14,7 @@ public final class StatisticsServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Json.send(response, 200, StatisticsJson.of(wanted(request, services())));
+    Json.send(request, response, 200, StatisticsJson.of(wanted(request, services())));
   }
 
   /**

@@ -10,6 +10,7 @@ import org.toqa.mission.Question;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.wording.Sentence;
 
 /**
  * A task on the wire.
@@ -35,8 +36,8 @@ record TaskJson(
     boolean held,
     List<String> robots,
     @Nullable PlaceJson loadAt,
-    @Nullable String waitingFor,
-    @Nullable String late,
+    @Nullable Sentence waitingFor,
+    @Nullable Sentence late,
     @Nullable Question needs,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history) {
 
@@ -47,9 +48,9 @@ record TaskJson(
     }
   }
 
-  record EventJson(Instant at, String kind, @Nullable String robot, String who, String text) {
+  record EventJson(Instant at, String kind, @Nullable String robot, String who, Sentence text) {
     static EventJson of(EventRecord event) {
-      return new EventJson(event.at(), event.kind(), event.robot(), event.who(), event.text());
+      return new EventJson(event.at(), event.kind(), event.robot(), event.who(), event.said());
     }
   }
 

@@ -19,7 +19,7 @@ public final class TaskServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    send(response, task(request));
+    send(request, response, task(request));
   }
 
   @Override
@@ -30,7 +30,10 @@ public final class TaskServlet extends ApiServlet {
       throw Problem.of(403, Texts.of(request).get("problem.notYourTask")).raised();
     }
     MissionEvent.Wish wish = wish(request);
-    send(response, accepted(FleetAnswers.await(services().fleet().wish(task.id(), wish))));
+    send(
+        request,
+        response,
+        accepted(request, FleetAnswers.await(services().fleet().wish(task.id(), wish))));
   }
 
   private static MissionEvent.Wish wish(HttpServletRequest request) throws IOException {
@@ -65,7 +68,12 @@ public final class TaskServlet extends ApiServlet {
         .orElseThrow(() -> Problem.of(404, Texts.of(request).get("problem.noSuchTask")).raised());
   }
 
-  private void send(HttpServletResponse response, TaskView task) throws IOException {
-    Json.send(response, 200, TaskJson.withHistory(task, services().archive().history(task.id())));
+  private void send(HttpServletRequest request, HttpServletResponse response, TaskView task)
+      throws IOException {
+    Json.send(
+        request,
+        response,
+        200,
+        TaskJson.withHistory(task, services().archive().history(task.id())));
   }
 }

@@ -34,7 +34,10 @@ public final class TasksServlet extends ApiServlet {
     Tasks tasks = new Tasks(services());
     response.setHeader("X-Total-Count", Long.toString(tasks.count(filter)));
     Json.send(
-        response, 200, tasks.list(filter, sort, offset, limit).stream().map(TaskJson::of).toList());
+        request,
+        response,
+        200,
+        tasks.list(filter, sort, offset, limit).stream().map(TaskJson::of).toList());
   }
 
   @Override
@@ -45,7 +48,7 @@ public final class TasksServlet extends ApiServlet {
         switch (services()
             .submissions()
             .submit(order, Caller.of(request).account(), IdempotencyKey.of(request))) {
-          case Submissions.Outcome.Answered(var answer) -> accepted(answer);
+          case Submissions.Outcome.Answered(var answer) -> accepted(request, answer);
           case Submissions.Outcome.Repeated(TaskView before) ->
               new Tasks(services()).byId(before.id()).orElse(before);
           case Submissions.Outcome.OtherOrder() ->
@@ -53,6 +56,7 @@ public final class TasksServlet extends ApiServlet {
         };
     response.setHeader("Location", request.getContextPath() + "/api/v1/tasks/" + task.id());
     Json.send(
+        request,
         response,
         HttpServletResponse.SC_CREATED,
         TaskJson.withHistory(task, List.of(EventRecord.added(task.task()))));

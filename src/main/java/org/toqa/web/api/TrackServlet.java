@@ -36,6 +36,7 @@ public final class TrackServlet extends ApiServlet {
     int hours = queryNumber(request, "hours", USUAL_HOURS, 1, MOST_HOURS);
     Instant since = fleet.at().minus(Duration.ofHours(hours));
     Json.send(
+        request,
         response,
         200,
         new TrackJson(

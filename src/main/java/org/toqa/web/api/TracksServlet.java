@@ -43,6 +43,7 @@ public final class TracksServlet extends ApiServlet {
             .toList();
     FloorTracks tracks = services().tracks().tracks(robots, span.from(), span.until(), MOST_POINTS);
     Json.send(
+        request,
         response,
         200,
         new TracksJson(

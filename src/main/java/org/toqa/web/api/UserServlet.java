@@ -25,17 +25,19 @@ public final class UserServlet extends ApiServlet {
     Account user = user(request);
     if (Doors.lastSegment(request).equals("sessions")) {
       Json.send(
+          request,
           response,
           200,
           services().sessions().of(user.id()).stream().map(SessionJson::of).toList());
     } else {
-      send(user, response);
+      send(request, response, user);
     }
   }
 
-  private static void send(Account user, HttpServletResponse response) throws IOException {
+  private static void send(HttpServletRequest request, HttpServletResponse response, Account user)
+      throws IOException {
     response.setHeader("ETag", Version.of(user).tag());
-    Json.send(response, 200, UserJson.of(user));
+    Json.send(request, response, 200, UserJson.of(user));
   }
 
   @Override
@@ -56,7 +58,7 @@ public final class UserServlet extends ApiServlet {
     refuseUnlessDone(
         services().accounts().change(user.id(), role, disabled, Caller.of(request).name()),
         request);
-    send(user(request), response);
+    send(request, response, user(request));
   }
 
   @Override
@@ -129,6 +131,7 @@ public final class UserServlet extends ApiServlet {
     refuseIfAny(errors);
     Sessions.Begun begun = made.orElseThrow();
     Json.send(
+        request,
         response,
         HttpServletResponse.SC_CREATED,
         new TokenJson(begun.secret(), SessionJson.of(begun.session())));
@@ -143,7 +146,7 @@ public final class UserServlet extends ApiServlet {
       throws IOException {
     String link =
         services().passwordLinks().byHand(user, Doors.site(request), Caller.of(request).name());
-    Json.send(response, HttpServletResponse.SC_CREATED, Map.of("link", link));
+    Json.send(request, response, HttpServletResponse.SC_CREATED, Map.of("link", link));
   }
 
   /** Of others a clerk knows nothing. */

@@ -19,7 +19,7 @@ public final class UsersServlet extends ApiServlet {
     Caller caller = Caller.of(request);
     List<Account> users =
         caller.isManager() ? services().accounts().all() : List.of(caller.account());
-    Json.send(response, 200, users.stream().map(UserJson::of).toList());
+    Json.send(request, response, 200, users.stream().map(UserJson::of).toList());
   }
 
   @Override
@@ -42,6 +42,6 @@ public final class UsersServlet extends ApiServlet {
                 name, email, services().passwords().hash(password), role, Caller.of(request).name())
             .orElseThrow(() -> Problem.of(409, texts.get("error.userName.taken")).raised());
     response.setHeader("Location", request.getContextPath() + "/api/v1/users/" + user.id());
-    Json.send(response, HttpServletResponse.SC_CREATED, UserJson.of(user));
+    Json.send(request, response, HttpServletResponse.SC_CREATED, UserJson.of(user));
   }
 }

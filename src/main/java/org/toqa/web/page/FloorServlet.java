@@ -7,7 +7,9 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.web.Doors;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.wording.Sentence;
 
 /** The button on the live map that puts a floor's robots on hold, and lets them go on. */
 public final class FloorServlet extends PageServlet {
@@ -22,8 +24,8 @@ public final class FloorServlet extends PageServlet {
             Doors.lastSegment(request).equals("hold")
                 ? fleet.holdFloor(floor, user)
                 : fleet.resumeFloor(floor, user));
-    if (answer instanceof Answer.Unknown<?>(String sentence)) {
-      ErrorServlet.send(request, response, 404, sentence);
+    if (answer instanceof Answer.Unknown<?>(Sentence sentence)) {
+      ErrorServlet.send(request, response, 404, Texts.of(request).say(sentence));
     } else {
       goTo(request, response, "/map");
     }

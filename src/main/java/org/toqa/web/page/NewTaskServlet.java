@@ -80,11 +80,13 @@ public final class NewTaskServlet extends PageServlet {
     UUID key = Submissions.key(user.account(), "schedule " + wish(request));
     Schedules schedules = new Schedules(services(), texts);
     return switch (schedules.add(order.orElseThrow(), recurrence, until, user, key)) {
-      case Schedules.Outcome.Answered(var answer) -> accepted(answer, errors);
+      case Schedules.Outcome.Answered(var answer) -> accepted(request, answer, errors);
       case Schedules.Outcome.Repeated(Schedule before) -> Optional.of(before);
       case Schedules.Outcome.OtherWish() ->
           accepted(
-              schedules.addNew(order.get(), recurrence, until, user, UUID.randomUUID()), errors);
+              request,
+              schedules.addNew(order.get(), recurrence, until, user, UUID.randomUUID()),
+              errors);
     };
   }
 
@@ -108,10 +110,11 @@ public final class NewTaskServlet extends PageServlet {
     return switch (services()
         .submissions()
         .submit(order, user, Submissions.key(user, "form " + wish(request)))) {
-      case Submissions.Outcome.Answered(var answer) -> accepted(answer, errors);
+      case Submissions.Outcome.Answered(var answer) -> accepted(request, answer, errors);
       case Submissions.Outcome.Repeated(TaskView before) -> Optional.of(before);
       case Submissions.Outcome.OtherOrder() ->
-          accepted(FleetAnswers.await(services().fleet().submit(order, user.name())), errors);
+          accepted(
+              request, FleetAnswers.await(services().fleet().submit(order, user.name())), errors);
     };
   }
 

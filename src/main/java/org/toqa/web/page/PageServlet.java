@@ -14,6 +14,7 @@ import org.toqa.web.FieldErrors;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.access.CsrfToken;
+import org.toqa.wording.Sentence;
 
 /**
  * What the servlets of the pages have in common. They print nothing; a view under {@code
@@ -88,13 +89,16 @@ abstract class PageServlet extends HttpServlet {
   }
 
   /** The value, if the fleet said yes; its no is filed under the field it names, or the form. */
-  static <T> Optional<T> accepted(Answer<T> answer, FieldErrors errors) {
+  static <T> Optional<T> accepted(
+      HttpServletRequest request, Answer<T> answer, FieldErrors errors) {
+    Texts texts = Texts.of(request);
     return switch (answer) {
       case Answer.Accepted<T>(T value) -> Optional.of(value);
-      case Answer.Refused<T>(String field, String sentence) ->
-          no(errors, field == null ? FORM : field, sentence);
-      case Answer.Conflict<T>(String sentence, Question needs) -> no(errors, FORM, sentence);
-      case Answer.Unknown<T>(String sentence) -> no(errors, FORM, sentence);
+      case Answer.Refused<T>(String field, Sentence sentence) ->
+          no(errors, field == null ? FORM : field, texts.say(sentence));
+      case Answer.Conflict<T>(Sentence sentence, Question needs) ->
+          no(errors, FORM, texts.say(sentence));
+      case Answer.Unknown<T>(Sentence sentence) -> no(errors, FORM, texts.say(sentence));
     };
   }
 

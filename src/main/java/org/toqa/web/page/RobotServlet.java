@@ -51,7 +51,8 @@ public final class RobotServlet extends PageServlet {
       return;
     }
     FieldErrors errors = new FieldErrors();
-    Optional<RobotView> robot = ask(request, errors).flatMap(wish -> answered(wish, errors));
+    Optional<RobotView> robot =
+        ask(request, errors).flatMap(wish -> answered(request, wish, errors));
     if (robot.isPresent()) {
       boolean isGone = Doors.lastSegment(request).equals("remove");
       goTo(request, response, isGone ? "/robots?done=removed" : "/robots/" + robot.get().name());
@@ -108,8 +109,8 @@ public final class RobotServlet extends PageServlet {
   }
 
   private static Optional<RobotView> answered(
-      CompletionStage<Answer<RobotView>> wish, FieldErrors errors) {
-    return accepted(FleetAnswers.await(wish), errors);
+      HttpServletRequest request, CompletionStage<Answer<RobotView>> wish, FieldErrors errors) {
+    return accepted(request, FleetAnswers.await(wish), errors);
   }
 
   /** The form has degrees. */

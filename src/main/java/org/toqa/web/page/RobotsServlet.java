@@ -38,7 +38,7 @@ public final class RobotsServlet extends PageServlet {
   private Optional<RobotView> add(
       RobotOrder order, HttpServletRequest request, FieldErrors errors) {
     String user = Caller.of(request).name();
-    return accepted(FleetAnswers.await(services().fleet().addRobot(order, user)), errors);
+    return accepted(request, FleetAnswers.await(services().fleet().addRobot(order, user)), errors);
   }
 
   private static Optional<RobotOrder> read(HttpServletRequest request, FieldErrors errors) {

@@ -69,7 +69,7 @@ public final class TaskServlet extends PageServlet {
     long id = task.get().id();
     Optional<TaskView> changed =
         errors.isEmpty()
-            ? accepted(FleetAnswers.await(services().fleet().wish(id, wish)), errors)
+            ? accepted(request, FleetAnswers.await(services().fleet().wish(id, wish)), errors)
             : Optional.empty();
     if (changed.isPresent()) {
       goTo(request, response, "/tasks/" + id);

@@ -1,0 +1,88 @@
+package org.toqa.wording;
+
+import java.text.MessageFormat;
+import java.util.Collection;
+import java.util.List;
+import java.util.Locale;
+import java.util.ResourceBundle;
+import org.toqa.geometry.Vec2;
+
+/**
+ * What is said to people, in any of their languages.
+ *
+ * @param values texts, numbers and sentences
+ */
+public record Sentence(Phrase phrase, List<Object> values) {
+  private static final String BUNDLE = "org.toqa.wording.sentences";
+
+  public Sentence {
+    values = List.copyOf(values);
+  }
+
+  /** What was said elsewhere, and is the same in every language. */
+  public static Sentence verbatim(String text) {
+    return Phrase.AS_SAID.with(text);
+  }
+
+  /**
+   * @param point metres, map frame
+   */
+  public static Sentence of(Vec2 point) {
+    return Phrase.POINT.with(point.x(), point.y());
+  }
+
+  /** Names one after the other. */
+  public static Sentence names(Collection<String> names) {
+    return joined(Phrase.LISTED, names.stream().map(Sentence::verbatim).toList());
+  }
+
+  /**
+   * @param parts at least one
+   */
+  public static Sentence joined(Phrase link, List<Sentence> parts) {
+    return parts.stream().reduce(link::with).orElseThrow();
+  }
+
+  public boolean isVerbatim() {
+    return phrase == Phrase.AS_SAID;
+  }
+
+  /** Whether it has the values that its phrase needs; what was stored long ago may not. */
+  public boolean canBeSaid() {
+    boolean hasAll =
+        format(Locale.ENGLISH).getFormatsByArgumentIndex().length == values.size()
+            && values.stream().allMatch(v -> !(v instanceof Sentence part) || part.canBeSaid());
+    try {
+      return hasAll && !english().isEmpty();
+    } catch (IllegalArgumentException e) { // a text for a number
+      return false;
+    }
+  }
+
+  /** For logs, for programs and for the history. */
+  public String english() {
+    return in(Locale.ENGLISH);
+  }
+
+  public String in(Locale locale) {
+    return format(locale)
+        .format(
+            values.stream()
+                .map(value -> value instanceof Sentence part ? part.in(locale) : value)
+                .toArray());
+  }
+
+  private MessageFormat format(Locale locale) {
+    ResourceBundle bundle =
+        ResourceBundle.getBundle(
+            BUNDLE,
+            locale,
+            ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
+    return new MessageFormat(bundle.getString(phrase.name()), locale);
+  }
+
+  @Override
+  public String toString() {
+    return english();
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.toqa.wording;
+
+import org.jspecify.annotations.NullMarked;
