@@ -42,11 +42,11 @@ class MissionTest {
     step = step.mission().on(new MissionEvent.PhaseEnded("r1", 1));
     assertEquals(TaskState.CARRYING, step.mission().state());
     assertEquals(List.of(new MissionCommand.Drive("r1", 2)), step.commands());
-    assertEquals(List.of("Picked up at Store"), step.history());
+    assertEquals(List.of("Picked up at Store"), said(step));
 
     step = step.mission().on(new MissionEvent.PhaseEnded("r1", 2));
     assertEquals(TaskState.RETURNING, step.mission().state());
-    assertEquals(List.of("Delivered at (5.00, 2.00)"), step.history());
+    assertEquals(List.of("Delivered at (5.00, 2.00)"), said(step));
 
     step = step.mission().on(new MissionEvent.PhaseEnded("r1", 3));
     assertEquals(TaskState.DONE, step.mission().state());
@@ -90,7 +90,7 @@ class MissionTest {
     assertEquals(
         List.of(new MissionCommand.LetGo("r1"), new MissionCommand.Drive("r2", 1)),
         step.commands());
-    assertEquals(List.of("Given to r2 instead of r1: it is nearer"), step.history());
+    assertEquals(List.of("Given to r2 instead of r1: it is nearer"), said(step));
     assertFalse(step.mission().on(exchanged).changed(), "repeated");
     assertFalse(carrying("r1").on(exchanged).changed(), "with the load on board");
     assertFalse(
@@ -135,7 +135,7 @@ class MissionTest {
     Question question = asked.question().orElseThrow();
     assertEquals(Question.Kind.ON_BOARD, question.kind());
     assertEquals(
-        List.of("r1", "reports an error", THERE.text()),
+        List.of("r1", Sentence.verbatim("reports an error"), THERE.text()),
         List.of(question.robot(), question.why(), question.place()));
 
     Mission queued = asked.on(new MissionEvent.Answer("max", Reply.ANOTHER)).mission();
@@ -210,6 +210,10 @@ class MissionTest {
             .mission()
             .objectionTo(cancel)
             .isPresent());
+  }
+
+  private static List<String> said(Mission.Step step) {
+    return step.history().stream().map(Sentence::english).toList();
   }
 
   private static Mission toObject(String robot) {

@@ -35,7 +35,7 @@ class EncryptedGroupTest {
 
   private static final Segment STRAIGHT = new Segment(0.25, 0, 4);
 
-  /** Longer than an outsider is kept waiting, in a world of five times real time. */
+  /** Longer than an outsider is kept waiting, in a world of three times real time. */
   private static final Segment LONG = new Segment(0.25, 0, 60);
 
   @TempDir Path folder;

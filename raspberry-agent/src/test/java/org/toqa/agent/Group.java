@@ -33,7 +33,7 @@ import org.toqa.motion.Segment;
 import org.toqa.sim.Participant;
 import org.toqa.sim.VirtualClock;
 
-/** Three daemons round one load, in one world of five times real time; the first one leads. */
+/** Three daemons round one load, in one world of three times real time; the first one leads. */
 final class Group implements AutoCloseable {
 
   static final long TASK = 7;
@@ -41,7 +41,7 @@ final class Group implements AutoCloseable {
   static final Pose LEADER = new Pose(5, 5, 0.3);
   static final Shape SHAPE = Shape.around(3, 0.5, 0.4, 0.1275);
 
-  private static final double SPEED = 5;
+  private static final double SPEED = 3;
 
   private final Path folder;
   private final @Nullable LinkTls tls;
