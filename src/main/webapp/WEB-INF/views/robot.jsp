@@ -130,7 +130,7 @@
           <div><t:field name="port" id="change-port" label="robots.add.port" inputmode="numeric" idle="${sent == 'pair'}" value="${robot.port}"/></div>
         </div>
         <div class="grid">
-          <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal" value="${robot.maxLoad}"/></div>
+          <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal" value="${robot.maxLoad % 1 == 0 ? robot.maxLoad.intValue() : robot.maxLoad}"/></div>
           <div><t:parking chosen="${param.parking == null ? robot.parking : param.parking}" none="robot.parking.none"/></div>
         </div>
         <button><fmt:message key="robot.change.submit"/></button>

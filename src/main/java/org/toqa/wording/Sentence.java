@@ -4,7 +4,9 @@ import java.text.MessageFormat;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.ResourceBundle;
+import java.util.concurrent.ConcurrentHashMap;
 import org.toqa.geometry.Vec2;
 
 /**
@@ -14,6 +16,7 @@ import org.toqa.geometry.Vec2;
  */
 public record Sentence(Phrase phrase, List<Object> values) {
   private static final String BUNDLE = "org.toqa.wording.sentences";
+  private static final Map<Wording, MessageFormat> FORMATS = new ConcurrentHashMap<>();
 
   public Sentence {
     values = List.copyOf(values);
@@ -72,13 +75,24 @@ public record Sentence(Phrase phrase, List<Object> values) {
                 .toArray());
   }
 
+  /**
+   * A copy, since one format is for one thread; to parse it anew each time costs ten times more.
+   */
   private MessageFormat format(Locale locale) {
-    ResourceBundle bundle =
-        ResourceBundle.getBundle(
-            BUNDLE,
-            locale,
-            ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES));
-    return new MessageFormat(bundle.getString(phrase.name()), locale);
+    return (MessageFormat)
+        FORMATS.computeIfAbsent(new Wording(phrase, locale), Wording::format).clone();
+  }
+
+  private record Wording(Phrase phrase, Locale locale) {
+    MessageFormat format() {
+      ResourceBundle bundle =
+          ResourceBundle.getBundle(
+              BUNDLE,
+              locale,
+              ResourceBundle.Control.getNoFallbackControl(
+                  ResourceBundle.Control.FORMAT_PROPERTIES));
+      return new MessageFormat(bundle.getString(phrase.name()), locale);
+    }
   }
 
   @Override
