@@ -4,5 +4,5 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:choose>
   <c:when test="${sentence.isVerbatim()}"><t:english text="${sentence.english()}"/></c:when>
-  <c:otherwise><c:out value="${sentence.in(locale)}"/></c:otherwise>
+  <c:otherwise><c:out value="${sentence.text(locale)}"/></c:otherwise>
 </c:choose>

@@ -32,7 +32,7 @@
             <td data-label="<fmt:message key="schedules.column.when"/>">
               <c:choose>
                 <c:when test="${entry.kind == 'once'}"><t:time at="${schedule.recurrence.at}"/></c:when>
-                <c:when test="${entry.kind == 'every'}"><fmt:message key="schedules.every"><fmt:param value="${schedule.recurrence.pause.toMinutes()}"/></fmt:message>${" "}<t:time at="${schedule.recurrence.first}"/></c:when>
+                <c:when test="${entry.kind == 'every'}"><fmt:message key="schedules.every"><fmt:param value="${schedule.recurrence.interval.toMinutes()}"/></fmt:message>${" "}<t:time at="${schedule.recurrence.first}"/></c:when>
                 <c:otherwise>
                   <c:forEach items="${entry.days}" var="day" varStatus="at"><fmt:message key="schedule.day.${day}"/><c:if test="${not at.last}"><fmt:message key="common.comma"/></c:if></c:forEach>
                   ${" "}<bdi dir="ltr">${schedule.recurrence.time}</bdi>${" "}<bdi class="faint"><c:out value="${schedule.recurrence.zone}"/></bdi>

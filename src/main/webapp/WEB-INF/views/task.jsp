@@ -69,7 +69,7 @@
         <c:if test="${empty history}"><p class="faint"><fmt:message key="task.history.empty"/></p></c:if>
         <ol class="history">
           <c:forEach items="${history}" var="event">
-            <li><p><t:said sentence="${event.said}"/></p><p class="faint"><t:time at="${event.at}"/> · <bdi><c:out value="${event.who}"/></bdi></p></li>
+            <li><p><t:said sentence="${event.sentence}"/></p><p class="faint"><t:time at="${event.at}"/> · <bdi><c:out value="${event.who}"/></bdi></p></li>
           </c:forEach>
         </ol>
       </article>

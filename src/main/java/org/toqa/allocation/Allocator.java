@@ -6,8 +6,8 @@ import java.util.List;
  * Decides which robots carry what.
  *
  * <ol>
- *   <li>The caller hands in the whole {@link Situation} of a floor: what waits, what is given out
- *       but not begun, and every robot, free or not. The time is part of it.
+ *   <li>The caller hands in the whole {@link AllocationProblem} of a floor: what waits, what is
+ *       given out but not begun, and every robot, free or not. The time is part of it.
  *   <li>{@link #allocate} holds one round over all of it. It is a function of its argument.
  *   <li>It answers a decision with its reason for each waiting task, and one for each task given
  *       out that shall go to another robot. No robot is in two of them.
@@ -19,5 +19,5 @@ import java.util.List;
  */
 public interface Allocator {
 
-  List<Decision> allocate(Situation situation);
+  List<Decision> allocate(AllocationProblem problem);
 }

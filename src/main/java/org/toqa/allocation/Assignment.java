@@ -71,12 +71,12 @@ public final class Assignment {
     }
     Assignment assignment = new Assignment(cost, rows);
     if (assignment.columns > 1) {
-      assignment.bid();
+      assignment.reduceRows();
     }
-    assignment.price();
+    assignment.setRowPrices();
     for (int row = 0; row < rows; row++) {
       if (assignment.columnOf[row] == NONE) {
-        assignment.letIn(row);
+        assignment.insertRow(row);
       }
     }
     return assignment.columnOf;
@@ -87,7 +87,7 @@ public final class Assignment {
    * lead over the second cheapest; who loses it looks again at once. A column that nobody has keeps
    * the price 0, as columns may be left over.
    */
-  private void bid() {
+  private void reduceRows() {
     int[] free = new int[rows];
     Arrays.setAll(free, row -> row);
     int count = rows;
@@ -138,7 +138,7 @@ public final class Assignment {
   }
 
   /** Row prices that fit the columns' ones. */
-  private void price() {
+  private void setRowPrices() {
     for (int row = 0; row < rows; row++) {
       if (columnOf[row] == NONE) {
         findCheapest(row);
@@ -149,7 +149,7 @@ public final class Assignment {
     }
   }
 
-  private void letIn(int row) {
+  private void insertRow(int row) {
     int sink = search(row);
     double length = shortest[sink];
     u[row] += length;

@@ -12,7 +12,7 @@ import org.toqa.geometry.Vec2;
  * @param position metres, map frame
  * @param parking its parking point, metres, map frame; where it stands if it has none
  * @param battery 0 to 1; null where it is not known
- * @param task what it works for; null while {@code standing} is not {@link Standing#BUSY}
+ * @param task what it works for; null while {@code availability} is not {@link Availability#BUSY}
  */
 public record Candidate(
     String robot,
@@ -22,19 +22,19 @@ public record Candidate(
     Vec2 position,
     Vec2 parking,
     @Nullable Double battery,
-    Standing standing,
+    Availability availability,
     @Nullable Long task) {
 
-  Candidate busyWith(long job) {
+  Candidate withTask(long task) {
     return new Candidate(
-        robot, maxLoad, diameter, speed, position, parking, battery, Standing.BUSY, job);
+        robot, maxLoad, diameter, speed, position, parking, battery, Availability.BUSY, task);
   }
 
   boolean isFree() {
-    return standing == Standing.FREE;
+    return availability == Availability.FREE;
   }
 
-  boolean isStrongEnough(Job job) {
-    return maxLoad >= job.load();
+  boolean isStrongEnough(AllocationTask task) {
+    return maxLoad >= task.load();
   }
 }

@@ -13,9 +13,9 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.allocation.Auction.Bid;
-import org.toqa.allocation.InTurn.Chosen;
-import org.toqa.allocation.Situation.Given;
+import org.toqa.allocation.SequentialAllocation.Chosen;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -32,7 +32,7 @@ public final class ContractNet implements Allocator {
   private final Bidding bidding;
 
   public ContractNet() {
-    this(Bidding::computed);
+    this(Bidding::computedReplies);
   }
 
   ContractNet(Bidding bidding) {
@@ -40,13 +40,13 @@ public final class ContractNet implements Allocator {
   }
 
   @Override
-  public List<Decision> allocate(Situation situation) {
-    return new Round(situation).decisions();
+  public List<Decision> allocate(AllocationProblem problem) {
+    return new Round(problem).decide();
   }
 
   /** One round: auctions and trade, until no robot is left for what still waits. */
   private final class Round {
-    private final Situation situation;
+    private final AllocationProblem problem;
     private final Map<String, Candidate> robots;
 
     /** Robots that take part in the trade: those that have a task or have answered. */
@@ -58,96 +58,98 @@ public final class ContractNet implements Allocator {
     /** By task, the robot that has it. */
     private final Map<Long, String> holders = new HashMap<>();
 
-    Round(Situation situation) {
-      this.situation = situation;
-      robots = situation.robots().stream().collect(toMap(Candidate::robot, r -> r));
-      for (Given given : situation.given()) {
-        holders.put(given.job().id(), given.robot());
+    Round(AllocationProblem problem) {
+      this.problem = problem;
+      robots = problem.robots().stream().collect(toMap(Candidate::robot, r -> r));
+      for (GivenTask given : problem.givenTasks()) {
+        holders.put(given.task().id(), given.robot());
         present.add(given.robot());
       }
     }
 
-    List<Decision> decisions() {
-      while (auctions()) {
+    List<Decision> decide() {
+      while (holdAuctions()) {
         trade(); // may set a robot free that is the only one for a task still waiting
       }
       trade();
-      WaitingReason reason = new WaitingReason(situation);
+      WaitExplainer explainer = new WaitExplainer(problem);
       Stream<Decision> waiting =
-          situation.waiting().stream()
+          problem.waiting().stream()
               .map(
-                  job ->
-                      holders.containsKey(job.id())
-                          ? afterTrade(requireNonNull(awards.get(job.id())))
-                          : reason.waits(job));
+                  task ->
+                      holders.containsKey(task.id())
+                          ? afterTrade(requireNonNull(awards.get(task.id())))
+                          : explainer.unassigned(task));
       Stream<Decision> takenOver =
-          situation.given().stream()
-              .filter(g -> !g.robot().equals(holders.get(g.job().id())))
-              .map(g -> exchanged(g.job().id(), g.robot()));
+          problem.givenTasks().stream()
+              .filter(g -> !g.robot().equals(holders.get(g.task().id())))
+              .map(g -> exchanged(g.task().id(), g.robot()));
       return Stream.concat(waiting, takenOver).toList();
     }
 
     /** Whether any task found a robot. */
-    private boolean auctions() {
-      Situation left =
-          new Situation(
-              situation.now(),
-              situation.low(),
-              situation.high(),
-              situation.travel(),
-              situation.chargers(),
-              situation.waiting().stream().filter(j -> !holders.containsKey(j.id())).toList(),
+    private boolean holdAuctions() {
+      AllocationProblem left =
+          new AllocationProblem(
+              problem.now(),
+              problem.low(),
+              problem.high(),
+              problem.pathLengths(),
+              problem.chargers(),
+              problem.waiting().stream().filter(j -> !holders.containsKey(j.id())).toList(),
               List.of(),
-              situation.free().stream().filter(r -> !holders.containsValue(r.robot())).toList(),
-              situation.inUse());
+              problem.freeRobots().stream().filter(r -> !holders.containsValue(r.robot())).toList(),
+              problem.placesInUse());
       boolean awarded = false;
-      for (Decision decision : InTurn.decide(left, this::auction)) {
+      for (Decision decision : SequentialAllocation.allocate(left, this::holdAuction)) {
         if (decision instanceof Decision.Assigned award) {
-          awards.put(award.job(), award);
-          holders.put(award.job(), award.robots().getFirst());
+          awards.put(award.task(), award);
+          holders.put(award.task(), award.robots().getFirst());
           awarded = true;
         }
       }
       return awarded;
     }
 
-    private Optional<Chosen> auction(Job job, List<Candidate> invited) {
+    private Optional<Chosen> holdAuction(AllocationTask task, List<Candidate> invited) {
       Set<String> names = invited.stream().map(Candidate::robot).collect(toSet());
-      Auction auction = new Auction(names, situation.now().plus(BIDDING_TIME));
-      bidding.replies(situation, job, invited).forEach(auction::receive);
+      Auction auction = new Auction(names, problem.now().plus(BIDDING_TIME));
+      bidding.replies(problem, task, invited).forEach(auction::receive);
       Set<String> silent = auction.silent();
       names.stream().filter(name -> !silent.contains(name)).forEach(present::add);
       return auction
           .winner()
-          .map(bid -> new Chosen(requireNonNull(robots.get(bid.robot())), why(auction)));
+          .map(bid -> new Chosen(requireNonNull(robots.get(bid.robot())), reason(auction)));
     }
 
     private void trade() {
-      List<Job> jobs =
-          Stream.concat(situation.given().stream().map(Given::job), situation.waiting().stream())
-              .filter(job -> holders.containsKey(job.id()))
+      List<AllocationTask> tasks =
+          Stream.concat(
+                  problem.givenTasks().stream().map(GivenTask::task), problem.waiting().stream())
+              .filter(task -> holders.containsKey(task.id()))
               .toList();
       List<Candidate> traders =
-          situation.robots().stream().filter(r -> present.contains(r.robot())).toList();
+          problem.robots().stream().filter(r -> present.contains(r.robot())).toList();
       List<String> names = traders.stream().map(Candidate::robot).toList();
-      int[] before = jobs.stream().mapToInt(job -> names.indexOf(holders.get(job.id()))).toArray();
-      int[] after = Exchange.trade(new Costs(situation), jobs, traders, before);
+      int[] before =
+          tasks.stream().mapToInt(task -> names.indexOf(holders.get(task.id()))).toArray();
+      int[] after = Exchange.trade(new Costs(problem), tasks, traders, before);
       IntStream.range(0, after.length)
-          .forEach(i -> holders.put(jobs.get(i).id(), names.get(after[i])));
+          .forEach(i -> holders.put(tasks.get(i).id(), names.get(after[i])));
     }
 
     private Decision afterTrade(Decision.Assigned award) {
       String winner = award.robots().getFirst();
-      return winner.equals(holders.get(award.job())) ? award : exchanged(award.job(), winner);
+      return winner.equals(holders.get(award.task())) ? award : exchanged(award.task(), winner);
     }
 
-    private Decision exchanged(long job, String from) {
+    private Decision exchanged(long task, String from) {
       return new Decision.Assigned(
-          job, List.of(requireNonNull(holders.get(job))), Phrase.TAKEN_IN_EXCHANGE.with(from));
+          task, List.of(requireNonNull(holders.get(task))), Phrase.TAKEN_IN_EXCHANGE.with(from));
     }
   }
 
-  private static Sentence why(Auction auction) {
+  private static Sentence reason(Auction auction) {
     List<Bid> bids = auction.bids();
     Sentence least =
         bids.size() == 1

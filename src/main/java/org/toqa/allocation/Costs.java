@@ -27,26 +27,26 @@ final class Costs {
   /** Metres a second: a robot that is slower by half is worth a detour as long as its way. */
   private static final double USUAL_SPEED = 0.25;
 
-  private final Travel travel;
+  private final PathLengths pathLengths;
   private final List<Vec2> chargers;
 
   /**
    * @param chargers the floor's charging points, metres, map frame; without any, nobody looks
    *     whether a battery lasts
    */
-  Costs(Travel travel, List<Vec2> chargers) {
-    this.travel = travel;
+  Costs(PathLengths pathLengths, List<Vec2> chargers) {
+    this.pathLengths = pathLengths;
     this.chargers = List.copyOf(chargers);
   }
 
-  Costs(Situation situation) {
-    this(situation.travel(), situation.chargers());
+  Costs(AllocationProblem problem) {
+    this(problem.pathLengths(), problem.chargers());
   }
 
   /** Why a robot cannot do a task. */
-  enum Obstacle {
+  enum Impediment {
     TOO_WEAK,
-    NO_WAY,
+    NO_PATH,
     /** It would not get to a charger after it. */
     BATTERY
   }
@@ -56,80 +56,85 @@ final class Costs {
    *
    * @param approach metres to the load
    * @param joules {@link #IMPOSSIBLE} where something speaks against it
-   * @param obstacle null where nothing does
+   * @param impediment null where nothing does
    */
-  record Cost(double approach, double joules, @Nullable Obstacle obstacle) {
-    static Cost impossible(double approach, Obstacle obstacle) {
+  record Cost(double approach, double joules, @Nullable Impediment impediment) {
+    static Cost impossible(double approach, Impediment obstacle) {
       return new Cost(approach, IMPOSSIBLE, obstacle);
     }
 
     boolean isPossible() {
-      return obstacle == null;
+      return impediment == null;
     }
   }
 
   /** The costs of a task, by robot, in the order of the robots. */
-  List<Cost> of(Job job, List<Candidate> robots) {
-    Map<Double, Ways> byDiameter = new HashMap<>();
+  List<Cost> of(AllocationTask task, List<Candidate> robots) {
+    Map<Double, TaskPaths> byDiameter = new HashMap<>();
     return robots.stream()
-        .map(r -> cost(job, r, byDiameter.computeIfAbsent(r.diameter(), d -> new Ways(job, d))))
+        .map(
+            r ->
+                cost(
+                    task, r, byDiameter.computeIfAbsent(r.diameter(), d -> new TaskPaths(task, d))))
         .toList();
   }
 
-  Cost of(Job job, Candidate robot) {
-    return of(job, List.of(robot)).getFirst();
+  Cost of(AllocationTask task, Candidate robot) {
+    return of(task, List.of(robot)).getFirst();
   }
 
   /** Whether the way from start to goal is wide enough for the robot. */
-  boolean fits(Job job, Candidate robot) {
-    return Double.isFinite(travel.from(job.start(), robot.diameter()).applyAsDouble(job.goal()));
+  boolean hasPathFor(AllocationTask task, Candidate robot) {
+    return Double.isFinite(
+        pathLengths.lengthsFrom(task.start(), robot.diameter()).applyAsDouble(task.goal()));
   }
 
   /** How long the ways of a task are, metres, for robots of one diameter. */
-  private final class Ways {
+  private final class TaskPaths {
     final ToDoubleFunction<Vec2> toLoad;
     final double carried;
 
     /** To the nearest charger; 0 where there is none. */
     final double toCharger;
 
-    Ways(Job job, double diameter) {
-      toLoad = travel.from(job.start(), diameter);
-      carried = toLoad.applyAsDouble(job.goal());
+    TaskPaths(AllocationTask task, double diameter) {
+      toLoad = pathLengths.lengthsFrom(task.start(), diameter);
+      carried = toLoad.applyAsDouble(task.goal());
       toCharger =
           chargers.stream()
-              .mapToDouble(c -> travel.from(c, diameter).applyAsDouble(job.goal()))
+              .mapToDouble(c -> pathLengths.lengthsFrom(c, diameter).applyAsDouble(task.goal()))
               .min()
               .orElse(0);
     }
   }
 
-  private static double toll(Candidate robot) {
+  private static double slowness(Candidate robot) {
     return Math.max(1, USUAL_SPEED / robot.speed());
   }
 
-  private Cost cost(Job job, Candidate robot, Ways ways) {
+  private Cost cost(AllocationTask task, Candidate robot, TaskPaths ways) {
     double approach = ways.toLoad.applyAsDouble(robot.position());
     double carried = ways.carried;
-    if (!robot.isStrongEnough(job)) {
-      return Cost.impossible(approach, Obstacle.TOO_WEAK);
+    if (!robot.isStrongEnough(task)) {
+      return Cost.impossible(approach, Impediment.TOO_WEAK);
     }
     if (Double.isInfinite(approach + carried)) {
-      return Cost.impossible(approach, Obstacle.NO_WAY);
+      return Cost.impossible(approach, Impediment.NO_PATH);
     }
     double charge = robot.battery() == null ? 1 : robot.battery();
     double used =
         Energy.joules(approach, 0)
-            + Energy.joules(carried, job.load())
+            + Energy.joules(carried, task.load())
             + Energy.joules(ways.toCharger, 0);
-    if (!chargers.isEmpty() && used > (charge - RESERVE) * Energy.BATTERY) {
-      return Cost.impossible(approach, Obstacle.BATTERY);
+    if (!chargers.isEmpty() && used > (charge - RESERVE) * Energy.BATTERY_JOULES) {
+      return Cost.impossible(approach, Impediment.BATTERY);
     }
-    double spare = robot.maxLoad() - job.load();
+    double spare = robot.maxLoad() - task.load();
     double metres =
-        toll(robot) * approach * (1 + EMPTY_BATTERY * (1 - charge))
+        slowness(robot) * approach * (1 + EMPTY_BATTERY * (1 - charge))
             + DETOUR_PER_SPARE_KILOGRAM * spare;
-    double joules = Energy.joules(metres, 0) + toll(robot) * Energy.joules(carried, job.load());
+    double joules =
+        Energy.joules(metres, 0) + slowness(robot) * Energy.joules(carried, task.load());
     return new Cost(approach, joules, null);
   }
 }

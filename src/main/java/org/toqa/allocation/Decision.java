@@ -7,16 +7,16 @@ import org.toqa.wording.Sentence;
 public sealed interface Decision {
 
   /** The task's id. */
-  long job();
+  long task();
 
-  Sentence why();
+  Sentence reason();
 
   /**
    * These robots shall carry it.
    *
-   * @param why completes "Given to r1: "
+   * @param reason completes "Given to r1: "
    */
-  record Assigned(long job, List<String> robots, Sentence why) implements Decision {
+  record Assigned(long task, List<String> robots, Sentence reason) implements Decision {
     public Assigned {
       robots = List.copyOf(robots);
     }
@@ -27,8 +27,8 @@ public sealed interface Decision {
    *
    * @param drained robots that are free and would do it if they had charged
    */
-  record Waits(long job, Sentence why, List<String> drained) implements Decision {
-    public Waits {
+  record Unassigned(long task, Sentence reason, List<String> drained) implements Decision {
+    public Unassigned {
       drained = List.copyOf(drained);
     }
   }

@@ -3,10 +3,10 @@ package org.toqa.allocation;
 /** What driving costs. */
 public final class Energy {
   /** What a full battery holds, joules: 4 cells of 3.7 V and 2 Ah (Tanta, "Robot"). */
-  public static final double BATTERY = 4 * 3.7 * 2 * 3600;
+  public static final double BATTERY_JOULES = 4 * 3.7 * 2 * 3600;
 
   /** It lasts 80 minutes at 0.25 m/s: 1200 m. */
-  private static final double JOULES_PER_METRE = BATTERY / 1200;
+  private static final double JOULES_PER_METRE = BATTERY_JOULES / 1200;
 
   /** Assumed: the rolling resistance of each kilogram of load. */
   private static final double JOULES_PER_METRE_AND_KILOGRAM = 9;

@@ -3,7 +3,7 @@ package org.toqa.allocation;
 import static java.util.Comparator.comparingDouble;
 
 import java.util.List;
-import org.toqa.allocation.InTurn.Chosen;
+import org.toqa.allocation.SequentialAllocation.Chosen;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -14,18 +14,18 @@ import org.toqa.wording.Sentence;
 public final class NearestFreeRobot implements Allocator {
 
   @Override
-  public List<Decision> allocate(Situation situation) {
-    Costs costs = new Costs(situation);
-    return InTurn.decide(
-        situation,
-        (job, left) ->
+  public List<Decision> allocate(AllocationProblem problem) {
+    Costs costs = new Costs(problem);
+    return SequentialAllocation.allocate(
+        problem,
+        (task, left) ->
             left.stream()
-                .filter(r -> costs.of(job, r).isPossible())
-                .min(comparingDouble(r -> r.position().distanceTo(job.start())))
-                .map(r -> new Chosen(r, why(r, job))));
+                .filter(r -> costs.of(task, r).isPossible())
+                .min(comparingDouble(r -> r.position().distanceTo(task.start())))
+                .map(r -> new Chosen(r, reason(r, task))));
   }
 
-  private static Sentence why(Candidate robot, Job job) {
-    return Phrase.NEAREST_FREE.with(robot.position().distanceTo(job.start()));
+  private static Sentence reason(Candidate robot, AllocationTask task) {
+    return Phrase.NEAREST_FREE.with(robot.position().distanceTo(task.start()));
   }
 }

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.allocation.Costs.Cost;
-import org.toqa.allocation.Situation.Given;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -21,10 +21,10 @@ import org.toqa.wording.Sentence;
  */
 public final class OptimalAllocator implements Allocator {
   /** A second that a task has waited longer is worth this detour, metres. */
-  private static final double METRES_A_SECOND = 0.1;
+  private static final double METRES_PER_SECOND_WAITED = 0.1;
 
   /** A robot is not turned round for less, metres. */
-  private static final double TURNING_ROUND = 2;
+  private static final double TURN_ROUND_METRES = 2;
 
   /** Above any sum of real costs: pairs that cannot be, and tasks that must not be dropped. */
   private static final double FORBIDDEN = 1e12;
@@ -32,19 +32,20 @@ public final class OptimalAllocator implements Allocator {
   private static final double MUST = 1e9;
 
   @Override
-  public List<Decision> allocate(Situation situation) {
-    Table table = new Table(situation);
-    Candidate[] chosen = table.deal();
-    WaitingReason reason = new WaitingReason(situation);
+  public List<Decision> allocate(AllocationProblem problem) {
+    Table table = new Table(problem);
+    Candidate[] chosen = table.assign();
+    WaitExplainer explainer = new WaitExplainer(problem);
     List<Decision> decisions = new ArrayList<>();
-    for (int j = 0; j < table.jobs.size(); j++) {
-      Job job = table.jobs.get(j);
+    for (int j = 0; j < table.tasks.size(); j++) {
+      AllocationTask task = table.tasks.get(j);
       Optional<String> holder = table.holder(j);
       Candidate robot = chosen[j];
       if (robot != null && !holder.equals(Optional.of(robot.robot()))) {
-        decisions.add(new Decision.Assigned(job.id(), List.of(robot.robot()), table.why(j, robot)));
+        decisions.add(
+            new Decision.Assigned(task.id(), List.of(robot.robot()), table.reason(j, robot)));
       } else if (robot == null && holder.isEmpty()) {
-        decisions.add(reason.waits(job));
+        decisions.add(explainer.unassigned(task));
       }
     }
     return decisions;
@@ -52,38 +53,37 @@ public final class OptimalAllocator implements Allocator {
 
   /** The tasks given out and the waiting ones, against the robots that can have one of them. */
   private static final class Table {
-    private final Situation situation;
-    private final List<Job> jobs;
+    private final AllocationProblem problem;
+    private final List<AllocationTask> tasks;
     private final List<Candidate> robots;
     private final List<List<Cost>> costs;
 
-    Table(Situation situation) {
-      this.situation = situation;
-      Set<String> holders = situation.given().stream().map(Given::robot).collect(toSet());
-      jobs =
-          Stream.concat(situation.given().stream().map(Given::job), situation.waiting().stream())
+    Table(AllocationProblem problem) {
+      this.problem = problem;
+      Set<String> holders = problem.givenTasks().stream().map(GivenTask::robot).collect(toSet());
+      tasks =
+          Stream.concat(
+                  problem.givenTasks().stream().map(GivenTask::task), problem.waiting().stream())
               .toList();
       robots =
-          situation.robots().stream()
-              .filter(r -> r.isFree() || holders.contains(r.robot()))
-              .toList();
-      Costs model = new Costs(situation);
-      costs = jobs.stream().map(job -> model.of(job, robots)).toList();
+          problem.robots().stream().filter(r -> r.isFree() || holders.contains(r.robot())).toList();
+      Costs model = new Costs(problem);
+      costs = tasks.stream().map(task -> model.of(task, robots)).toList();
     }
 
     /** The robot that has the task now. */
-    Optional<String> holder(int job) {
-      return job < situation.given().size()
-          ? Optional.of(situation.given().get(job).robot())
+    Optional<String> holder(int task) {
+      return task < problem.givenTasks().size()
+          ? Optional.of(problem.givenTasks().get(task).robot())
           : Optional.empty();
     }
 
     /** By job; null for a job that gets none. */
     @SuppressWarnings("NullAway") // an array's elements
-    Candidate[] deal() {
-      boolean jobsAreRows = jobs.size() <= robots.size();
-      int rows = jobsAreRows ? jobs.size() : robots.size();
-      int columns = jobsAreRows ? robots.size() : jobs.size();
+    Candidate[] assign() {
+      boolean jobsAreRows = tasks.size() <= robots.size();
+      int rows = jobsAreRows ? tasks.size() : robots.size();
+      int columns = jobsAreRows ? robots.size() : tasks.size();
       double[] flat = new double[rows * columns];
       for (int row = 0; row < rows; row++) {
         for (int column = 0; column < columns; column++) {
@@ -91,41 +91,43 @@ public final class OptimalAllocator implements Allocator {
         }
       }
       int[] columnOf = Assignment.leastCost(flat, rows);
-      Candidate[] chosen = new Candidate[jobs.size()];
+      Candidate[] chosen = new Candidate[tasks.size()];
       for (int row = 0; row < rows; row++) {
-        int job = jobsAreRows ? row : columnOf[row];
+        int task = jobsAreRows ? row : columnOf[row];
         int robot = jobsAreRows ? columnOf[row] : row;
-        if (costs.get(job).get(robot).isPossible() || holds(robot, job)) {
-          chosen[job] = robots.get(robot);
+        if (costs.get(task).get(robot).isPossible() || isHolder(robot, task)) {
+          chosen[task] = robots.get(robot);
         }
       }
       return chosen;
     }
 
-    private double weight(int job, int robot) {
-      Cost cost = costs.get(job).get(robot);
+    private double weight(int task, int robot) {
+      Cost cost = costs.get(task).get(robot);
       if (!cost.isPossible()) {
-        return holds(robot, job) ? 0 : FORBIDDEN; // who has it keeps it, unless another can do it
+        return isHolder(robot, task)
+            ? 0
+            : FORBIDDEN; // who has it keeps it, unless another can do it
       }
-      if (holder(job).isPresent()) {
-        double detour = holds(robot, job) ? 0 : Energy.joules(TURNING_ROUND, 0);
+      if (holder(task).isPresent()) {
+        double detour = isHolder(robot, task) ? 0 : Energy.joules(TURN_ROUND_METRES, 0);
         return cost.joules() + detour - MUST;
       }
-      double waited = jobs.get(job).waited(situation.now()) * METRES_A_SECOND;
+      double waited = tasks.get(task).waitedSeconds(problem.now()) * METRES_PER_SECOND_WAITED;
       return cost.joules() - Energy.joules(waited, 0);
     }
 
-    private boolean holds(int robot, int job) {
-      return holder(job).equals(Optional.of(robots.get(robot).robot()));
+    private boolean isHolder(int robot, int task) {
+      return holder(task).equals(Optional.of(robots.get(robot).robot()));
     }
 
-    Sentence why(int job, Candidate robot) {
+    Sentence reason(int task, Candidate robot) {
       Sentence least =
           Phrase.LEAST_ENERGY.with(
-              costs.get(job).get(robots.indexOf(robot)).approach(),
-              situation.waiting().size(),
-              situation.free().size());
-      return holder(job).map(from -> Phrase.TAKEN_OVER.with(least, from)).orElse(least);
+              costs.get(task).get(robots.indexOf(robot)).approach(),
+              problem.waiting().size(),
+              problem.freeRobots().size());
+      return holder(task).map(from -> Phrase.TAKEN_OVER.with(least, from)).orElse(least);
     }
   }
 }

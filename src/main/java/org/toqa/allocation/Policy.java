@@ -9,7 +9,7 @@ public enum Policy {
   OPTIMAL;
 
   public Allocator allocator() {
-    return new Teams(
+    return new TeamAllocator(
         switch (this) {
           case ZONES -> new ZoneAllocator();
           case CONTRACT_NET -> new ContractNet();

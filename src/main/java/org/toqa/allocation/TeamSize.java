@@ -9,7 +9,7 @@ public final class TeamSize {
   private TeamSize() {}
 
   /** The least number; empty where all of them together do not. */
-  public static Optional<Integer> of(double load, List<Candidate> robots) {
+  public static Optional<Integer> smallest(double load, List<Candidate> robots) {
     return IntStream.rangeClosed(1, robots.size())
         .filter(n -> robots.stream().filter(r -> r.maxLoad() * n >= load).count() >= n)
         .boxed()

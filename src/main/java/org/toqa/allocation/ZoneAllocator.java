@@ -2,7 +2,7 @@ package org.toqa.allocation;
 
 import java.util.List;
 import java.util.Optional;
-import org.toqa.allocation.InTurn.Chosen;
+import org.toqa.allocation.SequentialAllocation.Chosen;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -17,24 +17,24 @@ public final class ZoneAllocator implements Allocator {
   private static final int BEST = 1;
 
   @Override
-  public List<Decision> allocate(Situation situation) {
-    if (situation.robots().isEmpty()) {
-      return InTurn.decide(situation, (job, left) -> Optional.empty());
+  public List<Decision> allocate(AllocationProblem problem) {
+    if (problem.robots().isEmpty()) {
+      return SequentialAllocation.allocate(problem, (task, left) -> Optional.empty());
     }
-    Zones zones = new Zones(situation.low(), situation.high(), situation.robots());
-    Costs costs = new Costs(situation);
-    return InTurn.decide(
-        situation,
-        (job, left) ->
-            zones.outwardFrom(job.start()).stream()
+    Zones zones = new Zones(problem.low(), problem.high(), problem.robots());
+    Costs costs = new Costs(problem);
+    return SequentialAllocation.allocate(
+        problem,
+        (task, left) ->
+            zones.outwardFrom(task.start()).stream()
                 .filter(zone -> left.contains(zones.robotOf(zone)))
-                .filter(zone -> costs.of(job, zones.robotOf(zone)).isPossible())
+                .filter(zone -> costs.of(task, zones.robotOf(zone)).isPossible())
                 .findFirst()
-                .map(zone -> new Chosen(zones.robotOf(zone), why(zones, zone, job))));
+                .map(zone -> new Chosen(zones.robotOf(zone), reason(zones, zone, task))));
   }
 
-  private static Sentence why(Zones zones, int zone, Job job) {
-    int home = zones.zoneOf(job.start());
+  private static Sentence reason(Zones zones, int zone, AllocationTask task) {
+    int home = zones.zoneOf(task.start());
     if (zone == home) {
       return Phrase.PARKS_IN_ZONE.with(home + 1, zones.count());
     }

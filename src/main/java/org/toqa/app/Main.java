@@ -6,10 +6,20 @@ import java.io.PrintWriter;
 import java.util.Set;
 import org.toqa.app.bench.AllocationBench;
 import org.toqa.app.bench.BenchCommand;
+import org.toqa.app.bench.DaemonBench;
+import org.toqa.app.bench.FleetBench;
 import org.toqa.app.bench.FormationBench;
+import org.toqa.app.bench.TaskBench;
+import org.toqa.app.bench.WebBench;
+import org.toqa.app.config.ConfigurationException;
+import org.toqa.app.config.Spelling;
+import org.toqa.app.demo.DemoCommand;
 import org.toqa.app.plan.PlanCommand;
+import org.toqa.app.server.ServerCommand;
+import org.toqa.app.server.WebappFolder;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -23,12 +33,6 @@ import picocli.CommandLine.UnmatchedArgumentException;
     description = "A fleet server for cooperating mobile robots.",
     subcommands = {DemoCommand.class, ServerCommand.class, PlanCommand.class, BenchCommand.class})
 public final class Main implements Runnable {
-
-  /** A run that failed. */
-  static final int FAILED = 1;
-
-  /** A wrong argument or configuration. */
-  static final int WRONG = 2;
 
   @Option(
       names = {"-h", "--help"},
@@ -54,10 +58,10 @@ public final class Main implements Runnable {
         .addSubcommand(new TaskBench())
         .addSubcommand(new WebBench())
         .addSubcommand(new DaemonBench())
-        .addSubcommand(new AllocationBench(Webapp::shippedMap))
-        .addSubcommand(new FormationBench(Webapp::shippedMap));
-    return line.setParameterExceptionHandler((e, args) -> complain(e))
-        .setExecutionExceptionHandler((e, command, result) -> fail(e, command));
+        .addSubcommand(new AllocationBench(WebappFolder::shippedMap))
+        .addSubcommand(new FormationBench(WebappFolder::shippedMap));
+    return line.setParameterExceptionHandler((e, args) -> reportWrongArgument(e))
+        .setExecutionExceptionHandler((e, command, result) -> reportFailure(e, command));
   }
 
   @Override
@@ -65,22 +69,22 @@ public final class Main implements Runnable {
     throw new ParameterException(spec.commandLine(), "A command is missing");
   }
 
-  private static int complain(ParameterException e) {
+  private static int reportWrongArgument(ParameterException e) {
     CommandLine command = e.getCommandLine();
     String sentence =
         e instanceof UnmatchedArgumentException unmatched
-            ? notKnown(unmatched.getUnmatched().getFirst(), command)
+            ? unknownWordMessage(unmatched.getUnmatched().getFirst(), command)
             : String.valueOf(e.getMessage()).lines().findFirst().orElse("");
-    line(
+    printError(
         command.getErr(),
         sentence
             + " ("
             + command.getCommandSpec().qualifiedName()
             + " --help lists what there is)");
-    return WRONG;
+    return ExitCode.USAGE;
   }
 
-  private static String notKnown(String written, CommandLine command) {
+  private static String unknownWordMessage(String written, CommandLine command) {
     CommandSpec spec = command.getCommandSpec();
     boolean isOption = written.startsWith("-");
     Set<String> known = isOption ? spec.optionsMap().keySet() : spec.subcommands().keySet();
@@ -90,12 +94,12 @@ public final class Main implements Runnable {
         : sentence + "; the nearest is " + Spelling.nearest(written, known).word();
   }
 
-  private static int fail(Exception e, CommandLine command) {
-    line(command.getErr(), String.valueOf(e.getMessage()));
-    return e instanceof ConfigurationException ? WRONG : FAILED;
+  private static int reportFailure(Exception e, CommandLine command) {
+    printError(command.getErr(), String.valueOf(e.getMessage()));
+    return e instanceof ConfigurationException ? ExitCode.USAGE : ExitCode.SOFTWARE;
   }
 
-  private static void line(PrintWriter err, String sentence) {
+  private static void printError(PrintWriter err, String sentence) {
     err.println("toqa: " + sentence);
     err.flush();
   }

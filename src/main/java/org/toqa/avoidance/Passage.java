@@ -35,12 +35,12 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
   }
 
   /** Metres that it may still go. */
-  public double room() {
+  public double freeDistance() {
     return Math.max(0, ahead - STOP_GAP);
   }
 
   /** Whether a point is one of those that count. */
-  public boolean concerns(Vec2 point) {
+  public boolean isRelevant(Vec2 point) {
     return blocking.contains(point) || beside.contains(point);
   }
 
@@ -63,7 +63,7 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
         continue;
       }
       Place where = place.orElseThrow();
-      if (intrusion > Sidestep.MOST) {
+      if (intrusion > Sidestep.MAX_OFFSET) {
         blocking.add(point);
         blocked = Math.min(blocked, where.along());
       } else {

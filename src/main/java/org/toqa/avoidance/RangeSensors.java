@@ -39,7 +39,7 @@ public record RangeSensors(double radius) {
    * @param ranges metres, from right to left; a sensor that is missing sees nothing
    * @param robot where it is; the points are in the same frame
    */
-  public List<Vec2> sightings(List<Double> ranges, Pose robot) {
+  public List<Vec2> detections(List<Double> ranges, Pose robot) {
     List<Vec2> points = new ArrayList<>();
     for (int i = 0; i < Math.min(ranges.size(), DIRECTIONS.size()); i++) {
       double range = ranges.get(i);

@@ -15,16 +15,16 @@ public final class Sidestep {
    * Metres: on the shipped map robots of 0.255 m drive in cells of 0.30 m, and what is beside that
    * cell is another's.
    */
-  public static final double MOST = 0.02;
+  public static final double MAX_OFFSET = 0.02;
 
   /** Metres to the point of the way that pulls. */
-  private static final double NEXT = 0.30;
+  private static final double LOOKAHEAD = 0.30;
 
   /** Metres before the end of the way within which it is back on it. */
-  private static final double RETURN = 0.30;
+  private static final double RETURN_DISTANCE = 0.30;
 
   /** Metres; less than this is on the way. */
-  private static final double ON_WAY = 0.0002;
+  private static final double ON_PATH = 0.0002;
 
   private double offset;
   private double rate;
@@ -33,9 +33,10 @@ public final class Sidestep {
    * @param pose on the way, map frame
    * @param speed metres a second, along the way
    * @param beside what is to be passed, map frame
-   * @param left metres to the end of the way
+   * @param distanceLeft metres to the end of the way
    */
-  public void step(Pose pose, double speed, List<Vec2> beside, double left, double seconds) {
+  public void step(
+      Pose pose, double speed, List<Vec2> beside, double distanceLeft, double seconds) {
     if (offset == 0 && beside.isEmpty()) {
       rate = 0;
       return;
@@ -45,12 +46,12 @@ public final class Sidestep {
         beside.stream()
             .map(point -> point.minus(pose.position()).rotated(-pose.theta()).minus(here))
             .toList();
-    Vec2 direction = WeightedDirections.direction(new Vec2(NEXT, 0).minus(here), seen);
+    Vec2 direction = WeightedDirections.direction(new Vec2(LOOKAHEAD, 0).minus(here), seen);
     double norm = direction.norm();
     double sideways = norm == 0 ? 0 : Math.abs(speed) * direction.y() / norm;
-    double most = MOST * Math.clamp(left / RETURN, 0, 1);
+    double most = MAX_OFFSET * Math.clamp(distanceLeft / RETURN_DISTANCE, 0, 1);
     double next = Math.clamp(offset + sideways * seconds, -most, most);
-    next = beside.isEmpty() && Math.abs(next) < ON_WAY ? 0 : next;
+    next = beside.isEmpty() && Math.abs(next) < ON_PATH ? 0 : next;
     rate = seconds > 0 ? (next - offset) / seconds : 0;
     offset = next;
   }
@@ -60,28 +61,28 @@ public final class Sidestep {
     return offset;
   }
 
-  public boolean isOnWay() {
+  public boolean isOnPath() {
     return offset == 0 && rate == 0;
   }
 
   /**
    * Where the robot shall be.
    *
-   * @param onWay where it would be on its way, in any frame
+   * @param onPath where it would be on its way, in any frame
    */
-  public Pose beside(Pose onWay) {
-    return offset == 0 ? onWay : onWay.compose(new Pose(0, offset, 0));
+  public Pose beside(Pose onPath) {
+    return offset == 0 ? onPath : onPath.compose(new Pose(0, offset, 0));
   }
 
   /**
    * How the robot shall move, in its own frame.
    *
-   * @param onWay how it would move on its way, in its own frame
+   * @param onPath how it would move on its way, in its own frame
    */
-  public Twist beside(Twist onWay) {
+  public Twist beside(Twist onPath) {
     // beside a point that turns, every point moves by w x r
-    return isOnWay()
-        ? onWay
-        : new Twist(onWay.vx() - onWay.w() * offset, onWay.vy() + rate, onWay.w());
+    return isOnPath()
+        ? onPath
+        : new Twist(onPath.vx() - onPath.w() * offset, onPath.vy() + rate, onPath.w());
   }
 }

@@ -14,7 +14,7 @@ public sealed interface Answer<T> {
    * @param field the field of the order that is at fault, if it is one
    * @param sentence what is wrong and what to do, for a person
    */
-  record Refused<T>(@Nullable String field, Sentence sentence) implements Answer<T> {}
+  record Rejected<T>(@Nullable String field, Sentence sentence) implements Answer<T> {}
 
   /**
    * It cannot be now, as things stand.
@@ -31,10 +31,10 @@ public sealed interface Answer<T> {
   }
 
   /** This "no", for an asker who wanted another kind of value. */
-  default <R> Answer<R> refusal() {
+  default <R> Answer<R> asRejection() {
     return switch (this) {
       case Accepted<T> accepted -> throw new IllegalStateException("Accepted: " + accepted);
-      case Refused<T>(String field, Sentence sentence) -> new Refused<>(field, sentence);
+      case Rejected<T>(String field, Sentence sentence) -> new Rejected<>(field, sentence);
       case Conflict<T>(Sentence sentence, Question needs) -> new Conflict<>(sentence, needs);
       case Unknown<T>(Sentence sentence) -> new Unknown<>(sentence);
     };

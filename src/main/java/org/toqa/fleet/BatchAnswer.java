@@ -17,14 +17,14 @@ public sealed interface BatchAnswer {
   /**
    * Nothing was stored.
    *
-   * @param refusals one for each order that was refused, in their order
+   * @param rejections one for each order that was refused, in their order
    */
-  record Refused(List<Refusal> refusals) implements BatchAnswer {}
+  record Rejected(List<Rejection> rejections) implements BatchAnswer {}
 
   /**
-   * @param place of the order in the list, from 0
+   * @param index of the order in the list, from 0
    * @param field the field of the order that is at fault, if it is one
    * @param sentence what is wrong and what to do, for a person
    */
-  record Refusal(int place, @Nullable String field, Sentence sentence) {}
+  record Rejection(int index, @Nullable String field, Sentence sentence) {}
 }

@@ -23,7 +23,7 @@ public record EventRecord(
     @Nullable Long task,
     @Nullable String robot,
     String who,
-    Sentence said) {
+    Sentence sentence) {
 
   /** Characters; a robot may say more than the history keeps. */
   private static final int LONGEST_TEXT = 500;
@@ -33,7 +33,7 @@ public record EventRecord(
 
   /** In English. */
   public String text() {
-    String text = said.english();
+    String text = sentence.english();
     return text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT - 3) + "...";
   }
 
@@ -53,9 +53,9 @@ public record EventRecord(
   }
 
   /** What the history says of a mission's step. */
-  static List<EventRecord> of(Mission.Step step, MissionEvent event, Instant at) {
+  public static List<EventRecord> of(Mission.Step step, MissionEvent event, Instant at) {
     String robot = event instanceof MissionEvent.OfRobot e ? e.robot() : null;
-    String who = event instanceof MissionEvent.Wish wish ? wish.user() : SYSTEM;
+    String who = event instanceof MissionEvent.OperatorCommand command ? command.user() : SYSTEM;
     long task = step.mission().id();
     return step.history().stream()
         .map(said -> new EventRecord(at, event.kind(), task, robot, who, said))

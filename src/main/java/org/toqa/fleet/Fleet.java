@@ -15,7 +15,7 @@ import org.toqa.mission.MissionEvent;
  *   <li>A wish is checked against floors and robots; a refusal is a value with a sentence.
  *   <li>An accepted wish is stored before its answer completes, so it survives a crash from then
  *       on.
- *   <li>What becomes of it is seen in {@link #feed}.
+ *   <li>What becomes of it is seen in {@link #snapshots}.
  * </ol>
  *
  * Any thread may call it. A stage fails only when the store does not answer.
@@ -27,7 +27,7 @@ public interface Fleet {
   }
 
   /**
-   * @param key by which the task is found again ({@link TaskArchive#taskOf}); no task has it yet
+   * @param key by which the task is found again ({@link TaskArchive#taskByKey}); no task has it yet
    */
   CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key);
 
@@ -39,7 +39,7 @@ public interface Fleet {
   CompletionStage<BatchAnswer> submitAll(List<TaskOrder> orders, String user, List<UUID> keys);
 
   /** What {@link #submitAll} would say against these orders; nothing is stored. */
-  CompletionStage<List<BatchAnswer.Refusal>> refusals(List<TaskOrder> orders, String user);
+  CompletionStage<List<BatchAnswer.Rejection>> rejections(List<TaskOrder> orders, String user);
 
   /** What would become of this task; nothing is stored. */
   CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user);
@@ -50,7 +50,7 @@ public interface Fleet {
    * A person pairs a robot with this server by the code that the robot shows. From then on it is
    * spoken to by no other key.
    */
-  CompletionStage<Answer<RobotView>> pair(String robot, PairingOrder order, String user);
+  CompletionStage<Answer<RobotView>> pairRobot(String robot, PairingOrder order, String user);
 
   CompletionStage<Answer<RobotView>> changeRobot(String robot, RobotChange change, String user);
 
@@ -61,7 +61,7 @@ public interface Fleet {
   CompletionStage<Answer<RobotView>> removeRobot(String robot, String user);
 
   /** A person says where a robot is. */
-  CompletionStage<Answer<RobotView>> locate(String robot, Pose pose, String user);
+  CompletionStage<Answer<RobotView>> locateRobot(String robot, Pose pose, String user);
 
   /**
    * A person takes a robot out of service: it stops and gets no task. While it is connected it
@@ -73,16 +73,16 @@ public interface Fleet {
   CompletionStage<Answer<RobotView>> putInService(String robot, String user);
 
   /** A person puts a robot on hold: it stops where it is, and goes on when it is let go. */
-  CompletionStage<Answer<RobotView>> hold(String robot, String user);
+  CompletionStage<Answer<RobotView>> holdRobot(String robot, String user);
 
   /** A person lets a robot go on that was put on hold. */
-  CompletionStage<Answer<RobotView>> resume(String robot, String user);
+  CompletionStage<Answer<RobotView>> resumeRobot(String robot, String user);
 
   /** A person sends a robot that has nothing to do to its parking point. */
   CompletionStage<Answer<RobotView>> sendHome(String robot, String user);
 
   /** A person wants something of a task: to cancel it, to hold it, to answer what it asks. */
-  CompletionStage<Answer<TaskView>> wish(long task, MissionEvent.Wish wish);
+  CompletionStage<Answer<TaskView>> commandTask(long task, MissionEvent.OperatorCommand command);
 
   /** All robots hold, those that connect later too. No safety function. */
   CompletionStage<Answer<Optional<Hold>>> pauseAll(String user);
@@ -97,5 +97,5 @@ public interface Fleet {
   /** All floors, the first one the default. */
   List<FloorMap> floors();
 
-  SnapshotFeed feed();
+  SnapshotFeed snapshots();
 }

@@ -5,8 +5,8 @@ import java.time.Duration;
 /**
  * What the fleet goes by.
  *
- * @param lostAfter how long a robot is silent until its task goes to another
+ * @param reassignAfter how long a robot is silent until its task goes to another
  * @param pace seconds of the fleet's time in a second of the clock by which people live; other than
  *     1 only where robots are simulated
  */
-public record FleetRules(Duration lostAfter, ChargingRules charging, double pace) {}
+public record FleetRules(Duration reassignAfter, ChargingRules charging, double pace) {}

@@ -12,7 +12,7 @@ import org.toqa.wording.Sentence;
  * @param robots by name
  * @param tasks those that robots have, the first ones of the queue, and those that ended last;
  *     newest first
- * @param queued how many tasks wait in the queue, also those that are not among {@code tasks}
+ * @param queuedCount how many tasks wait in the queue, also those that are not among {@code tasks}
  * @param floors those that have reported, in their order
  * @param pause null while the fleet is not paused
  * @param alerts what concerns the whole fleet, such as a store that does not answer
@@ -22,7 +22,7 @@ public record FleetSnapshot(
     Instant at,
     List<RobotView> robots,
     List<TaskView> tasks,
-    int queued,
+    int queuedCount,
     List<FloorView> floors,
     @Nullable Hold pause,
     List<Sentence> alerts) {

@@ -16,9 +16,9 @@ import org.toqa.motion.Trajectory;
  * What the fleet must not forget.
  *
  * <ol>
- *   <li>At start the fleet reads {@link #robots}, {@link #outOfService}, {@link #held}, {@link
- *       #charges}, {@link #pause}, {@link #floorHolds}, {@link #openTasks} and each robot's {@link
- *       #drive}.
+ *   <li>At start the fleet reads {@link #robots}, {@link #robotsOutOfService}, {@link #heldRobots},
+ *       {@link #chargeRecords}, {@link #pause}, {@link #floorHolds}, {@link #openTasks} and each
+ *       robot's {@link #drive}.
  *   <li>From then on every change is written here before the command that follows from it is sent.
  * </ol>
  *
@@ -31,10 +31,10 @@ public interface FleetStore {
   List<RobotRecord> robots();
 
   /** The names of the robots that are out of service. */
-  Set<String> outOfService();
+  Set<String> robotsOutOfService();
 
   /** The names of the robots that a person has put on hold. */
-  Set<String> held();
+  Set<String> heldRobots();
 
   /** Whether all robots are paused. */
   Optional<Hold> pause();
@@ -43,7 +43,7 @@ public interface FleetStore {
   Map<String, Hold> floorHolds();
 
   /** How robots stand with charging. */
-  List<ChargeRecord> charges();
+  List<ChargeRecord> chargeRecords();
 
   /** Tasks that have not ended, in the order in which they came. */
   List<OpenTask> openTasks();
@@ -57,10 +57,10 @@ public interface FleetStore {
   List<TransportTask> addTasks(List<Submission> submissions);
 
   /** Removes what {@link #addTasks} may have stored of them, as if nobody had asked for it. */
-  void withdraw(Collection<UUID> keys);
+  void withdrawTasks(Collection<UUID> keys);
 
   /** Does nothing but throw when the store does not answer. */
-  void check();
+  void checkAvailable();
 
   /** Adds the robot, or gives the robot of that name another address. */
   void saveRobot(RobotRecord robot);
@@ -102,9 +102,9 @@ public interface FleetStore {
 
   /**
    * @param task its id is not known yet
-   * @param key names this wish, so that it can be withdrawn
+   * @param idempotencyKey names this wish, so that it can be withdrawn
    */
-  record Submission(TransportTask task, UUID key) {}
+  record Submission(TransportTask task, UUID idempotencyKey) {}
 
   /**
    * @param mission as it is from now on
@@ -117,7 +117,7 @@ public interface FleetStore {
    * @param seq of the robot link
    * @param task null when it drives for no task
    */
-  record StoredDrive(long seq, @Nullable Long task, int phase, Trajectory way) {}
+  record StoredDrive(long seq, @Nullable Long task, int phase, Trajectory trajectory) {}
 
   /** The store did not answer, or refused. */
   final class StoreException extends RuntimeException {

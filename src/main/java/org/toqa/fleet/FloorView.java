@@ -13,18 +13,19 @@ import org.toqa.wording.Sentence;
  *
  * @param hold by a person's word, of all its robots; null: they may drive
  * @param obstacles where robots have seen something that the map does not show
- * @param kept by name, the robots that are not heard of, with the cells that stay reserved for each
+ * @param silentRobotCells by name, the robots that are not heard of, with the cells that stay
+ *     reserved for each
  */
 public record FloorView(
     String name,
     @Nullable Hold hold,
     CellRuns obstacles,
-    Map<String, CellRuns> kept,
+    Map<String, CellRuns> silentRobotCells,
     List<StandstillView> standstills,
     List<FaultyCharger> faultyChargers) {
 
   public FloorView {
-    kept = Map.copyOf(kept);
+    silentRobotCells = Map.copyOf(silentRobotCells);
     standstills = List.copyOf(standstills);
     faultyChargers = List.copyOf(faultyChargers);
   }
@@ -39,14 +40,14 @@ public record FloorView(
   /**
    * Robots that do not get on.
    *
-   * @param where they stand, metres, map frame, in the order of the robots
+   * @param positions they stand, metres, map frame, in the order of the robots
    * @param text who, where, and what is done about it
    */
   public record StandstillView(
-      List<String> robots, List<Vec2> where, Instant since, Sentence text) {
+      List<String> robots, List<Vec2> positions, Instant since, Sentence text) {
     public StandstillView {
       robots = List.copyOf(robots);
-      where = List.copyOf(where);
+      positions = List.copyOf(positions);
     }
   }
 }

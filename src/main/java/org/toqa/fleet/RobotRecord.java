@@ -22,16 +22,16 @@ public record RobotRecord(
     boolean simulated,
     @Nullable Fingerprint fingerprint) {
 
-  RobotAddress address() {
+  public RobotAddress address() {
     return new RobotAddress(name, host, port, fingerprint);
   }
 
   /** The same robot at another address. */
-  public RobotRecord at(String newHost, int newPort) {
+  public RobotRecord withAddress(String newHost, int newPort) {
     return new RobotRecord(name, floor, newHost, newPort, maxLoad, parking, simulated, fingerprint);
   }
 
-  RobotRecord changed(RobotChange change) {
+  public RobotRecord withChange(RobotChange change) {
     return new RobotRecord(
         name,
         floor,
@@ -43,7 +43,7 @@ public record RobotRecord(
         fingerprint);
   }
 
-  RobotRecord pairedAs(Fingerprint paired) {
+  public RobotRecord withFingerprint(Fingerprint paired) {
     return new RobotRecord(name, floor, host, port, maxLoad, parking, simulated, paired);
   }
 }

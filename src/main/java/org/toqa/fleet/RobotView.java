@@ -19,7 +19,7 @@ import org.toqa.wording.Sentence;
  * @param phase 0 parked or going home without a task, else the phase it is in
  * @param footprint diameter in metres
  * @param speed metres a second at which it drives straight on
- * @param route the rest of its way as a line, map frame; empty when it stands
+ * @param path the rest of its way as a line, map frame; empty when it stands
  * @param released how many points of {@code route} it may already drive to
  * @param held whether it shall hold: by a person's word, for its task, or since all are paused
  * @param charger the charging point that it charges at, drives to or waits for; null: none
@@ -41,7 +41,7 @@ public record RobotView(
     int port,
     @Nullable String parking,
     boolean simulated,
-    List<Vec2> route,
+    List<Vec2> path,
     int released,
     List<Fault> errors,
     Sentence doing,
@@ -52,7 +52,7 @@ public record RobotView(
     @Nullable Sentence alert) {
 
   public RobotView {
-    route = List.copyOf(route);
+    path = List.copyOf(path);
     errors = List.copyOf(errors);
   }
 }

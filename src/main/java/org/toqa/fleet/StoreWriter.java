@@ -15,14 +15,14 @@ import org.toqa.fleet.FleetStore.StoreException;
  * safe. While the store does not answer, the oldest change is tried again and all others wait: the
  * commands that follow from them are not sent, so the robots finish what they have and stand.
  */
-final class StoreWriter implements AutoCloseable {
+public final class StoreWriter implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(StoreWriter.class);
   private static final Duration LONGEST_PAUSE = Duration.ofSeconds(2);
 
   private final ExecutorService thread;
   private final AtomicReference<@Nullable String> trouble = new AtomicReference<>();
 
-  StoreWriter(String name) {
+  public StoreWriter(String name) {
     thread =
         Executors.newSingleThreadExecutor(
             Thread.ofPlatform().daemon().name("store-" + name).factory());
@@ -32,10 +32,10 @@ final class StoreWriter implements AutoCloseable {
    * @param change one transaction
    * @param stored called on the writer's thread once the change is safe
    */
-  void write(Runnable change, Runnable stored) {
+  public void write(Runnable change, Runnable stored) {
     thread.execute(
         () -> {
-          if (untilStored(change)) {
+          if (retryUntilStored(change)) {
             stored.run();
           }
         });
@@ -46,7 +46,7 @@ final class StoreWriter implements AutoCloseable {
    *
    * @param failed gets the sentence when it could not be stored
    */
-  void tryOnce(Runnable change, Runnable stored, Consumer<StoreException> failed) {
+  public void tryOnce(Runnable change, Runnable stored, Consumer<StoreException> failed) {
     thread.execute(
         () -> {
           try {
@@ -61,11 +61,12 @@ final class StoreWriter implements AutoCloseable {
   }
 
   /** Why the store does not answer, or null while it does. */
-  @Nullable String trouble() {
+  @Nullable
+  public String trouble() {
     return trouble.get();
   }
 
-  private boolean untilStored(Runnable change) {
+  private boolean retryUntilStored(Runnable change) {
     Duration pause = Duration.ofMillis(50);
     while (true) {
       try {

@@ -21,7 +21,7 @@ public interface TaskArchive {
   Optional<TaskView> task(long id);
 
   /** The task that was put in by this key. */
-  Optional<TaskView> taskOf(UUID key);
+  Optional<TaskView> taskByKey(UUID key);
 
   /** Oldest first. */
   List<EventRecord> history(long task);

@@ -10,21 +10,21 @@ import org.toqa.wording.Sentence;
  * @param robots how many carry the load; 0 where no robots are there that could
  * @param chosen the robots that would carry it now; empty where it would wait
  * @param reason why these, or what it would wait for
- * @param way of the load, by the map, metres, map frame: the traffic may choose another one. Empty
+ * @param path of the load, by the map, metres, map frame: the traffic may choose another one. Empty
  *     where the map alone shows none
  */
-public record TaskPreview(int robots, List<String> chosen, Sentence reason, List<Vec2> way) {
+public record TaskPreview(int robots, List<String> chosen, Sentence reason, List<Vec2> path) {
 
   public TaskPreview {
     chosen = List.copyOf(chosen);
-    way = List.copyOf(way);
+    path = List.copyOf(path);
   }
 
   /** How far the load travels; 0 where the way is not known. */
   public double metres() {
     double metres = 0;
-    for (int i = 1; i < way.size(); i++) {
-      metres += way.get(i - 1).distanceTo(way.get(i));
+    for (int i = 1; i < path.size(); i++) {
+      metres += path.get(i - 1).distanceTo(path.get(i));
     }
     return metres;
   }

@@ -50,12 +50,12 @@ public record TaskView(
         changedAt);
   }
 
-  TaskView told(@Nullable Sentence nextLate) {
+  public TaskView withLateness(@Nullable Sentence nextLate) {
     return new TaskView(task, state, held, robots, loadAt, waitingFor, needs, nextLate, changedAt);
   }
 
   /** Where the load is fetched. */
-  TaskPlace object() {
+  public TaskPlace object() {
     return loadAt != null ? loadAt : task.start();
   }
 

@@ -10,7 +10,7 @@ import org.toqa.geometry.Vec2;
  * A robot that keeps its place beside a leader.
  *
  * <ol>
- *   <li>{@link #hear} whenever the leader has told where it is.
+ *   <li>{@link #receive} whenever the leader has told where it is.
  *   <li>{@link #steer} at every tick; between two messages the leader is taken to move on as it
  *       did.
  * </ol>
@@ -26,7 +26,7 @@ public final class Follower {
   public static final double TOO_FAR = 0.5;
 
   /** Out of tolerance until the error is below this share of it. */
-  private static final double HEALED = 0.5;
+  private static final double RECOVERY_SHARE = 0.5;
 
   /** Why a follower does not keep its place. */
   public enum Trouble {
@@ -40,9 +40,9 @@ public final class Follower {
   private final Vec2 offset;
   private final double tolerance;
   private final double linkDelay;
-  private @Nullable LeaderSighting leader;
+  private @Nullable LeaderState leader;
   private @Nullable Trouble trouble = Trouble.NO_LEADER_YET;
-  private double heard;
+  private double lastReceived;
   private double error;
 
   /**
@@ -61,9 +61,9 @@ public final class Follower {
    * @param pose map frame
    * @param twist in the leader's frame
    */
-  public void hear(Pose pose, Twist twist, double now) {
-    leader = new LeaderSighting(pose, twist, now - linkDelay);
-    heard = now;
+  public void receive(Pose pose, Twist twist, double now) {
+    leader = new LeaderState(pose, twist, now - linkDelay);
+    lastReceived = now;
   }
 
   /**
@@ -79,18 +79,18 @@ public final class Follower {
     trouble = troubleAt(now);
     return trouble == Trouble.LEADER_LOST || trouble == Trouble.TOO_FAR
         ? Twist.ZERO
-        : law.towards(place, RigidMotion.at(offset, leader.twist()), actual);
+        : law.velocity(place, RigidMotion.at(offset, leader.twist()), actual);
   }
 
   private @Nullable Trouble troubleAt(double now) {
-    if (now - heard > LOST_SECONDS) {
+    if (now - lastReceived > LOST_SECONDS) {
       return Trouble.LEADER_LOST;
     }
     if (error > TOO_FAR) {
       return Trouble.TOO_FAR;
     }
     boolean wasOut = trouble != null && trouble != Trouble.NO_LEADER_YET;
-    return error > tolerance * (wasOut ? HEALED : 1) ? Trouble.OUT_OF_PLACE : null;
+    return error > tolerance * (wasOut ? RECOVERY_SHARE : 1) ? Trouble.OUT_OF_PLACE : null;
   }
 
   /** Metres between the robot and its place; 0 before the first message. */

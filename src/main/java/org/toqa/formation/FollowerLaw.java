@@ -12,5 +12,5 @@ public sealed interface FollowerLaw permits SingleIntegratorLaw, NonHolonomicLaw
    * @param actual where the robot is, map frame
    * @return the velocity to command, in the robot's frame
    */
-  Twist towards(Pose place, Twist placeTwist, Pose actual);
+  Twist velocity(Pose place, Twist placeTwist, Pose actual);
 }

@@ -14,17 +14,17 @@ import org.toqa.geometry.Vec2;
 public record NonHolonomicLaw(Gains gains) implements FollowerLaw {
 
   /** Below this speed, metres a second, a place stands. */
-  private static final double STANDING = 0.005;
+  private static final double STANDING_SPEED = 0.005;
 
   /** Metres; nearer than that a robot does not turn on the spot to come nearer still. */
   private static final double NEAR = 0.01;
 
   // u = q' + k (q - x),  v = |u| cos(e),  w = w_place + k_heading e,  e = angle from heading to u
   @Override
-  public Twist towards(Pose place, Twist placeTwist, Pose actual) {
+  public Twist velocity(Pose place, Twist placeTwist, Pose actual) {
     Vec2 feedForward = new Vec2(placeTwist.vx(), placeTwist.vy()).rotated(place.theta());
     Vec2 error = place.position().minus(actual.position());
-    if (feedForward.norm() < STANDING && error.norm() < NEAR) {
+    if (feedForward.norm() < STANDING_SPEED && error.norm() < NEAR) {
       return Twist.ZERO;
     }
     Vec2 wanted = feedForward.plus(SingleIntegratorLaw.correction(error, gains));

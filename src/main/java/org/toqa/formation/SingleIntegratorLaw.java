@@ -14,7 +14,7 @@ import org.toqa.geometry.Vec2;
 public record SingleIntegratorLaw(Gains gains) implements FollowerLaw {
 
   @Override
-  public Twist towards(Pose place, Twist placeTwist, Pose actual) {
+  public Twist velocity(Pose place, Twist placeTwist, Pose actual) {
     Vec2 feedForward = new Vec2(placeTwist.vx(), placeTwist.vy()).rotated(place.theta());
     Vec2 error = place.position().minus(actual.position());
     Vec2 wanted = feedForward.plus(correction(error, gains)).rotated(-actual.theta());

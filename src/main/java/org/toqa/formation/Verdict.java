@@ -6,7 +6,7 @@ public sealed interface Verdict {
   /**
    * @param pace above 0 and up to 1, as a share of the planned speed
    */
-  record Onward(double pace) implements Verdict {}
+  record Drive(double pace) implements Verdict {}
 
   /**
    * @param follower the robot because of which the group stands

@@ -65,7 +65,7 @@ public record Disc(double radius) {
   }
 
   /** Metres between a point and a cell of the grid; 0 inside. */
-  public static double gap(OccupancyGrid grid, Vec2 point, Cell cell) {
+  public static double distanceToCell(OccupancyGrid grid, Vec2 point, Cell cell) {
     return pointToSquare(point.minus(grid.centre(cell)), grid.resolution() / 2);
   }
 

@@ -45,11 +45,11 @@ public final class FloorReader {
     String name = file.substring(0, file.lastIndexOf('.'));
     Path extra = mapFile.resolveSibling(name + ".floor.yaml");
     return Files.exists(extra)
-        ? furnished(name, grid, extra)
+        ? withPlaces(name, grid, extra)
         : new FloorMap(name, grid, List.of(), List.of(), List.of());
   }
 
-  private static FloorMap furnished(String name, OccupancyGrid bare, Path file)
+  private static FloorMap withPlaces(String name, OccupancyGrid bare, Path file)
       throws MapFormatException {
     YamlFields yaml = YamlFields.read(file, List.of("stations", "parking", "charging", "keepOut"));
     OccupancyGrid grid = withoutKeepOut(bare, yaml);
@@ -71,15 +71,15 @@ public final class FloorReader {
       if (name.isEmpty()
           || name.length() > LONGEST_NAME
           || name.chars().anyMatch(Character::isISOControl)) {
-        throw item.wrong("name", "must have 1 to " + LONGEST_NAME + " letters on one line.");
+        throw item.error("name", "must have 1 to " + LONGEST_NAME + " letters on one line.");
       }
       if (!names.add(name)) {
-        throw item.wrong("name", "'" + name + "' is there twice; give each place its own.");
+        throw item.error("name", "'" + name + "' is there twice; give each place its own.");
       }
       Vec2 position = new Vec2(item.metres("x"), item.metres("y"));
       if (!grid.isFree(position)) {
         boolean offMap = !grid.contains(grid.cellAt(position));
-        throw item.wrong(
+        throw item.error(
             "x",
             "'%s' at (%s, %s) lies %s; move it to a free cell."
                 .formatted(
@@ -101,7 +101,7 @@ public final class FloorReader {
       Vec2 lowerLeft = new Vec2(zone.metres("x"), zone.metres("y"));
       for (String side : List.of("width", "height")) {
         if (!(zone.metres(side) > 0)) {
-          throw zone.wrong(side, "must be larger than 0 m.");
+          throw zone.error(side, "must be larger than 0 m.");
         }
       }
       Vec2 upperRight = lowerLeft.plus(new Vec2(zone.metres("width"), zone.metres("height")));

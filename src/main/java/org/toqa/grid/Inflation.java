@@ -25,7 +25,7 @@ public final class Inflation {
   /**
    * @param radius metres; 0 leaves the grid as it is
    */
-  public static OccupancyGrid of(OccupancyGrid grid, double radius) {
+  public static OccupancyGrid inflate(OccupancyGrid grid, double radius) {
     if (!(radius >= 0) || Double.isInfinite(radius)) {
       throw new IllegalArgumentException(
           "A margin is a number of metres from 0 up, not " + radius + ".");
@@ -63,20 +63,21 @@ public final class Inflation {
    *
    * @param radius metres
    */
-  public static OccupancyGrid whereNothingFits(OccupancyGrid grid, double radius) {
-    OccupancyGrid inMiddle = of(grid, radius);
-    OccupancyGrid hopeless = of(grid, Math.max(0, radius - grid.resolution() * Math.sqrt(0.5)));
+  public static OccupancyGrid inflateWhereNothingFits(OccupancyGrid grid, double radius) {
+    OccupancyGrid inMiddle = inflate(grid, radius);
+    OccupancyGrid hopeless =
+        inflate(grid, Math.max(0, radius - grid.resolution() * Math.sqrt(0.5)));
     Disc disc = new Disc(radius);
     BitSet blocked = inMiddle.occupied();
     for (int i = blocked.nextSetBit(0); i >= 0; i = blocked.nextSetBit(i + 1)) {
-      if (hopeless.isFree(grid.cell(i)) && fitsBesideMiddle(grid, grid.cell(i), disc)) {
+      if (hopeless.isFree(grid.cell(i)) && isFreeBesideCentre(grid, grid.cell(i), disc)) {
         blocked.clear(i);
       }
     }
     return grid.withOccupied(blocked);
   }
 
-  private static boolean fitsBesideMiddle(OccupancyGrid grid, Cell cell, Disc disc) {
+  private static boolean isFreeBesideCentre(OccupancyGrid grid, Cell cell, Disc disc) {
     Vec2 middle = grid.centre(cell);
     double half = grid.resolution() / 2;
     for (int row = -1; row <= 1; row++) {

@@ -21,18 +21,18 @@ public final class MapServerReader {
     YamlFields yaml = YamlFields.read(yamlFile, KEYS);
     String mode = yaml.has("mode") ? yaml.text("mode") : "trinary";
     if (!mode.equals("trinary")) {
-      throw yaml.wrong("mode", "only 'trinary' is understood, not '" + mode + "'.");
+      throw yaml.error("mode", "only 'trinary' is understood, not '" + mode + "'.");
     }
     double resolution = yaml.number("resolution");
     if (resolution < 0.001 || resolution > 100) {
-      throw yaml.wrong("resolution", "metres of a cell's side, between 0.001 and 100.");
+      throw yaml.error("resolution", "metres of a cell's side, between 0.001 and 100.");
     }
     Vec2 origin = origin(yaml);
     boolean negate = negate(yaml);
     double occupiedAbove = threshold(yaml, "occupied_thresh");
     double freeBelow = threshold(yaml, "free_thresh");
     if (freeBelow > occupiedAbove) {
-      throw yaml.wrong("free_thresh", "must not be larger than occupied_thresh.");
+      throw yaml.error("free_thresh", "must not be larger than occupied_thresh.");
     }
     GreyImage image = image(yamlFile.resolveSibling(yaml.text("image")), yaml);
     BitSet occupied = new BitSet(image.width() * image.height());
@@ -48,7 +48,7 @@ public final class MapServerReader {
   private static Vec2 origin(YamlFields yaml) throws MapFormatException {
     List<Double> origin = yaml.numbers("origin", 3);
     if (origin.get(2) != 0) {
-      throw yaml.wrong(
+      throw yaml.error(
           "origin",
           "a map turned by "
               + origin.get(2)
@@ -56,7 +56,7 @@ public final class MapServerReader {
               + " and write 0.");
     }
     if (Math.max(Math.abs(origin.get(0)), Math.abs(origin.get(1))) > MapLimits.FARTHEST) {
-      throw yaml.wrong(
+      throw yaml.error(
           "origin", "x and y are metres, at most " + (long) MapLimits.FARTHEST + " from zero.");
     }
     return new Vec2(origin.get(0), origin.get(1));
@@ -65,7 +65,7 @@ public final class MapServerReader {
   private static boolean negate(YamlFields yaml) throws MapFormatException {
     double negate = yaml.has("negate") ? yaml.number("negate") : 0;
     if (negate != 0 && negate != 1) {
-      throw yaml.wrong("negate", "must be 0 (dark is occupied) or 1 (light is occupied).");
+      throw yaml.error("negate", "must be 0 (dark is occupied) or 1 (light is occupied).");
     }
     return negate == 1;
   }
@@ -73,7 +73,7 @@ public final class MapServerReader {
   private static double threshold(YamlFields yaml, String key) throws MapFormatException {
     double threshold = yaml.number(key);
     if (threshold < 0 || threshold > 1) {
-      throw yaml.wrong(key, "must lie between 0 and 1, not " + threshold + ".");
+      throw yaml.error(key, "must lie between 0 and 1, not " + threshold + ".");
     }
     return threshold;
   }
@@ -86,6 +86,6 @@ public final class MapServerReader {
     if (name.endsWith(".png")) {
       return PngReader.read(file);
     }
-    throw yaml.wrong("image", "must be a .pgm or .png file.");
+    throw yaml.error("image", "must be a .pgm or .png file.");
   }
 }

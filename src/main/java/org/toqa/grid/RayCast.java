@@ -26,17 +26,17 @@ public final class RayCast {
     double dy = Math.sin(direction);
     double toColumn = untilBorder(x - column, dx);
     double toRow = untilBorder(y - up, dy);
-    double gone = 0; // in cells
-    while (gone * side < farthest) {
+    double travelled = 0; // in cells
+    while (travelled * side < farthest) {
       if (!grid.isFree(column, grid.height() - 1 - up)) {
-        return gone * side;
+        return travelled * side;
       }
       if (toColumn < toRow) {
-        gone = toColumn;
+        travelled = toColumn;
         toColumn += Math.abs(1 / dx);
         column += dx > 0 ? 1 : -1;
       } else {
-        gone = toRow;
+        travelled = toRow;
         toRow += Math.abs(1 / dy);
         up += dy > 0 ? 1 : -1;
       }

@@ -15,11 +15,11 @@ import org.yaml.snakeyaml.error.YAMLException;
 
 /** The keys and values of one YAML mapping, read with their types or refused by place. */
 final class YamlFields {
-  private final String place;
+  private final String location;
   private final Map<?, ?> values;
 
-  private YamlFields(String place, Map<?, ?> values) {
-    this.place = place;
+  private YamlFields(String location, Map<?, ?> values) {
+    this.location = location;
     this.values = values;
   }
 
@@ -63,15 +63,15 @@ final class YamlFields {
     return values.get(key) != null;
   }
 
-  MapFormatException wrong(String key, String remedy) {
-    return new MapFormatException("%s, key '%s': %s".formatted(place, key, remedy));
+  MapFormatException error(String key, String remedy) {
+    return new MapFormatException("%s, key '%s': %s".formatted(location, key, remedy));
   }
 
   String text(String key) throws MapFormatException {
     if (required(key) instanceof String text) {
       return text;
     }
-    throw wrong(key, "expected text; put it in quotes.");
+    throw error(key, "expected text; put it in quotes.");
   }
 
   double number(String key) throws MapFormatException {
@@ -82,7 +82,7 @@ final class YamlFields {
   double metres(String key) throws MapFormatException {
     double metres = number(key);
     if (Math.abs(metres) > MapLimits.FARTHEST) {
-      throw wrong(key, "is in metres, at most " + (long) MapLimits.FARTHEST + " from zero.");
+      throw error(key, "is in metres, at most " + (long) MapLimits.FARTHEST + " from zero.");
     }
     return metres;
   }
@@ -91,7 +91,7 @@ final class YamlFields {
     if (value instanceof Number number && Double.isFinite(number.doubleValue())) {
       return number.doubleValue();
     }
-    throw wrong(key, "expected a finite number, not '" + value + "'.");
+    throw error(key, "expected a finite number, not '" + value + "'.");
   }
 
   List<Double> numbers(String key, int count) throws MapFormatException {
@@ -102,7 +102,7 @@ final class YamlFields {
       }
       return numbers;
     }
-    throw wrong(key, "expected a list of " + count + " numbers.");
+    throw error(key, "expected a list of " + count + " numbers.");
   }
 
   /** A list of mappings, each with no other keys than these; empty where the key is absent. */
@@ -111,11 +111,11 @@ final class YamlFields {
       return List.of();
     }
     if (!(values.get(key) instanceof List<?> list)) {
-      throw wrong(key, "expected a list; start each entry with '- '.");
+      throw error(key, "expected a list; start each entry with '- '.");
     }
     List<YamlFields> items = new ArrayList<>();
     for (Object item : list) {
-      items.add(of("%s, %s number %d".formatted(place, key, items.size() + 1), item, known));
+      items.add(of("%s, %s number %d".formatted(location, key, items.size() + 1), item, known));
     }
     return items;
   }
@@ -123,7 +123,7 @@ final class YamlFields {
   private Object required(String key) throws MapFormatException {
     Object value = values.get(key);
     if (value == null) {
-      throw wrong(key, "is missing; add it.");
+      throw error(key, "is missing; add it.");
     }
     return value;
   }

@@ -12,19 +12,20 @@ import java.nio.file.Path;
  * This package is compiled for an old Java, so that an old Java can say what it lacks.
  */
 public final class Launcher {
-  private static final int NEEDED = 25;
+  private static final int REQUIRED_JAVA = 25;
 
   private Launcher() {}
 
   public static void main(String[] args) throws Throwable {
     int present = Runtime.version().feature();
-    if (present < NEEDED) {
-      System.err.println("toqa: needs Java " + NEEDED + " or newer; this is Java " + present + ".");
+    if (present < REQUIRED_JAVA) {
+      System.err.println(
+          "toqa: needs Java " + REQUIRED_JAVA + " or newer; this is Java " + present + ".");
       System.exit(2);
     }
-    Path cache = cache();
+    Path cache = cacheFolder();
     try {
-      run(UnpackedWar.of(thisWar(), cache), args);
+      run(UnpackedWar.of(warFile(), cache), args);
     } catch (IOException e) {
       System.err.println(
           "toqa: cannot unpack itself into "
@@ -50,7 +51,7 @@ public final class Launcher {
     }
   }
 
-  private static Path thisWar() throws IOException {
+  private static Path warFile() throws IOException {
     try {
       return Path.of(Launcher.class.getProtectionDomain().getCodeSource().getLocation().toURI())
           .toRealPath();
@@ -59,7 +60,7 @@ public final class Launcher {
     }
   }
 
-  private static Path cache() {
+  private static Path cacheFolder() {
     String xdg = System.getenv("XDG_CACHE_HOME");
     return xdg == null || xdg.isEmpty()
         ? Path.of(System.getProperty("user.home"), ".cache", "toqa")

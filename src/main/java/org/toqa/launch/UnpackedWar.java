@@ -25,7 +25,7 @@ import java.util.stream.Stream;
  */
 final class UnpackedWar {
   /** Kept reachable: a channel that is collected is closed, and its lock with it. */
-  private static final List<FileChannel> HELD_UNTIL_EXIT = new ArrayList<>();
+  private static final List<FileChannel> LOCKS_UNTIL_EXIT = new ArrayList<>();
 
   private final Path folder;
 
@@ -40,7 +40,7 @@ final class UnpackedWar {
     Path folder = versions.resolve(version);
     try (FileChannel guard = openLock(versions.resolve("unpack.lock"))) {
       guard.lock();
-      hold(folder);
+      lockUntilExit(folder);
       if (!Files.isDirectory(folder)) {
         Path part = versions.resolve(version + ".part");
         delete(part);
@@ -91,22 +91,22 @@ final class UnpackedWar {
       if (other.equals(used) || !Files.isDirectory(other)) {
         continue;
       }
-      try (FileChannel channel = openLock(lockOf(other))) {
+      try (FileChannel channel = openLock(lockFile(other))) {
         if (channel.tryLock() != null) {
           delete(other);
-          Files.delete(lockOf(other));
+          Files.delete(lockFile(other));
         }
       }
     }
   }
 
-  private static void hold(Path version) throws IOException {
-    FileChannel channel = openLock(lockOf(version));
+  private static void lockUntilExit(Path version) throws IOException {
+    FileChannel channel = openLock(lockFile(version));
     channel.lock(0, Long.MAX_VALUE, true);
-    HELD_UNTIL_EXIT.add(channel);
+    LOCKS_UNTIL_EXIT.add(channel);
   }
 
-  private static Path lockOf(Path version) {
+  private static Path lockFile(Path version) {
     return version.resolveSibling(version.getFileName() + ".lock");
   }
 

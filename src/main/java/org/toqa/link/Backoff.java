@@ -10,7 +10,7 @@ final class Backoff {
 
   private Duration next = SHORTEST;
 
-  Duration next() {
+  Duration nextDelay() {
     Duration now = next;
     next = now.multipliedBy(2).compareTo(LONGEST) < 0 ? now.multipliedBy(2) : LONGEST;
     return now;

@@ -7,7 +7,7 @@ final class LinkException extends Exception {
   private static final long serialVersionUID = 1;
 
   private final transient Sentence sentence;
-  private final boolean refusal;
+  private final boolean trustFailure;
 
   /**
    * @param message for the log alone
@@ -23,11 +23,11 @@ final class LinkException extends Exception {
   private LinkException(Sentence sentence, boolean refusal) {
     super(sentence.english());
     this.sentence = sentence;
-    this.refusal = refusal;
+    this.trustFailure = refusal;
   }
 
   /** One end does not trust the other. */
-  static LinkException refusal(Sentence sentence) {
+  static LinkException trustFailure(Sentence sentence) {
     return new LinkException(sentence, true);
   }
 
@@ -35,7 +35,7 @@ final class LinkException extends Exception {
     return sentence;
   }
 
-  boolean isRefusal() {
-    return refusal;
+  boolean isTrustFailure() {
+    return trustFailure;
   }
 }

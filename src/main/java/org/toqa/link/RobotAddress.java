@@ -12,7 +12,7 @@ import org.toqa.link.trust.Fingerprint;
  */
 public record RobotAddress(String robot, String host, int port, @Nullable Fingerprint fingerprint) {
 
-  String place() {
+  String hostAndPort() {
     return host + ":" + port;
   }
 }

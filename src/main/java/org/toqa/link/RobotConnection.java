@@ -11,9 +11,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.DecodeResult;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
-import org.toqa.link.message.MessageReading;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.trust.HandshakeException.Reason;
 import org.toqa.link.trust.LinkSocket;
@@ -25,27 +25,27 @@ import org.toqa.link.trust.LinkTls;
  */
 final class RobotConnection implements AutoCloseable {
   /** A robot is at most so wide, metres. */
-  private static final double WIDEST = 10;
+  private static final double MAX_FOOTPRINT = 10;
 
   private static final Logger log = LoggerFactory.getLogger(RobotConnection.class);
 
   /** A robot speaks five times a second; one that is silent for so long is behind a dead link. */
-  private static final Duration SILENCE_LIMIT = Duration.ofSeconds(5);
+  private static final Duration SILENCE_TIMEOUT = Duration.ofSeconds(5);
 
   private static final int QUEUED_LINES = 1_000;
 
   private final RobotAddress address;
   private final String robot;
-  private final String place;
+  private final String hostAndPort;
   private final LinkSocket socket;
   private final LineReader lines;
   private final BlockingQueue<byte[]> outbox = new ArrayBlockingQueue<>(QUEUED_LINES);
   private final Thread writer;
-  private volatile boolean overflowed;
+  private volatile boolean hasOverflowed;
 
   /** Connects; waits for it. */
-  static RobotConnection open(RobotAddress address, Dialer dialer) throws LinkException {
-    LinkSocket socket = dialer.connect(address, SILENCE_LIMIT);
+  static RobotConnection open(RobotAddress address, RobotConnector connector) throws LinkException {
+    LinkSocket socket = connector.connect(address, SILENCE_TIMEOUT);
     try {
       return new RobotConnection(address, socket);
     } catch (IOException e) {
@@ -58,18 +58,18 @@ final class RobotConnection implements AutoCloseable {
   private RobotConnection(RobotAddress address, LinkSocket socket) throws IOException {
     this.address = address;
     this.robot = address.robot();
-    this.place = address.place();
+    this.hostAndPort = address.hostAndPort();
     this.socket = socket;
     lines = new LineReader(socket.in());
-    writer = Thread.ofVirtual().name("link-" + robot + "-writer").start(this::write);
+    writer = Thread.ofVirtual().name("link-" + robot + "-writer").start(this::writeLines);
   }
 
   /** The robot's first line. */
-  Hello hello() throws LinkException {
-    AgentMessage first = next();
+  Hello readHello() throws LinkException {
+    AgentMessage first = readMessage();
     if (!(first instanceof Hello hello)) {
       throw new LinkException(
-          "What answers at %s is not %s: it did not say hello.".formatted(place, robot));
+          "What answers at %s is not %s: it did not say hello.".formatted(hostAndPort, robot));
     }
     if (hello.version() != AgentMessage.VERSION) {
       throw new LinkException(
@@ -79,9 +79,9 @@ final class RobotConnection implements AutoCloseable {
     if (!hello.robot().equals(robot)) {
       throw new LinkException(
           "At %s answers robot %s, not %s; correct the address or the name."
-              .formatted(place, hello.robot(), robot));
+              .formatted(hostAndPort, hello.robot(), robot));
     }
-    if (!(hello.maxLoad() >= 0 && hello.maxSpeed() > 0 && isSize(hello.footprint()))) {
+    if (!(hello.maxLoad() >= 0 && hello.maxSpeed() > 0 && isValidFootprint(hello.footprint()))) {
       throw new LinkException(
           "%s says that it carries %s kg, drives %s m/s and is %s m wide; correct its configuration."
               .formatted(robot, hello.maxLoad(), hello.maxSpeed(), hello.footprint()));
@@ -89,47 +89,47 @@ final class RobotConnection implements AutoCloseable {
     return hello;
   }
 
-  private static boolean isSize(double metres) {
-    return metres > 0 && metres <= WIDEST;
+  private static boolean isValidFootprint(double metres) {
+    return metres > 0 && metres <= MAX_FOOTPRINT;
   }
 
   /** The next message that can be understood; waits for it. */
-  AgentMessage next() throws LinkException {
+  AgentMessage readMessage() throws LinkException {
     try {
       while (true) {
-        LineReader.Line line = lines.next();
+        LineReader.Line line = lines.readLine();
         if (line == null) {
           throw new LinkException("%s closed the connection.".formatted(robot));
         }
-        AgentMessage message = understood(line);
+        AgentMessage message = decode(line);
         if (message != null) {
           return message;
         }
       }
     } catch (SocketTimeoutException e) {
       throw new LinkException(
-          "%s has said nothing for %d s.".formatted(robot, SILENCE_LIMIT.toSeconds()));
+          "%s has said nothing for %d s.".formatted(robot, SILENCE_TIMEOUT.toSeconds()));
     } catch (IOException e) {
-      throw broken(e);
+      throw failure(e);
     }
   }
 
-  private LinkException broken(IOException e) {
-    if (overflowed) {
+  private LinkException failure(IOException e) {
+    if (hasOverflowed) {
       return new LinkException("%s does not take what it is told.".formatted(robot));
     }
     if (socket.peer() != null) { // with TLS 1.3 the robot's no comes when it is first read
       Reason reason = LinkTls.reasonOf(e);
       return reason == Reason.CUT_OFF
           ? new LinkException("%s closed the connection.".formatted(robot))
-          : Dialer.untrusted(address, reason, e);
+          : RobotConnector.trustFailure(address, reason, e);
     }
     return new LinkException("The connection to %s broke: %s.".formatted(robot, e.getMessage()));
   }
 
   void send(ServerMessage message) {
-    if (!outbox.offer(LinkCodec.line(message))) {
-      overflowed = true;
+    if (!outbox.offer(LinkCodec.encode(message))) {
+      hasOverflowed = true;
       close();
     }
   }
@@ -140,17 +140,17 @@ final class RobotConnection implements AutoCloseable {
     closeQuietly(socket);
   }
 
-  private @Nullable AgentMessage understood(LineReader.Line line) {
-    return switch (LinkCodec.agentMessage(line)) {
-      case MessageReading.Understood<AgentMessage>(AgentMessage message) -> message;
-      case MessageReading.Refused<AgentMessage>(long _, String reason) -> {
+  private @Nullable AgentMessage decode(LineReader.Line line) {
+    return switch (LinkCodec.decodeAgentMessage(line)) {
+      case DecodeResult.Decoded<AgentMessage>(AgentMessage message) -> message;
+      case DecodeResult.Invalid<AgentMessage>(long _, String reason) -> {
         log.warn("{}: a line of the robot was ignored: {}", robot, reason);
         yield null;
       }
     };
   }
 
-  private void write() {
+  private void writeLines() {
     try {
       OutputStream out = socket.out();
       while (true) {

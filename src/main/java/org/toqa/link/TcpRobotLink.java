@@ -8,17 +8,17 @@ import org.toqa.wording.Sentence;
 final class TcpRobotLink implements RobotLink {
 
   private final RobotAddress address;
-  private final Dialer dialer;
+  private final RobotConnector connector;
   private final Listener listener;
   private final Backoff backoff = new Backoff();
   private final Thread thread;
   private volatile boolean closed;
   private volatile @Nullable RobotConnection connection;
-  private @Nullable Sentence told;
+  private @Nullable Sentence lastFailure;
 
-  TcpRobotLink(RobotAddress address, Dialer dialer, Listener listener) {
+  TcpRobotLink(RobotAddress address, RobotConnector connector, Listener listener) {
     this.address = address;
-    this.dialer = dialer;
+    this.connector = connector;
     this.listener = listener;
     thread = Thread.ofVirtual().name("link-" + address.robot()).unstarted(this::run);
   }
@@ -44,23 +44,23 @@ final class TcpRobotLink implements RobotLink {
   private void run() {
     while (!closed) {
       try {
-        converse();
+        runConnection();
       } catch (LinkException e) {
-        tell(e.sentence(), e.isRefusal());
+        notifyListener(e.sentence(), e.isTrustFailure());
       }
       pause();
     }
   }
 
-  private void converse() throws LinkException {
-    try (RobotConnection made = RobotConnection.open(address, dialer)) {
-      var hello = made.hello();
+  private void runConnection() throws LinkException {
+    try (RobotConnection opened = RobotConnection.open(address, connector)) {
+      var hello = opened.readHello();
       backoff.reset();
-      told = null;
-      connection = made;
+      lastFailure = null;
+      connection = opened;
       listener.connected(hello);
       while (!closed) {
-        listener.received(made.next());
+        listener.received(opened.readMessage());
       }
     } finally {
       connection = null;
@@ -68,12 +68,12 @@ final class TcpRobotLink implements RobotLink {
   }
 
   /** Once for each reason, not once for each attempt. */
-  private void tell(Sentence sentence, boolean refusal) {
-    if (closed || sentence.equals(told)) {
+  private void notifyListener(Sentence sentence, boolean isTrustFailure) {
+    if (closed || sentence.equals(lastFailure)) {
       return;
     }
-    told = sentence;
-    if (refusal) {
+    lastFailure = sentence;
+    if (isTrustFailure) {
       listener.refused(sentence);
     } else {
       listener.disconnected(sentence.english());
@@ -83,7 +83,7 @@ final class TcpRobotLink implements RobotLink {
   private void pause() {
     try {
       if (!closed) {
-        Thread.sleep(backoff.next());
+        Thread.sleep(backoff.nextDelay());
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt(); // only close() interrupts, and the loop sees it

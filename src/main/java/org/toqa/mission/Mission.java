@@ -14,22 +14,22 @@ import org.toqa.wording.Sentence;
  * <p>Phase 2 starts when all its robots are at the object; in phase 3 each drives home alone. The
  * task is DONE when the last of its robots has parked, failed or taken another task. A robot that
  * fails before it has the load gives the task back to the queue; with the load on board a person is
- * asked. Nothing here knows a clock, a store or a socket: {@link #on} answers the next state, what
- * to do once it is stored, and what the history says.
+ * asked. Nothing here knows a clock, a store or a socket: {@link #apply} answers the next state,
+ * what to do once it is stored, and what the history says.
  *
  * @param held whether a person has put it on hold
  * @param ending what becomes of the load on board, once the task was cancelled
- * @param setDown where the load was fetched last, or stands, if that is neither its start nor its
- *     goal
+ * @param setDownPlace where the load was fetched last, or stands, if that is neither its start nor
+ *     its goal
  * @param trouble what keeps a robot from going on, if anything
  */
 public record Mission(
     TransportTask task,
     TaskState state,
-    List<Carrier> carriers,
+    List<AssignedRobot> assignedRobots,
     boolean held,
     @Nullable LoadChoice ending,
-    @Nullable TaskPlace setDown,
+    @Nullable TaskPlace setDownPlace,
     @Nullable Trouble trouble) {
 
   /**
@@ -41,13 +41,13 @@ public record Mission(
       history = List.copyOf(history);
     }
 
-    public boolean changed() {
+    public boolean hasChanges() {
       return !history.isEmpty();
     }
   }
 
   public Mission {
-    carriers = List.copyOf(carriers);
+    assignedRobots = List.copyOf(assignedRobots);
   }
 
   /** A task that has no robots yet. */
@@ -58,26 +58,31 @@ public record Mission(
   /** Robots were chosen for a queued task. */
   public Step assign(List<String> robots, Sentence why) {
     Mission mission =
-        by(robots.stream().map(Carrier::chosen).toList()).in(TaskState.ASSIGNED).troubled(null);
-    return mission.step(mission.driveAll(1), Phrase.GIVEN_TO.with(Sentence.names(robots), why));
+        withAssignedRobots(robots.stream().map(AssignedRobot::of).toList())
+            .withState(TaskState.ASSIGNED)
+            .withTrouble(null);
+    return mission.step(
+        mission.driveCommands(1), Phrase.GIVEN_TO.with(Sentence.names(robots), why));
   }
 
   public long id() {
     return task.id();
   }
 
-  public Optional<Carrier> carrier(String robot) {
-    return carriers.stream().filter(c -> c.robot().equals(robot)).findFirst();
+  public Optional<AssignedRobot> assignedRobot(String robot) {
+    return assignedRobots.stream().filter(c -> c.robot().equals(robot)).findFirst();
   }
 
   /** The names, in the order they were chosen. */
   public List<String> robots() {
-    return state == TaskState.QUEUED ? List.of() : carriers.stream().map(Carrier::robot).toList();
+    return state == TaskState.QUEUED
+        ? List.of()
+        : assignedRobots.stream().map(AssignedRobot::robot).toList();
   }
 
   /** Where the load is fetched. */
   public TaskPlace object() {
-    return setDown != null ? setDown : task.start();
+    return setDownPlace != null ? setDownPlace : task.start();
   }
 
   /**
@@ -86,7 +91,7 @@ public record Mission(
    */
   public @Nullable TaskPlace loadAt() {
     if (state != TaskState.CARRYING) {
-      return setDown;
+      return setDownPlace;
     }
     return trouble == null ? null : trouble.place();
   }
@@ -109,61 +114,62 @@ public record Mission(
   /** Whether another robot may take it over: it has one, and that one has not fetched the load. */
   public boolean isExchangeable() {
     return (state == TaskState.ASSIGNED || state == TaskState.TO_OBJECT)
-        && carriers.size() == 1
-        && carriers.getFirst().isDriving()
+        && assignedRobots.size() == 1
+        && assignedRobots.getFirst().isDriving()
         && !held
         && trouble == null;
   }
 
-  public Optional<Objection> objectionTo(MissionEvent.Wish wish) {
-    return WishRules.objection(this, wish);
+  public Optional<Objection> objectionTo(MissionEvent.OperatorCommand command) {
+    return OperatorCommandRules.objection(this, command);
   }
 
-  /** A wish that {@link #objectionTo} speaks against changes nothing. */
-  public Step on(MissionEvent event) {
+  /** A command that {@link #objectionTo} speaks against changes nothing. */
+  public Step apply(MissionEvent event) {
     return switch (event) {
-      case MissionEvent.Wish wish -> objectionTo(wish).isPresent() ? unchanged() : wished(wish);
-      case MissionEvent.OfRobot e -> isWorkingFor(e.robot()) ? happened(e) : unchanged();
+      case MissionEvent.OperatorCommand command ->
+          objectionTo(command).isPresent() ? unchangedStep() : applyCommand(command);
+      case MissionEvent.OfRobot e -> isWorkingFor(e.robot()) ? applyRobotEvent(e) : unchangedStep();
     };
   }
 
-  private Step wished(MissionEvent.Wish wish) {
-    return switch (wish) {
-      case MissionEvent.Cancel e -> WishRules.cancel(this, e);
-      case MissionEvent.Hold e -> WishRules.hold(this, e);
-      case MissionEvent.Resume e -> WishRules.resume(this, e);
-      case MissionEvent.Prioritise e -> WishRules.prioritise(this, e);
-      case MissionEvent.Answer e -> TroubleRules.answered(this, e);
+  private Step applyCommand(MissionEvent.OperatorCommand command) {
+    return switch (command) {
+      case MissionEvent.Cancel e -> OperatorCommandRules.cancel(this, e);
+      case MissionEvent.Hold e -> OperatorCommandRules.hold(this, e);
+      case MissionEvent.Resume e -> OperatorCommandRules.resume(this, e);
+      case MissionEvent.Prioritise e -> OperatorCommandRules.prioritise(this, e);
+      case MissionEvent.Answer e -> TroubleRules.answer(this, e);
     };
   }
 
-  private Step happened(MissionEvent.OfRobot event) {
+  private Step applyRobotEvent(MissionEvent.OfRobot event) {
     return switch (event) {
-      case MissionEvent.DriveStarted e -> PhaseRules.started(this, e);
-      case MissionEvent.PhaseEnded e -> PhaseRules.ended(this, e);
-      case MissionEvent.Retasked e -> PhaseRules.retasked(this, e);
-      case MissionEvent.Exchanged e -> PhaseRules.exchanged(this, e);
-      case MissionEvent.Stopped e -> PhaseRules.stopped(this, e);
-      case MissionEvent.RobotLost e -> TroubleRules.lost(this, e);
-      case MissionEvent.RobotFailed e -> TroubleRules.failed(this, e);
-      case MissionEvent.RobotWithdrawn e -> TroubleRules.withdrawn(this, e);
-      case MissionEvent.MustCharge e -> TroubleRules.charges(this, e);
-      case MissionEvent.RobotBack e -> TroubleRules.back(this, e);
+      case MissionEvent.DriveStarted e -> PhaseRules.onDriveStarted(this, e);
+      case MissionEvent.PhaseEnded e -> PhaseRules.onPhaseEnded(this, e);
+      case MissionEvent.Retasked e -> PhaseRules.onRetasked(this, e);
+      case MissionEvent.Exchanged e -> PhaseRules.onExchanged(this, e);
+      case MissionEvent.Stopped e -> PhaseRules.onStopped(this, e);
+      case MissionEvent.RobotLost e -> TroubleRules.onRobotLost(this, e);
+      case MissionEvent.RobotFailed e -> TroubleRules.onRobotFailed(this, e);
+      case MissionEvent.RobotWithdrawn e -> TroubleRules.onRobotWithdrawn(this, e);
+      case MissionEvent.ChargingRequired e -> TroubleRules.onChargingRequired(this, e);
+      case MissionEvent.RobotRecovered e -> TroubleRules.onRobotRecovered(this, e);
     };
   }
 
   private boolean isWorkingFor(String robot) {
-    return !state.isEnded() && carrier(robot).filter(c -> !c.released()).isPresent();
+    return !state.isEnded() && assignedRobot(robot).filter(c -> !c.unassigned()).isPresent();
   }
 
   /** The phase that the robot is in for it. */
   int phaseOf(String robot) {
-    return carrier(robot).map(Carrier::phase).orElse(0);
+    return assignedRobot(robot).map(AssignedRobot::phase).orElse(0);
   }
 
-  List<MissionCommand> driveAll(int phase) {
+  List<MissionCommand> driveCommands(int phase) {
     List<MissionCommand> commands = new ArrayList<>();
-    for (Carrier c : carriers) {
+    for (AssignedRobot c : assignedRobots) {
       if (c.isDriving()) {
         commands.add(new MissionCommand.Drive(c.robot(), phase));
       }
@@ -172,67 +178,68 @@ public record Mission(
   }
 
   /** All its robots are let go, and it is in that state then. */
-  Step letAllGo(TaskState next, Sentence... history) {
+  Step unassignAll(TaskState next, Sentence... history) {
     List<MissionCommand> commands = new ArrayList<>();
-    carriers.stream()
-        .filter(c -> !c.released())
-        .forEach(c -> commands.add(new MissionCommand.LetGo(c.robot())));
-    return by(carriers.stream().map(Carrier::letGo).toList())
-        .in(next)
-        .troubled(null)
+    assignedRobots.stream()
+        .filter(c -> !c.unassigned())
+        .forEach(c -> commands.add(new MissionCommand.Unassign(c.robot())));
+    return withAssignedRobots(assignedRobots.stream().map(AssignedRobot::withUnassigned).toList())
+        .withState(next)
+        .withTrouble(null)
         .step(commands, history);
   }
 
   /** One robot is let go; without the last one the task is done. */
-  Step letGo(String robot, Sentence sentence) {
-    Mission left = replace(robot, Carrier::letGo);
-    List<MissionCommand> commands = List.of(new MissionCommand.LetGo(robot));
-    return left.carriers.stream().allMatch(Carrier::released)
-        ? left.in(TaskState.DONE).step(commands, sentence, Phrase.DONE.with())
+  Step unassign(String robot, Sentence sentence) {
+    Mission left = withRobotChanged(robot, AssignedRobot::withUnassigned);
+    List<MissionCommand> commands = List.of(new MissionCommand.Unassign(robot));
+    return left.assignedRobots.stream().allMatch(AssignedRobot::unassigned)
+        ? left.withState(TaskState.DONE).step(commands, sentence, Phrase.DONE.with())
         : left.step(commands, sentence);
   }
 
-  Mission replace(String robot, UnaryOperator<Carrier> change) {
-    return by(carriers.stream().map(c -> c.robot().equals(robot) ? change.apply(c) : c).toList());
+  Mission withRobotChanged(String robot, UnaryOperator<AssignedRobot> change) {
+    return withAssignedRobots(
+        assignedRobots.stream().map(c -> c.robot().equals(robot) ? change.apply(c) : c).toList());
   }
 
   /** What has ended is not on hold any more and ends in no other way. */
-  Mission in(TaskState next) {
+  Mission withState(TaskState next) {
     return next.isEnded()
-        ? new Mission(task, next, carriers, false, null, setDown, null)
-        : new Mission(task, next, carriers, held, ending, setDown, trouble);
+        ? new Mission(task, next, assignedRobots, false, null, setDownPlace, null)
+        : new Mission(task, next, assignedRobots, held, ending, setDownPlace, trouble);
   }
 
-  Mission by(List<Carrier> next) {
-    return new Mission(task, state, next, held, ending, setDown, trouble);
+  Mission withAssignedRobots(List<AssignedRobot> next) {
+    return new Mission(task, state, next, held, ending, setDownPlace, trouble);
   }
 
-  Mission prioritised(int priority) {
+  Mission withPriority(int priority) {
     return new Mission(
-        task.withPriority(priority), state, carriers, held, ending, setDown, trouble);
+        task.withPriority(priority), state, assignedRobots, held, ending, setDownPlace, trouble);
   }
 
-  Mission onHold(boolean hold) {
-    return new Mission(task, state, carriers, hold, ending, setDown, trouble);
+  Mission withHeld(boolean hold) {
+    return new Mission(task, state, assignedRobots, hold, ending, setDownPlace, trouble);
   }
 
-  Mission ending(LoadChoice choice) {
-    return new Mission(task, state, carriers, held, choice, setDown, trouble);
+  Mission withEnding(LoadChoice choice) {
+    return new Mission(task, state, assignedRobots, held, choice, setDownPlace, trouble);
   }
 
   Mission withLoadAt(@Nullable TaskPlace place) {
-    return new Mission(task, state, carriers, held, ending, place, trouble);
+    return new Mission(task, state, assignedRobots, held, ending, place, trouble);
   }
 
-  Mission troubled(@Nullable Trouble next) {
-    return new Mission(task, state, carriers, held, ending, setDown, next);
+  Mission withTrouble(@Nullable Trouble next) {
+    return new Mission(task, state, assignedRobots, held, ending, setDownPlace, next);
   }
 
   Step step(List<MissionCommand> commands, Sentence... history) {
     return new Step(this, commands, List.of(history));
   }
 
-  Step unchanged() {
+  Step unchangedStep() {
     return new Step(this, List.of(), List.of());
   }
 }

@@ -12,5 +12,5 @@ public sealed interface MissionCommand {
   record Stop(String robot) implements MissionCommand {}
 
   /** The robot is free: parked, failed, or on another task. */
-  record LetGo(String robot) implements MissionCommand {}
+  record Unassign(String robot) implements MissionCommand {}
 }

@@ -47,7 +47,7 @@ public sealed interface MissionEvent {
    *
    * @param robot the one that had it
    */
-  record Exchanged(String robot, String to, Sentence why) implements OfRobot {
+  record Exchanged(String robot, String newRobot, Sentence why) implements OfRobot {
     @Override
     public String kind() {
       return "task.exchanged";
@@ -100,7 +100,7 @@ public sealed interface MissionEvent {
    *
    * @param why a clause, such as {@code its battery has 18 %}
    */
-  record MustCharge(String robot, Sentence why) implements OfRobot {
+  record ChargingRequired(String robot, Sentence why) implements OfRobot {
     @Override
     public String kind() {
       return "task.robot-charges";
@@ -108,7 +108,7 @@ public sealed interface MissionEvent {
   }
 
   /** The robot, which was in trouble, can go on. */
-  record RobotBack(String robot) implements OfRobot {
+  record RobotRecovered(String robot) implements OfRobot {
     @Override
     public String kind() {
       return "task.robot-back";
@@ -116,14 +116,14 @@ public sealed interface MissionEvent {
   }
 
   /** What a person wants of the task; {@link Mission#objectionTo} tells whether it can be. */
-  sealed interface Wish extends MissionEvent {
+  sealed interface OperatorCommand extends MissionEvent {
     String user();
   }
 
   /**
    * @param choice what becomes of a load that is on board; null where nobody said it
    */
-  record Cancel(String user, @Nullable LoadChoice choice) implements Wish {
+  record Cancel(String user, @Nullable LoadChoice choice) implements OperatorCommand {
     @Override
     public String kind() {
       return "task.cancelled";
@@ -131,14 +131,14 @@ public sealed interface MissionEvent {
   }
 
   /** The robots shall stop where they are. */
-  record Hold(String user) implements Wish {
+  record Hold(String user) implements OperatorCommand {
     @Override
     public String kind() {
       return "task.held";
     }
   }
 
-  record Resume(String user) implements Wish {
+  record Resume(String user) implements OperatorCommand {
     @Override
     public String kind() {
       return "task.resumed";
@@ -148,14 +148,14 @@ public sealed interface MissionEvent {
   /**
    * @param priority higher is served first; 0 is usual
    */
-  record Prioritise(String user, int priority) implements Wish {
+  record Prioritise(String user, int priority) implements OperatorCommand {
     @Override
     public String kind() {
       return "task.prioritised";
     }
   }
 
-  record Answer(String user, Reply reply) implements Wish {
+  record Answer(String user, Reply reply) implements OperatorCommand {
     @Override
     public String kind() {
       return "task.answered";

@@ -9,7 +9,7 @@ import org.toqa.wording.Sentence;
  * @param needs what the person must say too, if that is what is missing
  */
 public record Objection(Sentence sentence, @Nullable Question needs) {
-  static Objection because(Sentence sentence) {
+  static Objection of(Sentence sentence) {
     return new Objection(sentence, null);
   }
 }

@@ -8,80 +8,84 @@ import org.toqa.wording.Sentence;
 final class PhaseRules {
   private PhaseRules() {}
 
-  static Mission.Step started(Mission mission, MissionEvent.DriveStarted event) {
+  static Mission.Step onDriveStarted(Mission mission, MissionEvent.DriveStarted event) {
     if (mission.state() != TaskState.ASSIGNED || event.phase() != 1) {
-      return mission.unchanged();
+      return mission.unchangedStep();
     }
-    return mission.in(TaskState.TO_OBJECT).step(List.of(), Phrase.SET_OUT.with(event.robot()));
+    return mission
+        .withState(TaskState.TO_OBJECT)
+        .step(List.of(), Phrase.SET_OUT.with(event.robot()));
   }
 
-  static Mission.Step ended(Mission mission, MissionEvent.PhaseEnded event) {
-    Carrier carrier = mission.carrier(event.robot()).orElseThrow();
-    if (carrier.phase() != event.phase() || carrier.arrived() || mission.isStopping()) {
-      return mission.unchanged();
+  static Mission.Step onPhaseEnded(Mission mission, MissionEvent.PhaseEnded event) {
+    AssignedRobot assigned = mission.assignedRobot(event.robot()).orElseThrow();
+    if (assigned.phase() != event.phase() || assigned.arrived() || mission.isStopping()) {
+      return mission.unchangedStep();
     }
     Mission arrived = withoutTroubleOf(event.robot(), mission);
-    arrived = arrived.replace(event.robot(), Carrier::arrivedAtEnd);
+    arrived = arrived.withRobotChanged(event.robot(), AssignedRobot::withArrived);
     return switch (event.phase()) {
-      case 1 -> atObject(arrived, Phrase.IS_AT_LOAD.with(event.robot()));
-      case 2 -> atDestination(arrived, event.robot());
-      default -> arrived.letGo(event.robot(), Phrase.HAS_PARKED.with(event.robot()));
+      case 1 -> arriveAtObject(arrived, Phrase.IS_AT_LOAD.with(event.robot()));
+      case 2 -> arriveAtDestination(arrived, event.robot());
+      default -> arrived.unassign(event.robot(), Phrase.HAS_PARKED.with(event.robot()));
     };
   }
 
-  static Mission.Step retasked(Mission mission, MissionEvent.Retasked event) {
+  static Mission.Step onRetasked(Mission mission, MissionEvent.Retasked event) {
     return mission.phaseOf(event.robot()) == 3
-        ? mission.letGo(event.robot(), Phrase.TOOK_ANOTHER.with(event.robot()))
-        : mission.unchanged();
+        ? mission.unassign(event.robot(), Phrase.TOOK_ANOTHER.with(event.robot()))
+        : mission.unchangedStep();
   }
 
-  static Mission.Step exchanged(Mission mission, MissionEvent.Exchanged event) {
+  static Mission.Step onExchanged(Mission mission, MissionEvent.Exchanged event) {
     if (!mission.isExchangeable()) {
-      return mission.unchanged();
+      return mission.unchangedStep();
     }
     return mission
-        .by(List.of(Carrier.chosen(event.to())))
-        .in(TaskState.ASSIGNED)
+        .withAssignedRobots(List.of(AssignedRobot.of(event.newRobot())))
+        .withState(TaskState.ASSIGNED)
         .step(
             List.of(
-                new MissionCommand.LetGo(event.robot()), new MissionCommand.Drive(event.to(), 1)),
-            Phrase.GIVEN_INSTEAD.with(event.to(), event.robot(), event.why()));
+                new MissionCommand.Unassign(event.robot()),
+                new MissionCommand.Drive(event.newRobot(), 1)),
+            Phrase.GIVEN_INSTEAD.with(event.newRobot(), event.robot(), event.why()));
   }
 
-  static Mission.Step stopped(Mission mission, MissionEvent.Stopped event) {
-    Carrier carrier = mission.carrier(event.robot()).orElseThrow();
-    if (!mission.isStopping() || carrier.arrived()) {
-      return mission.unchanged();
+  static Mission.Step onStopped(Mission mission, MissionEvent.Stopped event) {
+    AssignedRobot assigned = mission.assignedRobot(event.robot()).orElseThrow();
+    if (!mission.isStopping() || assigned.arrived()) {
+      return mission.unchangedStep();
     }
-    Mission stopped = mission.replace(event.robot(), Carrier::arrivedAtEnd);
+    Mission stopped = mission.withRobotChanged(event.robot(), AssignedRobot::withArrived);
     if (!isComplete(stopped)) {
       return stopped.step(List.of(), Phrase.HAS_STOPPED.with(event.robot()));
     }
     return stopped
         .withLoadAt(event.place())
-        .letAllGo(
+        .unassignAll(
             TaskState.CANCELLED,
-            Phrase.SET_DOWN.with(event.place().said()),
+            Phrase.SET_DOWN.with(event.place().sentence()),
             Phrase.CANCELLED.with());
   }
 
-  private static Mission.Step atObject(Mission mission, Sentence one) {
+  private static Mission.Step arriveAtObject(Mission mission, Sentence one) {
     if (!isComplete(mission)) {
-      return mission.in(TaskState.TO_OBJECT).step(List.of(), one);
+      return mission.withState(TaskState.TO_OBJECT).step(List.of(), one);
     }
-    Mission carrying = mission.by(nextPhase(mission, 2)).in(TaskState.CARRYING);
+    Mission carrying =
+        mission.withAssignedRobots(inPhase(mission, 2)).withState(TaskState.CARRYING);
     return carrying.step(
-        carrying.driveAll(2),
-        sentences(mission, one, Phrase.PICKED_UP.with(mission.object().said())));
+        carrying.driveCommands(2),
+        sentences(mission, one, Phrase.PICKED_UP.with(mission.object().sentence())));
   }
 
-  private static Mission.Step atDestination(Mission mission, String robot) {
-    Sentence where = mission.destination().said();
+  private static Mission.Step arriveAtDestination(Mission mission, String robot) {
+    Sentence where = mission.destination().sentence();
     if (mission.ending() == LoadChoice.BACK) {
       return isComplete(mission)
           ? mission
               .withLoadAt(null)
-              .letAllGo(
+              .unassignAll(
                   TaskState.CANCELLED, Phrase.BROUGHT_BACK.with(where), Phrase.CANCELLED.with())
           : mission.step(List.of(), Phrase.IS_BACK_AT_START.with(robot));
     }
@@ -90,25 +94,31 @@ final class PhaseRules {
       return mission.step(List.of(), one);
     }
     Mission returning =
-        mission.by(nextPhase(mission, 3)).in(TaskState.RETURNING).withLoadAt(null).troubled(null);
+        mission
+            .withAssignedRobots(inPhase(mission, 3))
+            .withState(TaskState.RETURNING)
+            .withLoadAt(null)
+            .withTrouble(null);
     return returning.step(
-        returning.driveAll(3), sentences(mission, one, Phrase.DELIVERED.with(where)));
+        returning.driveCommands(3), sentences(mission, one, Phrase.DELIVERED.with(where)));
   }
 
   private static Mission withoutTroubleOf(String robot, Mission mission) {
     Trouble trouble = mission.trouble();
-    return trouble != null && trouble.robot().equals(robot) ? mission.troubled(null) : mission;
+    return trouble != null && trouble.robot().equals(robot) ? mission.withTrouble(null) : mission;
   }
 
   private static boolean isComplete(Mission mission) {
-    return mission.carriers().stream().allMatch(c -> c.arrived() || c.released());
+    return mission.assignedRobots().stream().allMatch(c -> c.arrived() || c.unassigned());
   }
 
-  private static List<Carrier> nextPhase(Mission mission, int phase) {
-    return mission.carriers().stream().map(c -> c.released() ? c : c.inPhase(phase)).toList();
+  private static List<AssignedRobot> inPhase(Mission mission, int phase) {
+    return mission.assignedRobots().stream()
+        .map(c -> c.unassigned() ? c : c.withPhase(phase))
+        .toList();
   }
 
   private static Sentence[] sentences(Mission mission, Sentence one, Sentence all) {
-    return mission.carriers().size() == 1 ? new Sentence[] {all} : new Sentence[] {one, all};
+    return mission.assignedRobots().size() == 1 ? new Sentence[] {all} : new Sentence[] {one, all};
   }
 }

@@ -14,11 +14,11 @@ public record TaskPlace(Vec2 position, @Nullable String station) {
 
   /** For people: the station's name, or the coordinates. */
   public String text() {
-    return said().english();
+    return sentence().english();
   }
 
   /** The same, in the reader's language. */
-  public Sentence said() {
+  public Sentence sentence() {
     return station != null ? Sentence.verbatim(station) : Sentence.of(position);
   }
 }

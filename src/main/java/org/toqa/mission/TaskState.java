@@ -17,7 +17,7 @@ public enum TaskState {
   CANCELLED;
 
   /** Whether robots were chosen, and work for it or have done so to its end. */
-  public boolean isGiven() {
+  public boolean isAssigned() {
     return this == ASSIGNED || this == TO_OBJECT || this == CARRYING || isDelivered();
   }
 

@@ -9,21 +9,21 @@ import org.toqa.wording.Sentence;
  *
  * @param why a clause about the robot, such as {@code is not heard of}
  * @param place where the robot was last; null when nobody knows
- * @param waits whether a person said that the mission waits for the robot
+ * @param isAwaited whether a person said that the mission waits for the robot
  */
-public record Trouble(String robot, Sentence why, @Nullable TaskPlace place, boolean waits) {
+public record Trouble(String robot, Sentence why, @Nullable TaskPlace place, boolean isAwaited) {
 
-  Trouble waiting() {
+  Trouble withWaiting() {
     return new Trouble(robot, why, place, true);
   }
 
   /** Which robot, and what. */
-  Sentence said() {
+  Sentence sentence() {
     return Phrase.ROBOT_AND_CLAUSE.with(robot, why);
   }
 
   /** Whether it says the same, also where it was stored in other parts. */
-  boolean isAs(Trouble other) {
-    return said().english().equals(other.said().english());
+  boolean isSameAs(Trouble other) {
+    return sentence().english().equals(other.sentence().english());
   }
 }

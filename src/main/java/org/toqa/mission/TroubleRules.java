@@ -14,71 +14,71 @@ import org.toqa.wording.Sentence;
 final class TroubleRules {
   private TroubleRules() {}
 
-  static Mission.Step lost(Mission mission, MissionEvent.RobotLost event) {
+  static Mission.Step onRobotLost(Mission mission, MissionEvent.RobotLost event) {
     return mission.phaseOf(event.robot()) == 3
-        ? mission.unchanged()
+        ? mission.unchangedStep()
         : ask(
             mission,
             new Trouble(event.robot(), Phrase.IS_NOT_HEARD_OF.with(), event.place(), false));
   }
 
   /** A person's word that the mission waits holds until the robot is back. */
-  static Mission.Step failed(Mission mission, MissionEvent.RobotFailed event) {
+  static Mission.Step onRobotFailed(Mission mission, MissionEvent.RobotFailed event) {
     Trouble known = troubleOf(event.robot(), mission);
-    if (known != null && known.waits()) {
-      return mission.unchanged();
+    if (known != null && known.isAwaited()) {
+      return mission.unchangedStep();
     }
-    return stopsWorking(mission, new Trouble(event.robot(), event.why(), event.place(), false));
+    return stopWorking(mission, new Trouble(event.robot(), event.why(), event.place(), false));
   }
 
-  static Mission.Step withdrawn(Mission mission, MissionEvent.RobotWithdrawn event) {
-    return stopsWorking(
+  static Mission.Step onRobotWithdrawn(Mission mission, MissionEvent.RobotWithdrawn event) {
+    return stopWorking(
         mission, new Trouble(event.robot(), Phrase.WAS_TAKEN_OUT.with(), event.place(), false));
   }
 
   /** No robot goes to charge with a load on board. */
-  static Mission.Step charges(Mission mission, MissionEvent.MustCharge event) {
+  static Mission.Step onChargingRequired(Mission mission, MissionEvent.ChargingRequired event) {
     Sentence sentence = Phrase.MUST_CHARGE_SINCE.with(event.robot(), event.why());
     return switch (mission.phaseOf(event.robot())) {
       case 1 ->
-          toTheQueue(
+          requeue(
               mission,
               new Trouble(event.robot(), Phrase.MUST_CHARGE.with(), null, false),
               Phrase.ANOTHER_LOOKED_FOR.with(sentence));
-      case 2 -> mission.unchanged();
-      default -> mission.letGo(event.robot(), sentence);
+      case 2 -> mission.unchangedStep();
+      default -> mission.unassign(event.robot(), sentence);
     };
   }
 
-  static Mission.Step back(Mission mission, MissionEvent.RobotBack event) {
+  static Mission.Step onRobotRecovered(Mission mission, MissionEvent.RobotRecovered event) {
     return troubleOf(event.robot(), mission) == null
-        ? mission.unchanged()
-        : mission.troubled(null).step(List.of(), Phrase.CAN_GO_ON.with(event.robot()));
+        ? mission.unchangedStep()
+        : mission.withTrouble(null).step(List.of(), Phrase.CAN_GO_ON.with(event.robot()));
   }
 
-  static Mission.Step answered(Mission mission, MissionEvent.Answer event) {
+  static Mission.Step answer(Mission mission, MissionEvent.Answer event) {
     Trouble trouble = mission.trouble();
     if (trouble == null) {
-      return mission.unchanged();
+      return mission.unchangedStep();
     }
     return switch (event.reply()) {
       case WAIT ->
           mission
-              .troubled(trouble.waiting())
+              .withTrouble(trouble.withWaiting())
               .step(List.of(), Phrase.SAID_TO_WAIT.with(event.user(), trouble.robot()));
-      case ANOTHER -> toTheQueue(mission, trouble, Phrase.GAVE_TO_ANOTHER.with(event.user()));
+      case ANOTHER -> requeue(mission, trouble, Phrase.GAVE_TO_ANOTHER.with(event.user()));
       case CANCEL ->
           mission
               .withLoadAt(trouble.place())
-              .letAllGo(
+              .unassignAll(
                   TaskState.CANCELLED,
-                  Phrase.CANCELLED_LOAD_STAYS.with(event.user(), where(trouble)));
+                  Phrase.CANCELLED_LOAD_STAYS.with(event.user(), placeSentence(trouble)));
     };
   }
 
   static Optional<Question> question(Mission mission) {
     Trouble trouble = mission.trouble();
-    if (trouble == null || trouble.waits()) {
+    if (trouble == null || trouble.isAwaited()) {
       return Optional.empty();
     }
     List<String> answers = answers(mission, trouble).map(Reply::word).toList();
@@ -87,7 +87,7 @@ final class TroubleRules {
           Question.about(
               trouble,
               Question.Kind.NOT_FETCHED,
-              Phrase.ASK_FOR_ANOTHER.with(trouble.said()),
+              Phrase.ASK_FOR_ANOTHER.with(trouble.sentence()),
               answers));
     }
     Phrase question =
@@ -98,7 +98,7 @@ final class TroubleRules {
         Question.about(
             trouble,
             trouble.place() == null ? Question.Kind.ON_BOARD_SOMEWHERE : Question.Kind.ON_BOARD,
-            question.with(trouble.said(), where(trouble), trouble.robot()),
+            question.with(trouble.sentence(), placeSentence(trouble), trouble.robot()),
             answers));
   }
 
@@ -111,37 +111,39 @@ final class TroubleRules {
         : Stream.of(Reply.ANOTHER, Reply.WAIT, Reply.CANCEL);
   }
 
-  private static Mission.Step stopsWorking(Mission mission, Trouble trouble) {
+  private static Mission.Step stopWorking(Mission mission, Trouble trouble) {
     return switch (mission.phaseOf(trouble.robot())) {
-      case 1 -> toTheQueue(mission, trouble, Phrase.ANOTHER_LOOKED_FOR.with(trouble.said()));
+      case 1 -> requeue(mission, trouble, Phrase.ANOTHER_LOOKED_FOR.with(trouble.sentence()));
       case 2 -> ask(mission, trouble);
-      default -> mission.letGo(trouble.robot(), trouble.said());
+      default -> mission.unassign(trouble.robot(), trouble.sentence());
     };
   }
 
   private static Mission.Step ask(Mission mission, Trouble trouble) {
     Trouble known = mission.trouble();
-    if (known != null && known.isAs(trouble)) {
-      return mission.unchanged();
+    if (known != null && known.isSameAs(trouble)) {
+      return mission.unchangedStep();
     }
     if (known != null && !known.robot().equals(trouble.robot())) {
-      return mission.unchanged(); // one question at a time; the next is asked after its answer
+      return mission.unchangedStep(); // one question at a time; the next is asked after its answer
     }
     TaskPlace place = trouble.place() == null && known != null ? known.place() : trouble.place();
     Trouble asked = new Trouble(trouble.robot(), trouble.why(), place, false);
     Sentence sentence =
-        isCarrying(mission) ? Phrase.WITH_LOAD.with(asked.said(), where(asked)) : asked.said();
-    return mission.troubled(asked).step(List.of(), sentence);
+        isCarrying(mission)
+            ? Phrase.WITH_LOAD.with(asked.sentence(), placeSentence(asked))
+            : asked.sentence();
+    return mission.withTrouble(asked).step(List.of(), sentence);
   }
 
   /** What was on board stands where its robot was last. */
-  private static Mission.Step toTheQueue(Mission mission, Trouble trouble, Sentence sentence) {
+  private static Mission.Step requeue(Mission mission, Trouble trouble, Sentence sentence) {
     Mission queued =
         isCarrying(mission) && trouble.place() != null
             ? mission.withLoadAt(trouble.place())
             : mission;
-    return queued.letAllGo(
-        TaskState.QUEUED, sentence, Phrase.WAITS_FOR_ROBOT.with(queued.object().said()));
+    return queued.unassignAll(
+        TaskState.QUEUED, sentence, Phrase.WAITS_FOR_ROBOT.with(queued.object().sentence()));
   }
 
   private static boolean isCarrying(Mission mission) {
@@ -153,8 +155,8 @@ final class TroubleRules {
     return trouble != null && trouble.robot().equals(robot) ? trouble : null;
   }
 
-  private static Sentence where(Trouble trouble) {
+  private static Sentence placeSentence(Trouble trouble) {
     TaskPlace place = trouble.place();
-    return place == null ? Phrase.NOWHERE_KNOWN.with() : Phrase.AT_PLACE.with(place.said());
+    return place == null ? Phrase.NOWHERE_KNOWN.with() : Phrase.AT_PLACE.with(place.sentence());
   }
 }

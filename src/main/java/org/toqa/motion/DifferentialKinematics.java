@@ -16,7 +16,7 @@ public record DifferentialKinematics(double wheelRadius, double track) implement
   }
 
   @Override
-  public int wheels() {
+  public int wheelCount() {
     return 2;
   }
 

@@ -35,8 +35,8 @@ public final class Odometry {
   }
 
   /** Somebody who knows better says where the robot is. */
-  public void locate(Pose known) {
-    pose = known;
+  public void setPose(Pose newPose) {
+    pose = newPose;
   }
 
   /**
@@ -56,9 +56,9 @@ public final class Odometry {
   }
 
   private int[] checked(int[] counts) {
-    if (counts.length != kinematics.wheels()) {
+    if (counts.length != kinematics.wheelCount()) {
       throw new IllegalArgumentException(
-          "Expected counts of " + kinematics.wheels() + " wheels, not " + counts.length + ".");
+          "Expected counts of " + kinematics.wheelCount() + " wheels, not " + counts.length + ".");
     }
     return counts.clone();
   }

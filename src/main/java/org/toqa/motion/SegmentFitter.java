@@ -43,10 +43,10 @@ public final class SegmentFitter {
 
   /**
    * @param start where the robot really stands, map frame; the first leg begins there
-   * @param way where the legs bend and where they end
+   * @param waypoints where the legs bend and where they end
    */
-  public Trajectory fit(Pose start, List<Waypoint> way) {
-    return new Trajectory(start, segments(start, legs(start, way)));
+  public Trajectory fit(Pose start, List<Waypoint> waypoints) {
+    return new Trajectory(start, segments(start, legs(start, waypoints)));
   }
 
   /**
@@ -54,9 +54,9 @@ public final class SegmentFitter {
    *
    * @param heading of the robot at the end, radians, map frame
    */
-  public Trajectory fit(Pose start, List<Waypoint> way, double heading) {
+  public Trajectory fit(Pose start, List<Waypoint> waypoints, double heading) {
     requireFinite(heading);
-    List<Leg> legs = legs(start, way);
+    List<Leg> legs = legs(start, waypoints);
     List<Segment> segments = segments(start, legs);
     double arrival = legs.isEmpty() ? start.theta() : legs.getLast().direction();
     turnOnSpot(segments, Angles.difference(arrival, heading));
@@ -71,11 +71,11 @@ public final class SegmentFitter {
    */
   private record Leg(double length, double direction, boolean turnAtEnd) {}
 
-  private static List<Leg> legs(Pose start, List<Waypoint> way) {
+  private static List<Leg> legs(Pose start, List<Waypoint> waypoints) {
     requireFinite(start.x(), start.y(), start.theta());
     List<Leg> legs = new ArrayList<>();
     Vec2 from = start.position();
-    for (Waypoint to : way) {
+    for (Waypoint to : waypoints) {
       Vec2 leg = to.position().minus(from);
       requireFinite(leg.x(), leg.y());
       if (leg.norm() >= SHORTEST_LEG) {
@@ -89,19 +89,19 @@ public final class SegmentFitter {
   private List<Segment> segments(Pose start, List<Leg> legs) {
     List<Segment> segments = new ArrayList<>();
     double heading = start.theta();
-    double rounded = 0; // metres of this leg that the last corner's arc has taken
+    double usedByArc = 0; // metres of this leg that the last corner's arc has taken
     for (int i = 0; i < legs.size(); i++) {
       Leg leg = legs.get(i);
-      if (rounded == 0) {
+      if (usedByArc == 0) {
         turnOnSpot(segments, Angles.difference(heading, leg.direction()));
       }
       double tangent = tangent(legs, i);
-      straight(segments, leg.length() - rounded - tangent);
+      straight(segments, leg.length() - usedByArc - tangent);
       if (tangent > 0) {
         arc(segments, tangent, Angles.difference(leg.direction(), legs.get(i + 1).direction()));
       }
       heading = leg.direction();
-      rounded = tangent;
+      usedByArc = tangent;
     }
     return segments;
   }

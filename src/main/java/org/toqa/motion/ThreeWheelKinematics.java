@@ -23,7 +23,7 @@ public record ThreeWheelKinematics(double wheelRadius, double centreToWheel)
   }
 
   @Override
-  public int wheels() {
+  public int wheelCount() {
     return 3;
   }
 

@@ -10,7 +10,7 @@ import org.toqa.geometry.Twist;
 public sealed interface WheelKinematics permits ThreeWheelKinematics, DifferentialKinematics {
 
   /** How many wheels are driven. */
-  int wheels();
+  int wheelCount();
 
   /**
    * Radians a second of each wheel, positive the way it turns when the robot obeys the formulas.

@@ -16,19 +16,20 @@ import org.toqa.planning.PlanResult.Reason;
  * What the planners on a grid have in common: the doors, and the last grid's search, kept for the
  * next plan on the same grid.
  */
-abstract sealed class GridPlanner implements PathPlanner permits HeadingAStar, JumpPointSearch {
-  private final Function<OccupancyGrid, GridSearch> layOut;
-  private final LongConsumer effort;
+public abstract sealed class GridPlanner implements PathPlanner
+    permits HeadingAStar, JumpPointSearch {
+  private final Function<OccupancyGrid, GridSearch> searchFactory;
+  private final LongConsumer expandedListener;
 
   /** Empty while a thread searches: another one then lays out its own. */
-  private final AtomicReference<@Nullable GridSearch> spare = new AtomicReference<>();
+  private final AtomicReference<@Nullable GridSearch> idleSearch = new AtomicReference<>();
 
   /**
-   * @param effort is told after each search how many states it has expanded
+   * @param expandedListener is told after each search how many states it has expanded
    */
-  GridPlanner(Function<OccupancyGrid, GridSearch> layOut, LongConsumer effort) {
-    this.layOut = layOut;
-    this.effort = effort;
+  GridPlanner(Function<OccupancyGrid, GridSearch> searchFactory, LongConsumer expandedListener) {
+    this.searchFactory = searchFactory;
+    this.expandedListener = expandedListener;
   }
 
   @Override
@@ -43,15 +44,15 @@ abstract sealed class GridPlanner implements PathPlanner permits HeadingAStar, J
       return new Found(Path.of(start, List.of(), false));
     }
     GridSearch search = searchOn(grid);
-    long before = search.expanded();
-    Optional<Path> way = search.way(start, goal);
-    effort.accept(search.expanded() - before);
-    spare.set(search);
-    return way.<PlanResult>map(Found::new).orElseGet(() -> new NotFound(Reason.NO_PATH, goal));
+    long before = search.expandedCount();
+    Optional<Path> path = search.path(start, goal);
+    expandedListener.accept(search.expandedCount() - before);
+    idleSearch.set(search);
+    return path.<PlanResult>map(Found::new).orElseGet(() -> new NotFound(Reason.NO_PATH, goal));
   }
 
   private GridSearch searchOn(OccupancyGrid grid) {
-    GridSearch search = spare.getAndSet(null);
-    return search != null && search.grid().equals(grid) ? search : layOut.apply(grid);
+    GridSearch search = idleSearch.getAndSet(null);
+    return search != null && search.grid().equals(grid) ? search : searchFactory.apply(grid);
   }
 }

@@ -15,8 +15,8 @@ interface GridSearch {
    * @param start free
    * @param goal free, not the start
    */
-  Optional<Path> way(Cell start, Cell goal);
+  Optional<Path> path(Cell start, Cell goal);
 
   /** How many states this search has ever expanded. */
-  long expanded();
+  long expandedCount();
 }

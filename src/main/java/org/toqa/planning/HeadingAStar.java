@@ -21,9 +21,9 @@ public final class HeadingAStar extends GridPlanner {
   }
 
   /**
-   * @param effort is told after each search how many states it has expanded
+   * @param expandedListener is told after each search how many states it has expanded
    */
-  public HeadingAStar(LongConsumer effort) {
-    super(HeadingSpace::new, effort);
+  public HeadingAStar(LongConsumer expandedListener) {
+    super(HeadingGridSearch::new, expandedListener);
   }
 }

@@ -31,7 +31,7 @@ final class HeadingSearch {
 
   private final OpenList open = new OpenList();
   private int generation;
-  private long expanded;
+  private long expandedCount;
 
   /** The largest change of heading, in eighths of a turn. */
   private int largestTurn;
@@ -51,7 +51,7 @@ final class HeadingSearch {
    * @param start not the goal
    * @param turnsOnSpot whether the robot may also turn on the spot
    */
-  List<Heading> way(int start, int goal, boolean turnsOnSpot) {
+  List<Heading> moves(int start, int goal, boolean turnsOnSpot) {
     if (generation == Integer.MAX_VALUE) {
       generation = 0;
       Arrays.fill(stamp, 0);
@@ -70,7 +70,7 @@ final class HeadingSearch {
       if ((closed[cell] & bit) == 0) {
         closed[cell] |= (byte) bit;
         if (cell == goal) {
-          return wayTo(state);
+          return movesTo(state);
         }
         expand(state);
       }
@@ -79,12 +79,12 @@ final class HeadingSearch {
   }
 
   /** How many states were ever expanded. */
-  long expanded() {
-    return expanded;
+  long expandedCount() {
+    return expandedCount;
   }
 
   private void expand(int state) {
-    expanded++;
+    expandedCount++;
     int cell = state >> 3;
     int moves = graph.moves(cell);
     for (int turn = -largestTurn; turn <= largestTurn && turn < 4; turn++) {
@@ -120,12 +120,12 @@ final class HeadingSearch {
     return eighthsOnSpot * MoveCost.EIGHTH_TURN + MoveGraph.cost(heading);
   }
 
-  private List<Heading> wayTo(int goalState) {
-    Deque<Heading> way = new ArrayDeque<>();
+  private List<Heading> movesTo(int goalState) {
+    Deque<Heading> moves = new ArrayDeque<>();
     for (int state = goalState; g[state] > 0; state = predecessor(state)) {
-      way.addFirst(Heading.of(state & 7));
+      moves.addFirst(Heading.of(state & 7));
     }
-    return List.copyOf(way);
+    return List.copyOf(moves);
   }
 
   /** Costs are exact integers, so the predecessor is the state whose sum fits. */

@@ -21,9 +21,9 @@ public final class JumpPointSearch extends GridPlanner {
   }
 
   /**
-   * @param effort is told after each search how many jump points it has expanded
+   * @param expandedListener is told after each search how many jump points it has expanded
    */
-  public JumpPointSearch(LongConsumer effort) {
-    super(JumpPoints::new, effort);
+  public JumpPointSearch(LongConsumer expandedListener) {
+    super(JumpPointGridSearch::new, expandedListener);
   }
 }

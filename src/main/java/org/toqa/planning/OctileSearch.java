@@ -21,7 +21,7 @@ final class OctileSearch {
   private final OpenList open = new OpenList();
   private final MoveGraph graph;
   private int generation;
-  private long expanded;
+  private long expandedCount;
   private int towardColumn;
   private int towardRow;
 
@@ -68,12 +68,12 @@ final class OctileSearch {
   }
 
   /** How many cells were ever expanded. */
-  long expanded() {
-    return expanded;
+  long expandedCount() {
+    return expandedCount;
   }
 
   private void expand(int cell, int closed) {
-    expanded++;
+    expandedCount++;
     for (int moves = graph.moves(cell); moves != 0; moves &= moves - 1) {
       int heading = Integer.numberOfTrailingZeros(moves);
       int next = graph.target(cell, heading);

@@ -9,11 +9,12 @@ import java.util.List;
 import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.agent.AgentConfig;
-import org.toqa.agent.Body;
 import org.toqa.agent.Daemon;
-import org.toqa.agent.MotionLimits;
-import org.toqa.agent.chassis.SimulatedPower;
+import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.ChassisConfig;
+import org.toqa.agent.config.MotionLimits;
 import org.toqa.geometry.Pose;
 
 /**
@@ -32,11 +33,11 @@ public final class SimulatedFleet implements AutoCloseable {
 
   private final SimulatedFloor floor;
   private final VirtualClock clock;
-  private final List<Inhabitant> robots = new ArrayList<>();
+  private final List<SimulatedDaemon> robots = new ArrayList<>();
   private final List<SimulatedMicrocontroller> microcontrollers = new ArrayList<>();
 
   /** A daemon in the world. */
-  private record Inhabitant(Daemon daemon) implements Participant {
+  private record SimulatedDaemon(Daemon daemon) implements Participant {
     @Override
     public void tick(long nanos) {
       daemon.tick(nanos);
@@ -44,7 +45,7 @@ public final class SimulatedFleet implements AutoCloseable {
 
     @Override
     public boolean isReady(long nanos) {
-      return !daemon.awaitsServer(nanos) && !daemon.awaitsLeader(nanos);
+      return !daemon.isWaitingForServer(nanos) && !daemon.isWaitingForLeader(nanos);
     }
 
     @Override
@@ -82,7 +83,7 @@ public final class SimulatedFleet implements AutoCloseable {
   /** Where the robot listens, on loopback. */
   public int port(String robot) {
     return robots.stream()
-        .map(Inhabitant::daemon)
+        .map(SimulatedDaemon::daemon)
         .filter(daemon -> daemon.robot().equals(robot))
         .mapToInt(Daemon::port)
         .findFirst()
@@ -90,14 +91,14 @@ public final class SimulatedFleet implements AutoCloseable {
   }
 
   /** Where the robot really is, map frame; empty where its body is not simulated as a whole. */
-  public Optional<Pose> truth(String robot) {
-    return floor.truth(robot);
+  public Optional<Pose> truePose(String robot) {
+    return floor.truePose(robot);
   }
 
   /** Takes the robots out of the world, the last one first, and ends their daemons. */
   @Override
   public void close() {
-    for (Inhabitant robot : robots.reversed()) {
+    for (SimulatedDaemon robot : robots.reversed()) {
       clock.remove(robot);
       try {
         robot.daemon().close();
@@ -110,21 +111,21 @@ public final class SimulatedFleet implements AutoCloseable {
     microcontrollers.clear();
   }
 
-  private Body body(Path folder, SimulatedRobot robot) throws IOException {
+  private ChassisConfig createBody(Path folder, SimulatedRobot robot) throws IOException {
     Path firmware = robot.firmware();
     if (firmware == null) {
-      return new Body.Simulated(
+      return new ChassisConfig.Simulated(
           robot.start(),
-          new SimulatedPower(robot.battery(), floor.chargers()),
+          new SimulatedBattery(robot.battery(), floor.chargers()),
           SLIP,
           robot.name().hashCode(),
           1,
-          floor.around(robot.name(), FOOTPRINT / 2));
+          floor.surroundings(robot.name(), FOOTPRINT / 2));
     }
     Files.createDirectories(folder);
     SimulatedMicrocontroller microcontroller = SimulatedMicrocontroller.start(firmware, folder);
     microcontrollers.add(microcontroller);
-    return new Body.SimulatedFirmware(microcontroller.socket(), robot.start());
+    return new ChassisConfig.SimulatedFirmware(microcontroller.socket(), robot.start());
   }
 
   private void add(Path folder, SimulatedRobot robot) throws IOException {
@@ -139,9 +140,9 @@ public final class SimulatedFleet implements AutoCloseable {
             FOOTPRINT,
             LIMITS,
             AgentConfig.Following.DEFAULT,
-            body(folder, robot));
-    Inhabitant inhabitant = new Inhabitant(Daemon.open(config, clock, clock.nanos()));
+            createBody(folder, robot));
+    SimulatedDaemon inhabitant = new SimulatedDaemon(Daemon.open(config, clock, clock.nanos()));
     robots.add(inhabitant);
-    clock.add(inhabitant, Daemon.TICK);
+    clock.add(inhabitant, Chassis.TICK);
   }
 }

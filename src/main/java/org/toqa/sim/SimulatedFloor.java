@@ -25,23 +25,23 @@ import org.toqa.grid.RayCast;
 public final class SimulatedFloor {
 
   /** Metres from mark to mark, in both directions. */
-  private static final double MARKS_APART = 0.30;
+  private static final double MARK_DISTANCE = 0.30;
 
   /** Metres round a mark from where it is read. */
-  private static final double MARK_SIGHT = 0.05;
+  private static final double MARK_RANGE = 0.05;
 
   /** Null: there are none, nor marks. */
   private final @Nullable OccupancyGrid walls;
 
   private final List<Vec2> chargers;
-  private final Map<String, Thing> obstacles = new ConcurrentHashMap<>();
-  private final Map<String, Thing> robots = new ConcurrentHashMap<>();
+  private final Map<String, Disc> obstacles = new ConcurrentHashMap<>();
+  private final Map<String, Disc> robots = new ConcurrentHashMap<>();
 
   /**
    * @param at map frame
    * @param radius metres
    */
-  private record Thing(Pose at, double radius) {
+  private record Disc(Pose at, double radius) {
 
     /** Metres along a ray until it meets the disc; beyond {@code farthest} anything above that. */
     double distance(Pose ray, double farthest) {
@@ -89,18 +89,18 @@ public final class SimulatedFloor {
    * @param middle metres, map frame
    * @param radius metres
    */
-  public void put(String obstacle, Vec2 middle, double radius) {
-    obstacles.put(obstacle, new Thing(new Pose(middle.x(), middle.y(), 0), radius));
+  public void putObstacle(String obstacle, Vec2 middle, double radius) {
+    obstacles.put(obstacle, new Disc(new Pose(middle.x(), middle.y(), 0), radius));
   }
 
   /** Takes an obstacle away. */
-  public void take(String obstacle) {
+  public void removeObstacle(String obstacle) {
     obstacles.remove(obstacle);
   }
 
   /** Where the robot really is, map frame; empty where its body is not simulated as a whole. */
-  Optional<Pose> truth(String robot) {
-    return Optional.ofNullable(robots.get(robot)).map(Thing::at);
+  Optional<Pose> truePose(String robot) {
+    return Optional.ofNullable(robots.get(robot)).map(Disc::at);
   }
 
   /**
@@ -108,20 +108,20 @@ public final class SimulatedFloor {
    *
    * @param radius of that robot, metres
    */
-  Surroundings around(String robot, double radius) {
+  Surroundings surroundings(String robot, double radius) {
     return new Surroundings() {
       @Override
-      public void isAt(Pose truth) {
-        robots.put(robot, new Thing(truth, radius));
+      public void setTruePose(Pose truth) {
+        robots.put(robot, new Disc(truth, radius));
       }
 
       @Override
       public double distance(Pose ray, double farthest) {
-        double nearest = toWall(ray, farthest);
-        for (Thing obstacle : obstacles.values()) {
+        double nearest = distanceToWall(ray, farthest);
+        for (Disc obstacle : obstacles.values()) {
           nearest = Math.min(nearest, obstacle.distance(ray, nearest));
         }
-        for (Map.Entry<String, Thing> other : robots.entrySet()) {
+        for (Map.Entry<String, Disc> other : robots.entrySet()) {
           if (!other.getKey().equals(robot)) {
             nearest = Math.min(nearest, other.getValue().distance(ray, nearest));
           }
@@ -136,7 +136,7 @@ public final class SimulatedFloor {
     };
   }
 
-  private double toWall(Pose ray, double farthest) {
+  private double distanceToWall(Pose ray, double farthest) {
     return walls == null
         ? farthest
         : RayCast.distance(walls, ray.position(), ray.theta(), farthest);
@@ -145,13 +145,14 @@ public final class SimulatedFloor {
   private boolean isMarked(Vec2 point) {
     return walls != null
         && Math.hypot(
-                offMark(point.x() - walls.origin().x()), offMark(point.y() - walls.origin().y()))
-            < MARK_SIGHT;
+                distanceToMarkRow(point.x() - walls.origin().x()),
+                distanceToMarkRow(point.y() - walls.origin().y()))
+            < MARK_RANGE;
   }
 
   /** Metres to the nearest row of marks; the first is half their distance from the map's edge. */
-  private static double offMark(double metres) {
-    double rows = metres / MARKS_APART - 0.5;
-    return (rows - Math.rint(rows)) * MARKS_APART;
+  private static double distanceToMarkRow(double metres) {
+    double rows = metres / MARK_DISTANCE - 0.5;
+    return (rows - Math.rint(rows)) * MARK_DISTANCE;
   }
 }

@@ -15,7 +15,7 @@ public final class SimulatedMicrocontroller implements AutoCloseable {
   private static final String PROGRAM = "toqa-sim";
   private static final String SOCKET = "spi.sock";
   private static final String EEPROM = "eeprom";
-  private static final long END_SECONDS = 2;
+  private static final long CLOSE_TIMEOUT_SECONDS = 2;
 
   private final Process process;
   private final Path socket;
@@ -82,7 +82,7 @@ public final class SimulatedMicrocontroller implements AutoCloseable {
   public void close() {
     process.destroy();
     try {
-      if (!process.waitFor(END_SECONDS, TimeUnit.SECONDS)) {
+      if (!process.waitFor(CLOSE_TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
         process.destroyForcibly();
       }
     } catch (InterruptedException e) {

@@ -24,22 +24,22 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(VirtualClock.class);
 
   /** Real time that participants may hold the world up in one stretch. */
-  private static final Duration LONGEST_HOLD = Duration.ofSeconds(5);
+  private static final Duration MAX_HOLD = Duration.ofSeconds(5);
 
-  private static final long CLOSE_MILLIS = 5_000;
+  private static final long CLOSE_TIMEOUT_MS = 5_000;
 
   /** The world gives up real time that it is behind by more than this. */
-  private static final long MOST_BEHIND_NANOS = 100_000_000;
+  private static final long MAX_LAG_NANOS = 100_000_000;
 
   private final Instant epoch;
   private final double speed;
-  private final List<Seat> seats = new CopyOnWriteArrayList<>();
+  private final List<Registration> registrations = new CopyOnWriteArrayList<>();
   private final Object step = new Object();
   private final Thread thread;
   private volatile long nanos;
   private volatile boolean closed;
 
-  private record Seat(Participant participant, long period) {
+  private record Registration(Participant participant, long period) {
     boolean isDue(long nanos) {
       return nanos % period == 0;
     }
@@ -75,13 +75,13 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     if (period.toNanos() <= 0 || period.toNanos() % STEP.toNanos() != 0) {
       throw new IllegalArgumentException("The period " + period + " is no multiple of " + STEP);
     }
-    seats.add(new Seat(participant, period.toNanos()));
+    registrations.add(new Registration(participant, period.toNanos()));
   }
 
   /** When this returns, the participant has no tick under way and will have none. */
   public void remove(Participant participant) {
     synchronized (step) {
-      seats.removeIf(seat -> seat.participant() == participant);
+      registrations.removeIf(seat -> seat.participant() == participant);
     }
   }
 
@@ -104,7 +104,7 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     closed = true;
     LockSupport.unpark(thread);
     try {
-      thread.join(CLOSE_MILLIS);
+      thread.join(CLOSE_TIMEOUT_MS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
@@ -120,39 +120,39 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
         LockSupport.parkNanos(due - now);
         continue;
       }
-      if (!isReady() && now - heldSince < LONGEST_HOLD.toNanos()) {
+      if (!isReady() && now - heldSince < MAX_HOLD.toNanos()) {
         LockSupport.parkNanos(STEP.toNanos() / 20);
         continue;
       }
       advanceOneStep();
       heldSince = now;
-      due = Math.max(due + stepNanos, now - MOST_BEHIND_NANOS);
+      due = Math.max(due + stepNanos, now - MAX_LAG_NANOS);
     }
   }
 
   private boolean isReady() {
-    return seats.stream().allMatch(seat -> seat.participant().isReady(nanos));
+    return registrations.stream().allMatch(seat -> seat.participant().isReady(nanos));
   }
 
   private void advanceOneStep() {
     synchronized (step) {
       long next = nanos + STEP.toNanos();
       nanos = next;
-      for (Seat seat : seats) {
-        if (seat.isDue(next)) {
-          tick(seat, next);
+      for (Registration registration : registrations) {
+        if (registration.isDue(next)) {
+          tick(registration, next);
         }
       }
     }
   }
 
   /** A surprise in one participant ends that one, never the world. */
-  private void tick(Seat seat, long now) {
+  private void tick(Registration registration, long now) {
     try {
-      seat.participant().tick(now);
+      registration.participant().tick(now);
     } catch (RuntimeException e) {
-      log.error("{} failed and takes no part any more.", seat.participant(), e);
-      seats.remove(seat);
+      log.error("{} failed and takes no part any more.", registration.participant(), e);
+      registrations.remove(registration);
     }
   }
 }

@@ -13,15 +13,15 @@ import org.jdbi.v3.core.Jdbi;
 /** The database: a pool of connections, migrated to the newest {@code sql/}. */
 public final class Database implements AutoCloseable {
   private static final int FLYWAY_CONNECTIONS = 3;
-  private static final List<String> NUMBERED = List.of("tasks", "events");
-  private static final int STOCK = 1000;
+  private static final List<String> IDENTITY_TABLES = List.of("tasks", "events");
+  private static final int IDENTITY_CACHE = 1000;
 
   private static final String MYSQL = "jdbc:mysql:";
 
   /** A database that does not answer for so long is away; what was asked is tried again. */
-  private static final Duration SILENCE_LIMIT = Duration.ofSeconds(8);
+  private static final Duration SOCKET_TIMEOUT = Duration.ofSeconds(8);
 
-  private static final Duration CONNECT_LIMIT = Duration.ofSeconds(3);
+  private static final Duration CONNECT_TIMEOUT = Duration.ofSeconds(3);
 
   private static final String H2_OPTIONS =
       ";MODE=MySQL;DATABASE_TO_LOWER=TRUE;CASE_INSENSITIVE_IDENTIFIERS=TRUE";
@@ -39,24 +39,24 @@ public final class Database implements AutoCloseable {
    * @param user empty: the one in the URL, if any
    */
   public static Database open(String url, String user, String password) {
-    try (HikariDataSource patient = new HikariDataSource(config(url, user, password))) {
+    try (HikariDataSource migrationPool = new HikariDataSource(config(url, user, password))) {
       Flyway.configure(Database.class.getClassLoader())
-          .dataSource(patient)
+          .dataSource(migrationPool)
           .locations("classpath:sql")
           .load()
           .migrate();
       if (!url.startsWith(MYSQL)) {
-        countWithoutGaps(Jdbi.create((DataSource) patient));
+        closeIdentityGaps(Jdbi.create((DataSource) migrationPool));
       }
     }
     HikariConfig config = config(url, user, password);
     config.setMaximumPoolSize(10);
-    config.setConnectionTimeout(CONNECT_LIMIT.plusSeconds(1).toMillis());
-    config.setValidationTimeout(CONNECT_LIMIT.toMillis());
+    config.setConnectionTimeout(CONNECT_TIMEOUT.plusSeconds(1).toMillis());
+    config.setValidationTimeout(CONNECT_TIMEOUT.toMillis());
     if (url.startsWith(
         MYSQL)) { // without limits a connection to a machine that is gone waits for ever
-      config.addDataSourceProperty("connectTimeout", milliseconds(CONNECT_LIMIT));
-      config.addDataSourceProperty("socketTimeout", milliseconds(SILENCE_LIMIT));
+      config.addDataSourceProperty("connectTimeout", milliseconds(CONNECT_TIMEOUT));
+      config.addDataSourceProperty("socketTimeout", milliseconds(SOCKET_TIMEOUT));
     }
     return new Database(new HikariDataSource(config));
   }
@@ -65,15 +65,15 @@ public final class Database implements AutoCloseable {
    * H2 takes ids in stocks, and a killed process loses the rest of its stock. A large stock, since
    * fetching one is a transaction of its own; what was lost of it is given back here.
    */
-  private static void countWithoutGaps(Jdbi jdbi) {
+  private static void closeIdentityGaps(Jdbi jdbi) {
     jdbi.useHandle(
         h -> {
-          for (String table : NUMBERED) {
+          for (String table : IDENTITY_TABLES) {
             long next =
                 h.createQuery("select coalesce(max(id), 0) + 1 from " + table)
                     .mapTo(Long.class)
                     .one();
-            h.execute("alter table " + table + " alter column id set cache " + STOCK);
+            h.execute("alter table " + table + " alter column id set cache " + IDENTITY_CACHE);
             h.execute("alter table " + table + " alter column id restart with " + next);
           }
         });
@@ -105,7 +105,7 @@ public final class Database implements AutoCloseable {
   }
 
   /** The innermost cause, which is the database's own word, in one line. */
-  public static String reason(Throwable failure) {
+  public static String rootCauseMessage(Throwable failure) {
     Throwable cause = failure;
     while (cause.getCause() != null) {
       cause = cause.getCause();
@@ -118,7 +118,7 @@ public final class Database implements AutoCloseable {
   }
 
   /** Tells how the pool of connections does from now on. */
-  public void measure(MeterRegistry registry) {
+  public void bindMetrics(MeterRegistry registry) {
     pool.setMetricsTrackerFactory(new MicrometerMetricsTrackerFactory(registry));
   }
 

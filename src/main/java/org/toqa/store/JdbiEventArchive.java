@@ -6,14 +6,14 @@ import java.util.Map;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.statement.Query;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.EventArchive;
+import org.toqa.fleet.history.EventArchive;
 
 /** The history on H2 and on MySQL. */
 public final class JdbiEventArchive implements EventArchive {
-  private final Sql sql;
+  private final SqlExecutor sql;
 
   public JdbiEventArchive(Jdbi jdbi) {
-    this.sql = new Sql(jdbi);
+    this.sql = new SqlExecutor(jdbi);
   }
 
   @Override
@@ -30,14 +30,14 @@ public final class JdbiEventArchive implements EventArchive {
           isFamily ? filter.kind().replaceAll("[%_]", "") + ".%" : filter.kind());
     }
     add(conditions, "kind not like :h", filter.users() ? null : "user.%");
-    add(conditions, "at >= :f", filter.from() == null ? null : Sql.utc(filter.from()));
-    add(conditions, "at < :g", filter.until() == null ? null : Sql.utc(filter.until()));
-    return sql.in(
+    add(conditions, "at >= :f", filter.from() == null ? null : SqlExecutor.utc(filter.from()));
+    add(conditions, "at < :g", filter.until() == null ? null : SqlExecutor.utc(filter.until()));
+    return sql.withHandle(
         h -> {
           Query query =
               h.createQuery(
                   "select id, "
-                      + Events.COLUMNS
+                      + EventTable.COLUMNS
                       + " from events where "
                       + String.join(" and ", conditions.keySet())
                       + " order by id desc limit :limit");
@@ -46,7 +46,7 @@ public final class JdbiEventArchive implements EventArchive {
                   query.bind(condition.substring(condition.indexOf(':') + 1), value));
           return query
               .bind("limit", limit)
-              .map((rs, context) -> new Entry(rs.getLong("id"), Events.row(rs, context)))
+              .map((rs, context) -> new Entry(rs.getLong("id"), EventTable.mapEvent(rs, context)))
               .list();
         });
   }

@@ -26,7 +26,7 @@ import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.trust.Fingerprint;
-import org.toqa.mission.Carrier;
+import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
@@ -37,17 +37,17 @@ import org.toqa.mission.Trouble;
 
 /** The fleet's store on H2 and on MySQL: robots, tasks, who executes what, drives and events. */
 public final class JdbiFleetStore implements FleetStore, TaskArchive {
-  private final Sql sql;
+  private final SqlExecutor sql;
 
   public JdbiFleetStore(Jdbi jdbi) {
-    this.sql = new Sql(jdbi);
+    this.sql = new SqlExecutor(jdbi);
   }
 
   // --- robots -----------------------------------------------------------------------------------
 
   @Override
   public List<RobotRecord> robots() {
-    return sql.in(
+    return sql.withHandle(
         h ->
             h.createQuery(
                     "select name, floor, host, port, max_load, parking, simulated, fingerprint from robots where not removed order by id")
@@ -67,7 +67,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public void saveRobot(RobotRecord robot) {
-    sql.in(
+    sql.withHandle(
         h ->
             h.createUpdate(
                     """
@@ -102,7 +102,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                   """)
               .bind("id", robotId(h, robot))
               .execute();
-          Events.add(h, events);
+          EventTable.addMissing(h, events);
           return null;
         });
   }
@@ -112,8 +112,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public Set<String> outOfService() {
-    return sql.in(
+  public Set<String> robotsOutOfService() {
+    return sql.withHandle(
         h ->
             h.createQuery("select name from robots where out_of_service = true")
                 .mapTo(String.class)
@@ -126,8 +126,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public Set<String> held() {
-    return sql.in(
+  public Set<String> heldRobots() {
+    return sql.withHandle(
         h -> h.createQuery("select name from robots where held = true").mapTo(String.class).set());
   }
 
@@ -143,14 +143,14 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
               .bind("value", value)
               .bind("id", robotId(h, robot))
               .execute();
-          Events.add(h, events);
+          EventTable.addMissing(h, events);
           return null;
         });
   }
 
   @Override
-  public List<ChargeRecord> charges() {
-    return sql.in(
+  public List<ChargeRecord> chargeRecords() {
+    return sql.withHandle(
         h ->
             h.createQuery("select name, worked_s, charger, charger_since from robots order by id")
                 .map(
@@ -177,17 +177,17 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                   """)
               .bind("worked", record.worked().toMillis() / 1000.0)
               .bind("charger", turn == null ? null : turn.point())
-              .bind("since", turn == null ? null : Sql.utc(turn.since()))
+              .bind("since", turn == null ? null : SqlExecutor.utc(turn.since()))
               .bind("id", robotId(h, record.robot()))
               .execute();
-          Events.add(h, events);
+          EventTable.addMissing(h, events);
           return null;
         });
   }
 
   @Override
   public Optional<Hold> pause() {
-    return sql.in(
+    return sql.withHandle(
         h ->
             h.createQuery("select user_name, at from fleet_pause")
                 .map((rs, ctx) -> new Hold(rs.getString("user_name"), Rows.instant(rs, "at")))
@@ -202,17 +202,17 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
           if (pause != null) {
             h.createUpdate("insert into fleet_pause (id, user_name, at) values (1, :user, :at)")
                 .bind("user", pause.user())
-                .bind("at", Sql.utc(pause.since()))
+                .bind("at", SqlExecutor.utc(pause.since()))
                 .execute();
           }
-          Events.add(h, events);
+          EventTable.addMissing(h, events);
           return null;
         });
   }
 
   @Override
   public Map<String, Hold> floorHolds() {
-    return sql.in(
+    return sql.withHandle(
         h ->
             h.createQuery("select floor, user_name, at from floor_holds")
                 .map(
@@ -233,17 +233,17 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                     "insert into floor_holds (floor, user_name, at) values (:floor, :user, :at)")
                 .bind("floor", floor)
                 .bind("user", hold.user())
-                .bind("at", Sql.utc(hold.since()))
+                .bind("at", SqlExecutor.utc(hold.since()))
                 .execute();
           }
-          Events.add(h, events);
+          EventTable.addMissing(h, events);
           return null;
         });
   }
 
   @Override
   public Optional<StoredDrive> drive(String robot) {
-    return sql.in(
+    return sql.withHandle(
         h ->
             h.createQuery(
                     """
@@ -257,7 +257,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                             rs.getLong("seq"),
                             Rows.nullableLong(rs, "task_id"),
                             rs.getInt("phase"),
-                            WayJson.read(rs.getString("way"))))
+                            TrajectoryJson.read(rs.getString("way"))))
                 .findOne());
   }
 
@@ -277,8 +277,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
               .bind("seq", drive.seq())
               .bind("task", drive.task())
               .bind("phase", drive.phase())
-              .bind("way", WayJson.write(drive.way()))
-              .bind("at", Sql.utc(Instant.now()))
+              .bind("way", TrajectoryJson.write(drive.trajectory()))
+              .bind("at", SqlExecutor.utc(Instant.now()))
               .execute();
           return h.createUpdate("update robots set last_seq = :seq where id = :id")
               .bind("seq", drive.seq())
@@ -306,14 +306,14 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public List<OpenTask> openTasks() {
-    return sql.in(
+    return sql.withHandle(
         h ->
             h
                 .createQuery(
                     "select "
                         + TASK_COLUMNS
                         + " from tasks where state not in ('DONE', 'FAILED', 'CANCELLED') order by id")
-                .map((rs, ctx) -> row(rs))
+                .map((rs, ctx) -> mapTask(rs))
                 .list()
                 .stream()
                 .map(r -> new OpenTask(r.mission(h), r.changedAt()))
@@ -325,7 +325,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
     return sql.inTransaction(
         h -> {
           List<TransportTask> stored = submissions.stream().map(s -> add(h, s)).toList();
-          Events.addNew(h, stored.stream().map(EventRecord::added).toList());
+          EventTable.addAll(h, stored.stream().map(EventRecord::added).toList());
           return stored;
         });
   }
@@ -357,9 +357,9 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             .bind("goalY", task.goal().position().y())
             .bind("goalStation", task.goal().station())
             .bind("priority", task.priority())
-            .bind("deadline", task.deadline() == null ? null : Sql.utc(task.deadline()))
-            .bind("at", Sql.utc(task.createdAt()))
-            .bind("submission", submission.key().toString())
+            .bind("deadline", task.deadline() == null ? null : SqlExecutor.utc(task.deadline()))
+            .bind("at", SqlExecutor.utc(task.createdAt()))
+            .bind("submission", submission.idempotencyKey().toString())
             .executeAndReturnGeneratedKeys("id")
             .mapTo(Long.class)
             .one();
@@ -367,7 +367,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public void withdraw(Collection<UUID> keys) {
+  public void withdrawTasks(Collection<UUID> keys) {
     sql.inTransaction(
         h -> {
           keys.forEach(key -> withdraw(h, key));
@@ -386,8 +386,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public void check() {
-    sql.in(h -> h.createQuery("select 1").mapTo(Integer.class).one());
+  public void checkAvailable() {
+    sql.withHandle(h -> h.createQuery("select 1").mapTo(Integer.class).one());
   }
 
   @Override
@@ -399,9 +399,9 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
           Set<Long> robots = new TreeSet<>(); // everybody locks them in this order
           for (MissionChange change : changes) {
             robots.addAll(robotsOf(h, change.mission().id()));
-            saveCarriers(h, change.mission());
+            saveAssignedRobots(h, change.mission());
             robots.addAll(robotsOf(h, change.mission().id()));
-            Events.add(h, change.events());
+            EventTable.addMissing(h, change.events());
           }
           robots.forEach(robot -> saveAvailability(h, robot));
           return null;
@@ -415,12 +415,12 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         .list();
   }
 
-  private static void saveCarriers(Handle h, Mission mission) {
+  private static void saveAssignedRobots(Handle h, Mission mission) {
     h.createUpdate("delete from task_robots where task_id = :id")
         .bind("id", mission.id())
         .execute();
-    for (int place = 0; place < mission.carriers().size(); place++) {
-      saveCarrier(h, mission.id(), place, mission.carriers().get(place));
+    for (int place = 0; place < mission.assignedRobots().size(); place++) {
+      saveAssignedRobot(h, mission.id(), place, mission.assignedRobots().get(place));
     }
   }
 
@@ -441,7 +441,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   private static void saveState(Handle h, Mission mission, Instant at) {
-    TaskPlace setDown = mission.setDown();
+    TaskPlace setDown = mission.setDownPlace();
     Trouble trouble = mission.trouble();
     TaskPlace place = trouble == null ? null : trouble.place();
     h.createUpdate(
@@ -454,10 +454,10 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             where id = :id
             """)
         .bind("state", mission.state().name())
-        .bind("at", Sql.utc(at))
+        .bind("at", SqlExecutor.utc(at))
         .bind("priority", mission.task().priority())
-        .bind("assigned", mission.state().isGiven() ? Sql.utc(at) : null)
-        .bind("delivered", mission.state().isDelivered() ? Sql.utc(at) : null)
+        .bind("assigned", mission.state().isAssigned() ? SqlExecutor.utc(at) : null)
+        .bind("delivered", mission.state().isDelivered() ? SqlExecutor.utc(at) : null)
         .bind("held", mission.held())
         .bind("ending", mission.ending() == null ? null : mission.ending().name())
         .bind("setDownX", setDown == null ? null : setDown.position().x())
@@ -467,12 +467,12 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         .bind("troubleSaid", trouble == null ? null : SentenceJson.write(trouble.why()))
         .bind("troubleX", place == null ? null : place.position().x())
         .bind("troubleY", place == null ? null : place.position().y())
-        .bind("troubleWaits", trouble != null && trouble.waits())
+        .bind("troubleWaits", trouble != null && trouble.isAwaited())
         .bind("id", mission.id())
         .execute();
   }
 
-  private static void saveCarrier(Handle h, long task, int place, Carrier carrier) {
+  private static void saveAssignedRobot(Handle h, long task, int place, AssignedRobot carrier) {
     long robot = robotId(h, carrier.robot());
     h.createUpdate(
             """
@@ -484,20 +484,20 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         .bind("place", place)
         .bind("phase", carrier.phase())
         .bind("arrived", carrier.arrived())
-        .bind("released", carrier.released())
+        .bind("released", carrier.unassigned())
         .execute();
   }
 
   @Override
   public List<TaskView> tasks(Filter filter, Sort sort, int offset, int limit) {
-    String order = TaskQuery.order(sort) + " limit :limit offset :offset";
-    return sql.in(
+    String order = TaskQuery.orderBy(sort) + " limit :limit offset :offset";
+    return sql.withHandle(
         h ->
             new TaskQuery(filter)
                     .select(h, TASK_COLUMNS, order)
                     .bind("limit", limit)
                     .bind("offset", offset)
-                    .map((rs, ctx) -> row(rs))
+                    .map((rs, ctx) -> mapTask(rs))
                     .list()
                     .stream()
                     .map(r -> view(h, r))
@@ -506,18 +506,18 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public Optional<TaskView> task(long id) {
-    return sql.in(
+    return sql.withHandle(
         h ->
             h.createQuery("select " + TASK_COLUMNS + " from tasks where id = :id")
                 .bind("id", id)
-                .map((rs, ctx) -> row(rs))
+                .map((rs, ctx) -> mapTask(rs))
                 .findOne()
                 .map(r -> view(h, r)));
   }
 
   @Override
-  public Optional<TaskView> taskOf(UUID key) {
-    return sql.in(
+  public Optional<TaskView> taskByKey(UUID key) {
+    return sql.withHandle(
             h ->
                 h.createQuery("select id from tasks where submission = :key")
                     .bind("key", key.toString())
@@ -528,26 +528,27 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public long count(Filter filter) {
-    return sql.in(h -> new TaskQuery(filter).select(h, "count(*)", "").mapTo(Long.class).one());
+    return sql.withHandle(
+        h -> new TaskQuery(filter).select(h, "count(*)", "").mapTo(Long.class).one());
   }
 
   /**
-   * @param unmanned the mission without its robots
+   * @param missionWithoutRobots the mission without its robots
    */
-  private record TaskRow(Mission unmanned, Instant changedAt) {
+  private record TaskRow(Mission missionWithoutRobots, Instant changedAt) {
     Mission mission(Handle h) {
       return new Mission(
-          unmanned.task(),
-          unmanned.state(),
-          carriers(h, unmanned.id()),
-          unmanned.held(),
-          unmanned.ending(),
-          unmanned.setDown(),
-          unmanned.trouble());
+          missionWithoutRobots.task(),
+          missionWithoutRobots.state(),
+          assignedRobots(h, missionWithoutRobots.id()),
+          missionWithoutRobots.held(),
+          missionWithoutRobots.ending(),
+          missionWithoutRobots.setDownPlace(),
+          missionWithoutRobots.trouble());
     }
   }
 
-  private static TaskRow row(ResultSet rs) throws SQLException {
+  private static TaskRow mapTask(ResultSet rs) throws SQLException {
     TransportTask task =
         new TransportTask(
             rs.getLong("id"),
@@ -573,23 +574,23 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             List.of(),
             rs.getBoolean("held"),
             ending == null ? null : LoadChoice.valueOf(ending),
-            spot(rs, "set_down"),
-            trouble(rs));
+            mapPlace(rs, "set_down"),
+            mapTrouble(rs));
     return new TaskRow(unmanned, Rows.instant(rs, "changed_at"));
   }
 
-  private static @Nullable Trouble trouble(ResultSet rs) throws SQLException {
+  private static @Nullable Trouble mapTrouble(ResultSet rs) throws SQLException {
     String robot = rs.getString("trouble_robot");
     return robot == null
         ? null
         : new Trouble(
             robot,
             SentenceJson.read(rs.getString("trouble_said"), rs.getString("trouble_why")),
-            spot(rs, "trouble"),
+            mapPlace(rs, "trouble"),
             rs.getBoolean("trouble_waits"));
   }
 
-  private static @Nullable TaskPlace spot(ResultSet rs, String columns) throws SQLException {
+  private static @Nullable TaskPlace mapPlace(ResultSet rs, String columns) throws SQLException {
     Double x = Rows.nullableDouble(rs, columns + "_x");
     Double y = Rows.nullableDouble(rs, columns + "_y");
     return x == null || y == null ? null : new TaskPlace(new Vec2(x, y), null);
@@ -599,7 +600,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
     return TaskView.of(row.mission(h), null, row.changedAt());
   }
 
-  private static List<Carrier> carriers(Handle h, long task) {
+  private static List<AssignedRobot> assignedRobots(Handle h, long task) {
     return h.createQuery(
             """
             select r.name, t.phase, t.arrived, t.released
@@ -608,7 +609,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         .bind("task", task)
         .map(
             (rs, ctx) ->
-                new Carrier(
+                new AssignedRobot(
                     rs.getString("name"),
                     rs.getInt("phase"),
                     rs.getBoolean("arrived"),
@@ -622,13 +623,13 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   public void addEvents(List<EventRecord> events) {
     sql.inTransaction(
         h -> {
-          Events.add(h, events);
+          EventTable.addMissing(h, events);
           return null;
         });
   }
 
   @Override
   public List<EventRecord> history(long task) {
-    return sql.in(h -> Events.of(h, task));
+    return sql.withHandle(h -> EventTable.ofTask(h, task));
   }
 }

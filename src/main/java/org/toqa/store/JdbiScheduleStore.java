@@ -21,11 +21,11 @@ import org.jdbi.v3.core.statement.StatementContext;
 import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventRecord;
-import org.toqa.fleet.Recurrence;
-import org.toqa.fleet.Schedule;
-import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.schedule.Recurrence;
+import org.toqa.fleet.schedule.Schedule;
+import org.toqa.fleet.schedule.ScheduleStore;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.wording.Phrase;
@@ -40,45 +40,45 @@ public final class JdbiScheduleStore implements ScheduleStore {
       from schedules
       """;
 
-  private final Sql sql;
+  private final SqlExecutor sql;
 
   public JdbiScheduleStore(Jdbi jdbi) {
-    this.sql = new Sql(jdbi);
+    this.sql = new SqlExecutor(jdbi);
   }
 
   @Override
   public List<Schedule> schedules() {
-    return sql.in(
-        h -> h.createQuery(SELECT + "order by id").map(JdbiScheduleStore::schedule).list());
+    return sql.withHandle(
+        h -> h.createQuery(SELECT + "order by id").map(JdbiScheduleStore::mapSchedule).list());
   }
 
   @Override
   public Optional<Schedule> schedule(long id) {
-    return sql.in(
+    return sql.withHandle(
         h ->
             h.createQuery(SELECT + "where id = :id")
                 .bind("id", id)
-                .map(JdbiScheduleStore::schedule)
+                .map(JdbiScheduleStore::mapSchedule)
                 .findOne());
   }
 
   @Override
-  public Optional<Schedule> scheduleOf(UUID key) {
-    return sql.in(
+  public Optional<Schedule> scheduleByKey(UUID key) {
+    return sql.withHandle(
         h ->
             h.createQuery(SELECT + "where submission = :key")
                 .bind("key", key.toString())
-                .map(JdbiScheduleStore::schedule)
+                .map(JdbiScheduleStore::mapSchedule)
                 .findOne());
   }
 
   @Override
   public List<Schedule> due(Instant now) {
-    return sql.in(
+    return sql.withHandle(
         h ->
             h.createQuery(SELECT + "where not paused and due_at <= :now order by due_at, id")
-                .bind("now", Sql.utc(now))
-                .map(JdbiScheduleStore::schedule)
+                .bind("now", SqlExecutor.utc(now))
+                .map(JdbiScheduleStore::mapSchedule)
                 .list());
   }
 
@@ -90,7 +90,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
                 .orElseGet(
                     () -> {
                       long id = insert(h, schedule, key);
-                      Events.addNew(h, List.of(added(schedule, id)));
+                      EventTable.addAll(h, List.of(added(schedule, id)));
                       return id;
                     }));
   }
@@ -136,11 +136,11 @@ public final class JdbiScheduleStore implements ScheduleStore {
             .bind("priority", order.priority())
             .bind("until", utc(schedule.until()))
             .bind("paused", schedule.paused())
-            .bind("at", Sql.utc(schedule.createdAt()))
+            .bind("at", SqlExecutor.utc(schedule.createdAt()))
             .bind("due", utc(schedule.due()));
     bind(update, "start", order.start());
     bind(update, "goal", order.goal());
-    bind(update, Times.of(schedule.recurrence()));
+    bind(update, RecurrenceColumns.of(schedule.recurrence()));
     return update.executeAndReturnGeneratedKeys("id").mapTo(Long.class).one();
   }
 
@@ -153,20 +153,21 @@ public final class JdbiScheduleStore implements ScheduleStore {
   }
 
   /** The columns of a recurrence; null: it has no such time. */
-  private record Times(
+  private record RecurrenceColumns(
       String kind,
       @Nullable Instant first,
       @Nullable Duration every,
       @Nullable String weekdays,
       @Nullable LocalTime time,
       @Nullable ZoneId zone) {
-    static Times of(Recurrence recurrence) {
+    static RecurrenceColumns of(Recurrence recurrence) {
       return switch (recurrence) {
-        case Recurrence.Once(Instant at) -> new Times("ONCE", at, null, null, null, null);
+        case Recurrence.Once(Instant at) ->
+            new RecurrenceColumns("ONCE", at, null, null, null, null);
         case Recurrence.Every(Instant first, Duration pause) ->
-            new Times("EVERY", first, pause, null, null, null);
+            new RecurrenceColumns("EVERY", first, pause, null, null, null);
         case Recurrence.Weekly(var days, LocalTime time, ZoneId zone) ->
-            new Times("WEEKLY", null, null, names(days), time, zone);
+            new RecurrenceColumns("WEEKLY", null, null, names(days), time, zone);
       };
     }
 
@@ -175,7 +176,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
     }
   }
 
-  private static void bind(Update update, Times times) {
+  private static void bind(Update update, RecurrenceColumns times) {
     update
         .bind("kind", times.kind())
         .bind("first", utc(times.first()))
@@ -205,7 +206,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
                   .bind("due", utc(schedule.due()))
                   .execute();
           if (changed > 0) {
-            Events.add(h, events);
+            EventTable.addMissing(h, events);
           }
           return null;
         });
@@ -220,7 +221,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
               .bind("due", utc(due))
               .bind("id", id)
               .execute();
-          Events.add(h, events);
+          EventTable.addMissing(h, events);
           return null;
         });
   }
@@ -230,18 +231,18 @@ public final class JdbiScheduleStore implements ScheduleStore {
     sql.inTransaction(
         h -> {
           h.createUpdate("delete from schedules where id = :id").bind("id", id).execute();
-          Events.add(h, events);
+          EventTable.addMissing(h, events);
           return null;
         });
   }
 
-  private static Schedule schedule(ResultSet rs, StatementContext context) throws SQLException {
+  private static Schedule mapSchedule(ResultSet rs, StatementContext context) throws SQLException {
     TaskOrder order =
         new TaskOrder(
             rs.getString("name"),
             rs.getDouble("load_kg"),
-            where(rs, "start"),
-            where(rs, "goal"),
+            mapWhere(rs, "start"),
+            mapWhere(rs, "goal"),
             rs.getString("floor"),
             rs.getInt("priority"),
             null,
@@ -249,7 +250,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
     return new Schedule(
         rs.getLong("id"),
         order,
-        recurrence(rs),
+        mapRecurrence(rs),
         Rows.nullableInstant(rs, "until_at"),
         rs.getBoolean("paused"),
         rs.getString("user_name"),
@@ -258,14 +259,14 @@ public final class JdbiScheduleStore implements ScheduleStore {
         Rows.nullableLong(rs, "last_task"));
   }
 
-  private static Where where(ResultSet rs, String end) throws SQLException {
+  private static Where mapWhere(ResultSet rs, String end) throws SQLException {
     String station = rs.getString(end + "_station");
     return station == null
         ? new Where.Point(new Vec2(rs.getDouble(end + "_x"), rs.getDouble(end + "_y")))
         : new Where.Station(station);
   }
 
-  private static Recurrence recurrence(ResultSet rs) throws SQLException {
+  private static Recurrence mapRecurrence(ResultSet rs) throws SQLException {
     return switch (rs.getString("kind")) {
       case "ONCE" -> new Recurrence.Once(Rows.instant(rs, "first_at"));
       case "EVERY" ->
@@ -282,6 +283,6 @@ public final class JdbiScheduleStore implements ScheduleStore {
   }
 
   private static @Nullable LocalDateTime utc(@Nullable Instant moment) {
-    return moment == null ? null : Sql.utc(moment);
+    return moment == null ? null : SqlExecutor.utc(moment);
   }
 }

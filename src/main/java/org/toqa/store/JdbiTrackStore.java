@@ -11,19 +11,19 @@ import java.util.stream.Collectors;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.statement.PreparedBatch;
-import org.toqa.fleet.FloorTracks;
-import org.toqa.fleet.TrackPoint;
-import org.toqa.fleet.TrackStore;
+import org.toqa.fleet.history.FloorTracks;
+import org.toqa.fleet.history.TrackPoint;
+import org.toqa.fleet.history.TrackStore;
 import org.toqa.geometry.Vec2;
 
 /** Tracks on H2 and on MySQL: 24 bytes a point, and what the database adds to a row. */
 public final class JdbiTrackStore implements TrackStore {
   private static final double MILLIMETRES = 1000;
 
-  private final Sql sql;
+  private final SqlExecutor sql;
 
   public JdbiTrackStore(Jdbi jdbi) {
-    this.sql = new Sql(jdbi);
+    this.sql = new SqlExecutor(jdbi);
   }
 
   @Override
@@ -50,7 +50,7 @@ public final class JdbiTrackStore implements TrackStore {
 
   @Override
   public List<TrackPoint> track(String robot, Instant since) {
-    return sql.in(
+    return sql.withHandle(
         h ->
             h.createQuery(
                     """
@@ -64,15 +64,15 @@ public final class JdbiTrackStore implements TrackStore {
   }
 
   @Override
-  public FloorTracks tracks(List<String> robots, Instant from, Instant until, int most) {
+  public FloorTracks tracksOf(List<String> robots, Instant from, Instant until, int most) {
     return robots.isEmpty()
         ? new FloorTracks(until, Map.of())
-        : sql.in(h -> tracks(h, robots, from, until, most));
+        : sql.withHandle(h -> tracks(h, robots, from, until, most));
   }
 
   private static FloorTracks tracks(
       Handle h, List<String> robots, Instant from, Instant until, int most) {
-    List<TrackPoint> within = within(h, robots, from, until, most + 1);
+    List<TrackPoint> within = pointsWithin(h, robots, from, until, most + 1);
     Instant end = within.size() <= most ? until : within.getLast().at();
     Map<String, List<TrackPoint>> moved =
         within.stream()
@@ -81,15 +81,16 @@ public final class JdbiTrackStore implements TrackStore {
     Map<String, List<TrackPoint>> points = new LinkedHashMap<>();
     for (String robot : robots) {
       List<TrackPoint> track = new ArrayList<>();
-      track.addAll(beside(h, robot, "t.at < :at order by t.at desc limit 2", from).reversed());
+      track.addAll(
+          pointsBeside(h, robot, "t.at < :at order by t.at desc limit 2", from).reversed());
       track.addAll(moved.getOrDefault(robot, List.of()));
-      track.addAll(beside(h, robot, "t.at >= :at order by t.at limit 1", end));
+      track.addAll(pointsBeside(h, robot, "t.at >= :at order by t.at limit 1", end));
       points.put(robot, track);
     }
     return new FloorTracks(end, points);
   }
 
-  private static List<TrackPoint> within(
+  private static List<TrackPoint> pointsWithin(
       Handle h, List<String> robots, Instant from, Instant until, int limit) {
     return h.createQuery(
             """
@@ -105,7 +106,7 @@ public final class JdbiTrackStore implements TrackStore {
         .list();
   }
 
-  private static List<TrackPoint> beside(Handle h, String robot, String where, Instant at) {
+  private static List<TrackPoint> pointsBeside(Handle h, String robot, String where, Instant at) {
     return h.createQuery(
             "select t.at, t.x, t.y from tracks t join robots r on r.id = t.robot_id"
                 + " where r.name = :robot and "

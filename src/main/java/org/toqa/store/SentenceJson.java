@@ -16,7 +16,7 @@ import tools.jackson.databind.json.JsonMapper;
  */
 final class SentenceJson {
   /** What is longer is kept in English only. */
-  static final int LONGEST = 2000;
+  static final int MAX_LENGTH = 2000;
 
   private static final JsonMapper MAPPER = JsonMapper.builder().build();
 
@@ -25,7 +25,7 @@ final class SentenceJson {
   /** Null where the English text says all of it. */
   static @Nullable String write(Sentence sentence) {
     String json = sentence.isVerbatim() ? "" : MAPPER.writeValueAsString(array(sentence));
-    return json.isEmpty() || json.length() > LONGEST ? null : json;
+    return json.isEmpty() || json.length() > MAX_LENGTH ? null : json;
   }
 
   private static List<Object> array(Sentence sentence) {
@@ -49,7 +49,7 @@ final class SentenceJson {
   private static Optional<Sentence> sentence(String json) {
     try {
       Sentence sentence = sentence(MAPPER.readTree(json));
-      return sentence.canBeSaid() ? Optional.of(sentence) : Optional.empty();
+      return sentence.isComplete() ? Optional.of(sentence) : Optional.empty();
     } catch (JacksonException | IllegalArgumentException e) {
       return Optional.empty();
     }

@@ -40,10 +40,10 @@ final class TaskQuery {
       addText(filter.text());
     }
     if (filter.from() != null) {
-      add("created_at >= :from", "from", Sql.utc(filter.from()));
+      add("created_at >= :from", "from", SqlExecutor.utc(filter.from()));
     }
     if (filter.until() != null) {
-      add("created_at < :until", "until", Sql.utc(filter.until()));
+      add("created_at < :until", "until", SqlExecutor.utc(filter.until()));
     }
   }
 
@@ -65,17 +65,17 @@ final class TaskQuery {
   }
 
   /**
-   * @param what the columns
-   * @param rest what stands behind the conditions
+   * @param columns the columns
+   * @param suffix what stands behind the conditions
    */
-  Query select(Handle h, String what, String rest) {
+  Query select(Handle h, String columns, String suffix) {
     String where = conditions.isEmpty() ? "" : " where " + String.join(" and ", conditions);
-    Query query = h.createQuery("select " + what + " from tasks" + where + rest);
+    Query query = h.createQuery("select " + columns + " from tasks" + where + suffix);
     values.forEach(query::bind);
     return query;
   }
 
-  static String order(Sort sort) {
+  static String orderBy(Sort sort) {
     String column =
         switch (sort.by()) {
           case ID -> "id";

@@ -21,7 +21,7 @@ public record Deadline(LongSupplier ticker, long end) {
   }
 
   /** The moment when a part of the time left from now will have passed. */
-  public Deadline after(double share) {
+  public Deadline afterShare(double share) {
     long now = ticker.getAsLong();
     return new Deadline(ticker, now + (long) (share * (end - now)));
   }

@@ -23,12 +23,12 @@ public final class DistanceTables {
    */
   public static char[][] of(RoadGraph roads, int[] goals, Deadline deadline) {
     int[] distinct = Arrays.stream(goals).distinct().toArray();
-    char[][] byVertex = new char[roads.vertices()][];
+    char[][] byVertex = new char[roads.vertexCount()][];
     IntStream.range(0, (distinct.length + CHUNK - 1) / CHUNK)
         .parallel()
         .forEach(
             chunk -> {
-              int[] queue = new int[roads.vertices()];
+              int[] queue = new int[roads.vertexCount()];
               int end = Math.min(distinct.length, (chunk + 1) * CHUNK);
               for (int k = chunk * CHUNK; k < end && !deadline.isPassed(); k++) {
                 byVertex[distinct[k]] = of(roads, distinct[k], queue);
@@ -41,7 +41,7 @@ public final class DistanceTables {
   }
 
   private static char[] of(RoadGraph roads, int goal, int[] queue) {
-    char[] steps = new char[roads.vertices()];
+    char[] steps = new char[roads.vertexCount()];
     Arrays.fill(steps, (char) UNREACHABLE);
     steps[goal] = 0;
     queue[0] = goal;

@@ -77,9 +77,9 @@ public final class RoadGraph {
   /** Labels the connected parts and answers the label of the largest. */
   private int labelComponents() {
     Arrays.fill(components, NONE);
-    int[] queue = new int[vertices()];
+    int[] queue = new int[vertexCount()];
     int largest = NONE;
-    for (int root = 0; root < vertices(); root++) {
+    for (int root = 0; root < vertexCount(); root++) {
       if (components[root] != NONE) {
         continue;
       }
@@ -108,7 +108,7 @@ public final class RoadGraph {
   }
 
   /** How many there are. */
-  public int vertices() {
+  public int vertexCount() {
     return cellOf.length;
   }
 
@@ -163,7 +163,7 @@ public final class RoadGraph {
   }
 
   /** How many vertices the largest connected part has. */
-  public int largestPart() {
+  public int largestPartSize() {
     return largestPart;
   }
 

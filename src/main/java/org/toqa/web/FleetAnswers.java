@@ -9,28 +9,28 @@ import org.toqa.fleet.FleetStore.StoreException;
 
 /** Waits for the fleet on behalf of a request. */
 public final class FleetAnswers {
-  private static final Duration LIMIT = Duration.ofSeconds(10);
+  private static final Duration TIMEOUT = Duration.ofSeconds(10);
 
   private FleetAnswers() {}
 
   /**
    * @throws StoreException when nothing was done, since the store did not answer
-   * @throws FleetSilentException when there is no answer within ten seconds; the wish may still
-   *     have been stored
+   * @throws FleetUnavailableException when there is no answer within ten seconds; the wish may
+   *     still have been stored
    */
-  public static <T> T await(CompletionStage<T> wish) {
+  public static <T> T await(CompletionStage<T> answer) {
     try {
-      return wish.toCompletableFuture().get(LIMIT.toMillis(), TimeUnit.MILLISECONDS);
+      return answer.toCompletableFuture().get(TIMEOUT.toMillis(), TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new FleetSilentException(e);
+      throw new FleetUnavailableException(e);
     } catch (ExecutionException e) {
       if (e.getCause() instanceof StoreException refused) {
         throw refused;
       }
-      throw new FleetSilentException(e);
+      throw new FleetUnavailableException(e);
     } catch (TimeoutException e) {
-      throw new FleetSilentException(e);
+      throw new FleetUnavailableException(e);
     }
   }
 }

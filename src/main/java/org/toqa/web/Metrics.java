@@ -40,9 +40,9 @@ public final class Metrics implements AutoCloseable {
   private final MultiGauge robots;
   private final MultiGauge tasks;
   private final MultiGauge batteries;
-  private final JvmGcMetrics collector = new JvmGcMetrics();
+  private final JvmGcMetrics gcMetrics = new JvmGcMetrics();
   private final AtomicInteger streams = new AtomicInteger();
-  private final Counter tooFast;
+  private final Counter rateLimited;
 
   public Metrics(SnapshotFeed feed) {
     this.feed = feed;
@@ -65,7 +65,7 @@ public final class Metrics implements AutoCloseable {
     Gauge.builder("toqa.streams", streams, AtomicInteger::get)
         .description("Readers of live events")
         .register(registry);
-    tooFast =
+    rateLimited =
         Counter.builder("toqa.http.too.fast")
             .description("Requests that were refused because their caller asked too fast")
             .register(registry);
@@ -74,7 +74,7 @@ public final class Metrics implements AutoCloseable {
     new ProcessorMetrics().bindTo(registry);
     new UptimeMetrics().bindTo(registry);
     new FileDescriptorMetrics().bindTo(registry);
-    collector.bindTo(registry);
+    gcMetrics.bindTo(registry);
   }
 
   private void gauge(String name, String description, ToDoubleFunction<FleetSnapshot> value) {
@@ -91,28 +91,28 @@ public final class Metrics implements AutoCloseable {
   /**
    * A request was answered.
    *
-   * @param door its door's path, with braces, so that there are not more of them than doors
+   * @param route its door's path, with braces, so that there are not more of them than doors
    */
-  void answered(String method, String door, int status, Duration time) {
+  public void recordRequest(String method, String route, int status, Duration time) {
     Timer.builder("toqa.http.requests")
         .description("Answered requests of pages and API")
         .publishPercentileHistogram()
         .minimumExpectedValue(Duration.ofMillis(1))
         .maximumExpectedValue(Duration.ofSeconds(10))
-        .tags("method", method, "door", door, "status", status / 100 + "xx")
+        .tags("method", method, "door", route, "status", status / 100 + "xx")
         .register(registry)
         .record(time);
   }
 
-  public void refusedAsTooFast() {
-    tooFast.increment();
+  public void recordRateLimited() {
+    rateLimited.increment();
   }
 
-  public void streamBegun() {
+  public void recordStreamStart() {
     streams.incrementAndGet();
   }
 
-  public void streamEnded() {
+  public void recordStreamEnd() {
     streams.decrementAndGet();
   }
 
@@ -129,7 +129,7 @@ public final class Metrics implements AutoCloseable {
             Arrays.stream(TaskState.values()).filter(s -> !s.isEnded()).toArray(TaskState[]::new),
             state ->
                 state == TaskState.QUEUED
-                    ? fleet.queued()
+                    ? fleet.queuedCount()
                     : fleet.tasks().stream().filter(t -> t.state() == state).count()),
         true);
     batteries.register(fleet.robots().stream().flatMap(Metrics::battery).toList(), true);
@@ -155,7 +155,7 @@ public final class Metrics implements AutoCloseable {
 
   @Override
   public void close() {
-    collector.close();
+    gcMetrics.close();
     registry.close();
   }
 }

@@ -3,18 +3,16 @@ package org.toqa.web;
 import jakarta.servlet.ServletContext;
 import java.time.InstantSource;
 import java.util.Objects;
-import org.toqa.fleet.EventArchive;
+import org.toqa.accounts.Authenticator;
+import org.toqa.accounts.PasswordHasher;
 import org.toqa.fleet.Fleet;
-import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
-import org.toqa.fleet.TrackStore;
-import org.toqa.store.Accounts;
-import org.toqa.store.Sessions;
-import org.toqa.store.Statistics;
-import org.toqa.web.access.Login;
-import org.toqa.web.access.PasswordLinks;
-import org.toqa.web.access.Passwords;
-import org.toqa.web.access.RequestLimit;
+import org.toqa.fleet.history.EventArchive;
+import org.toqa.fleet.history.TrackStore;
+import org.toqa.fleet.schedule.ScheduleStore;
+import org.toqa.store.JdbiAccountStore;
+import org.toqa.store.JdbiSessionStore;
+import org.toqa.store.JdbiStatisticsArchive;
 
 /** What the web application stands on. Whoever starts it puts this into the servlet context. */
 public record Services(
@@ -23,16 +21,16 @@ public record Services(
     EventArchive history,
     TrackStore tracks,
     ScheduleStore schedules,
-    Statistics statistics,
-    Accounts accounts,
-    Sessions sessions,
+    JdbiStatisticsArchive statistics,
+    JdbiAccountStore accounts,
+    JdbiSessionStore sessions,
     PasswordLinks passwordLinks,
-    Passwords passwords,
+    PasswordHasher passwordHasher,
     Metrics metrics,
     RequestLimit requestLimit,
     InstantSource clock,
-    Login login,
-    Submissions submissions) {
+    Authenticator authenticator,
+    TaskSubmitter taskSubmitter) {
 
   /** The servlet context's attribute that holds the services. */
   public static final String ATTRIBUTE = Services.class.getName();
@@ -43,11 +41,11 @@ public record Services(
       EventArchive history,
       TrackStore tracks,
       ScheduleStore schedules,
-      Statistics statistics,
-      Accounts accounts,
-      Sessions sessions,
+      JdbiStatisticsArchive statistics,
+      JdbiAccountStore accounts,
+      JdbiSessionStore sessions,
       PasswordLinks passwordLinks,
-      Passwords passwords,
+      PasswordHasher passwordHasher,
       Metrics metrics,
       RequestLimit requestLimit,
       InstantSource clock) {
@@ -61,15 +59,15 @@ public record Services(
         accounts,
         sessions,
         passwordLinks,
-        passwords,
+        passwordHasher,
         metrics,
         requestLimit,
         clock,
-        Login.of(accounts, passwords, clock),
-        new Submissions(fleet, archive));
+        Authenticator.of(accounts, passwordHasher, clock),
+        new TaskSubmitter(fleet, archive));
   }
 
-  public static Services from(ServletContext context) {
+  public static Services of(ServletContext context) {
     return (Services)
         Objects.requireNonNull(
             context.getAttribute(ATTRIBUTE), "The services are not in the servlet context.");

@@ -20,16 +20,16 @@ public final class Tasks {
     this.services = services;
   }
 
-  public Optional<TaskView> byId(long id) {
-    return services.fleet().feed().latest().tasks().stream()
+  public Optional<TaskView> task(long id) {
+    return services.fleet().snapshots().latest().tasks().stream()
         .filter(task -> task.id() == id)
         .findFirst()
         .or(() -> services.archive().task(id).map(this::withReason));
   }
 
-  public List<TaskView> list(Filter filter, Sort sort, int offset, int limit) {
+  public List<TaskView> page(Filter filter, Sort sort, int offset, int limit) {
     Map<Long, TaskView> live =
-        services.fleet().feed().latest().tasks().stream()
+        services.fleet().snapshots().latest().tasks().stream()
             .collect(Collectors.toMap(TaskView::id, Function.identity()));
     return services.archive().tasks(filter, sort, offset, limit).stream()
         .map(task -> live.getOrDefault(task.id(), withReason(task)))
@@ -53,8 +53,8 @@ public final class Tasks {
   }
 
   private boolean isQueueLong() {
-    FleetSnapshot latest = services.fleet().feed().latest();
-    return latest.queued()
+    FleetSnapshot latest = services.fleet().snapshots().latest();
+    return latest.queuedCount()
         > latest.tasks().stream().filter(t -> t.state() == TaskState.QUEUED).count();
   }
 

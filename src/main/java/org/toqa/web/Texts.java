@@ -35,12 +35,12 @@ public final class Texts {
     return (Texts) Objects.requireNonNull(request.getAttribute(ATTRIBUTE));
   }
 
-  public void keepIn(ServletRequest request) {
+  public void storeIn(ServletRequest request) {
     request.setAttribute(ATTRIBUTE, this);
   }
 
   /** Names the language in the answer's header. */
-  public void tell(HttpServletResponse response) {
+  public void setContentLanguage(HttpServletResponse response) {
     response.setHeader("Content-Language", locale.toLanguageTag());
   }
 
@@ -57,7 +57,7 @@ public final class Texts {
   }
 
   /** What the fleet says. */
-  public String say(Sentence sentence) {
-    return sentence.in(locale);
+  public String text(Sentence sentence) {
+    return sentence.text(locale);
   }
 }

@@ -51,10 +51,10 @@ public record Sentence(Phrase phrase, List<Object> values) {
   }
 
   /** Whether it has the values that its phrase needs; what was stored long ago may not. */
-  public boolean canBeSaid() {
+  public boolean isComplete() {
     boolean hasAll =
         format(Locale.ENGLISH).getFormatsByArgumentIndex().length == values.size()
-            && values.stream().allMatch(v -> !(v instanceof Sentence part) || part.canBeSaid());
+            && values.stream().allMatch(v -> !(v instanceof Sentence part) || part.isComplete());
     try {
       return hasAll && !english().isEmpty();
     } catch (IllegalArgumentException e) { // a text for a number
@@ -64,14 +64,14 @@ public record Sentence(Phrase phrase, List<Object> values) {
 
   /** For logs, for programs and for the history. */
   public String english() {
-    return in(Locale.ENGLISH);
+    return text(Locale.ENGLISH);
   }
 
-  public String in(Locale locale) {
+  public String text(Locale locale) {
     return format(locale)
         .format(
             values.stream()
-                .map(value -> value instanceof Sentence part ? part.in(locale) : value)
+                .map(value -> value instanceof Sentence part ? part.text(locale) : value)
                 .toArray());
   }
 

@@ -40,24 +40,24 @@ class AllocatorContractTest {
   @MethodSource("allocators")
   void everyTaskIsDecidedOnceAndARobotGetsAtMostOneThatItCanCarry(Allocator allocator) {
     for (int seed = 0; seed < SEEDS; seed++) {
-      Situation situation = Floors.random(seed, 1 + seed % 12, 1 + seed % 9, 0);
+      AllocationProblem problem = Floors.random(seed, 1 + seed % 12, 1 + seed % 9, 0);
       Map<String, Candidate> robots = new HashMap<>();
-      situation.robots().forEach(r -> robots.put(r.robot(), r));
+      problem.robots().forEach(r -> robots.put(r.robot(), r));
       Set<String> chosen = new HashSet<>();
-      List<Decision> decisions = allocator.allocate(situation);
+      List<Decision> decisions = allocator.allocate(problem);
 
       assertEquals(
-          situation.waiting().stream().map(Job::id).sorted().toList(),
-          decisions.stream().map(Decision::job).sorted().toList(),
+          problem.waiting().stream().map(AllocationTask::id).sorted().toList(),
+          decisions.stream().map(Decision::task).sorted().toList(),
           "seed " + seed);
       for (Decision decision : decisions) {
-        assertFalse(decision.why().english().isBlank());
+        assertFalse(decision.reason().english().isBlank());
         for (String name : Outcome.robots(decision)) {
           Candidate robot = requireNonNull(robots.get(name));
           assertTrue(chosen.add(name), "seed " + seed + ": " + name + " has two tasks");
           assertTrue(robot.isFree(), "seed " + seed + ": " + name);
           assertTrue(
-              robot.isStrongEnough(byId(situation, decision.job())), "seed " + seed + ": " + name);
+              robot.isStrongEnough(byId(problem, decision.task())), "seed " + seed + ": " + name);
         }
       }
     }
@@ -67,17 +67,17 @@ class AllocatorContractTest {
   @MethodSource("allocators")
   void noTaskWaitsWhileARobotThatCanCarryItIsLeft(Allocator allocator) {
     for (int seed = 0; seed < SEEDS; seed++) {
-      Situation situation = Floors.random(seed, 1 + seed % 7, 1 + seed % 9, 0);
-      List<Decision> decisions = allocator.allocate(situation);
+      AllocationProblem problem = Floors.random(seed, 1 + seed % 7, 1 + seed % 9, 0);
+      List<Decision> decisions = allocator.allocate(problem);
       Set<String> chosen = new HashSet<>();
       decisions.forEach(d -> chosen.addAll(Outcome.robots(d)));
       for (Decision decision : decisions) {
-        Job job = byId(situation, decision.job());
+        AllocationTask task = byId(problem, decision.task());
         assertTrue(
             decision instanceof Decision.Assigned
-                || situation.free().stream()
-                    .noneMatch(r -> r.isStrongEnough(job) && !chosen.contains(r.robot())),
-            "seed " + seed + ", task " + job.id());
+                || problem.freeRobots().stream()
+                    .noneMatch(r -> r.isStrongEnough(task) && !chosen.contains(r.robot())),
+            "seed " + seed + ", task " + task.id());
       }
     }
   }
@@ -86,14 +86,14 @@ class AllocatorContractTest {
   @MethodSource("allocators")
   void tasksGivenOutStayWithSomebodyAndNobodyGetsTwo(Allocator allocator) {
     for (int seed = 0; seed < SEEDS; seed++) {
-      Situation situation = Floors.random(seed, 1 + seed % 7, 4 + seed % 9, 3);
-      List<Decision> decisions = allocator.allocate(situation);
+      AllocationProblem problem = Floors.random(seed, 1 + seed % 7, 4 + seed % 9, 3);
+      List<Decision> decisions = allocator.allocate(problem);
       for (Decision decision : decisions) {
         assertTrue(
-            decision instanceof Decision.Assigned || decision.job() < 1000,
+            decision instanceof Decision.Assigned || decision.task() < 1000,
             "seed " + seed + ": a task given out waits again");
       }
-      Map<Long, String> holders = new Outcome(situation, decisions).holders;
+      Map<Long, String> holders = new Outcome(problem, decisions).holders;
       assertEquals(
           holders.size(), new HashSet<>(holders.values()).size(), "seed " + seed + holders);
     }
@@ -102,17 +102,17 @@ class AllocatorContractTest {
   @ParameterizedTest
   @MethodSource("allocators")
   void aTaskIsServedInTheEndThoughNearerAndMoreUrgentOnesKeepComing(Allocator allocator) {
-    Job far = new Job(0, 4, new Vec2(79, 5), new Vec2(79, 6), NOON);
-    List<Job> waiting = new ArrayList<>(List.of(far));
+    AllocationTask far = new AllocationTask(0, 4, new Vec2(79, 5), new Vec2(79, 6), NOON);
+    List<AllocationTask> waiting = new ArrayList<>(List.of(far));
     Instant now = NOON;
     for (int id = 1; id <= 200 && waiting.contains(far); id++) {
       now = now.plusSeconds(30);
-      Instant since = Job.waitingSince(now, 10, null);
-      waiting.add(new Job(id, 1, new Vec2(1, 5), new Vec2(1, 6), since));
+      Instant since = AllocationTask.waitingSince(now, 10, null);
+      waiting.add(new AllocationTask(id, 1, new Vec2(1, 5), new Vec2(1, 6), since));
       for (Decision decision :
           allocator.allocate(situation(now, waiting, List.of(), List.of(free("r1", 5, 0))))) {
         if (decision instanceof Decision.Assigned) {
-          waiting.removeIf(j -> j.id() == decision.job());
+          waiting.removeIf(j -> j.id() == decision.task());
         }
       }
     }
@@ -122,11 +122,11 @@ class AllocatorContractTest {
   @ParameterizedTest
   @MethodSource("allocators")
   void aRobotWithoutAWayToTheLoadIsLeftOut(Allocator allocator) {
-    Travel walled =
+    PathLengths walled =
         (place, diameter) ->
             other -> (place.x() < 40) == (other.x() < 40) ? 1 : Double.POSITIVE_INFINITY;
-    Situation situation =
-        new Situation(
+    AllocationProblem problem =
+        new AllocationProblem(
             NOON,
             Vec2.ZERO,
             new Vec2(80, 10),
@@ -139,7 +139,7 @@ class AllocatorContractTest {
 
     assertEquals(
         List.of(
-            new Decision.Waits(
+            new Decision.Unassigned(
                 1,
                 Sentence.verbatim(
                     "None of the 2 robots that are strong enough can take it now:"
@@ -148,7 +148,7 @@ class AllocatorContractTest {
                         + " r2 finds no way to the load and its goal that is wide enough for its"
                         + " 0.26 m."),
                 List.of())),
-        Outcome.inEnglish(allocator.allocate(situation)));
+        Outcome.inEnglish(allocator.allocate(problem)));
   }
 
   @ParameterizedTest
@@ -160,7 +160,7 @@ class AllocatorContractTest {
     assertEquals(List.of("narrow"), chosen(allocator, List.of(wide, narrow)));
     assertEquals(
         List.of(
-            new Decision.Waits(
+            new Decision.Unassigned(
                 1,
                 Sentence.verbatim(
                     "The only robot, wide, finds no way to the load and its goal that is wide enough"
@@ -185,39 +185,48 @@ class AllocatorContractTest {
     List<Candidate> robots =
         List.of(
             new Candidate(
-                "strong", 50, 0.6, 0.25, wide.position(), wide.parking(), 1.0, Standing.FREE, null),
+                "strong",
+                50,
+                0.6,
+                0.25,
+                wide.position(),
+                wide.parking(),
+                1.0,
+                Availability.FREE,
+                null),
             sized("a", 0.25, 0.25, 20),
             sized("b", 0.25, 0.25, 21));
-    Situation situation =
-        throughADoor(robots, new Job(1, 8, new Vec2(40, 5), new Vec2(50, 5), NOON));
+    AllocationProblem problem =
+        throughADoor(robots, new AllocationTask(1, 8, new Vec2(40, 5), new Vec2(50, 5), NOON));
 
     assertEquals(
-        List.of("b", "a"), Outcome.robots(new Teams(allocator).allocate(situation).getFirst()));
+        List.of("b", "a"),
+        Outcome.robots(new TeamAllocator(allocator).allocate(problem).getFirst()));
   }
 
   private static List<String> chosen(Allocator allocator, List<Candidate> robots) {
     return Outcome.robots(allocator.allocate(throughADoor(robots)).getFirst());
   }
 
-  private static Situation throughADoor(List<Candidate> robots) {
-    return throughADoor(robots, new Job(1, 1, new Vec2(40, 5), new Vec2(50, 5), NOON));
+  private static AllocationProblem throughADoor(List<Candidate> robots) {
+    return throughADoor(robots, new AllocationTask(1, 1, new Vec2(40, 5), new Vec2(50, 5), NOON));
   }
 
   /** The goal lies behind a door of half a metre. */
-  private static Situation throughADoor(List<Candidate> robots, Job job) {
-    Travel door =
+  private static AllocationProblem throughADoor(List<Candidate> robots, AllocationTask task) {
+    PathLengths door =
         (place, diameter) ->
             other ->
                 diameter > 0.5 && (place.x() < 45) != (other.x() < 45)
                     ? Double.POSITIVE_INFINITY
                     : place.distanceTo(other);
-    return new Situation(
+    return new AllocationProblem(
         NOON,
         Vec2.ZERO,
         new Vec2(80, 10),
         door,
         List.of(),
-        List.of(job),
+        List.of(task),
         List.of(),
         robots,
         List.of());
@@ -225,7 +234,7 @@ class AllocatorContractTest {
 
   private static Candidate sized(String name, double diameter, double speed, double x) {
     Vec2 place = new Vec2(x, 5);
-    return new Candidate(name, 5, diameter, speed, place, place, 1.0, Standing.FREE, null);
+    return new Candidate(name, 5, diameter, speed, place, place, 1.0, Availability.FREE, null);
   }
 
   @ParameterizedTest
@@ -235,7 +244,7 @@ class AllocatorContractTest {
     // and 5 % are kept in reserve
     assertEquals(
         List.of(
-            new Decision.Waits(
+            new Decision.Unassigned(
                 1,
                 Sentence.verbatim(
                     "The only robot, r1, has 11 % and would not get to a charger after it."),
@@ -245,30 +254,31 @@ class AllocatorContractTest {
         Decision.Assigned.class, allocator.allocate(withChargerAtTheOtherEnd(0.12)).getFirst());
   }
 
-  private static Situation withChargerAtTheOtherEnd(double battery) {
+  private static AllocationProblem withChargerAtTheOtherEnd(double battery) {
     Vec2 place = new Vec2(0, 5);
-    return new Situation(
+    return new AllocationProblem(
         NOON,
         Vec2.ZERO,
         new Vec2(80, 10),
-        Travel.STRAIGHT,
+        PathLengths.STRAIGHT,
         List.of(new Vec2(79, 6)),
         List.of(job(1, 1, 40)),
         List.of(),
-        List.of(new Candidate("r1", 5, 0.255, 0.25, place, place, battery, Standing.FREE, null)),
+        List.of(
+            new Candidate("r1", 5, 0.255, 0.25, place, place, battery, Availability.FREE, null)),
         List.of());
   }
 
   @ParameterizedTest
   @MethodSource("allocators")
   void whatKeepsTheOnlyStrongRobotIsSaid(Allocator allocator) {
-    Map<Standing, String> sentences =
+    Map<Availability, String> sentences =
         Map.of(
-            Standing.OUT_OF_SERVICE, "is out of service",
-            Standing.CHARGING, "must charge first",
-            Standing.LOST, "is lost: nothing is heard from it",
-            Standing.HELD, "is held",
-            Standing.BUSY, "works on task 7");
+            Availability.OUT_OF_SERVICE, "is out of service",
+            Availability.CHARGING, "must charge first",
+            Availability.LOST, "is lost: nothing is heard from it",
+            Availability.HELD, "is held",
+            Availability.BUSY, "works on task 7");
     sentences.forEach(
         (standing, words) ->
             assertEquals(
@@ -276,7 +286,7 @@ class AllocatorContractTest {
                 why(
                     allocator,
                     4,
-                    robot("r1", 5, 10, standing, standing == Standing.BUSY ? 7L : null),
+                    robot("r1", 5, 10, standing, standing == Availability.BUSY ? 7L : null),
                     free("weak", 3, 10))));
   }
 
@@ -308,19 +318,20 @@ class AllocatorContractTest {
             1,
             busy("r1", 5, 1, 7),
             busy("r2", 5, 2, 8),
-            robot("r3", 5, 3, Standing.LOST, null),
-            robot("r4", 5, 3, Standing.OUT_OF_SERVICE, null)));
+            robot("r3", 5, 3, Availability.LOST, null),
+            robot("r4", 5, 3, Availability.OUT_OF_SERVICE, null)));
   }
 
   /** What the only task waits for. */
   private static String why(Allocator allocator, double load, Candidate... robots) {
     List<Decision> decisions =
         allocator.allocate(situation(List.of(job(1, load, 5)), List.of(robots)));
-    assertEquals(List.of(new Decision.Waits(1, decisions.getFirst().why(), List.of())), decisions);
-    return decisions.getFirst().why().english();
+    assertEquals(
+        List.of(new Decision.Unassigned(1, decisions.getFirst().reason(), List.of())), decisions);
+    return decisions.getFirst().reason().english();
   }
 
-  private static Job byId(Situation situation, long id) {
-    return situation.waiting().stream().filter(j -> j.id() == id).findFirst().orElseThrow();
+  private static AllocationTask byId(AllocationProblem problem, long id) {
+    return problem.waiting().stream().filter(j -> j.id() == id).findFirst().orElseThrow();
   }
 }

@@ -13,9 +13,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.allocation.Auction.Bid;
 import org.toqa.allocation.Auction.Refusal;
-import org.toqa.allocation.Situation.Given;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -65,8 +65,8 @@ class ContractNetTest {
   @Test
   void aSilentRobotIsLeftOutAlsoOfTheExchange() {
     Bidding withoutR2 =
-        (situation, job, invited) ->
-            Bidding.computed(situation, job, invited).stream()
+        (problem, job, invited) ->
+            Bidding.computedReplies(problem, job, invited).stream()
                 .filter(reply -> !reply.robot().equals("r2"))
                 .toList();
 
@@ -102,13 +102,13 @@ class ContractNetTest {
                 situation(
                     NOON,
                     List.of(job(2, 9, 70)), // too heavy, but announced to r2
-                    List.of(new Given(job(1, 5, 10), "r1")),
+                    List.of(new GivenTask(job(1, 5, 10), "r1")),
                     List.of(busy("r1", 5, 5, 1), free("r2", 5, 9))));
 
     assertEquals(exchanged(1, "r1", "r2"), decisions.getLast());
   }
 
-  private static Decision exchanged(long job, String from, String to) {
-    return new Decision.Assigned(job, List.of(to), Phrase.TAKEN_IN_EXCHANGE.with(from));
+  private static Decision exchanged(long task, String from, String to) {
+    return new Decision.Assigned(task, List.of(to), Phrase.TAKEN_IN_EXCHANGE.with(from));
   }
 }

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.jspecify.annotations.Nullable;
-import org.toqa.allocation.Situation.Given;
+import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.geometry.Vec2;
 
 /** Situations on an empty floor of 80 m by 10 m, where ways are straight. */
@@ -16,26 +16,26 @@ final class Floors {
 
   private Floors() {}
 
-  static Situation situation(List<Job> waiting, List<Candidate> robots) {
+  static AllocationProblem situation(List<AllocationTask> waiting, List<Candidate> robots) {
     return situation(NOON, waiting, List.of(), robots);
   }
 
-  static Situation situation(
-      Instant now, List<Job> waiting, List<Given> given, List<Candidate> robots) {
+  static AllocationProblem situation(
+      Instant now, List<AllocationTask> waiting, List<GivenTask> given, List<Candidate> robots) {
     return situation(now, waiting, given, robots, List.of());
   }
 
-  static Situation situation(
+  static AllocationProblem situation(
       Instant now,
-      List<Job> waiting,
-      List<Given> given,
+      List<AllocationTask> waiting,
+      List<GivenTask> given,
       List<Candidate> robots,
       List<PlaceUse> inUse) {
-    return new Situation(
+    return new AllocationProblem(
         now,
         Vec2.ZERO,
         new Vec2(LENGTH, WIDTH),
-        Travel.STRAIGHT,
+        PathLengths.STRAIGHT,
         List.of(),
         waiting,
         given,
@@ -44,21 +44,21 @@ final class Floors {
   }
 
   /** One that came at noon, from (x, 5) to (x, 6). */
-  static Job job(long id, double load, double x) {
-    return new Job(id, load, new Vec2(x, 5), new Vec2(x, 6), NOON);
+  static AllocationTask job(long id, double load, double x) {
+    return new AllocationTask(id, load, new Vec2(x, 5), new Vec2(x, 6), NOON);
   }
 
   static Candidate free(String name, double maxLoad, double x) {
-    return robot(name, maxLoad, x, Standing.FREE, null);
+    return robot(name, maxLoad, x, Availability.FREE, null);
   }
 
   static Candidate busy(String name, double maxLoad, double x, long task) {
-    return robot(name, maxLoad, x, Standing.BUSY, task);
+    return robot(name, maxLoad, x, Availability.BUSY, task);
   }
 
   /** At (x, 5), where it parks, with a full battery. */
   static Candidate robot(
-      String name, double maxLoad, double x, Standing standing, @Nullable Long task) {
+      String name, double maxLoad, double x, Availability standing, @Nullable Long task) {
     Vec2 place = new Vec2(x, 5);
     return new Candidate(name, maxLoad, 0.255, 0.25, place, place, 1.0, standing, task);
   }
@@ -68,10 +68,10 @@ final class Floors {
    *
    * @param given the first robots have a task each that may still go to others, from id 1000
    */
-  static Situation random(long seed, int jobs, int robots, int given) {
+  static AllocationProblem random(long seed, int tasks, int robots, int given) {
     Random random = new Random(seed);
     List<Candidate> candidates = new ArrayList<>();
-    List<Given> held = new ArrayList<>();
+    List<GivenTask> held = new ArrayList<>();
     for (int i = 0; i < robots; i++) {
       boolean isHolder = i < given;
       boolean isFree = !isHolder && random.nextInt(4) > 0;
@@ -84,21 +84,21 @@ final class Floors {
               anywhere(random),
               anywhere(random),
               random.nextBoolean() ? null : random.nextDouble(),
-              isFree ? Standing.FREE : Standing.BUSY,
+              isFree ? Availability.FREE : Availability.BUSY,
               null));
       if (isHolder) {
-        held.add(new Given(anyJob(1000 + i, random, 9), "r" + i));
+        held.add(new GivenTask(anyJob(1000 + i, random, 9), "r" + i));
       }
     }
-    List<Job> waiting = new ArrayList<>();
-    for (int i = 0; i < jobs; i++) {
+    List<AllocationTask> waiting = new ArrayList<>();
+    for (int i = 0; i < tasks; i++) {
       waiting.add(anyJob(i, random, 11));
     }
     return situation(NOON, waiting, held, candidates);
   }
 
-  private static Job anyJob(long id, Random random, double most) {
-    return new Job(
+  private static AllocationTask anyJob(long id, Random random, double most) {
+    return new AllocationTask(
         id,
         most * random.nextDouble(),
         anywhere(random),

@@ -10,7 +10,7 @@ import static org.toqa.allocation.Floors.situation;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.toqa.allocation.Situation.Given;
+import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.wording.Sentence;
 
 class OptimalAllocatorTest {
@@ -39,11 +39,11 @@ class OptimalAllocatorTest {
   void noOtherAllocatorGivesAsManyTasksForLess() {
     int cheaper = 0;
     for (int seed = 0; seed < 200; seed++) {
-      Situation situation = Floors.random(seed, 4, 12, 0);
-      Outcome optimal = new Outcome(situation, allocator.allocate(situation));
+      AllocationProblem problem = Floors.random(seed, 4, 12, 0);
+      Outcome optimal = new Outcome(problem, allocator.allocate(problem));
       for (Allocator other :
           List.of(new NearestFreeRobot(), new ZoneAllocator(), new ContractNet())) {
-        Outcome outcome = new Outcome(situation, other.allocate(situation));
+        Outcome outcome = new Outcome(problem, other.allocate(problem));
         String where = "seed " + seed + ": " + other.getClass().getSimpleName();
         assertTrue(optimal.holders.size() >= outcome.holders.size(), where);
         if (optimal.holders.keySet().equals(outcome.holders.keySet())) {
@@ -57,7 +57,7 @@ class OptimalAllocatorTest {
 
   @Test
   void aRobotOnItsWayIsTurnedRoundOnlyWhereThatIsWorthIt() {
-    Given given = new Given(job(1, 5, 10), "r1");
+    GivenTask given = new GivenTask(job(1, 5, 10), "r1");
 
     assertEquals(List.of(), withFreeRobotAt(6, given)); // 4 m instead of 5 m
     assertEquals(
@@ -70,7 +70,7 @@ class OptimalAllocatorTest {
         Outcome.inEnglish(withFreeRobotAt(9, given)));
   }
 
-  private List<Decision> withFreeRobotAt(double x, Given given) {
+  private List<Decision> withFreeRobotAt(double x, GivenTask given) {
     return allocator.allocate(
         situation(NOON, List.of(), List.of(given), List.of(busy("r1", 5, 5, 1), free("r2", 5, x))));
   }

@@ -6,22 +6,22 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.toqa.allocation.Situation.Given;
+import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.wording.Sentence;
 
 /** Who has what after a round, and what that costs. */
 final class Outcome {
-  private final Situation situation;
+  private final AllocationProblem situation;
 
   /** By task. */
   final Map<Long, String> holders = new TreeMap<>();
 
-  Outcome(Situation situation, List<Decision> decisions) {
+  Outcome(AllocationProblem situation, List<Decision> decisions) {
     this.situation = situation;
-    for (Given given : situation.given()) {
-      holders.put(given.job().id(), given.robot());
+    for (GivenTask given : situation.givenTasks()) {
+      holders.put(given.task().id(), given.robot());
     }
-    decisions.forEach(d -> robots(d).forEach(name -> holders.put(d.job(), name)));
+    decisions.forEach(d -> robots(d).forEach(name -> holders.put(d.task(), name)));
   }
 
   /** The decisions, with their reasons as they read in English. */
@@ -30,10 +30,10 @@ final class Outcome {
   }
 
   private static Decision inEnglish(Decision decision) {
-    Sentence why = Sentence.verbatim(decision.why().english());
+    Sentence why = Sentence.verbatim(decision.reason().english());
     return switch (decision) {
-      case Decision.Assigned d -> new Decision.Assigned(d.job(), d.robots(), why);
-      case Decision.Waits d -> new Decision.Waits(d.job(), why, d.drained());
+      case Decision.Assigned d -> new Decision.Assigned(d.task(), d.robots(), why);
+      case Decision.Unassigned d -> new Decision.Unassigned(d.task(), why, d.drained());
     };
   }
 
@@ -44,15 +44,15 @@ final class Outcome {
   double joules() {
     Map<String, Candidate> robots = new HashMap<>();
     situation.robots().forEach(r -> robots.put(r.robot(), r));
-    Map<Long, Job> jobs = new HashMap<>();
+    Map<Long, AllocationTask> jobs = new HashMap<>();
     situation.waiting().forEach(j -> jobs.put(j.id(), j));
-    situation.given().forEach(g -> jobs.put(g.job().id(), g.job()));
+    situation.givenTasks().forEach(g -> jobs.put(g.task().id(), g.task()));
     Costs costs = new Costs(situation);
     double sum = 0;
     for (Map.Entry<Long, String> entry : holders.entrySet()) {
-      Job job = requireNonNull(jobs.get(entry.getKey()));
+      AllocationTask task = requireNonNull(jobs.get(entry.getKey()));
       Candidate robot = requireNonNull(robots.get(entry.getValue()));
-      sum += costs.of(job, robot).joules();
+      sum += costs.of(task, robot).joules();
     }
     return sum;
   }

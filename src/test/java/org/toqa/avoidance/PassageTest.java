@@ -61,7 +61,7 @@ class PassageTest {
     Passage passage = Passage.through(new Corridor(bend), List.of(thing), RADIUS);
 
     assertEquals(Math.PI / 3 - 0.2, passage.ahead(), 0.01);
-    assertEquals(Math.PI / 3 - 0.38, passage.room(), 0.01); // 0.18 m before it
+    assertEquals(Math.PI / 3 - 0.38, passage.freeDistance(), 0.01); // 0.18 m before it
     assertEquals(List.of(thing), passage.blocking());
   }
 

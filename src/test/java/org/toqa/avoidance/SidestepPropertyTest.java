@@ -47,7 +47,7 @@ class SidestepPropertyTest {
       assertTrue(away >= 0, "towards it by " + -away);
       most = Math.max(most, away);
     }
-    assertTrue(most > 0.01 && most <= Sidestep.MOST, "aside by " + most);
+    assertTrue(most > 0.01 && most <= Sidestep.MAX_OFFSET, "aside by " + most);
     assertEquals(0, sidestep.offset(), 0.001);
   }
 
@@ -55,7 +55,7 @@ class SidestepPropertyTest {
   void besideAWayThatTurnsTheRobotDrivesTheParallelOne(
       @ForAll @DoubleRange(min = -1.5, max = 1.5) double turnRate) {
     Sidestep sidestep = new Sidestep();
-    while (sidestep.offset() > -Sidestep.MOST) {
+    while (sidestep.offset() > -Sidestep.MAX_OFFSET) {
       sidestep.step(new Pose(0, 0, 0), SPEED, List.of(new Vec2(0.2, 0.1)), END, TICK);
     }
     sidestep.step(new Pose(0, 0, 0), SPEED, List.of(new Vec2(0.2, 0.1)), END, TICK);

@@ -42,7 +42,8 @@ class CarryTogetherTest {
   void twoRobotsCarryWhatIsTooHeavyForOne() throws Exception {
     open(2);
     long task = order(8);
-    FleetSnapshot carrying = live().until(view -> LiveFloor.is(view, task, TaskState.CARRYING));
+    FleetSnapshot carrying =
+        live().await(view -> LiveFloor.isInState(view, task, TaskState.CARRYING));
     assertEquals(2, LiveFloor.task(carrying, task).robots().size());
     untilDone(task);
   }
@@ -52,7 +53,8 @@ class CarryTogetherTest {
   void threeRobotsCarryWhatIsTooHeavyForTwo() throws Exception {
     open(3);
     long task = order(12);
-    FleetSnapshot carrying = live().until(view -> LiveFloor.is(view, task, TaskState.CARRYING));
+    FleetSnapshot carrying =
+        live().await(view -> LiveFloor.isInState(view, task, TaskState.CARRYING));
     assertEquals(3, LiveFloor.task(carrying, task).robots().size());
     untilDone(task);
   }
@@ -60,11 +62,11 @@ class CarryTogetherTest {
   /** No two discs meet meanwhile, and no follower is off its place by more than the tolerance. */
   private void untilDone(long task) throws Exception {
     live()
-        .until(
+        .await(
             view -> {
               assertApart(view);
               assertEquals(List.of(), outOfPlace(view));
-              return LiveFloor.is(view, task, TaskState.DONE);
+              return LiveFloor.isInState(view, task, TaskState.DONE);
             });
   }
 
@@ -89,7 +91,7 @@ class CarryTogetherTest {
   }
 
   private long order(double load) throws Exception {
-    return live().order(load, "A", "B");
+    return live().submit(load, "A", "B");
   }
 
   private LiveFloor live() {

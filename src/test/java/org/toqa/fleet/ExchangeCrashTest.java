@@ -18,10 +18,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.toqa.allocation.AllocationProblem;
+import org.toqa.allocation.Availability;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
-import org.toqa.allocation.Situation;
-import org.toqa.allocation.Standing;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
@@ -35,7 +35,15 @@ import org.toqa.wording.Sentence;
 class ExchangeCrashTest {
   private static final int WRITES = 4;
   private static final Set<String> READS =
-      Set.of("robots", "outOfService", "held", "pause", "charges", "openTasks", "drive", "check");
+      Set.of(
+          "robots",
+          "robotsOutOfService",
+          "heldRobots",
+          "pause",
+          "chargeRecords",
+          "openTasks",
+          "drive",
+          "checkAvailable");
 
   private static final FloorMap FLOOR =
       new FloorMap(
@@ -96,21 +104,21 @@ class ExchangeCrashTest {
     private volatile boolean exchanges;
 
     @Override
-    public List<Decision> allocate(Situation situation) {
+    public List<Decision> allocate(AllocationProblem situation) {
       List<Decision> decisions = new ArrayList<>();
-      if (exchanges && situation.given().size() == 2) {
-        Situation.Given one = situation.given().getFirst();
-        Situation.Given other = situation.given().getLast();
+      if (exchanges && situation.givenTasks().size() == 2) {
+        AllocationProblem.GivenTask one = situation.givenTasks().getFirst();
+        AllocationProblem.GivenTask other = situation.givenTasks().getLast();
         decisions.add(
             new Decision.Assigned(
-                one.job().id(), List.of(other.robot()), Sentence.verbatim("exchange")));
+                one.task().id(), List.of(other.robot()), Sentence.verbatim("exchange")));
         decisions.add(
             new Decision.Assigned(
-                other.job().id(), List.of(one.robot()), Sentence.verbatim("exchange")));
+                other.task().id(), List.of(one.robot()), Sentence.verbatim("exchange")));
       }
       Iterator<String> free =
           situation.robots().stream()
-              .filter(robot -> robot.standing() == Standing.FREE)
+              .filter(robot -> robot.availability() == Availability.FREE)
               .map(Candidate::robot)
               .sorted()
               .iterator();
@@ -122,7 +130,7 @@ class ExchangeCrashTest {
                       free.hasNext()
                           ? new Decision.Assigned(
                               job.id(), List.of(free.next()), Sentence.verbatim("next"))
-                          : new Decision.Waits(
+                          : new Decision.Unassigned(
                               job.id(), Sentence.verbatim("no robot is free"), List.of())));
       return decisions;
     }
@@ -143,28 +151,28 @@ class ExchangeCrashTest {
   void tasksAndRobotsAgreeAndAllIsDoneOnce(int write, boolean written) throws Exception {
     try (FleetStage stage =
         new FleetStage(FLOOR, ChargingRules.USUAL, allocator, this::inANewLife)) {
-      stage.add("a", new Vec2(0.5, 0.5), "P1").sticks(true);
-      stage.add("b", new Vec2(11.5, 0.5), "P2").sticks(true);
+      stage.add("a", new Vec2(0.5, 0.5), "P1").setStuck(true);
+      stage.add("b", new Vec2(11.5, 0.5), "P2").setStuck(true);
       stage.restart();
-      stage.until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+      stage.await(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
       long first = submit(stage, "East", "West");
-      stage.until(view -> isBy(view, first, "a", 1));
+      stage.await(view -> isBy(view, first, "a", 1));
       long second = submit(stage, "West", "East");
-      stage.until(view -> isBy(view, second, "b", 1));
+      stage.await(view -> isBy(view, second, "b", 1));
       long third = submit(stage, "East", "West");
 
       Life ends = life;
       allocator.exchanges = true;
       ends.willEnd(write, written);
-      stage.until(view -> ends.over || (isBy(view, first, "b", 1) && isBy(view, second, "a", 1)));
+      stage.await(view -> ends.over || (isBy(view, first, "b", 1) && isBy(view, second, "a", 1)));
       allocator.exchanges = false;
-      stage.played("a").sticks(false);
-      stage.played("b").sticks(false);
-      stage.until(view -> ends.over);
+      stage.scriptedRobot("a").setStuck(false);
+      stage.scriptedRobot("b").setStuck(false);
+      stage.await(view -> ends.over);
       assertRobotsAgreeWithTasks(stage);
 
       stage.restart();
-      stage.until(view -> isDone(stage, first, second, third));
+      stage.await(view -> isDone(stage, first, second, third));
       for (long task : List.of(first, second, third)) {
         assertEquals(1, told(stage, task, "Picked up"), () -> "" + stage.store.history(task));
         assertEquals(1, told(stage, task, "Delivered"), () -> "" + stage.store.history(task));
@@ -208,8 +216,8 @@ class ExchangeCrashTest {
     Map<String, List<Integer>> phases = new TreeMap<>();
     stage.store.robots().forEach(r -> phases.put(r.name(), List.of()));
     stage.store.openTasks().stream()
-        .flatMap(t -> t.mission().carriers().stream())
-        .filter(c -> !c.released())
+        .flatMap(t -> t.mission().assignedRobots().stream())
+        .filter(c -> !c.unassigned())
         .forEach(c -> phases.merge(c.robot(), List.of(c.phase()), ExchangeCrashTest::both));
     assertTrue(phases.values().stream().allMatch(p -> p.size() <= 1), phases::toString);
     Map<String, String> expected =

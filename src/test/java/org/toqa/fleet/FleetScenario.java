@@ -85,7 +85,7 @@ final class FleetScenario {
       Matcher threshold = CHARGES.matcher(line);
       Matcher wide = WIDE.matcher(line);
       if (threshold.matches()) {
-        charging = charges(threshold.group(1), Integer.parseInt(threshold.group(2)));
+        charging = chargingRules(threshold.group(1), Integer.parseInt(threshold.group(2)));
       } else if (wide.matches()) {
         diameters.put(wide.group(1), Double.parseDouble(wide.group(2)));
       } else if (!line.isBlank() && !line.startsWith("# ")) {
@@ -94,7 +94,7 @@ final class FleetScenario {
     }
   }
 
-  private static ChargingRules charges(String when, int number) {
+  private static ChargingRules chargingRules(String when, int number) {
     ChargingRules usual = ChargingRules.USUAL;
     return new ChargingRules(
         when.equals("below") ? number / 100.0 : usual.below(),
@@ -113,14 +113,14 @@ final class FleetScenario {
     try (FleetStage stage = new FleetStage(floor(), charging)) {
       for (Place place : places('a', 'z')) {
         ScriptedRobot robot = stage.add(place.name(), place.position(), "P" + place.name());
-        robot.isSlow(STEPS_A_SEGMENT);
-        robot.isWide(diameters.getOrDefault(place.name(), ScriptedRobot.FOOTPRINT));
+        robot.setStepsPerSegment(STEPS_A_SEGMENT);
+        robot.setFootprint(diameters.getOrDefault(place.name(), ScriptedRobot.FOOTPRINT));
       }
       stage.restart();
-      stage.until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+      stage.await(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
       for (String line : script) {
         if (!play(stage, line)) {
-          return line + "\nIt is still so: " + stage.fleet.feed().latest();
+          return line + "\nIt is still so: " + stage.fleet.snapshots().latest();
         }
       }
       return null;
@@ -136,7 +136,7 @@ final class FleetScenario {
     Matcher has = HAS.matcher(line);
     Matcher robot = ROBOT.matcher(line);
     if (expect.matches()) {
-      return stage.comesTrue(condition(stage, expect.group(1), expect.group(2), expect.group(3)));
+      return stage.becomesTrue(condition(stage, expect.group(1), expect.group(2), expect.group(3)));
     } else if (task.matches()) {
       submit(stage, task);
     } else if (cancel.matches()) {
@@ -144,18 +144,19 @@ final class FleetScenario {
           cancel.group(2) == null
               ? null
               : LoadChoice.valueOf(cancel.group(2).toUpperCase(Locale.ROOT));
-      accepted(stage.fleet.wish(id(cancel.group(1)), new MissionEvent.Cancel("Max", choice)));
+      accepted(
+          stage.fleet.commandTask(id(cancel.group(1)), new MissionEvent.Cancel("Max", choice)));
     } else if (answer.matches()) {
       Reply reply = Reply.ofWord(answer.group(2)).orElseThrow();
-      accepted(stage.fleet.wish(id(answer.group(1)), new MissionEvent.Answer("Max", reply)));
+      accepted(stage.fleet.commandTask(id(answer.group(1)), new MissionEvent.Answer("Max", reply)));
     } else if (hold.matches()) {
       hold(stage.fleet, hold.group(1).equals("hold"), hold.group(2));
     } else if (has.matches()) {
-      stage.played(has.group(1)).has(Integer.parseInt(has.group(2)) / 100.0);
+      stage.scriptedRobot(has.group(1)).setBattery(Integer.parseInt(has.group(2)) / 100.0);
     } else if (line.equals("restart")) {
       stage.restart();
     } else if (robot.matches()) {
-      happens(stage.played(robot.group(1)), robot.group(2));
+      apply(stage.scriptedRobot(robot.group(1)), robot.group(2));
     } else {
       throw new IllegalArgumentException("What is \"" + line + "\"?");
     }
@@ -167,21 +168,21 @@ final class FleetScenario {
       accepted(isHeld ? fleet.pauseAll("Max") : fleet.resumeAll("Max"));
     } else if (tasks.containsKey(what)) {
       accepted(
-          fleet.wish(
+          fleet.commandTask(
               id(what), isHeld ? new MissionEvent.Hold("Max") : new MissionEvent.Resume("Max")));
     } else {
-      accepted(isHeld ? fleet.hold(what, "Max") : fleet.resume(what, "Max"));
+      accepted(isHeld ? fleet.holdRobot(what, "Max") : fleet.resumeRobot(what, "Max"));
     }
   }
 
-  private static void happens(ScriptedRobot robot, String what) {
+  private static void apply(ScriptedRobot robot, String what) {
     switch (what) {
-      case "breaks" -> robot.breaks("BUMPER");
-      case "is mended" -> robot.isMended();
+      case "breaks" -> robot.breakDown("BUMPER");
+      case "is mended" -> robot.repair();
       case "falls silent" -> robot.fallSilent();
       case "speaks again" -> robot.speakAgain();
-      case "sticks" -> robot.sticks(true);
-      case "is let go" -> robot.sticks(false);
+      case "sticks" -> robot.setStuck(true);
+      case "is let go" -> robot.setStuck(false);
       default -> throw new IllegalArgumentException("What is \"" + what + "\"?");
     }
   }
@@ -210,30 +211,30 @@ final class FleetScenario {
       FleetStage stage, String who, String what, String words) {
     return switch (what) {
       case "by" -> view -> task(view, who).robots().equals(List.of(words.split(" ")));
-      case "waits" -> view -> says(task(view, who).waitingFor(), words);
-      case "late" -> view -> says(task(view, who).late(), words);
+      case "waits" -> view -> contains(task(view, who).waitingFor(), words);
+      case "late" -> view -> contains(task(view, who).late(), words);
       case "asks" -> view -> task(view, who).needs() != null;
-      case "answered" -> view -> says(Objects.requireNonNull(answered.get(who)).late(), words);
+      case "answered" -> view -> contains(Objects.requireNonNull(answered.get(who)).late(), words);
       case "told" ->
           view -> stage.store.history(id(who)).stream().anyMatch(e -> e.text().contains(words));
       case "has" ->
           view -> Objects.equals(robot(view, who).battery(), Integer.parseInt(words) / 100.0);
-      case "does" -> view -> says(robot(view, who).doing(), words);
-      case "fails" -> view -> fails(view, who);
-      case "works" -> view -> !fails(view, who);
+      case "does" -> view -> contains(robot(view, who).doing(), words);
+      case "fails" -> view -> isFaulty(view, who);
+      case "works" -> view -> !isFaulty(view, who);
       case "is" -> view -> robot(view, who).state() == RobotState.valueOf(words);
       case "at" ->
-          view -> stage.played(who).position().distanceTo(position(words.charAt(0))) < 1e-6;
+          view -> stage.scriptedRobot(who).position().distanceTo(position(words.charAt(0))) < 1e-6;
       default -> view -> task(view, who).state() == TaskState.valueOf(what);
     };
   }
 
-  private static boolean fails(FleetSnapshot view, String charger) {
+  private static boolean isFaulty(FleetSnapshot view, String charger) {
     return view.floors().getFirst().faultyChargers().stream()
         .anyMatch(faulty -> faulty.name().equals(charger));
   }
 
-  private static boolean says(@Nullable Sentence sentence, String words) {
+  private static boolean contains(@Nullable Sentence sentence, String words) {
     return sentence != null && sentence.english().contains(words);
   }
 
@@ -252,8 +253,8 @@ final class FleetScenario {
     return view.robots().stream().filter(r -> r.name().equals(name)).findFirst().orElseThrow();
   }
 
-  private static <T> T accepted(CompletionStage<Answer<T>> wish) throws Exception {
-    Answer<T> answer = wish.toCompletableFuture().get(10, TimeUnit.SECONDS);
+  private static <T> T accepted(CompletionStage<Answer<T>> pending) throws Exception {
+    Answer<T> answer = pending.toCompletableFuture().get(10, TimeUnit.SECONDS);
     if (answer instanceof Answer.Accepted<T>(T value)) {
       return value;
     }

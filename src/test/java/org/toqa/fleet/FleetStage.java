@@ -14,12 +14,13 @@ import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Policy;
+import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.PairingResult;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
-import org.toqa.link.RobotLinks;
+import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.store.Database;
@@ -27,8 +28,8 @@ import org.toqa.store.JdbiFleetStore;
 import org.toqa.wording.Sentence;
 
 /** The agents over a real store, with robots that the test plays, in time that the test brings. */
-final class FleetStage implements AutoCloseable {
-  static final Duration LOST_AFTER = Duration.ofSeconds(30);
+public final class FleetStage implements AutoCloseable {
+  static final Duration REASSIGN_AFTER = Duration.ofSeconds(30);
   private static final Duration LIMIT = Duration.ofSeconds(40);
   private static final double MAX_LOAD = 5;
 
@@ -37,12 +38,12 @@ final class FleetStage implements AutoCloseable {
   private final Allocator allocator;
   private final UnaryOperator<FleetStore> tamper;
   private final Map<String, ScriptedRobot> robots = new LinkedHashMap<>();
-  final Database database = Database.inMemory("fleet-" + System.nanoTime());
-  final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+  public final Database database = Database.inMemory("fleet-" + System.nanoTime());
+  public final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
   Instant now = Instant.parse("2026-11-21T08:00:00Z");
-  AgentFleet fleet;
+  public AgentFleet fleet;
 
-  FleetStage(FloorMap floor) {
+  public FleetStage(FloorMap floor) {
     this(floor, ChargingRules.USUAL);
   }
 
@@ -66,13 +67,13 @@ final class FleetStage implements AutoCloseable {
   }
 
   /** The server ends, and starts again with the robots that there are now. */
-  void restart() {
+  public void restart() {
     fleet.close();
     fleet = open();
   }
 
   /** To be known after the next start. */
-  ScriptedRobot add(String name, Vec2 at, @Nullable String parking) {
+  public ScriptedRobot add(String name, Vec2 at, @Nullable String parking) {
     return add(name, at, parking, null);
   }
 
@@ -80,22 +81,22 @@ final class FleetStage implements AutoCloseable {
       String name, Vec2 at, @Nullable String parking, @Nullable Fingerprint fingerprint) {
     ScriptedRobot robot = new ScriptedRobot(name, at);
     robots.put(name, robot);
-    robot.knows(this::played);
+    robot.setPeers(this::scriptedRobot);
     store.saveRobot(
         new RobotRecord(name, floor.name(), "127.0.0.1", 1, MAX_LOAD, parking, false, fingerprint));
     return robot;
   }
 
-  ScriptedRobot played(String name) {
+  ScriptedRobot scriptedRobot(String name) {
     return Objects.requireNonNull(robots.get(name));
   }
 
   private AgentFleet open() {
-    RobotLinks links =
-        new RobotLinks() {
+    RobotLinkFactory links =
+        new RobotLinkFactory() {
           @Override
           public RobotLink open(RobotAddress address, RobotLink.Listener listener) {
-            return played(address.robot()).link(listener);
+            return scriptedRobot(address.robot()).link(listener);
           }
 
           @Override
@@ -108,22 +109,22 @@ final class FleetStage implements AutoCloseable {
         tamper.apply(store),
         links,
         allocator,
-        new FleetRules(LOST_AFTER, charging, 1),
+        new FleetRules(REASSIGN_AFTER, charging, 1),
         InstantSource.system(),
         now);
   }
 
   /** Lets time go on, and the robots drive, until it is so. */
-  void until(Predicate<FleetSnapshot> condition) throws InterruptedException {
-    if (!comesTrue(condition)) {
-      fail("It is still so: " + fleet.feed().latest());
+  public void await(Predicate<FleetSnapshot> condition) throws InterruptedException {
+    if (!becomesTrue(condition)) {
+      fail("It is still so: " + fleet.snapshots().latest());
     }
   }
 
   /** Whether it comes to be so while time goes on. */
-  boolean comesTrue(Predicate<FleetSnapshot> condition) throws InterruptedException {
+  boolean becomesTrue(Predicate<FleetSnapshot> condition) throws InterruptedException {
     long end = System.nanoTime() + LIMIT.toNanos();
-    FleetSnapshot view = fleet.feed().latest();
+    FleetSnapshot view = fleet.snapshots().latest();
     while (view.robots().isEmpty() || !condition.test(view)) {
       if (System.nanoTime() > end) {
         return false;
@@ -131,7 +132,7 @@ final class FleetStage implements AutoCloseable {
       now = now.plusMillis(100);
       robots.values().forEach(ScriptedRobot::step);
       fleet.tick(now);
-      view = fleet.feed().awaitNewer(view.version(), Duration.ofMillis(20));
+      view = fleet.snapshots().awaitNewer(view.version(), Duration.ofMillis(20));
     }
     return true;
   }

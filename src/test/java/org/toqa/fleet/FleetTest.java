@@ -23,6 +23,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.floor.ObstacleMap;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -78,15 +79,15 @@ class FleetTest {
 
   @Test
   void anObstacleIsShownWhileItIsSeenAndAWhileLonger() throws Exception {
-    played("r1").sees(new Vec2(6.2, 1.1), new Vec2(6.8, 1.9), new Vec2(4.5, 0.5));
+    scriptedRobot("r1").setObstacles(new Vec2(6.2, 1.1), new Vec2(6.8, 1.9), new Vec2(4.5, 0.5));
 
     until(view -> obstacles(view).equals(cells(new Cell(6, 1))));
-    played("r1").sees();
+    scriptedRobot("r1").setObstacles();
     Instant unseen = stage.now;
     until(view -> obstacles(view).equals(CellRuns.NONE));
 
     assertTrue(
-        !stage.now.isBefore(unseen.plus(ObstacleMap.REMEMBERED).minusMillis(200)),
+        !stage.now.isBefore(unseen.plus(ObstacleMap.REMEMBER_FOR).minusMillis(200)),
         stage.now.toString());
     untilHistory(
         "floor.obstacle-gone",
@@ -101,30 +102,30 @@ class FleetTest {
     reopenWith("r2", EAST, "P2");
     until(view -> robot(view, "r2").state() == RobotState.IDLE);
 
-    played("r1").sees(EAST, new Vec2(6.5, 1.5));
+    scriptedRobot("r1").setObstacles(EAST, new Vec2(6.5, 1.5));
 
     until(view -> !obstacles(view).equals(CellRuns.NONE));
-    assertEquals(cells(new Cell(6, 1)), obstacles(stage.fleet.feed().latest()));
+    assertEquals(cells(new Cell(6, 1)), obstacles(stage.fleet.snapshots().latest()));
   }
 
   @Test
   void aLostRobotKeepsItsCellsUntilAPersonSaysThatItIsGone() throws Exception {
     reopenWith("r2", DOOR, null);
     until(view -> robot(view, "r2").state() == RobotState.IDLE);
-    played("r2").fallSilent();
+    scriptedRobot("r2").fallSilent();
     until(view -> robot(view, "r2").state() == RobotState.LOST);
     assertEquals(
         Map.of("r2", cells(new Cell(4, 1))),
-        stage.fleet.feed().latest().floors().getFirst().kept());
+        stage.fleet.snapshots().latest().floors().getFirst().silentRobotCells());
     long task = submit("West", "East");
-    until(view -> waitsFor(view, task).startsWith("Waits for r2"));
+    until(view -> waitReason(view, task).startsWith("Waits for r2"));
 
     RobotView taken = accepted(stage.fleet.takeOutOfService("r2", "Max"));
 
     assertEquals(RobotState.OUT_OF_SERVICE, taken.state());
     assertNull(taken.pose());
     until(view -> task(view, task).state() == TaskState.DONE);
-    assertEquals(Map.of(), stage.fleet.feed().latest().floors().getFirst().kept());
+    assertEquals(Map.of(), stage.fleet.snapshots().latest().floors().getFirst().silentRobotCells());
     assertEquals(
         List.of("Max took r2 out of service; it does not stand any more where it was lost"),
         history("robot.out-of-service"));
@@ -134,28 +135,28 @@ class FleetTest {
   void aRobotThatIsHeardAgainAfterItWasSaidToBeGoneHasItsPlaceAgain() throws Exception {
     reopenWith("r2", DOOR, null);
     until(view -> robot(view, "r2").state() == RobotState.IDLE);
-    played("r2").fallSilent();
+    scriptedRobot("r2").fallSilent();
     until(view -> robot(view, "r2").state() == RobotState.LOST);
     accepted(stage.fleet.takeOutOfService("r2", "Max"));
-    played("r2").speakAgain();
+    scriptedRobot("r2").speakAgain();
     until(view -> robot(view, "r2").pose() != null);
 
     long task = submit("West", "East");
 
-    until(view -> waitsFor(view, task).startsWith("Waits for r2"));
-    assertEquals(RobotState.OUT_OF_SERVICE, robot(stage.fleet.feed().latest(), "r2").state());
+    until(view -> waitReason(view, task).startsWith("Waits for r2"));
+    assertEquals(RobotState.OUT_OF_SERVICE, robot(stage.fleet.snapshots().latest(), "r2").state());
   }
 
   @Test
   void aRobotOutOfServiceThatFallsSilentKeepsItsPlaceUntilAPersonSaysItAgain() throws Exception {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
-    played("r1").fallSilent();
-    until(view -> view.floors().getFirst().kept().containsKey("r1"));
+    scriptedRobot("r1").fallSilent();
+    until(view -> view.floors().getFirst().silentRobotCells().containsKey("r1"));
 
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
 
-    until(view -> view.floors().getFirst().kept().isEmpty());
+    until(view -> view.floors().getFirst().silentRobotCells().isEmpty());
     assertEquals(
         List.of(
             "Max took r1 out of service",
@@ -166,24 +167,25 @@ class FleetTest {
   @Test
   void aRobotOutOfServiceStopsAndGoesOnWhenItIsBackInService() throws Exception {
     long task = submit("West", "East");
-    until(view -> task(view, task).state() == TaskState.CARRYING && played("r1").isDriving());
+    until(
+        view -> task(view, task).state() == TaskState.CARRYING && scriptedRobot("r1").isDriving());
 
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
-    until(view -> !played("r1").isDriving());
-    Vec2 stopped = played("r1").position();
-    until(view -> waitsFor(view, task).equals("r1 is out of service: put it back in service"));
+    until(view -> !scriptedRobot("r1").isDriving());
+    Vec2 stopped = scriptedRobot("r1").position();
+    until(view -> waitReason(view, task).equals("r1 is out of service: put it back in service"));
     stage.restart(); // and it survives a restart
     until(view -> !view.robots().isEmpty() && robot(view, "r1").pose() != null);
-    assertEquals(RobotState.OUT_OF_SERVICE, robot(stage.fleet.feed().latest(), "r1").state());
+    assertEquals(RobotState.OUT_OF_SERVICE, robot(stage.fleet.snapshots().latest(), "r1").state());
     assertEquals(
         "r1 is out of service: put it back in service",
-        waitsFor(stage.fleet.feed().latest(), task));
-    assertEquals(stopped, played("r1").position());
+        waitReason(stage.fleet.snapshots().latest(), task));
+    assertEquals(stopped, scriptedRobot("r1").position());
 
     accepted(stage.fleet.putInService("r1", "Clara"));
 
     until(view -> task(view, task).state() == TaskState.DONE);
-    assertEquals(0, played("r1").position().distanceTo(WEST), 1e-6);
+    assertEquals(0, scriptedRobot("r1").position().distanceTo(WEST), 1e-6);
     assertEquals(List.of("Clara put r1 back in service"), history("robot.in-service"));
     assertTrue(
         stage.store.history(task).stream()
@@ -194,16 +196,16 @@ class FleetTest {
   void aLoadTooHeavyForOneWaitsAndSaysWhatItNeeds() throws Exception {
     reopenWith("r2", EAST, "P2");
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
-    double most = robot(stage.fleet.feed().latest(), "r1").maxLoad();
+    double most = robot(stage.fleet.snapshots().latest(), "r1").maxLoad();
 
-    stage.played("r2").breaks("BUMPER");
+    stage.scriptedRobot("r2").breakDown("BUMPER");
     until(view -> robot(view, "r2").state() == RobotState.ERROR);
 
     long task = submit(order(1.5 * most));
 
     until(
         view ->
-            waitsFor(view, task)
+            waitReason(view, task)
                 .equals("It needs 2 robots that carry it together, and 1 of 2 is free."));
     Answer<TaskView> tooHeavy =
         stage
@@ -211,7 +213,7 @@ class FleetTest {
             .submit(order(3 * most), "Clara")
             .toCompletableFuture()
             .get(10, TimeUnit.SECONDS);
-    assertInstanceOf(Answer.Refused.class, tooHeavy);
+    assertInstanceOf(Answer.Rejected.class, tooHeavy);
   }
 
   @Test
@@ -220,7 +222,7 @@ class FleetTest {
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
 
     long task = submit("West", "East");
-    until(view -> waitsFor(view, task).equals("The only robot, r1, is out of service."));
+    until(view -> waitReason(view, task).equals("The only robot, r1, is out of service."));
     accepted(stage.fleet.putInService("r1", "Max"));
 
     until(view -> task(view, task).state() == TaskState.DONE);
@@ -233,19 +235,20 @@ class FleetTest {
     long first = accepted(stage.fleet.submit(order(1), "Clara")).id();
     long second = accepted(stage.fleet.submit(order(1), "Clara")).id();
 
-    TaskView changed = accepted(stage.fleet.wish(second, new MissionEvent.Prioritise("Clara", 10)));
+    TaskView changed =
+        accepted(stage.fleet.commandTask(second, new MissionEvent.Prioritise("Clara", 10)));
 
     assertEquals(10, changed.task().priority());
     EventRecord told = stage.store.history(second).getLast();
     assertEquals("task.prioritised", told.kind());
     assertEquals("Clara changed its priority from 0 to 10", told.text());
-    accepted(stage.fleet.wish(second, new MissionEvent.Prioritise("Clara", 10)));
+    accepted(stage.fleet.commandTask(second, new MissionEvent.Prioritise("Clara", 10)));
     assertEquals(told, stage.store.history(second).getLast(), "nothing to tell");
     stage.restart();
-    until(view -> view.queued() == 2 && task(view, second).task().priority() == 10);
+    until(view -> view.queuedCount() == 2 && task(view, second).task().priority() == 10);
     accepted(stage.fleet.putInService("r1", "Max"));
     until(view -> !task(view, second).robots().isEmpty());
-    assertEquals(TaskState.QUEUED, task(stage.fleet.feed().latest(), first).state());
+    assertEquals(TaskState.QUEUED, task(stage.fleet.snapshots().latest(), first).state());
   }
 
   @Test
@@ -261,14 +264,14 @@ class FleetTest {
             "urgent", 1, new Where.Station("West"), new Where.Station("East"), null, 9, null, null);
     long last = accepted(stage.fleet.submit(urgent, "Clara")).id();
 
-    until(view -> view.queued() == 151 && view.tasks().size() == 100);
+    until(view -> view.queuedCount() == 151 && view.tasks().size() == 100);
 
-    FleetSnapshot view = stage.fleet.feed().latest();
+    FleetSnapshot view = stage.fleet.snapshots().latest();
     assertEquals(last, view.tasks().getFirst().id());
     assertEquals(first, view.tasks().getLast().id());
     accepted(stage.fleet.putInService("r1", "Max"));
     until(later -> later.tasks().stream().anyMatch(t -> t.id() == last && t.robots().size() == 1));
-    assertEquals(150, stage.fleet.feed().latest().queued());
+    assertEquals(150, stage.fleet.snapshots().latest().queuedCount());
   }
 
   @Test
@@ -277,7 +280,7 @@ class FleetTest {
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     long task = submit("East", "West");
     until(view -> task(view, task).state() == TaskState.CARRYING);
-    assertEquals(List.of("r2"), task(stage.fleet.feed().latest(), task).robots());
+    assertEquals(List.of("r2"), task(stage.fleet.snapshots().latest(), task).robots());
     assertInstanceOf(Answer.Conflict.class, answer(stage.fleet.removeRobot("r2", "Max")));
     accepted(stage.fleet.takeOutOfService("r2", "Max"));
     assertInstanceOf(
@@ -289,12 +292,12 @@ class FleetTest {
 
     accepted(stage.fleet.removeRobot("r2", "Max"));
 
-    assertEquals(1, stage.fleet.feed().latest().robots().size());
+    assertEquals(1, stage.fleet.snapshots().latest().robots().size());
     assertEquals(List.of("Max removed r2"), history("robot.removed"));
     assertInstanceOf(Answer.Unknown.class, answer(stage.fleet.removeRobot("r2", "Max")));
     stage.restart();
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
-    assertEquals(1, stage.fleet.feed().latest().robots().size());
+    assertEquals(1, stage.fleet.snapshots().latest().robots().size());
     RobotOrder again = new RobotOrder("r2", "127.0.0.1", 1, 5, "P2", null);
     accepted(stage.fleet.addRobot(again, "Max"));
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
@@ -308,11 +311,11 @@ class FleetTest {
     reopenWith("r2", EAST, "P2");
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     assertInstanceOf(
-        Answer.Refused.class,
+        Answer.Rejected.class,
         answer(stage.fleet.changeRobot("r2", new RobotChange("127.0.0.1", 1, 9, "P1"), "Max")),
         "r1 parks there");
     assertInstanceOf(
-        Answer.Refused.class,
+        Answer.Rejected.class,
         answer(stage.fleet.changeRobot("r2", new RobotChange("127.0.0.1", 1, 9, "P9"), "Max")));
 
     RobotView changed =
@@ -324,7 +327,7 @@ class FleetTest {
     assertEquals(List.of("Max changed r2"), history("robot.changed"));
     stage.restart();
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
-    assertEquals(3, robot(stage.fleet.feed().latest(), "r2").maxLoad());
+    assertEquals(3, robot(stage.fleet.snapshots().latest(), "r2").maxLoad());
   }
 
   @Test
@@ -354,25 +357,25 @@ class FleetTest {
   }
 
   @Test
-  void aRobotOnItsWayGoesRoundWhatAnotherOneSees() throws Exception {
+  void aDrivingRobotGoesRoundWhatAnotherOneSees() throws Exception {
     reopenWith("r2", new Vec2(14.5, 2.5), null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     long task = submit(new Where.Point(new Vec2(5.5, 1.5)), new Where.Point(new Vec2(13.5, 1.5)));
     until(
         view ->
             task(view, task).state() == TaskState.CARRYING
-                && !robot(view, "r1").route().isEmpty()
-                && played("r1").isDriving());
-    List<Vec2> straight = robot(stage.fleet.feed().latest(), "r1").route();
+                && !robot(view, "r1").path().isEmpty()
+                && scriptedRobot("r1").isDriving());
+    List<Vec2> straight = robot(stage.fleet.snapshots().latest(), "r1").path();
     assertTrue(
         straight.stream().allMatch(p -> Math.abs(p.y() - 1.5) < 1e-6), "through the obstacle");
 
     Cell obstacle = new Cell(11, 1);
-    played("r2").sees(GRID.centre(obstacle));
+    scriptedRobot("r2").setObstacles(GRID.centre(obstacle));
 
     until(
         view -> {
-          assertNotEquals(obstacle, GRID.cellAt(played("r1").position()));
+          assertNotEquals(obstacle, GRID.cellAt(scriptedRobot("r1").position()));
           return task(view, task).state() == TaskState.DONE;
         });
   }
@@ -380,30 +383,31 @@ class FleetTest {
   @Test
   void aRobotThatAnObstacleStopsSaysSoAndGoesOnWhenItIsGone() throws Exception {
     reopenWith("r2", new Vec2(3.5, 2.5), null);
-    played("r2").sees(DOOR);
+    scriptedRobot("r2").setObstacles(DOOR);
     until(view -> obstacles(view).equals(cells(GRID.cellAt(DOOR))));
 
     long task = submit("West", "East");
 
-    until(view -> waitsFor(view, task).contains("an obstacle"));
-    FleetSnapshot waiting = stage.fleet.feed().latest();
-    assertTrue(waitsFor(waiting, task).contains("(4.50, 1.50)"));
-    String carrier = task(waiting, task).robots().getFirst();
-    assertEquals(waitsFor(waiting, task), robot(waiting, carrier).doing().english(), carrier);
-    played("r2").sees();
+    until(view -> waitReason(view, task).contains("an obstacle"));
+    FleetSnapshot waiting = stage.fleet.snapshots().latest();
+    assertTrue(waitReason(waiting, task).contains("(4.50, 1.50)"));
+    String robot = task(waiting, task).robots().getFirst();
+    assertEquals(waitReason(waiting, task), robot(waiting, robot).doing().english(), robot);
+    scriptedRobot("r2").setObstacles();
     until(view -> task(view, task).state() == TaskState.DONE);
   }
 
   @Test
   void aRobotThatDoesNotGetOnIsToldUntilItDoes() throws Exception {
     long task = submit("West", "East");
-    until(view -> task(view, task).state() == TaskState.CARRYING && played("r1").isDriving());
+    until(
+        view -> task(view, task).state() == TaskState.CARRYING && scriptedRobot("r1").isDriving());
 
-    played("r1").sticks(true);
+    scriptedRobot("r1").setStuck(true);
     until(view -> !view.floors().getFirst().standstills().isEmpty());
     FloorView.StandstillView standstill =
-        stage.fleet.feed().latest().floors().getFirst().standstills().getFirst();
-    played("r1").sticks(false);
+        stage.fleet.snapshots().latest().floors().getFirst().standstills().getFirst();
+    scriptedRobot("r1").setStuck(false);
     until(view -> view.floors().getFirst().standstills().isEmpty());
 
     assertEquals(List.of("r1"), standstill.robots());
@@ -417,40 +421,48 @@ class FleetTest {
   @Test
   void aChangeThatCrossesTheEndOfADriveIsNoTrouble() throws Exception {
     long task = submit("West", "East");
-    until(view -> task(view, task).state() == TaskState.CARRYING && played("r1").isDriving());
+    until(
+        view -> task(view, task).state() == TaskState.CARRYING && scriptedRobot("r1").isDriving());
 
-    played("r1").endsBeforeItHearsAChange();
+    scriptedRobot("r1").endBeforeNextChange();
     until(
         view -> {
           String doing = String.valueOf(robot(view, "r1").doing());
           assertFalse(doing.contains("refused"), doing);
-          return !played("r1").hasYetToHearAChange() && task(view, task).state() == TaskState.DONE;
+          return !scriptedRobot("r1").isAwaitingChange()
+              && task(view, task).state() == TaskState.DONE;
         });
   }
 
   // --- cancel, hold, pause, failures ------------------------------------------------------------
 
   @Test
-  void aRobotOnItsWayIsNotToldWhereItIs() throws Exception {
+  void aDrivingRobotIsNotToldWhereItIs() throws Exception {
     long task = submit("West", "East");
-    until(view -> task(view, task).state() == TaskState.CARRYING && played("r1").isDriving());
+    until(
+        view -> task(view, task).state() == TaskState.CARRYING && scriptedRobot("r1").isDriving());
 
     Answer<RobotView> answer =
-        stage.fleet.locate("r1", new Pose(1.5, 1.5, 0), "Max").toCompletableFuture().get();
+        stage.fleet.locateRobot("r1", new Pose(1.5, 1.5, 0), "Max").toCompletableFuture().get();
 
-    assertInstanceOf(Answer.Refused.class, answer);
+    assertInstanceOf(Answer.Rejected.class, answer);
     until(view -> task(view, task).state() == TaskState.DONE);
   }
 
   @Test
   void aTaskCancelledBeforeThePickUpEndsAndItsRobotGoesHome() throws Exception {
     long task = submit("East", "West");
-    until(view -> task(view, task).state() == TaskState.TO_OBJECT && played("r1").isDriving());
+    until(
+        view -> task(view, task).state() == TaskState.TO_OBJECT && scriptedRobot("r1").isDriving());
 
-    TaskView cancelled = accepted(stage.fleet.wish(task, new MissionEvent.Cancel("Max", null)));
+    TaskView cancelled =
+        accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
 
     assertEquals(TaskState.CANCELLED, cancelled.state());
-    until(view -> !played("r1").isDriving() && played("r1").position().distanceTo(WEST) < 1e-6);
+    until(
+        view ->
+            !scriptedRobot("r1").isDriving()
+                && scriptedRobot("r1").position().distanceTo(WEST) < 1e-6);
     assertEquals(List.of("Cancelled by Max"), history("task.cancelled"));
     assertEquals(TaskState.CANCELLED, stage.store.task(task).orElseThrow().state());
   }
@@ -461,17 +473,18 @@ class FleetTest {
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
     long task = submit("East", "West");
 
-    assertTrue(accepted(stage.fleet.wish(task, new MissionEvent.Hold("Max"))).held());
+    assertTrue(accepted(stage.fleet.commandTask(task, new MissionEvent.Hold("Max"))).held());
     stage.restart(); // and it survives a restart
     accepted(stage.fleet.putInService("r1", "Max"));
     until(view -> robot(view, "r1").state() == RobotState.IDLE && task(view, task).held());
-    assertEquals("On hold.", waitsFor(stage.fleet.feed().latest(), task));
-    TaskView cancelled = accepted(stage.fleet.wish(task, new MissionEvent.Cancel("Max", null)));
+    assertEquals("On hold.", waitReason(stage.fleet.snapshots().latest(), task));
+    TaskView cancelled =
+        accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
 
     assertEquals(TaskState.CANCELLED, cancelled.state());
     until(view -> task(view, task).state() == TaskState.CANCELLED);
     assertInstanceOf(
-        Answer.Conflict.class, answer(stage.fleet.wish(task, new MissionEvent.Hold("Max"))));
+        Answer.Conflict.class, answer(stage.fleet.commandTask(task, new MissionEvent.Hold("Max"))));
   }
 
   @Test
@@ -479,17 +492,18 @@ class FleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
 
-    Answer<TaskView> asked = answer(stage.fleet.wish(task, new MissionEvent.Cancel("Max", null)));
+    Answer<TaskView> asked =
+        answer(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
     assertEquals(
         List.of("here", "back"),
         Objects.requireNonNull(assertInstanceOf(Answer.Conflict.class, asked).needs()).answers());
-    accepted(stage.fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
 
     until(view -> task(view, task).state() == TaskState.CANCELLED);
     Vec2 place =
-        Objects.requireNonNull(task(stage.fleet.feed().latest(), task).loadAt()).position();
+        Objects.requireNonNull(task(stage.fleet.snapshots().latest(), task).loadAt()).position();
     assertTrue(place.x() > 0.5 && place.x() < 8.5, "on the way: " + place);
-    until(view -> played("r1").position().distanceTo(WEST) < 1e-6);
+    until(view -> scriptedRobot("r1").position().distanceTo(WEST) < 1e-6);
     TaskView stored = stage.store.task(task).orElseThrow();
     assertEquals(0, Objects.requireNonNull(stored.loadAt()).position().distanceTo(place), 1e-9);
   }
@@ -499,10 +513,10 @@ class FleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
 
-    accepted(stage.fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.BACK)));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", LoadChoice.BACK)));
 
     until(view -> task(view, task).state() == TaskState.CANCELLED);
-    assertEquals(0, played("r1").position().distanceTo(new Vec2(0.5, 2.5)), 1e-6);
+    assertEquals(0, scriptedRobot("r1").position().distanceTo(new Vec2(0.5, 2.5)), 1e-6);
     until(
         view ->
             stage.store.history(task).stream()
@@ -515,7 +529,7 @@ class FleetTest {
     until(view -> task(view, task).state() == TaskState.RETURNING);
 
     Answer<TaskView> no =
-        answer(stage.fleet.wish(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+        answer(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
 
     assertInstanceOf(Answer.Conflict.class, no);
     until(view -> task(view, task).state() == TaskState.DONE);
@@ -526,16 +540,17 @@ class FleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
 
-    assertTrue(accepted(stage.fleet.wish(task, new MissionEvent.Hold("Max"))).held());
-    until(view -> played("r1").isHeld() && robot(view, "r1").state() == RobotState.HOLDING);
-    Vec2 stopped = played("r1").position();
+    assertTrue(accepted(stage.fleet.commandTask(task, new MissionEvent.Hold("Max"))).held());
+    until(view -> scriptedRobot("r1").isHeld() && robot(view, "r1").state() == RobotState.HOLDING);
+    Vec2 stopped = scriptedRobot("r1").position();
     stage.restart();
     until(view -> !view.robots().isEmpty() && robot(view, "r1").state() == RobotState.HOLDING);
-    assertTrue(task(stage.fleet.feed().latest(), task).held());
-    assertEquals("Task " + task + " is on hold", waitsFor(stage.fleet.feed().latest(), task));
-    assertEquals(stopped, played("r1").position());
+    assertTrue(task(stage.fleet.snapshots().latest(), task).held());
+    assertEquals(
+        "Task " + task + " is on hold", waitReason(stage.fleet.snapshots().latest(), task));
+    assertEquals(stopped, scriptedRobot("r1").position());
 
-    accepted(stage.fleet.wish(task, new MissionEvent.Resume("Max")));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Resume("Max")));
 
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(List.of("Max put it on hold"), history("task.held"));
@@ -547,12 +562,12 @@ class FleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
 
-    assertTrue(accepted(stage.fleet.hold("r1", "Max")).held());
+    assertTrue(accepted(stage.fleet.holdRobot("r1", "Max")).held());
     until(view -> robot(view, "r1").state() == RobotState.HOLDING);
     stage.restart();
     until(view -> !view.robots().isEmpty() && robot(view, "r1").held());
-    assertEquals(TaskState.CARRYING, task(stage.fleet.feed().latest(), task).state());
-    accepted(stage.fleet.resume("r1", "Max"));
+    assertEquals(TaskState.CARRYING, task(stage.fleet.snapshots().latest(), task).state());
+    accepted(stage.fleet.resumeRobot("r1", "Max"));
 
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(List.of("Max put r1 on hold"), history("robot.held"));
@@ -568,14 +583,14 @@ class FleetTest {
 
     assertEquals("Max", accepted(stage.fleet.holdFloor("hall", "Max")).orElseThrow().user());
     until(view -> robot(view, "r1").state() == RobotState.HOLDING);
-    Vec2 stopped = played("r1").position();
+    Vec2 stopped = scriptedRobot("r1").position();
     reopenWith("r2", EAST, "P2");
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
-    FleetSnapshot held = stage.fleet.feed().latest();
+    FleetSnapshot held = stage.fleet.snapshots().latest();
     assertEquals("Max", Objects.requireNonNull(held.floors().getFirst().hold()).user());
     assertEquals(Phrase.FLOOR_HELD_BY.with("hall", "Max"), robot(held, "r1").doing());
     assertEquals(Phrase.FLOOR_HELD_BY.with("hall", "Max"), task(held, task).waitingFor());
-    assertEquals(stopped, played("r1").position());
+    assertEquals(stopped, scriptedRobot("r1").position());
 
     assertEquals(Optional.empty(), accepted(stage.fleet.resumeFloor("hall", "Boss")));
 
@@ -590,17 +605,17 @@ class FleetTest {
     untilCarryingOnTheWay(task);
 
     assertEquals("Max", accepted(stage.fleet.pauseAll("Max")).orElseThrow().user());
-    until(view -> played("r1").isHeld());
-    Vec2 stopped = played("r1").position();
+    until(view -> scriptedRobot("r1").isHeld());
+    Vec2 stopped = scriptedRobot("r1").position();
     reopenWith("r2", EAST, "P2");
     until(
         view ->
-            played("r2").isHeld()
+            scriptedRobot("r2").isHeld()
                 && view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
-    assertEquals("Max", Objects.requireNonNull(stage.fleet.feed().latest().pause()).user());
-    assertEquals(stopped, played("r1").position());
+    assertEquals("Max", Objects.requireNonNull(stage.fleet.snapshots().latest().pause()).user());
+    assertEquals(stopped, scriptedRobot("r1").position());
     assertEquals(
-        Phrase.ALL_PAUSED_BY.with("Max"), robot(stage.fleet.feed().latest(), "r1").doing());
+        Phrase.ALL_PAUSED_BY.with("Max"), robot(stage.fleet.snapshots().latest(), "r1").doing());
 
     accepted(stage.fleet.resumeAll("Boss"));
 
@@ -616,7 +631,7 @@ class FleetTest {
     long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
     until(view -> task(view, task).robots().equals(List.of("r1")));
 
-    played("r1").breaks("BUMPER");
+    scriptedRobot("r1").breakDown("BUMPER");
 
     until(view -> task(view, task).robots().equals(List.of("r2")));
     assertTrue(
@@ -629,22 +644,24 @@ class FleetTest {
     reopenWith("r2", new Vec2(14.5, 0.5), null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
-    until(view -> task(view, task).state() == TaskState.TO_OBJECT && played("r1").isDriving());
-    played("r1").loseConnection();
+    until(
+        view -> task(view, task).state() == TaskState.TO_OBJECT && scriptedRobot("r1").isDriving());
+    scriptedRobot("r1").loseConnection();
     Instant lost = stage.now;
     until(view -> task(view, task).needs() != null);
     assertEquals(
         List.of("another robot", "wait"),
-        Objects.requireNonNull(task(stage.fleet.feed().latest(), task).needs()).answers());
+        Objects.requireNonNull(task(stage.fleet.snapshots().latest(), task).needs()).answers());
 
     until(view -> task(view, task).robots().equals(List.of("r2")));
 
-    assertTrue(!stage.now.isBefore(lost.plus(FleetStage.LOST_AFTER)), "not before 30 s");
-    assertTrue(stage.fleet.feed().latest().floors().getFirst().kept().containsKey("r1"));
-    int told = played("r1").obeyed().size();
-    played("r1").speakAgain();
-    until(view -> played("r1").obeyed().size() > told);
-    assertInstanceOf(ServerMessage.Cancel.class, played("r1").obeyed().get(told));
+    assertTrue(!stage.now.isBefore(lost.plus(FleetStage.REASSIGN_AFTER)), "not before 30 s");
+    assertTrue(
+        stage.fleet.snapshots().latest().floors().getFirst().silentRobotCells().containsKey("r1"));
+    int told = scriptedRobot("r1").obeyed().size();
+    scriptedRobot("r1").speakAgain();
+    until(view -> scriptedRobot("r1").obeyed().size() > told);
+    assertInstanceOf(ServerMessage.Cancel.class, scriptedRobot("r1").obeyed().get(told));
     until(view -> task(view, task).state() == TaskState.DONE);
   }
 
@@ -654,14 +671,15 @@ class FleetTest {
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     long task = submit(IN_THE_MIDDLE, new Where.Station("West"));
     until(view -> task(view, task).robots().equals(List.of("r1")));
-    played("r1").fallSilent();
+    scriptedRobot("r1").fallSilent();
     Instant lost = stage.now;
     until(view -> task(view, task).needs() != null);
 
-    accepted(stage.fleet.wish(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
 
     until(view -> task(view, task).robots().equals(List.of("r2")));
-    assertTrue(stage.now.isBefore(lost.plus(FleetStage.LOST_AFTER)), "before the 30 s are over");
+    assertTrue(
+        stage.now.isBefore(lost.plus(FleetStage.REASSIGN_AFTER)), "before the 30 s are over");
   }
 
   @Test
@@ -670,17 +688,17 @@ class FleetTest {
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
-    played("r1").breaks("BUMPER");
+    scriptedRobot("r1").breakDown("BUMPER");
     until(view -> task(view, task).needs() != null);
     Vec2 place =
-        Objects.requireNonNull(task(stage.fleet.feed().latest(), task).loadAt()).position();
-    assertEquals(played("r1").position(), place);
+        Objects.requireNonNull(task(stage.fleet.snapshots().latest(), task).loadAt()).position();
+    assertEquals(scriptedRobot("r1").position(), place);
     stage.restart(); // the question survives a restart
     until(view -> !view.tasks().isEmpty() && task(view, task).needs() != null);
 
-    accepted(stage.fleet.wish(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
     until(view -> task(view, task).robots().equals(List.of("r2")));
-    played("r1").fallSilent(); // it is carried away
+    scriptedRobot("r1").fallSilent(); // it is carried away
     until(view -> robot(view, "r1").state() == RobotState.LOST);
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
 
@@ -695,12 +713,12 @@ class FleetTest {
   void aRobotThatFailsWithTheLoadAndIsMendedGoesOn() throws Exception {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
-    played("r1").breaks("BUMPER");
+    scriptedRobot("r1").breakDown("BUMPER");
     until(view -> task(view, task).needs() != null);
-    accepted(stage.fleet.wish(task, new MissionEvent.Answer("Max", Reply.WAIT)));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Answer("Max", Reply.WAIT)));
     until(view -> task(view, task).needs() == null);
 
-    played("r1").isMended();
+    scriptedRobot("r1").repair();
 
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(List.of("r1 can go on"), history("task.robot-back"));
@@ -709,12 +727,13 @@ class FleetTest {
   @Test
   void aRobotThatFailsOnItsWayHomeHasDoneItsTask() throws Exception {
     long task = submit("West", "East");
-    until(view -> task(view, task).state() == TaskState.RETURNING && played("r1").isDriving());
+    until(
+        view -> task(view, task).state() == TaskState.RETURNING && scriptedRobot("r1").isDriving());
 
-    played("r1").breaks("BUMPER");
+    scriptedRobot("r1").breakDown("BUMPER");
 
     until(view -> task(view, task).state() == TaskState.DONE);
-    assertTrue(played("r1").position().distanceTo(WEST) > 0.5, "it did not get home");
+    assertTrue(scriptedRobot("r1").position().distanceTo(WEST) > 0.5, "it did not get home");
   }
 
   @Test
@@ -722,7 +741,7 @@ class FleetTest {
     reopenWith("r2", new Vec2(12.5, 2.5), "P2");
 
     until(view -> robot(view, "r2").state() == RobotState.IDLE);
-    until(view -> played("r2").position().distanceTo(EAST) < 1e-6);
+    until(view -> scriptedRobot("r2").position().distanceTo(EAST) < 1e-6);
   }
 
   @Test
@@ -735,7 +754,7 @@ class FleetTest {
     assertInstanceOf(Answer.Conflict.class, answer(stage.fleet.sendHome("r3", "Max")));
     assertInstanceOf(Answer.Unknown.class, answer(stage.fleet.sendHome("r9", "Max")));
 
-    until(view -> played("r2").position().distanceTo(EAST) < 1e-6);
+    until(view -> scriptedRobot("r2").position().distanceTo(EAST) < 1e-6);
     assertEquals(List.of("Max sent r2 home"), history("robot.sent-home"));
   }
 
@@ -743,12 +762,12 @@ class FleetTest {
     until(
         view ->
             task(view, task).state() == TaskState.CARRYING
-                && played("r1").isDriving()
-                && played("r1").position().distanceTo(new Vec2(0.5, 2.5)) > 0.9);
+                && scriptedRobot("r1").isDriving()
+                && scriptedRobot("r1").position().distanceTo(new Vec2(0.5, 2.5)) > 0.9);
   }
 
-  private static <T> Answer<T> answer(CompletionStage<Answer<T>> wish) throws Exception {
-    return wish.toCompletableFuture().get(10, TimeUnit.SECONDS);
+  private static <T> Answer<T> answer(CompletionStage<Answer<T>> answer) throws Exception {
+    return answer.toCompletableFuture().get(10, TimeUnit.SECONDS);
   }
 
   // --- the stage --------------------------------------------------------------------------------
@@ -759,7 +778,7 @@ class FleetTest {
   }
 
   private void until(Predicate<FleetSnapshot> condition) throws InterruptedException {
-    stage.until(condition);
+    stage.await(condition);
   }
 
   /** What no answer waits for is written a moment later. */
@@ -787,13 +806,13 @@ class FleetTest {
     return id;
   }
 
-  private static <T> T accepted(CompletionStage<Answer<T>> wish) throws Exception {
-    Answer<T> answer = wish.toCompletableFuture().get(10, TimeUnit.SECONDS);
+  private static <T> T accepted(CompletionStage<Answer<T>> pending) throws Exception {
+    Answer<T> answer = pending.toCompletableFuture().get(10, TimeUnit.SECONDS);
     return answer instanceof Answer.Accepted<T>(T value) ? value : fail("No: " + answer);
   }
 
-  private ScriptedRobot played(String name) {
-    return stage.played(name);
+  private ScriptedRobot scriptedRobot(String name) {
+    return stage.scriptedRobot(name);
   }
 
   private static RobotView robot(FleetSnapshot view, String name) {
@@ -804,7 +823,7 @@ class FleetTest {
     return view.tasks().stream().filter(t -> t.id() == id).findFirst().orElseThrow();
   }
 
-  private static String waitsFor(FleetSnapshot view, long task) {
+  private static String waitReason(FleetSnapshot view, long task) {
     return Objects.toString(task(view, task).waitingFor(), "");
   }
 

@@ -11,10 +11,11 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.toqa.allocation.Policy;
+import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
-import org.toqa.link.TcpRobotLinks;
+import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.mission.TaskState;
@@ -67,7 +68,7 @@ final class LiveFloor {
         new AgentFleet(
             List.of(floor),
             store,
-            new TcpRobotLinks(new LinkTls(IdentityFile.open(folder)), false),
+            new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false),
             Policy.OPTIMAL.allocator(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, speed),
             InstantSource.system(),
@@ -85,11 +86,11 @@ final class LiveFloor {
   void start() throws InterruptedException {
     clock.start();
     parts.add(clock);
-    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    await(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
   }
 
   /** Orders a transport between two stations; the task's number. */
-  long order(double load, String from, String to) throws Exception {
+  long submit(double load, String from, String to) throws Exception {
     TaskOrder order =
         new TaskOrder(
             "gearbox",
@@ -105,14 +106,14 @@ final class LiveFloor {
     return ((Answer.Accepted<TaskView>) answer).value().id();
   }
 
-  FleetSnapshot until(Predicate<FleetSnapshot> condition) throws InterruptedException {
+  FleetSnapshot await(Predicate<FleetSnapshot> condition) throws InterruptedException {
     long end = System.nanoTime() + LIMIT.toNanos();
-    FleetSnapshot view = fleet.feed().latest();
+    FleetSnapshot view = fleet.snapshots().latest();
     while (view.robots().isEmpty() || !condition.test(view)) {
       if (System.nanoTime() > end) {
         fail("It is still so: " + view.tasks() + view.robots() + view.floors());
       }
-      view = fleet.feed().awaitNewer(view.version(), Duration.ofMillis(100));
+      view = fleet.snapshots().awaitNewer(view.version(), Duration.ofMillis(100));
     }
     return view;
   }
@@ -121,7 +122,7 @@ final class LiveFloor {
     return view.tasks().stream().filter(t -> t.id() == id).findFirst().orElseThrow();
   }
 
-  static boolean is(FleetSnapshot view, long task, TaskState state) {
+  static boolean isInState(FleetSnapshot view, long task, TaskState state) {
     return view.tasks().stream().anyMatch(t -> t.id() == task && t.state() == state);
   }
 

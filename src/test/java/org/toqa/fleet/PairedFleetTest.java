@@ -26,11 +26,12 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.agent.DaemonProcess;
 import org.toqa.allocation.OptimalAllocator;
-import org.toqa.fleet.EventArchive.Entry;
-import org.toqa.fleet.EventArchive.Filter;
+import org.toqa.fleet.history.EventArchive.Entry;
+import org.toqa.fleet.history.EventArchive.Filter;
+import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorReader;
-import org.toqa.link.TcpRobotLinks;
+import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
@@ -90,15 +91,15 @@ class PairedFleetTest {
     return new AgentFleet(
         List.of(FloorReader.read(Path.of("maps/lab.yaml"))),
         new JdbiFleetStore(database.jdbi()),
-        new TcpRobotLinks(new LinkTls(IdentityFile.open(data)), false),
+        new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(data)), false),
         new OptimalAllocator(),
         new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, 1),
         InstantSource.system(),
         now);
   }
 
-  private static <T> T answer(CompletionStage<T> wish) throws Exception {
-    return wish.toCompletableFuture().get(20, TimeUnit.SECONDS);
+  private static <T> T answer(CompletionStage<T> answer) throws Exception {
+    return answer.toCompletableFuture().get(20, TimeUnit.SECONDS);
   }
 
   private Answer<RobotView> add(String code) throws Exception {
@@ -111,22 +112,22 @@ class PairedFleetTest {
   private Answer<RobotView> pairAnew(String code) throws Exception {
     PairingOrder order =
         new PairingOrder("127.0.0.1", daemonNow().port(), PairingCode.parse(code).orElseThrow());
-    return answer(fleetNow().pair("r1", order, "boss"));
+    return answer(fleetNow().pairRobot("r1", order, "boss"));
   }
 
   /** Time goes on until r1 is as wished. */
-  private RobotView until(Predicate<RobotView> wished) throws InterruptedException {
+  private RobotView until(Predicate<RobotView> condition) throws InterruptedException {
     long end = System.nanoTime() + LIMIT.toNanos();
-    FleetSnapshot view = fleetNow().feed().latest();
+    FleetSnapshot view = fleetNow().snapshots().latest();
     while (System.nanoTime() < end) {
       for (RobotView robot : view.robots()) {
-        if (wished.test(robot)) {
+        if (condition.test(robot)) {
           return robot;
         }
       }
       now = now.plusMillis(100);
       fleetNow().tick(now);
-      view = fleetNow().feed().awaitNewer(view.version(), Duration.ofMillis(100));
+      view = fleetNow().snapshots().awaitNewer(view.version(), Duration.ofMillis(100));
     }
     return fail("It is still so: " + view);
   }
@@ -142,7 +143,9 @@ class PairedFleetTest {
           return event;
         }
       }
-      fleetNow().feed().awaitNewer(fleetNow().feed().latest().version(), Duration.ofMillis(100));
+      fleetNow()
+          .snapshots()
+          .awaitNewer(fleetNow().snapshots().latest().version(), Duration.ofMillis(100));
     }
     return fail("There is no " + kind + " in " + events());
   }
@@ -183,7 +186,7 @@ class PairedFleetTest {
     String wrong = code.substring(0, code.length() - 1) + (last == 'A' ? 'B' : 'A');
 
     assertEquals(
-        new Answer.Refused<>("code", Sentence.verbatim("The code is wrong; tries left: 4.")),
+        new Answer.Rejected<>("code", Sentence.verbatim("The code is wrong; tries left: 4.")),
         add(wrong));
     assertEquals(
         "boss could not pair r1: The code is wrong; tries left: 4.",
@@ -216,7 +219,7 @@ class PairedFleetTest {
   }
 
   @Test
-  void strangerAtTheRobotsDoorIsInTheHistory() throws Exception {
+  void unknownPeerOfTheRobotIsInTheHistory() throws Exception {
     add(daemonNow().pairingCode());
     until(PairedFleetTest::isHeard);
     try (var stranger = daemonNow().connect()) { // speaks without encryption

@@ -45,13 +45,13 @@ class PairedTeamTest {
     ScriptedRobot near = stage.add("near", NEAR_HOME, "P1", NEAR);
     ScriptedRobot far = stage.add("far", FAR_HOME, "P2", FAR);
     stage.restart();
-    stage.until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    stage.await(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
 
     TaskOrder order =
         new TaskOrder("gearbox", HEAVY, new Station("A"), new Station("B"), null, 0, null, null);
     assertInstanceOf(
         Answer.Accepted.class, stage.fleet.submit(order, "Clara").toCompletableFuture().get());
-    stage.until(view -> !all(near, Lead.class).isEmpty() && !all(far, Follow.class).isEmpty());
+    stage.await(view -> !all(near, Lead.class).isEmpty() && !all(far, Follow.class).isEmpty());
 
     assertEquals(FAR.hex(), all(near, Lead.class).getFirst().followers().getFirst().fingerprint());
     assertEquals(NEAR.hex(), all(far, Follow.class).getFirst().fingerprint());

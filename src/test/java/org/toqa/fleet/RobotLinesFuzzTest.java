@@ -27,12 +27,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Policy;
+import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
-import org.toqa.link.TcpRobotLinks;
+import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.AgentMessage.Speed;
@@ -88,7 +89,7 @@ class RobotLinesFuzzTest {
         new AgentFleet(
             List.of(FLOOR),
             store,
-            new TcpRobotLinks(new LinkTls(IdentityFile.open(keys)), false),
+            new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(keys)), false),
             Policy.OPTIMAL.allocator(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, 1),
             InstantSource.system(),
@@ -125,7 +126,7 @@ class RobotLinesFuzzTest {
         }
         lines += LINES_AT_ONCE;
         double battery = lines / LINES_AT_ONCE % 1_000 / 1e3;
-        all.writeBytes(LinkCodec.line(standing(battery)));
+        all.writeBytes(LinkCodec.encode(standing(battery)));
         socket.getOutputStream().write(all.toByteArray());
         awaitBattery(battery);
       }
@@ -141,12 +142,12 @@ class RobotLinesFuzzTest {
 
   private void awaitBattery(double battery) throws InterruptedException {
     long end = System.nanoTime() + LIMIT.toNanos();
-    FleetSnapshot view = fleet.feed().latest();
+    FleetSnapshot view = fleet.snapshots().latest();
     while (view.robots().stream().noneMatch(r -> Objects.equals(r.battery(), battery))) {
       assertTrue(System.nanoTime() < end, "the server hears no more, seed " + FuzzRun.SEED);
       now = now.plusMillis(100);
       fleet.tick(now);
-      view = fleet.feed().awaitNewer(view.version(), Duration.ofMillis(20));
+      view = fleet.snapshots().awaitNewer(view.version(), Duration.ofMillis(20));
     }
   }
 

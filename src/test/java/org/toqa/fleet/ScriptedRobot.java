@@ -37,7 +37,7 @@ import org.toqa.motion.Trajectory;
  * released segment at each step of the test, and sees what the test lets it see. In a formation a
  * follower is where its leader takes it, and the leader stands while a follower does not follow.
  */
-final class ScriptedRobot {
+public final class ScriptedRobot {
   static final double FOOTPRINT = 0.255;
 
   private final String name;
@@ -56,7 +56,7 @@ final class ScriptedRobot {
   private RobotLink.@Nullable Listener listener;
   private boolean connected;
 
-  private @Nullable Trajectory way;
+  private @Nullable Trajectory trajectory;
   private @Nullable Long task;
   private @Nullable Done done;
   private int phase;
@@ -79,23 +79,23 @@ final class ScriptedRobot {
   }
 
   /** How it finds the robots that it carries together with. */
-  synchronized void knows(Function<String, ScriptedRobot> byName) {
+  synchronized void setPeers(Function<String, ScriptedRobot> byName) {
     others = byName;
   }
 
-  synchronized void sees(Vec2... points) {
+  synchronized void setObstacles(Vec2... points) {
     obstacles = List.of(points);
   }
 
   /**
    * @param share of 0 to 1
    */
-  synchronized void has(double share) {
+  synchronized void setBattery(double share) {
     battery = share;
   }
 
   /** It drives a segment only after so many steps. */
-  synchronized void isSlow(int stepsForOne) {
+  synchronized void setStepsPerSegment(int stepsForOne) {
     stepsASegment = stepsForOne;
   }
 
@@ -104,7 +104,7 @@ final class ScriptedRobot {
    *
    * @param diameter metres
    */
-  synchronized void isWide(double diameter) {
+  synchronized void setFootprint(double diameter) {
     footprint = diameter;
   }
 
@@ -118,25 +118,25 @@ final class ScriptedRobot {
   }
 
   /** It speaks, and does not move though it may. */
-  synchronized void sticks(boolean stuck) {
+  synchronized void setStuck(boolean stuck) {
     this.stuck = stuck;
   }
 
   /** Its drive is at an end a moment before it hears the next change of that. */
-  synchronized void endsBeforeItHearsAChange() {
+  synchronized void endBeforeNextChange() {
     endsFirst = true;
   }
 
-  synchronized boolean hasYetToHearAChange() {
+  synchronized boolean isAwaitingChange() {
     return endsFirst;
   }
 
   /** From now on its body cannot drive. */
-  synchronized void breaks(String code) {
+  synchronized void breakDown(String code) {
     fault = new Fault(code, "It cannot drive.");
   }
 
-  synchronized void isMended() {
+  synchronized void repair() {
     fault = null;
   }
 
@@ -198,15 +198,15 @@ final class ScriptedRobot {
     boolean mayMove =
         !stuck && !held && fault == null && steps % stepsASegment == 0 && missing() == null;
     keepPlace();
-    if (way != null && segment < released && mayMove) {
+    if (trajectory != null && segment < released && mayMove) {
       segment++;
-      pose = way.poseAfter(segment);
+      pose = trajectory.poseAfter(segment);
     }
-    if (way != null && !held && last && segment == way.segments().size()) {
+    if (trajectory != null && !held && last && segment == trajectory.segments().size()) {
       done = new Done(task, phase, drive);
       ended = leading == null ? ended : task;
       leading = null;
-      way = null;
+      trajectory = null;
       drive = 0;
     }
     listener.received(state());
@@ -222,12 +222,12 @@ final class ScriptedRobot {
         ? null
         : lead.followers().stream()
             .map(ServerMessage.Follower::robot)
-            .filter(follower -> !others.apply(follower).keepsPlace(lead.task()))
+            .filter(follower -> !others.apply(follower).isKeepingPlace(lead.task()))
             .findFirst()
             .orElse(null);
   }
 
-  private synchronized boolean keepsPlace(long task) {
+  private synchronized boolean isKeepingPlace(long task) {
     return following != null && following.task() == task && !mute && !held && fault == null;
   }
 
@@ -265,9 +265,9 @@ final class ScriptedRobot {
     } else if (message instanceof Command command && command.seq() > lastSeq) {
       lastSeq = command.seq();
       boolean isChange = command instanceof Extend || command instanceof Release;
-      if (isChange && (endsFirst || way == null)) {
+      if (isChange && (endsFirst || trajectory == null)) {
         endsFirst = false;
-        way = null;
+        trajectory = null;
         drive = 0;
         say(new Reject(command.seq(), "There is no such drive any more; the robot has none."));
         return;
@@ -298,7 +298,7 @@ final class ScriptedRobot {
       case Hold h -> held = true;
       case Resume r -> held = false;
       case Drive d -> {
-        way = new Trajectory(d.start(), d.segments());
+        trajectory = new Trajectory(d.start(), d.segments());
         task = d.task();
         phase = d.phase();
         drive = d.seq();
@@ -308,17 +308,17 @@ final class ScriptedRobot {
         done = null;
       }
       case Extend e -> {
-        Trajectory old = Objects.requireNonNull(way);
+        Trajectory old = Objects.requireNonNull(trajectory);
         var segments = new ArrayList<>(old.segments().subList(0, e.from()));
         segments.addAll(e.segments());
-        way = new Trajectory(old.start(), segments);
+        trajectory = new Trajectory(old.start(), segments);
         released = e.released();
         last = e.last();
       }
       case Release r -> released = r.released();
       case Cancel c -> {
         if (Objects.equals(c.task(), task)) {
-          way = null;
+          trajectory = null;
           leading = null;
           following = null;
           task = null;

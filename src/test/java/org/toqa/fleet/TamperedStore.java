@@ -6,22 +6,22 @@ import java.lang.reflect.Proxy;
 /**
  * A store with somebody between it and the fleet, who may look at each call, delay or refuse it.
  */
-final class TamperedStore {
+public final class TamperedStore {
   private TamperedStore() {}
 
   /** What happens instead of a call. */
   @FunctionalInterface
-  interface Between {
+  public interface Between {
     Object call(String method, Object[] arguments, Call real) throws Throwable;
   }
 
   /** The call itself. */
   @FunctionalInterface
-  interface Call {
+  public interface Call {
     Object go() throws Throwable;
   }
 
-  static FleetStore of(FleetStore store, Between between) {
+  public static FleetStore of(FleetStore store, Between between) {
     return (FleetStore)
         Proxy.newProxyInstance(
             FleetStore.class.getClassLoader(),

@@ -83,16 +83,21 @@ class TaskBatchTest {
     List<TaskOrder> orders =
         List.of(order("a", "Mill"), order("b", "Nowhere"), order("c", "Mill"), inTheWall);
 
-    BatchAnswer.Refused refused =
-        assertInstanceOf(BatchAnswer.Refused.class, submit(orders, keys(4)));
+    BatchAnswer.Rejected refused =
+        assertInstanceOf(BatchAnswer.Rejected.class, submit(orders, keys(4)));
 
     assertEquals(
         List.of("1 goal", "3 start"),
-        refused.refusals().stream().map(r -> r.place() + " " + r.field()).toList());
+        refused.rejections().stream().map(r -> r.index() + " " + r.field()).toList());
     assertTrue(
-        refused.refusals().getFirst().sentence().english().contains("There is no station Nowhere"));
+        refused
+            .rejections()
+            .getFirst()
+            .sentence()
+            .english()
+            .contains("There is no station Nowhere"));
     assertEquals(
-        refused.refusals(), await(stage.fleet.refusals(orders, "Clara")), "only looked at");
+        refused.rejections(), await(stage.fleet.rejections(orders, "Clara")), "only looked at");
     assertEquals(0, stage.store.count());
   }
 

@@ -25,10 +25,10 @@ class TeamsAtOnePlaceTest {
     LiveFloor live = new LiveFloor(folder, floor, SimulatedFloor.of(floor), SPEED);
     try {
       live.start();
-      long first = live.order(8, "Packing 1", "Goods-in 2");
-      long second = live.order(8, "Packing 1", "Packing 2");
-      live.until(view -> LiveFloor.is(view, first, TaskState.DONE));
-      live.until(view -> LiveFloor.is(view, second, TaskState.DONE));
+      long first = live.submit(8, "Packing 1", "Goods-in 2");
+      long second = live.submit(8, "Packing 1", "Packing 2");
+      live.await(view -> LiveFloor.isInState(view, first, TaskState.DONE));
+      live.await(view -> LiveFloor.isInState(view, second, TaskState.DONE));
     } finally {
       live.close();
     }

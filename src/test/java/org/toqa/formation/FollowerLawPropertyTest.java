@@ -70,9 +70,9 @@ class FollowerLawPropertyTest {
       @ForAll @DoubleRange(min = -3, max = 3) double y,
       @ForAll @DoubleRange(min = -3, max = 3) double theta) {
     Twist omni =
-        new SingleIntegratorLaw(Gains.DEFAULT).towards(START, Twist.ZERO, new Pose(x, y, theta));
+        new SingleIntegratorLaw(Gains.DEFAULT).velocity(START, Twist.ZERO, new Pose(x, y, theta));
     Twist wheeled =
-        new NonHolonomicLaw(Gains.DEFAULT).towards(START, Twist.ZERO, new Pose(x, y, theta));
+        new NonHolonomicLaw(Gains.DEFAULT).velocity(START, Twist.ZERO, new Pose(x, y, theta));
 
     assertTrue(Math.hypot(omni.vx(), omni.vy()) <= 0.1 + 1e-12);
     assertTrue(Math.abs(omni.w()) <= 0.5 + 1e-12);

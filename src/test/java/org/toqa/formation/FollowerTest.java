@@ -20,7 +20,7 @@ class FollowerTest {
 
   @Test
   void placeTurnsWithTheLeadersHeading() {
-    follower.hear(LEADER, Twist.ZERO, 0);
+    follower.receive(LEADER, Twist.ZERO, 0);
     // 1 m behind a leader that faces north is 1 m south of it, 0.5 m to its left is west of it
     follower.steer(new Pose(4.5, 4, Math.PI / 2), 0);
 
@@ -36,7 +36,7 @@ class FollowerTest {
 
   @Test
   void leaderIsTakenToMoveOnAsItDid() {
-    follower.hear(LEADER, AHEAD, 1);
+    follower.receive(LEADER, AHEAD, 1);
     follower.steer(new Pose(4.5, 4.1, Math.PI / 2), 1.4); // 0.4 s at 0.25 m/s
 
     assertEquals(0, follower.error(), 1e-9);
@@ -44,20 +44,20 @@ class FollowerTest {
 
   @Test
   void stopsWithoutItsLeaderForSixTenthsOfASecondAndGoesOnWhenItSpeaks() {
-    follower.hear(LEADER, AHEAD, 1);
+    follower.receive(LEADER, AHEAD, 1);
     Pose place = new Pose(4.5, 4.15, Math.PI / 2);
     assertNotEquals(Twist.ZERO, follower.steer(place, 1.58));
     assertEquals(Twist.ZERO, follower.steer(place, 1.62));
     assertEquals(Optional.of(Trouble.LEADER_LOST), follower.trouble());
 
-    follower.hear(new Pose(5, 5.15, Math.PI / 2), Twist.ZERO, 2);
+    follower.receive(new Pose(5, 5.15, Math.PI / 2), Twist.ZERO, 2);
     follower.steer(place, 2);
     assertEquals(Optional.empty(), follower.trouble());
   }
 
   @Test
   void drivesBackFromOutOfPlaceAndIsWellOnlyNearIt() {
-    follower.hear(LEADER, Twist.ZERO, 0);
+    follower.receive(LEADER, Twist.ZERO, 0);
     Twist back = follower.steer(new Pose(4.5, 3.94, Math.PI / 2), 0);
     assertEquals(Optional.of(Trouble.OUT_OF_PLACE), follower.trouble());
     assertEquals(0.1, back.vx(), 1e-9); // 2/s times 0.06 m, at most 0.1 m/s
@@ -70,7 +70,7 @@ class FollowerTest {
 
   @Test
   void doesNotDriveAcrossTheFloorToAPlaceThatCannotBeRight() {
-    follower.hear(LEADER, AHEAD, 0);
+    follower.receive(LEADER, AHEAD, 0);
 
     assertEquals(Twist.ZERO, follower.steer(new Pose(0, 0, 0), 0));
     assertEquals(Optional.of(Trouble.TOO_FAR), follower.trouble());

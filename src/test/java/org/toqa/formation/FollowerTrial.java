@@ -51,7 +51,7 @@ final class FollowerTrial {
       double now = i * TICK;
       int sent = i - delayTicks;
       if (sent >= 0 && sent % TICKS_A_MESSAGE == 0) {
-        follower.hear(start.advanced(leader, sent * TICK), leader, now);
+        follower.receive(start.advanced(leader, sent * TICK), leader, now);
       }
       speed = lagging(speed, follower.steer(body, now));
       body = body.advanced(noisy(speed), TICK);

@@ -24,7 +24,7 @@ class InflationPropertyTest {
       @ForAll @DoubleRange(min = 0.01, max = 2) double radius,
       @ForAll long seed) {
     OccupancyGrid grid = random(width, height, new Random(seed));
-    OccupancyGrid inflated = Inflation.of(grid, radius);
+    OccupancyGrid inflated = Inflation.inflate(grid, radius);
     Disc disc = new Disc(radius);
     for (int i = 0; i < width * height; i++) {
       Cell cell = grid.cell(i);
@@ -39,7 +39,7 @@ class InflationPropertyTest {
       @ForAll @DoubleRange(min = 0.01, max = 2) double radius,
       @ForAll long seed) {
     OccupancyGrid grid = random(width, height, new Random(seed));
-    OccupancyGrid nowhere = Inflation.whereNothingFits(grid, radius);
+    OccupancyGrid nowhere = Inflation.inflateWhereNothingFits(grid, radius);
     Disc disc = new Disc(radius);
     for (int i = 0; i < width * height; i++) {
       Vec2 middle = grid.centre(grid.cell(i));
@@ -64,9 +64,9 @@ class InflationPropertyTest {
     OccupancyGrid aisle =
         new OccupancyGrid(
             4, 3, 0.3, Vec2.ZERO, OccupancyGrid.parse("#..#", "#..#", "#..#").occupied());
-    assertFalse(Inflation.of(aisle, 0.25).isFree(1, 1));
-    assertTrue(Inflation.whereNothingFits(aisle, 0.25).isFree(1, 1));
-    assertFalse(Inflation.whereNothingFits(aisle, 0.31).isFree(1, 1));
+    assertFalse(Inflation.inflate(aisle, 0.25).isFree(1, 1));
+    assertTrue(Inflation.inflateWhereNothingFits(aisle, 0.25).isFree(1, 1));
+    assertFalse(Inflation.inflateWhereNothingFits(aisle, 0.31).isFree(1, 1));
   }
 
   @Example
@@ -74,9 +74,9 @@ class InflationPropertyTest {
     OccupancyGrid aisle =
         new OccupancyGrid(
             3, 3, 0.3, Vec2.ZERO, OccupancyGrid.parse("#.#", "#.#", "#.#").occupied());
-    assertEquals(aisle, Inflation.of(aisle, 0.255 / 2));
-    assertEquals(aisle, Inflation.of(aisle, 0.15)); // as wide as the aisle: it only touches
-    assertEquals(9, Inflation.of(aisle, 0.16).occupied().cardinality());
+    assertEquals(aisle, Inflation.inflate(aisle, 0.255 / 2));
+    assertEquals(aisle, Inflation.inflate(aisle, 0.15)); // as wide as the aisle: it only touches
+    assertEquals(9, Inflation.inflate(aisle, 0.16).occupied().cardinality());
   }
 
   @Example
@@ -84,7 +84,7 @@ class InflationPropertyTest {
     BitSet centre = new BitSet();
     centre.set(24);
     OccupancyGrid grid = new OccupancyGrid(7, 7, 0.3, Vec2.ZERO, centre);
-    OccupancyGrid inflated = Inflation.of(grid, 0.3);
+    OccupancyGrid inflated = Inflation.inflate(grid, 0.3);
     assertFalse(inflated.isFree(2, 2)); // corner of the square is 0.21 m away
     assertFalse(inflated.isFree(0, 1));
     assertTrue(inflated.isFree(1, 3));
@@ -93,13 +93,13 @@ class InflationPropertyTest {
   @Example
   void aMarginWiderThanTheMapBlocksAll() {
     OccupancyGrid grid = OccupancyGrid.parse("...", "...");
-    assertEquals(6, Inflation.of(grid, 1e9).occupied().cardinality());
+    assertEquals(6, Inflation.inflate(grid, 1e9).occupied().cardinality());
   }
 
   @Example
   void aMarginThatIsNoLengthIsRefused() {
     OccupancyGrid grid = OccupancyGrid.parse(".");
-    assertThrows(IllegalArgumentException.class, () -> Inflation.of(grid, Double.NaN));
-    assertThrows(IllegalArgumentException.class, () -> Inflation.of(grid, -0.1));
+    assertThrows(IllegalArgumentException.class, () -> Inflation.inflate(grid, Double.NaN));
+    assertThrows(IllegalArgumentException.class, () -> Inflation.inflate(grid, -0.1));
   }
 }

@@ -15,8 +15,8 @@ class BackoffTest {
 
     assertEquals(
         List.of(250L, 500L, 1_000L, 2_000L, 4_000L, 5_000L, 5_000L),
-        Stream.generate(backoff::next).limit(7).map(Duration::toMillis).toList());
+        Stream.generate(backoff::nextDelay).limit(7).map(Duration::toMillis).toList());
     backoff.reset();
-    assertEquals(Duration.ofMillis(250), backoff.next());
+    assertEquals(Duration.ofMillis(250), backoff.nextDelay());
   }
 }

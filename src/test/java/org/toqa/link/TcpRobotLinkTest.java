@@ -24,7 +24,7 @@ import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
-import org.toqa.testbed.LinkRecord;
+import org.toqa.testbed.LinkRecorder;
 
 /** The server's end of the link, against a robot that the test plays by hand. */
 @Timeout(30)
@@ -38,7 +38,7 @@ class TcpRobotLinkTest {
 
   @TempDir private Path keys;
   private ServerSocket robot;
-  private final LinkRecord heard = new LinkRecord();
+  private final LinkRecorder heard = new LinkRecorder();
   private RobotLink link;
 
   /** What the link told, in its order. */
@@ -68,7 +68,7 @@ class TcpRobotLinkTest {
   @Test
   void linkConnectsAgainByItself() throws Exception {
     greet().close();
-    assertEquals(new LinkRecord.End("r1 closed the connection."), heard.next());
+    assertEquals(new LinkRecorder.End("r1 closed the connection."), heard.next());
 
     try (Socket socket = greet()) {
       say(socket, "{\"type\":\"ack\",\"seq\":4}");
@@ -93,7 +93,7 @@ class TcpRobotLinkTest {
       assertEquals(
           "At 127.0.0.1:%d answers robot r2, not r1; correct the address or the name."
               .formatted(robot.getLocalPort()),
-          heard.await(LinkRecord.End.class).sentence());
+          heard.await(LinkRecorder.End.class).sentence());
       assertNull(line(socket), "the connection is closed");
     }
   }
@@ -105,7 +105,7 @@ class TcpRobotLinkTest {
 
       assertEquals(
           "r1 speaks version 2 of the robot link, this server version 1; update the older one.",
-          heard.await(LinkRecord.End.class).sentence());
+          heard.await(LinkRecorder.End.class).sentence());
     }
   }
 
@@ -117,14 +117,14 @@ class TcpRobotLinkTest {
       assertEquals(
           "What answers at 127.0.0.1:%d is not r1: it did not say hello."
               .formatted(robot.getLocalPort()),
-          heard.await(LinkRecord.End.class).sentence());
+          heard.await(LinkRecorder.End.class).sentence());
     }
   }
 
   @Test
   void silentPeerIsLeftAfterFiveSeconds() throws Exception {
     try (Socket socket = robot.accept()) {
-      assertEquals(new LinkRecord.End("r1 has said nothing for 5 s."), heard.next());
+      assertEquals(new LinkRecorder.End("r1 has said nothing for 5 s."), heard.next());
       assertNull(line(socket), "the connection is closed");
     }
   }
@@ -149,7 +149,7 @@ class TcpRobotLinkTest {
         link.send(new Ping(i));
       }
 
-      assertEquals(new LinkRecord.End("r1 does not take what it is told."), heard.next());
+      assertEquals(new LinkRecorder.End("r1 does not take what it is told."), heard.next());
     }
   }
 
@@ -158,9 +158,9 @@ class TcpRobotLinkTest {
     int port = robot.getLocalPort();
     link.close();
     robot.close();
-    LinkRecord another = new LinkRecord();
+    LinkRecorder another = new LinkRecorder();
     try (RobotLink _ = open("127.0.0.1", port, another)) {
-      String sentence = another.await(LinkRecord.End.class).sentence();
+      String sentence = another.await(LinkRecorder.End.class).sentence();
       assertTrue(sentence.startsWith("r1 cannot be reached at 127.0.0.1:" + port), sentence);
 
       try (ServerSocket late = new ServerSocket(port, 10, InetAddress.getLoopbackAddress());
@@ -173,12 +173,12 @@ class TcpRobotLinkTest {
 
   @Test
   void robotOnAnotherMachineIsRefusedUnlessAllowed() throws Exception {
-    LinkRecord another = new LinkRecord();
+    LinkRecorder another = new LinkRecorder();
     try (RobotLink _ = open("192.0.2.1", 7275, another)) {
       assertEquals(
           "r1 is on another machine (192.0.2.1:7275) and is not paired: enter the code that it"
               + " shows.",
-          another.await(LinkRecord.Refusal.class).sentence());
+          another.await(LinkRecorder.Refusal.class).sentence());
     }
   }
 
@@ -200,8 +200,8 @@ class TcpRobotLinkTest {
     return socket;
   }
 
-  private RobotLink open(String host, int port, LinkRecord listener) throws IOException {
-    return new TcpRobotLinks(new LinkTls(IdentityFile.open(keys)), false)
+  private RobotLink open(String host, int port, LinkRecorder listener) throws IOException {
+    return new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(keys)), false)
         .open(new RobotAddress("r1", host, port, null), listener);
   }
 

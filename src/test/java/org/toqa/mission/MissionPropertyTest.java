@@ -61,8 +61,8 @@ class MissionPropertyTest {
     Mission mission = Mission.queued(TASK);
     for (MissionEvent event : events) {
       mission = givenToRobots(mission);
-      Mission.Step step = mission.on(event);
-      assertEquals(step.changed(), !step.mission().equals(mission), event::toString);
+      Mission.Step step = mission.apply(event);
+      assertEquals(step.hasChanges(), !step.mission().equals(mission), event::toString);
       TaskState next = step.mission().state();
       assertTrue(
           next == mission.state() || NEXT.getOrDefault(mission.state(), Set.of()).contains(next),
@@ -76,8 +76,8 @@ class MissionPropertyTest {
   void anEventRepeatedAtOnceChangesNothingMore(@ForAll("events") List<MissionEvent> events) {
     Mission mission = Mission.queued(TASK);
     for (MissionEvent event : events) {
-      mission = givenToRobots(mission).on(event).mission();
-      assertFalse(mission.on(event).changed(), event::toString);
+      mission = givenToRobots(mission).apply(event).mission();
+      assertFalse(mission.apply(event).hasChanges(), event::toString);
     }
   }
 
@@ -87,15 +87,15 @@ class MissionPropertyTest {
     List<MissionEvent> stored = new ArrayList<>();
     Mission lived = Mission.queued(TASK);
     for (MissionEvent event : events) {
-      Mission.Step step = givenToRobots(lived).on(event);
-      if (step.changed()) {
+      Mission.Step step = givenToRobots(lived).apply(event);
+      if (step.hasChanges()) {
         stored.add(event);
         lived = step.mission();
       }
     }
     Mission replayed = Mission.queued(TASK);
     for (MissionEvent event : stored) {
-      replayed = givenToRobots(replayed).on(event).mission();
+      replayed = givenToRobots(replayed).apply(event).mission();
     }
     assertEquals(lived, replayed);
   }
@@ -106,14 +106,14 @@ class MissionPropertyTest {
       @ForAll("events") List<MissionEvent> events) {
     Mission mission = Mission.queued(TASK);
     for (MissionEvent event : events) {
-      mission = givenToRobots(mission).on(event).mission();
+      mission = givenToRobots(mission).apply(event).mission();
     }
     if (mission.state() == TaskState.RETURNING || mission.state() == TaskState.DONE) {
       return;
     }
-    mission = mission.on(new MissionEvent.Cancel("max", LoadChoice.HERE)).mission();
-    for (Carrier carrier : mission.carriers()) {
-      mission = mission.on(new MissionEvent.Stopped(carrier.robot(), spot())).mission();
+    mission = mission.apply(new MissionEvent.Cancel("max", LoadChoice.HERE)).mission();
+    for (AssignedRobot carrier : mission.assignedRobots()) {
+      mission = mission.apply(new MissionEvent.Stopped(carrier.robot(), spot())).mission();
     }
     assertEquals(TaskState.CANCELLED, mission.state());
   }
@@ -126,27 +126,27 @@ class MissionPropertyTest {
   }
 
   private static void assertLegal(Mission mission) {
-    boolean allReleased = mission.carriers().stream().allMatch(Carrier::released);
+    boolean allReleased = mission.assignedRobots().stream().allMatch(AssignedRobot::unassigned);
     switch (mission.state()) {
       case QUEUED, DONE, CANCELLED -> assertTrue(allReleased, mission::toString);
       case ASSIGNED, TO_OBJECT ->
           assertTrue(
-              mission.carriers().stream().allMatch(c -> c.phase() == 1 && !c.released()),
+              mission.assignedRobots().stream().allMatch(c -> c.phase() == 1 && !c.unassigned()),
               mission::toString);
       case CARRYING ->
           assertTrue(
-              mission.carriers().stream().allMatch(c -> c.phase() == 2 && !c.released()),
+              mission.assignedRobots().stream().allMatch(c -> c.phase() == 2 && !c.unassigned()),
               mission::toString);
       case RETURNING ->
           assertTrue(
-              !allReleased && mission.carriers().stream().allMatch(c -> c.phase() == 3),
+              !allReleased && mission.assignedRobots().stream().allMatch(c -> c.phase() == 3),
               mission::toString);
       case FAILED -> assertFalse(true, "nothing leads there");
     }
     Trouble trouble = mission.trouble();
     if (trouble != null) {
-      Carrier carrier = mission.carrier(trouble.robot()).orElseThrow();
-      assertTrue(carrier.phase() < 3 && !carrier.released(), mission::toString);
+      AssignedRobot assigned = mission.assignedRobot(trouble.robot()).orElseThrow();
+      assertTrue(assigned.phase() < 3 && !assigned.unassigned(), mission::toString);
     }
     if (mission.state().isEnded()) {
       assertFalse(mission.held(), mission::toString);
@@ -180,12 +180,13 @@ class MissionPropertyTest {
         robots.flatMap(
             robot ->
                 Arbitraries.of(
-                    new MissionEvent.RobotBack(robot),
+                    new MissionEvent.RobotRecovered(robot),
                     new MissionEvent.Retasked(robot),
-                    new MissionEvent.MustCharge(robot, Sentence.verbatim("its battery has 10 %")),
+                    new MissionEvent.ChargingRequired(
+                        robot, Sentence.verbatim("its battery has 10 %")),
                     new MissionEvent.Exchanged(robot, "r3", Sentence.verbatim("nearer")),
                     new MissionEvent.Stopped(robot, spot())));
-    Arbitrary<MissionEvent> wishes =
+    Arbitrary<MissionEvent> commands =
         Arbitraries.of(
             new MissionEvent.Hold("max"),
             new MissionEvent.Resume("max"),
@@ -201,7 +202,7 @@ class MissionPropertyTest {
             Tuple.of(8, ended),
             Tuple.of(2, failures),
             Tuple.of(2, others),
-            Tuple.of(2, wishes))
+            Tuple.of(2, commands))
         .list()
         .ofMaxSize(40);
   }

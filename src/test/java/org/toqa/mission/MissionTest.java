@@ -36,32 +36,32 @@ class MissionTest {
     assertEquals(TaskState.ASSIGNED, step.mission().state());
     assertEquals(List.of(new MissionCommand.Drive("r1", 1)), step.commands());
 
-    step = step.mission().on(new MissionEvent.DriveStarted("r1", 1));
+    step = step.mission().apply(new MissionEvent.DriveStarted("r1", 1));
     assertEquals(TaskState.TO_OBJECT, step.mission().state());
 
-    step = step.mission().on(new MissionEvent.PhaseEnded("r1", 1));
+    step = step.mission().apply(new MissionEvent.PhaseEnded("r1", 1));
     assertEquals(TaskState.CARRYING, step.mission().state());
     assertEquals(List.of(new MissionCommand.Drive("r1", 2)), step.commands());
     assertEquals(List.of("Picked up at Store"), said(step));
 
-    step = step.mission().on(new MissionEvent.PhaseEnded("r1", 2));
+    step = step.mission().apply(new MissionEvent.PhaseEnded("r1", 2));
     assertEquals(TaskState.RETURNING, step.mission().state());
     assertEquals(List.of("Delivered at (5.00, 2.00)"), said(step));
 
-    step = step.mission().on(new MissionEvent.PhaseEnded("r1", 3));
+    step = step.mission().apply(new MissionEvent.PhaseEnded("r1", 3));
     assertEquals(TaskState.DONE, step.mission().state());
-    assertEquals(List.of(new MissionCommand.LetGo("r1")), step.commands());
+    assertEquals(List.of(new MissionCommand.Unassign("r1")), step.commands());
   }
 
   @Example
   void phaseTwoStartsWhenAllRobotsAreAtTheObject() {
     Mission mission =
         Mission.queued(TASK).assign(List.of("r1", "r2"), Sentence.verbatim("heavy")).mission();
-    Mission.Step first = mission.on(new MissionEvent.PhaseEnded("r1", 1));
+    Mission.Step first = mission.apply(new MissionEvent.PhaseEnded("r1", 1));
     assertEquals(TaskState.TO_OBJECT, first.mission().state());
     assertTrue(first.commands().isEmpty());
 
-    Mission.Step second = first.mission().on(new MissionEvent.PhaseEnded("r2", 1));
+    Mission.Step second = first.mission().apply(new MissionEvent.PhaseEnded("r2", 1));
     assertEquals(TaskState.CARRYING, second.mission().state());
     assertEquals(
         List.of(new MissionCommand.Drive("r1", 2), new MissionCommand.Drive("r2", 2)),
@@ -72,10 +72,10 @@ class MissionTest {
   void robotInPhaseThreeMayTakeTheNextTask() {
     Mission mission =
         Mission.queued(TASK).assign(List.of("r1"), Sentence.verbatim("nearest")).mission();
-    mission = mission.on(new MissionEvent.PhaseEnded("r1", 1)).mission();
-    assertFalse(mission.on(new MissionEvent.Retasked("r1")).changed());
-    mission = mission.on(new MissionEvent.PhaseEnded("r1", 2)).mission();
-    assertEquals(TaskState.DONE, mission.on(new MissionEvent.Retasked("r1")).mission().state());
+    mission = mission.apply(new MissionEvent.PhaseEnded("r1", 1)).mission();
+    assertFalse(mission.apply(new MissionEvent.Retasked("r1")).hasChanges());
+    mission = mission.apply(new MissionEvent.PhaseEnded("r1", 2)).mission();
+    assertEquals(TaskState.DONE, mission.apply(new MissionEvent.Retasked("r1")).mission().state());
   }
 
   @Example
@@ -83,29 +83,30 @@ class MissionTest {
     MissionEvent exchanged =
         new MissionEvent.Exchanged("r1", "r2", Sentence.verbatim("it is nearer"));
 
-    Mission.Step step = toObject("r1").on(exchanged);
+    Mission.Step step = toObject("r1").apply(exchanged);
 
     assertEquals(TaskState.ASSIGNED, step.mission().state());
     assertEquals(List.of("r2"), step.mission().robots());
     assertEquals(
-        List.of(new MissionCommand.LetGo("r1"), new MissionCommand.Drive("r2", 1)),
+        List.of(new MissionCommand.Unassign("r1"), new MissionCommand.Drive("r2", 1)),
         step.commands());
     assertEquals(List.of("Given to r2 instead of r1: it is nearer"), said(step));
-    assertFalse(step.mission().on(exchanged).changed(), "repeated");
-    assertFalse(carrying("r1").on(exchanged).changed(), "with the load on board");
+    assertFalse(step.mission().apply(exchanged).hasChanges(), "repeated");
+    assertFalse(carrying("r1").apply(exchanged).hasChanges(), "with the load on board");
     assertFalse(
-        toObject("r1").on(new MissionEvent.Hold("max")).mission().on(exchanged).changed(), "held");
+        toObject("r1").apply(new MissionEvent.Hold("max")).mission().apply(exchanged).hasChanges(),
+        "held");
   }
 
   @Example
   void aRobotThatMustChargeGivesItsTaskBackButNeverALoadOnBoard() {
     MissionEvent charges =
-        new MissionEvent.MustCharge("r1", Sentence.verbatim("its battery has 5 %"));
+        new MissionEvent.ChargingRequired("r1", Sentence.verbatim("its battery has 5 %"));
 
-    assertEquals(TaskState.QUEUED, toObject("r1").on(charges).mission().state());
-    assertFalse(carrying("r1").on(charges).changed());
-    Mission returning = carrying("r1").on(new MissionEvent.PhaseEnded("r1", 2)).mission();
-    assertEquals(TaskState.DONE, returning.on(charges).mission().state());
+    assertEquals(TaskState.QUEUED, toObject("r1").apply(charges).mission().state());
+    assertFalse(carrying("r1").apply(charges).hasChanges());
+    Mission returning = carrying("r1").apply(new MissionEvent.PhaseEnded("r1", 2)).mission();
+    assertEquals(TaskState.DONE, returning.apply(charges).mission().state());
   }
 
   @Example
@@ -113,20 +114,20 @@ class MissionTest {
     Mission mission = toObject("r1");
 
     Mission.Step step =
-        mission.on(
+        mission.apply(
             new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE));
 
     assertEquals(TaskState.QUEUED, step.mission().state());
     assertEquals(List.of(), step.mission().robots());
     assertEquals(TASK.start(), step.mission().object());
-    assertEquals(List.of(new MissionCommand.LetGo("r1")), step.commands());
+    assertEquals(List.of(new MissionCommand.Unassign("r1")), step.commands());
   }
 
   @Example
   void withTheLoadOnBoardAPersonIsAskedAndAnotherRobotFetchesItFromThere() {
     Mission asked =
         carrying("r1")
-            .on(new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE))
+            .apply(new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE))
             .mission();
     assertEquals(TaskState.CARRYING, asked.state());
     assertEquals(
@@ -138,12 +139,12 @@ class MissionTest {
         List.of("r1", Sentence.verbatim("reports an error"), THERE.text()),
         List.of(question.robot(), question.why(), question.place()));
 
-    Mission queued = asked.on(new MissionEvent.Answer("max", Reply.ANOTHER)).mission();
+    Mission queued = asked.apply(new MissionEvent.Answer("max", Reply.ANOTHER)).mission();
 
     assertEquals(TaskState.QUEUED, queued.state());
     assertEquals(THERE, queued.object());
     Mission again = queued.assign(List.of("r2"), Sentence.verbatim("free")).mission();
-    again = again.on(new MissionEvent.PhaseEnded("r2", 1)).mission();
+    again = again.apply(new MissionEvent.PhaseEnded("r2", 1)).mission();
     assertEquals(TaskState.CARRYING, again.state());
     assertEquals(null, again.loadAt());
   }
@@ -157,7 +158,7 @@ class MissionTest {
 
   private static Question.Kind kindWhenLost(Mission mission, @Nullable TaskPlace place) {
     return mission
-        .on(new MissionEvent.RobotLost("r1", place))
+        .apply(new MissionEvent.RobotLost("r1", place))
         .mission()
         .question()
         .orElseThrow()
@@ -170,15 +171,15 @@ class MissionTest {
         new MissionEvent.RobotFailed("r1", Sentence.verbatim("reports an error"), THERE);
     Mission waits =
         carrying("r1")
-            .on(failed)
+            .apply(failed)
             .mission()
-            .on(new MissionEvent.Answer("max", Reply.WAIT))
+            .apply(new MissionEvent.Answer("max", Reply.WAIT))
             .mission();
 
-    assertFalse(waits.on(failed).changed());
+    assertFalse(waits.apply(failed).hasChanges());
     assertTrue(waits.question().isEmpty());
-    Mission back = waits.on(new MissionEvent.RobotBack("r1")).mission();
-    assertTrue(back.on(failed).mission().question().isPresent());
+    Mission back = waits.apply(new MissionEvent.RobotRecovered("r1")).mission();
+    assertTrue(back.apply(failed).mission().question().isPresent());
   }
 
   @Example
@@ -186,27 +187,27 @@ class MissionTest {
     Mission mission = carrying("r1");
     Objection objection = mission.objectionTo(new MissionEvent.Cancel("max", null)).orElseThrow();
     assertEquals(List.of("here", "back"), Objects.requireNonNull(objection.needs()).answers());
-    assertFalse(mission.on(new MissionEvent.Cancel("max", null)).changed());
+    assertFalse(mission.apply(new MissionEvent.Cancel("max", null)).hasChanges());
 
-    Mission here = mission.on(new MissionEvent.Cancel("max", LoadChoice.HERE)).mission();
-    Mission set = here.on(new MissionEvent.Stopped("r1", THERE)).mission();
+    Mission here = mission.apply(new MissionEvent.Cancel("max", LoadChoice.HERE)).mission();
+    Mission set = here.apply(new MissionEvent.Stopped("r1", THERE)).mission();
     assertEquals(TaskState.CANCELLED, set.state());
     assertEquals(THERE, set.loadAt());
 
-    Mission back = mission.on(new MissionEvent.Cancel("max", LoadChoice.BACK)).mission();
+    Mission back = mission.apply(new MissionEvent.Cancel("max", LoadChoice.BACK)).mission();
     assertEquals(TASK.start(), back.destination());
     assertEquals(
-        TaskState.CANCELLED, back.on(new MissionEvent.PhaseEnded("r1", 2)).mission().state());
+        TaskState.CANCELLED, back.apply(new MissionEvent.PhaseEnded("r1", 2)).mission().state());
   }
 
   @Example
   void whatIsDeliveredOrEndedIsNotCancelled() {
-    Mission delivered = carrying("r1").on(new MissionEvent.PhaseEnded("r1", 2)).mission();
+    Mission delivered = carrying("r1").apply(new MissionEvent.PhaseEnded("r1", 2)).mission();
     MissionEvent.Cancel cancel = new MissionEvent.Cancel("max", LoadChoice.HERE);
     assertTrue(delivered.objectionTo(cancel).isPresent());
     assertTrue(
         delivered
-            .on(new MissionEvent.PhaseEnded("r1", 3))
+            .apply(new MissionEvent.PhaseEnded("r1", 3))
             .mission()
             .objectionTo(cancel)
             .isPresent());
@@ -220,11 +221,11 @@ class MissionTest {
     return Mission.queued(TASK)
         .assign(List.of(robot), Sentence.verbatim("nearest"))
         .mission()
-        .on(new MissionEvent.DriveStarted(robot, 1))
+        .apply(new MissionEvent.DriveStarted(robot, 1))
         .mission();
   }
 
   private static Mission carrying(String robot) {
-    return toObject(robot).on(new MissionEvent.PhaseEnded(robot, 1)).mission();
+    return toObject(robot).apply(new MissionEvent.PhaseEnded(robot, 1)).mission();
   }
 }

@@ -85,7 +85,7 @@ class LabMapTest {
 
   @Test
   void everyPlaceIsReachedFromEveryOtherWithoutTouchingAWall() {
-    OccupancyGrid inflated = Inflation.of(lab.grid(), ROBOT_RADIUS);
+    OccupancyGrid inflated = Inflation.inflate(lab.grid(), ROBOT_RADIUS);
     PathPlanner planner = new HeadingAStar();
     SegmentFitter fitter = new SegmentFitter(DriveSpeeds.DEFAULT, lab.grid().resolution());
     Disc robot = new Disc(ROBOT_RADIUS);

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.toqa.geometry.Pose;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
-import org.toqa.link.TcpRobotLinks;
+import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
@@ -25,7 +25,7 @@ import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.motion.Segment;
-import org.toqa.testbed.LinkRecord;
+import org.toqa.testbed.LinkRecorder;
 
 @Timeout(60)
 class SimulatedFleetTest {
@@ -112,13 +112,13 @@ class SimulatedFleetTest {
 
   /** A server in the test's process. */
   private static final class Peer implements AutoCloseable {
-    private final LinkRecord heard = new LinkRecord();
+    private final LinkRecorder heard = new LinkRecorder();
     private final AtomicLong seq = new AtomicLong(1_000);
     private final RobotLink link;
 
     Peer(String robot, SimulatedFleet fleet, Path keys) throws IOException {
       link =
-          new TcpRobotLinks(new LinkTls(IdentityFile.open(keys)), false)
+          new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(keys)), false)
               .open(new RobotAddress(robot, "localhost", fleet.port(robot), null), heard);
     }
 

@@ -25,28 +25,28 @@ class SimulatedFloorTest {
               List.of(),
               List.of(),
               List.of()));
-  private final Surroundings seenByR1 = floor.around("r1", RADIUS);
+  private final Surroundings seenByR1 = floor.surroundings("r1", RADIUS);
 
   @Test
   void theNearestOfWallsObstaclesAndOtherRobotsIsSeen() {
-    Surroundings ofR2 = floor.around("r2", RADIUS);
-    seenByR1.isAt(EASTWARD);
+    Surroundings ofR2 = floor.surroundings("r2", RADIUS);
+    seenByR1.setTruePose(EASTWARD);
     assertEquals(4, seenByR1.distance(EASTWARD, FAR), 1e-12);
 
-    ofR2.isAt(new Pose(4, 1.5, 0));
+    ofR2.setTruePose(new Pose(4, 1.5, 0));
     assertEquals(3 - RADIUS, seenByR1.distance(EASTWARD, FAR), 1e-12);
     assertEquals(3 - RADIUS, ofR2.distance(new Pose(4, 1.5, Math.PI), FAR), 1e-12);
 
     // 0.3 m beside the ray, 0.5 m of radius: the disc begins 0.4 m before its middle
-    floor.put("box", new Vec2(3, 1.8), 0.5);
+    floor.putObstacle("box", new Vec2(3, 1.8), 0.5);
     assertEquals(1.6, seenByR1.distance(EASTWARD, FAR), 1e-12);
-    floor.put("box", new Vec2(3, 2.1), 0.5);
+    floor.putObstacle("box", new Vec2(3, 2.1), 0.5);
     assertEquals(3 - RADIUS, seenByR1.distance(EASTWARD, FAR), 1e-12);
-    floor.put("box", new Vec2(0.4, 1.5), 0.5);
+    floor.putObstacle("box", new Vec2(0.4, 1.5), 0.5);
     assertEquals(3 - RADIUS, seenByR1.distance(EASTWARD, FAR), 1e-12);
 
-    floor.put("box", new Vec2(3, 1.5), 0.5);
-    floor.take("box");
+    floor.putObstacle("box", new Vec2(3, 1.5), 0.5);
+    floor.removeObstacle("box");
     assertEquals(3 - RADIUS, seenByR1.distance(EASTWARD, FAR), 1e-12);
     assertEquals(2, seenByR1.distance(EASTWARD, 2), 1e-12);
   }
@@ -56,6 +56,7 @@ class SimulatedFloorTest {
     assertTrue(seenByR1.isMarked(new Vec2(0.15, 1.05)));
     assertTrue(seenByR1.isMarked(new Vec2(0.48, 1.08)));
     assertFalse(seenByR1.isMarked(new Vec2(0.30, 1.05)));
-    assertFalse(SimulatedFloor.boundless().around("r1", RADIUS).isMarked(new Vec2(0.15, 1.05)));
+    assertFalse(
+        SimulatedFloor.boundless().surroundings("r1", RADIUS).isMarked(new Vec2(0.15, 1.05)));
   }
 }

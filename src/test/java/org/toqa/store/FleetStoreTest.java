@@ -33,7 +33,7 @@ import org.toqa.fleet.TaskArchive.Sort.Column;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
-import org.toqa.mission.Carrier;
+import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
@@ -86,14 +86,14 @@ class FleetStoreTest {
   void aRobotStaysOutOfServiceWhenItsAddressChanges() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    assertEquals(Set.of(), store.outOfService());
+    assertEquals(Set.of(), store.robotsOutOfService());
 
     store.saveService("r1", false, List.of());
     store.saveService("r2", false, List.of());
     store.saveService("r2", true, List.of());
     store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
 
-    assertEquals(Set.of("r1"), store.outOfService());
+    assertEquals(Set.of("r1"), store.robotsOutOfService());
     assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
   }
 
@@ -110,7 +110,7 @@ class FleetStoreTest {
     assertThrows(StoreException.class, () -> store.removeRobot("nobody", List.of()));
     store.saveRobot(R1);
     assertEquals(Set.of("r1", "r2"), names(store.robots()));
-    assertEquals(Set.of(), store.outOfService());
+    assertEquals(Set.of(), store.robotsOutOfService());
   }
 
   private static Set<String> names(List<RobotRecord> robots) {
@@ -121,27 +121,27 @@ class FleetStoreTest {
   void whatARobotHasWorkedAndWhereItChargesComesBack() {
     store.saveRobot(R1);
     ChargeRecord rested = new ChargeRecord("r1", Duration.ZERO, null);
-    assertEquals(List.of(rested), store.charges());
+    assertEquals(List.of(rested), store.chargeRecords());
 
     ChargeRecord waits = new ChargeRecord("r1", Duration.ofMinutes(90), new Turn("C1", AT));
     store.saveCharge(waits, List.of());
     store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
 
-    assertEquals(List.of(waits), store.charges());
+    assertEquals(List.of(waits), store.chargeRecords());
     store.saveCharge(rested, List.of());
-    assertEquals(List.of(rested), store.charges());
+    assertEquals(List.of(rested), store.chargeRecords());
   }
 
   @Test
   void aTaskIsFoundByTheKeyOfItsWish() {
     UUID key = UUID.randomUUID();
-    assertEquals(Optional.empty(), store.taskOf(key));
+    assertEquals(Optional.empty(), store.taskByKey(key));
 
     long id =
         store.addTasks(List.of(new FleetStore.Submission(task("wished"), key))).getFirst().id();
 
-    assertEquals(id, store.taskOf(key).orElseThrow().id());
-    assertEquals(Optional.empty(), store.taskOf(UUID.randomUUID()));
+    assertEquals(id, store.taskByKey(key).orElseThrow().id());
+    assertEquals(Optional.empty(), store.taskByKey(UUID.randomUUID()));
   }
 
   @Test
@@ -156,7 +156,7 @@ class FleetStoreTest {
     assertThrows(StoreException.class, () -> store.addTasks(submissions));
 
     assertEquals(0, store.count());
-    assertEquals(Optional.empty(), store.taskOf(key));
+    assertEquals(Optional.empty(), store.taskByKey(key));
   }
 
   @Test
@@ -189,7 +189,7 @@ class FleetStoreTest {
     Mission.Step step =
         Mission.queued(task).assign(List.of("r2", "r1"), Sentence.verbatim("heavy"));
     store.saveMission(step.mission(), AT, List.of());
-    Mission.Step next = step.mission().on(new MissionEvent.PhaseEnded("r1", 1));
+    Mission.Step next = step.mission().apply(new MissionEvent.PhaseEnded("r1", 1));
     EventRecord event =
         new EventRecord(AT, "task.at-object", task.id(), "r1", "toqa", Sentence.verbatim("here"));
     store.saveMission(next.mission(), AT.plusMillis(5), List.of(event));
@@ -197,8 +197,8 @@ class FleetStoreTest {
     OpenTask open = store.openTasks().getFirst();
     assertEquals(next.mission(), open.mission());
     assertEquals(
-        List.of(new Carrier("r2", 1, false, false), new Carrier("r1", 1, true, false)),
-        open.mission().carriers());
+        List.of(new AssignedRobot("r2", 1, false, false), new AssignedRobot("r1", 1, true, false)),
+        open.mission().assignedRobots());
     assertEquals(AT.plusMillis(5), open.changedAt());
     assertEquals(event, store.history(task.id()).getLast());
     assertEquals(List.of("r2", "r1"), store.task(task.id()).orElseThrow().robots());
@@ -216,7 +216,9 @@ class FleetStoreTest {
     assertEquals(List.of("r1 0 in 1", "r2 1 in 0"), availability());
 
     Mission exchanged =
-        mission.on(new MissionEvent.Exchanged("r1", "r2", Sentence.verbatim("nearer"))).mission();
+        mission
+            .apply(new MissionEvent.Exchanged("r1", "r2", Sentence.verbatim("nearer")))
+            .mission();
     store.saveMission(exchanged, AT, List.of());
 
     assertEquals(List.of("r1 1 in 0", "r2 0 in 1"), availability());
@@ -257,7 +259,7 @@ class FleetStoreTest {
         new Mission(
             task,
             TaskState.CARRYING,
-            List.of(new Carrier("r1", 2, false, false)),
+            List.of(new AssignedRobot("r1", 2, false, false)),
             true,
             LoadChoice.BACK,
             place,
@@ -269,7 +271,7 @@ class FleetStoreTest {
         new Mission(
             task,
             TaskState.QUEUED,
-            List.of(new Carrier("r2", 1, false, true)),
+            List.of(new AssignedRobot("r2", 1, false, true)),
             false,
             null,
             null,
@@ -285,12 +287,12 @@ class FleetStoreTest {
     Hold pause = new Hold("Ann", AT);
     store.savePause(pause, List.of());
     store.savePause(pause, List.of()); // twice is as once
-    assertEquals(Set.of("r1"), store.held());
+    assertEquals(Set.of("r1"), store.heldRobots());
     assertEquals(Optional.of(pause), store.pause());
 
     store.saveHold("r1", false, List.of());
     store.savePause(null, List.of());
-    assertEquals(Set.of(), store.held());
+    assertEquals(Set.of(), store.heldRobots());
     assertEquals(Optional.empty(), store.pause());
   }
 
@@ -314,7 +316,7 @@ class FleetStoreTest {
         new Mission(
             first,
             TaskState.DONE,
-            List.of(new Carrier("r1", 3, true, true)),
+            List.of(new AssignedRobot("r1", 3, true, true)),
             false,
             null,
             null,

@@ -22,15 +22,16 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.NullAndEmptySource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.toqa.fleet.EventArchive.Entry;
-import org.toqa.fleet.EventArchive.Filter;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
-import org.toqa.fleet.FloorTracks;
 import org.toqa.fleet.RobotRecord;
-import org.toqa.fleet.RobotUse;
-import org.toqa.fleet.TrackPoint;
-import org.toqa.fleet.UseRecord;
+import org.toqa.fleet.history.EventArchive.Entry;
+import org.toqa.fleet.history.EventArchive.Filter;
+import org.toqa.fleet.history.FloorTracks;
+import org.toqa.fleet.history.Period;
+import org.toqa.fleet.history.RobotActivity;
+import org.toqa.fleet.history.TrackPoint;
+import org.toqa.fleet.history.UtilisationRecord;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
@@ -50,7 +51,7 @@ class HistoryTest {
   private JdbiFleetStore store;
   private JdbiEventArchive history;
   private JdbiTrackStore tracks;
-  private Pruning pruning;
+  private HistoryPruner pruning;
 
   Database open() throws SQLException {
     return Database.inMemory("history-" + System.nanoTime());
@@ -62,7 +63,7 @@ class HistoryTest {
     store = new JdbiFleetStore(database.jdbi());
     history = new JdbiEventArchive(database.jdbi());
     tracks = new JdbiTrackStore(database.jdbi());
-    pruning = new Pruning(database.jdbi());
+    pruning = new HistoryPruner(database.jdbi());
   }
 
   @AfterEach
@@ -86,7 +87,7 @@ class HistoryTest {
     assertEquals(
         "Cancelled by Max; the load stays at (1.50, -2.00); 18 % do not last for task 7",
         found.text());
-    assertEquals(said.in(ARABIC), found.said().in(ARABIC));
+    assertEquals(said.text(ARABIC), found.sentence().text(ARABIC));
   }
 
   @ParameterizedTest
@@ -107,7 +108,7 @@ class HistoryTest {
     store.addEvents(List.of(event(AT, "robot.held", null, "r1", "Max", "so it was")));
     database.jdbi().useHandle(h -> h.execute("update events set said = ?", stored));
 
-    assertEquals(Sentence.verbatim("so it was"), found(ALL).getFirst().said());
+    assertEquals(Sentence.verbatim("so it was"), found(ALL).getFirst().sentence());
   }
 
   @Test
@@ -115,7 +116,7 @@ class HistoryTest {
     Sentence said = Phrase.REFUSED_A_COMMAND.with("r1", "no ".repeat(700));
     store.addEvents(List.of(new EventRecord(AT, "robot.held", null, "r1", "toqa", said)));
 
-    Sentence found = found(ALL).getFirst().said();
+    Sentence found = found(ALL).getFirst().sentence();
 
     assertTrue(found.isVerbatim());
     assertEquals(500, found.english().length());
@@ -176,7 +177,7 @@ class HistoryTest {
     store.addTasks(List.of(new Submission(task("ghost"), submission)));
     TransportTask stays = added(task("stays"));
 
-    store.withdraw(List.of(submission, UUID.randomUUID()));
+    store.withdrawTasks(List.of(submission, UUID.randomUUID()));
 
     assertEquals(1, store.count());
     assertEquals(List.of(EventRecord.added(stays)), found(ALL));
@@ -206,7 +207,7 @@ class HistoryTest {
     tracks.add(points("r3", 5));
 
     FloorTracks found =
-        tracks.tracks(List.of("r1", "r2"), AT, AT.plusSeconds(30), 3); // as many as there are
+        tracks.tracksOf(List.of("r1", "r2"), AT, AT.plusSeconds(30), 3); // as many as there are
 
     assertEquals(AT.plusSeconds(30), found.until());
     assertEquals(
@@ -222,15 +223,15 @@ class HistoryTest {
     tracks.add(points("r1", 0, 10, 20, 30));
     tracks.add(points("r2", 5, 15, 25));
 
-    FloorTracks first = tracks.tracks(List.of("r1", "r2"), AT, AT.plusSeconds(60), 3);
-    FloorTracks rest = tracks.tracks(List.of("r1", "r2"), first.until(), AT.plusSeconds(60), 4);
+    FloorTracks first = tracks.tracksOf(List.of("r1", "r2"), AT, AT.plusSeconds(60), 3);
+    FloorTracks rest = tracks.tracksOf(List.of("r1", "r2"), first.until(), AT.plusSeconds(60), 4);
 
     assertEquals(AT.plusSeconds(15), first.until()); // 0, 5 and 10 are three
     assertEquals(Map.of("r1", List.of(0L, 10L, 20L), "r2", List.of(5L, 15L)), seconds(first));
     assertEquals(AT.plusSeconds(60), rest.until());
     assertEquals(
         Map.of("r1", List.of(0L, 10L, 20L, 30L), "r2", List.of(5L, 15L, 25L)), seconds(rest));
-    assertEquals(Map.of(), seconds(tracks.tracks(List.of(), AT, AT.plusSeconds(60), 3)));
+    assertEquals(Map.of(), seconds(tracks.tracksOf(List.of(), AT, AT.plusSeconds(60), 3)));
   }
 
   private static List<TrackPoint> points(String robot, long... seconds) {
@@ -264,20 +265,28 @@ class HistoryTest {
             .mapToObj(i -> new TrackPoint("r1", AT.plusSeconds(i), new Vec2(i, 0)))
             .toList());
 
-    JdbiUseStore uses = new JdbiUseStore(database.jdbi());
+    JdbiUtilisationStore uses = new JdbiUtilisationStore(database.jdbi());
     uses.save(
         IntStream.of(0, 2)
             .mapToObj(day -> AT.plus(Duration.ofDays(day)))
-            .map(at -> new UseRecord("r1", at, Map.of(RobotUse.IDLE, Duration.ofMinutes(30)), 7, 0))
+            .map(
+                at ->
+                    new UtilisationRecord(
+                        "r1", at, Map.of(RobotActivity.IDLE, Duration.ofMinutes(30)), 7, 0))
             .toList());
 
-    assertEquals(2000, pruning.tracks(AT.plusSeconds(2000)));
-    assertEquals(1, pruning.history(AT.plus(Duration.ofDays(1))));
+    assertEquals(2000, pruning.pruneTracks(AT.plusSeconds(2000)));
+    assertEquals(1, pruning.pruneHistory(AT.plus(Duration.ofDays(1))));
 
     assertEquals(500, tracks.track("r1", AT).size());
     LocalDate day = LocalDate.of(2026, 11, 21);
     Period days = Period.of(day, day.plusDays(2), ZoneOffset.UTC);
-    assertEquals(7, new Statistics(database.jdbi()).of(days).total().metres()); // of the third day
+    assertEquals(
+        7,
+        new JdbiStatisticsArchive(database.jdbi())
+            .statistics(days)
+            .total()
+            .metres()); // of the third day
     assertEquals(List.of(recent, EventRecord.added(open)), found(ALL));
     assertEquals(1, store.count());
   }

@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FleetStore.StoreException;
-import org.toqa.testbed.Cable;
+import org.toqa.testbed.FaultyTcpProxy;
 import org.toqa.testbed.RealMySql;
 
 /** A MySQL server whose machine is unplugged: connections stay, and no answer comes. */
@@ -19,12 +19,12 @@ class SilentDatabaseTest {
   @Test
   void isGivenUpByAConnectionThatWasAnsweredAMomentAgo() throws Exception {
     String url = RealMySql.newDatabase();
-    try (Cable cable = Cable.toDatabase(url);
+    try (FaultyTcpProxy cable = FaultyTcpProxy.toDatabase(url);
         Database database = Database.open(cable.through(url), "", "")) {
       JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-      store.check(); // the pool trusts a connection for half a second after this
+      store.checkAvailable(); // the pool trusts a connection for half a second after this
       cable.silence();
-      CompletableFuture<Void> check = CompletableFuture.runAsync(store::check);
+      CompletableFuture<Void> check = CompletableFuture.runAsync(store::checkAvailable);
       ExecutionException given =
           assertThrows(ExecutionException.class, () -> check.get(1, TimeUnit.MINUTES));
       assertInstanceOf(StoreException.class, given.getCause());

@@ -21,8 +21,14 @@ import org.junit.jupiter.api.Test;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.RobotRecord;
-import org.toqa.fleet.RobotUse;
-import org.toqa.fleet.UseRecord;
+import org.toqa.fleet.history.DurationStatistics;
+import org.toqa.fleet.history.FailureKind;
+import org.toqa.fleet.history.Period;
+import org.toqa.fleet.history.PeriodStatistics;
+import org.toqa.fleet.history.RobotActivity;
+import org.toqa.fleet.history.RobotUtilisation;
+import org.toqa.fleet.history.UtilisationRecord;
+import org.toqa.fleet.history.WorkStatistics;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
@@ -39,8 +45,8 @@ class StatisticsTest {
 
   private Database database;
   private JdbiFleetStore store;
-  private JdbiUseStore uses;
-  private Statistics statistics;
+  private JdbiUtilisationStore uses;
+  private JdbiStatisticsArchive statistics;
 
   Database open() throws SQLException {
     return Database.inMemory("statistics-" + System.nanoTime());
@@ -50,8 +56,8 @@ class StatisticsTest {
   void openStore() throws SQLException {
     database = open();
     store = new JdbiFleetStore(database.jdbi());
-    uses = new JdbiUseStore(database.jdbi());
-    statistics = new Statistics(database.jdbi());
+    uses = new JdbiUtilisationStore(database.jdbi());
+    statistics = new JdbiStatisticsArchive(database.jdbi());
     for (String robot : List.of("r1", "r2")) {
       store.saveRobot(new RobotRecord(robot, "lab", "127.0.0.1", 7275, 5, null, true, null));
     }
@@ -70,12 +76,12 @@ class StatisticsTest {
     change(cancelled, TaskState.CANCELLED, NOON.plusSeconds(5));
     ordered(NOON); // and is open still
 
-    List<Figures> days = days(DAY, DAY.plusDays(2));
+    List<WorkStatistics> days = days(DAY, DAY.plusDays(2));
 
-    assertEquals(List.of(4L, 0L, 0L), each(days, Figures::ordered));
-    assertEquals(List.of(1L, 1L, 0L), each(days, Figures::done));
-    assertEquals(List.of(1L, 0L, 0L), each(days, Figures::cancelled));
-    assertEquals(List.of(0L, 0L, 0L), each(days, Figures::failed));
+    assertEquals(List.of(4L, 0L, 0L), each(days, WorkStatistics::ordered));
+    assertEquals(List.of(1L, 1L, 0L), each(days, WorkStatistics::done));
+    assertEquals(List.of(1L, 0L, 0L), each(days, WorkStatistics::cancelled));
+    assertEquals(List.of(0L, 0L, 0L), each(days, WorkStatistics::failed));
   }
 
   @Test
@@ -84,12 +90,12 @@ class StatisticsTest {
       done(NOON, seconds, 200 + seconds, 1000 + seconds);
     }
 
-    Figures day = statistics.of(Period.of(DAY, DAY, UTC)).total();
+    WorkStatistics day = statistics.statistics(Period.of(DAY, DAY, UTC)).total();
 
     // of 10, 20 ... 100: mean 550 / 10, the 5th, the 9th
-    assertEquals(new Spread(10, 55, 50, 90), day.waiting());
-    assertEquals(new Spread(10, 255, 250, 290), day.delivery());
-    assertEquals(new Spread(10, 1055, 1050, 1090), day.completion());
+    assertEquals(new DurationStatistics(10, 55, 50, 90), day.waiting());
+    assertEquals(new DurationStatistics(10, 255, 250, 290), day.delivery());
+    assertEquals(new DurationStatistics(10, 1055, 1050, 1090), day.completion());
   }
 
   @Test
@@ -101,9 +107,9 @@ class StatisticsTest {
     TransportTask never = ordered(NOON);
     change(never, TaskState.CANCELLED, NOON.plusSeconds(5));
 
-    Figures day = statistics.of(Period.of(DAY, DAY, UTC)).total();
+    WorkStatistics day = statistics.statistics(Period.of(DAY, DAY, UTC)).total();
 
-    assertEquals(new Spread(1, 30, 30, 30), day.waiting());
+    assertEquals(new DurationStatistics(1, 30, 30, 30), day.waiting());
     assertNull(day.delivery());
   }
 
@@ -117,45 +123,56 @@ class StatisticsTest {
     Period three = Period.of(LocalDate.of(2026, 10, 24), LocalDate.of(2026, 10, 26), PARIS);
     Period one = Period.of(LocalDate.of(2026, 10, 25), LocalDate.of(2026, 10, 25), PARIS);
 
-    assertEquals(List.of(1L, 2L, 1L), each(statistics.of(three).series(), Figures::ordered));
-    assertEquals(25, statistics.of(one).series().size());
-    assertEquals(2, statistics.of(one).total().ordered());
+    assertEquals(
+        List.of(1L, 2L, 1L), each(statistics.statistics(three).buckets(), WorkStatistics::ordered));
+    assertEquals(25, statistics.statistics(one).buckets().size());
+    assertEquals(2, statistics.statistics(one).total().ordered());
   }
 
   @Test
   void aRobotsUseIsSummedUp() {
     uses.save(
         List.of(
-            use("r1", NOON, Map.of(RobotUse.WORKING, 600, RobotUse.IDLE, 1200), 120.5, 0.02),
-            use("r1", NOON.plus(Duration.ofDays(1)), Map.of(RobotUse.WORKING, 1800), 300, 0.05),
-            use("r2", NOON, Map.of(RobotUse.CHARGING, 1800), 0, 0)));
+            use(
+                "r1",
+                NOON,
+                Map.of(RobotActivity.WORKING, 600, RobotActivity.IDLE, 1200),
+                120.5,
+                0.02),
+            use(
+                "r1",
+                NOON.plus(Duration.ofDays(1)),
+                Map.of(RobotActivity.WORKING, 1800),
+                300,
+                0.05),
+            use("r2", NOON, Map.of(RobotActivity.CHARGING, 1800), 0, 0)));
 
-    PeriodFigures figures = statistics.of(Period.of(DAY, DAY.plusDays(2), UTC));
+    PeriodStatistics figures = statistics.statistics(Period.of(DAY, DAY.plusDays(2), UTC));
 
-    RobotFigures r1 = figures.robots().getFirst();
-    assertEquals(2400, r1.seconds(RobotUse.WORKING)); // 600 + 1800
-    assertEquals(3600, r1.recorded()); // 600 + 1200 + 1800
-    assertEquals(2.0 / 3, r1.share(RobotUse.WORKING), 1e-9);
+    RobotUtilisation r1 = figures.robots().getFirst();
+    assertEquals(2400, r1.seconds(RobotActivity.WORKING)); // 600 + 1800
+    assertEquals(3600, r1.recordedSeconds()); // 600 + 1200 + 1800
+    assertEquals(2.0 / 3, r1.utilisation(RobotActivity.WORKING), 1e-9);
     assertEquals(420.5, r1.metres(), 1e-9);
     assertEquals(0.07, r1.battery(), 1e-9);
-    assertEquals(1, figures.robots().getLast().share(RobotUse.CHARGING));
-    assertEquals(120.5, figures.series().getFirst().metres(), 1e-9);
+    assertEquals(1, figures.robots().getLast().utilisation(RobotActivity.CHARGING));
+    assertEquals(120.5, figures.buckets().getFirst().metres(), 1e-9);
     assertEquals(420.5, figures.total().metres(), 1e-9);
     assertEquals(0.07, figures.total().battery(), 1e-9);
   }
 
   @Test
   void aRecordThatIsSavedAgainIsReplaced() {
-    uses.save(List.of(use("r1", NOON, Map.of(RobotUse.IDLE, 30), 0, 0)));
+    uses.save(List.of(use("r1", NOON, Map.of(RobotActivity.IDLE, 30), 0, 0)));
     uses.save(
         List.of(
-            use("r1", NOON, Map.of(RobotUse.IDLE, 30, RobotUse.WORKING, 30), 4, 0.01),
-            use("nobody", NOON, Map.of(RobotUse.IDLE, 30), 0, 0)));
+            use("r1", NOON, Map.of(RobotActivity.IDLE, 30, RobotActivity.WORKING, 30), 4, 0.01),
+            use("nobody", NOON, Map.of(RobotActivity.IDLE, 30), 0, 0)));
 
-    List<RobotFigures> robots = statistics.of(Period.of(DAY, DAY, UTC)).robots();
+    List<RobotUtilisation> robots = statistics.statistics(Period.of(DAY, DAY, UTC)).robots();
 
     assertEquals(1, robots.size());
-    assertEquals(60, robots.getFirst().recorded());
+    assertEquals(60, robots.getFirst().recordedSeconds());
     assertEquals(4, robots.getFirst().metres(), 1e-9);
   }
 
@@ -172,15 +189,15 @@ class StatisticsTest {
             event(NOON.plus(Duration.ofDays(9)), "task.late", 9L, null, "later than asked"),
             event(NOON, "task.started", 7L, "r1", "no failure")));
 
-    PeriodFigures figures = statistics.of(Period.of(DAY, DAY.plusDays(2), UTC));
+    PeriodStatistics figures = statistics.statistics(Period.of(DAY, DAY.plusDays(2), UTC));
 
-    Map<Failure, Long> total = figures.total().failures();
-    assertEquals(2, total.get(Failure.ROBOT_FAILED));
-    assertEquals(1, total.get(Failure.STANDSTILL));
-    assertEquals(1, total.get(Failure.LATE));
-    assertEquals(0, total.get(Failure.ROBOT_LOST));
+    Map<FailureKind, Long> total = figures.total().failures();
+    assertEquals(2, total.get(FailureKind.ROBOT_FAILED));
+    assertEquals(1, total.get(FailureKind.STANDSTILL));
+    assertEquals(1, total.get(FailureKind.LATE));
+    assertEquals(0, total.get(FailureKind.ROBOT_LOST));
     assertEquals(
-        List.of(0L, 1L, 0L), each(figures.series(), day -> day.failures().get(Failure.LATE)));
+        List.of(0L, 1L, 0L), each(figures.buckets(), day -> day.failures().get(FailureKind.LATE)));
   }
 
   /** Counted apart by a statement without buckets, over tasks and zones that chance chose. */
@@ -197,10 +214,10 @@ class StatisticsTest {
     }
     for (int days : new int[] {1, 2, 30, 61, 100, 400}) {
       Period period = Period.of(DAY.minusDays(days - 1), DAY, PARIS);
-      PeriodFigures figures = statistics.of(period);
-      assertSum(period, "created_at", "true", figures, Figures::ordered);
-      assertSum(period, "changed_at", "state = 'DONE'", figures, Figures::done);
-      assertSum(period, "changed_at", "state = 'CANCELLED'", figures, Figures::cancelled);
+      PeriodStatistics figures = statistics.statistics(period);
+      assertSum(period, "created_at", "true", figures, WorkStatistics::ordered);
+      assertSum(period, "changed_at", "state = 'DONE'", figures, WorkStatistics::done);
+      assertSum(period, "changed_at", "state = 'CANCELLED'", figures, WorkStatistics::cancelled);
       assertSum(period, "assigned_at", "true", figures, f -> count(f.waiting()));
       assertSum(period, "delivered_at", "true", figures, f -> count(f.delivery()));
       assertSum(period, "changed_at", "state = 'DONE'", figures, f -> count(f.completion()));
@@ -211,8 +228,8 @@ class StatisticsTest {
       Period period,
       String column,
       String condition,
-      PeriodFigures figures,
-      ToLongFunction<Figures> part) {
+      PeriodStatistics figures,
+      ToLongFunction<WorkStatistics> part) {
     long counted =
         database
             .jdbi()
@@ -221,23 +238,23 @@ class StatisticsTest {
                     h.createQuery(
                             "select count(*) from tasks where %s >= :a and %s < :b and %s"
                                 .formatted(column, column, condition))
-                        .bind("a", Sql.utc(period.begin()))
-                        .bind("b", Sql.utc(period.end()))
+                        .bind("a", SqlExecutor.utc(period.begin()))
+                        .bind("b", SqlExecutor.utc(period.end()))
                         .mapTo(Long.class)
                         .one());
-    assertEquals(counted, figures.series().stream().mapToLong(part).sum(), column);
+    assertEquals(counted, figures.buckets().stream().mapToLong(part).sum(), column);
     assertEquals(counted, part.applyAsLong(figures.total()), column);
   }
 
-  private static long count(@Nullable Spread spread) {
+  private static long count(@Nullable DurationStatistics spread) {
     return spread == null ? 0 : spread.count();
   }
 
-  private List<Figures> days(LocalDate from, LocalDate to) {
-    return statistics.of(Period.of(from, to, UTC)).series();
+  private List<WorkStatistics> days(LocalDate from, LocalDate to) {
+    return statistics.statistics(Period.of(from, to, UTC)).buckets();
   }
 
-  private static List<Long> each(List<Figures> series, ToLongFunction<Figures> part) {
+  private static List<Long> each(List<WorkStatistics> series, ToLongFunction<WorkStatistics> part) {
     return series.stream().map(part::applyAsLong).toList();
   }
 
@@ -262,11 +279,15 @@ class StatisticsTest {
     return store.addTasks(List.of(new Submission(task, UUID.randomUUID()))).getFirst();
   }
 
-  private static UseRecord use(
-      String robot, Instant at, Map<RobotUse, Integer> seconds, double metres, double battery) {
-    Map<RobotUse, Duration> time = new EnumMap<>(RobotUse.class);
+  private static UtilisationRecord use(
+      String robot,
+      Instant at,
+      Map<RobotActivity, Integer> seconds,
+      double metres,
+      double battery) {
+    Map<RobotActivity, Duration> time = new EnumMap<>(RobotActivity.class);
     seconds.forEach((use, s) -> time.put(use, Duration.ofSeconds(s)));
-    return new UseRecord(robot, at, time, metres, battery);
+    return new UtilisationRecord(robot, at, time, metres, battery);
   }
 
   private static EventRecord event(

@@ -17,12 +17,12 @@ import org.toqa.mission.TaskState;
 /** What Prometheus reads. */
 class MetricsTest {
   private WebTestServer server;
-  private Visitor clerk;
+  private TestClient clerk;
 
   @BeforeEach
   void start() throws Exception {
     server = WebTestServer.start();
-    clerk = Visitor.loggedIn(server.root(), WebTestServer.CLERK);
+    clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK);
     server
         .fleet()
         .changeRobots(
@@ -60,7 +60,7 @@ class MetricsTest {
   }
 
   @Test
-  void requestsAreCountedByDoorAndNotByPath() {
+  void requestsAreCountedByRouteAndNotByPath() {
     for (int i = 1; i <= 3; i++) {
       assertEquals(404, clerk.get("tasks/" + i).statusCode());
       clerk.get("nothing-" + i);

@@ -44,7 +44,7 @@ import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
-import org.toqa.mission.Carrier;
+import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
@@ -56,8 +56,8 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** A fleet in memory: it stores wishes by the contract's rules and drives nothing by itself. */
-final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
-  static final Instant START = Instant.parse("2026-11-21T08:00:00Z");
+public final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
+  public static final Instant START = Instant.parse("2026-11-21T08:00:00Z");
 
   /** Kilograms; what all robots together can carry. */
   private static final double HEAVIEST = 50;
@@ -67,7 +67,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   private final Map<UUID, Long> keys = new HashMap<>();
   private final List<EventRecord> events = new ArrayList<>();
   private final ReentrantLock lock = new ReentrantLock();
-  private final Condition changed = lock.newCondition();
+  private final Condition withChange = lock.newCondition();
   private FleetSnapshot latest =
       new FleetSnapshot(1, START, List.of(), List.of(), 0, List.of(), null, List.of());
   private List<FloorView> floors = List.of();
@@ -76,12 +76,12 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   private @Nullable Hold pause;
 
   /** From now on the store does not answer. */
-  void fallSilent() {
+  public void stopAnswering() {
     silent = true;
   }
 
   /** Publishes what ails the whole fleet. */
-  void raise(String alert) {
+  public void setAlert(String alert) {
     lock.lock();
     try {
       alerts = List.of(Sentence.verbatim(alert));
@@ -92,7 +92,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   /** Publishes other robots. */
-  void changeRobots(UnaryOperator<List<RobotView>> change) {
+  public void changeRobots(UnaryOperator<List<RobotView>> change) {
     lock.lock();
     try {
       publish(change.apply(latest.robots()));
@@ -102,7 +102,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   /** Publishes what is in the way on the floor. */
-  void changeFloor(FloorView view) {
+  public void changeFloor(FloorView view) {
     lock.lock();
     try {
       floors = List.of(view);
@@ -113,7 +113,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   /** Publishes another state of a task and records it. */
-  void changeTask(long id, TaskState state, List<String> robots, String sentence) {
+  public void changeTask(long id, TaskState state, List<String> robots, String sentence) {
     lock.lock();
     try {
       tasks.replaceAll(
@@ -132,7 +132,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   /** Publishes that a task will miss its deadline. */
-  void tellLate(long id, Sentence sentence) {
+  public void setLate(long id, Sentence sentence) {
     lock.lock();
     try {
       tasks.replaceAll(
@@ -164,7 +164,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     try {
       Answer<TransportTask> checked = checked(order, user);
       if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
-        return CompletableFuture.completedFuture(checked.refusal());
+        return CompletableFuture.completedFuture(checked.asRejection());
       }
       TaskView view =
           new TaskView(
@@ -197,9 +197,9 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     }
     lock.lock();
     try {
-      List<BatchAnswer.Refusal> refusals = refusalsOf(orders, user);
+      List<BatchAnswer.Rejection> refusals = refusalsOf(orders, user);
       if (!refusals.isEmpty()) {
-        return CompletableFuture.completedFuture(new BatchAnswer.Refused(refusals));
+        return CompletableFuture.completedFuture(new BatchAnswer.Rejected(refusals));
       }
       List<TaskView> added = new ArrayList<>();
       for (int i = 0; i < orders.size(); i++) {
@@ -213,7 +213,8 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   @Override
-  public CompletionStage<List<BatchAnswer.Refusal>> refusals(List<TaskOrder> orders, String user) {
+  public CompletionStage<List<BatchAnswer.Rejection>> rejections(
+      List<TaskOrder> orders, String user) {
     lock.lock();
     try {
       return CompletableFuture.completedFuture(refusalsOf(orders, user));
@@ -222,12 +223,12 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     }
   }
 
-  private List<BatchAnswer.Refusal> refusalsOf(List<TaskOrder> orders, String user) {
-    List<BatchAnswer.Refusal> refusals = new ArrayList<>();
+  private List<BatchAnswer.Rejection> refusalsOf(List<TaskOrder> orders, String user) {
+    List<BatchAnswer.Rejection> refusals = new ArrayList<>();
     for (int i = 0; i < orders.size(); i++) {
       if (checked(orders.get(i), user)
-          instanceof Answer.Refused<TransportTask>(String field, Sentence sentence)) {
-        refusals.add(new BatchAnswer.Refusal(i, field, sentence));
+          instanceof Answer.Rejected<TransportTask>(String field, Sentence sentence)) {
+        refusals.add(new BatchAnswer.Rejection(i, field, sentence));
       }
     }
     return refusals;
@@ -237,18 +238,18 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     Optional<TaskPlace> start = place(order.start());
     Optional<TaskPlace> goal = place(order.goal());
     if (order.floor() != null && !order.floor().equals(floor.name())) {
-      return new Answer.Refused<>("floor", Phrase.NO_SUCH_FLOOR.with(order.floor()));
+      return new Answer.Rejected<>("floor", Phrase.NO_SUCH_FLOOR.with(order.floor()));
     }
     if (order.load() > HEAVIEST) {
-      return new Answer.Refused<>("load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), HEAVIEST));
+      return new Answer.Rejected<>("load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), HEAVIEST));
     }
     if (start.isEmpty()) {
-      return new Answer.Refused<>(
+      return new Answer.Rejected<>(
           "start",
           Sentence.verbatim("The start is not a free place of the floor. Choose another one."));
     }
     if (goal.isEmpty()) {
-      return new Answer.Refused<>(
+      return new Answer.Rejected<>(
           "goal",
           Sentence.verbatim("The goal is not a free place of the floor. Choose another one."));
     }
@@ -281,7 +282,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
                       List.of("r1", "r2"),
                       Phrase.IS_SOONER.with(),
                       List.of(task.start().position(), task.goal().position())))
-              : checked.refusal());
+              : checked.asRejection());
     } finally {
       lock.unlock();
     }
@@ -308,10 +309,10 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   @Override
   public CompletionStage<Answer<RobotView>> changeRobot(
       String name, RobotChange change, String user) {
-    return change(name, known -> changed(known, change));
+    return change(name, known -> withChange(known, change));
   }
 
-  private static RobotView changed(RobotView known, RobotChange change) {
+  private static RobotView withChange(RobotView known, RobotChange change) {
     return new RobotView(
         known.name(),
         known.floor(),
@@ -327,7 +328,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         change.port(),
         change.parking(),
         change.host().equals("127.0.0.1"),
-        known.route(),
+        known.path(),
         known.released(),
         known.errors(),
         known.doing(),
@@ -360,14 +361,15 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   @Override
-  public CompletionStage<Answer<RobotView>> pair(String name, PairingOrder order, String user) {
+  public CompletionStage<Answer<RobotView>> pairRobot(
+      String name, PairingOrder order, String user) {
     return change(
         name,
         known -> robot(name, RobotState.CONNECTING, known.pose(), order.host(), order.port()));
   }
 
   @Override
-  public CompletionStage<Answer<RobotView>> locate(String name, Pose pose, String user) {
+  public CompletionStage<Answer<RobotView>> locateRobot(String name, Pose pose, String user) {
     if (!floor.grid().isFree(pose.position())) {
       return refused(null, "There is a wall. Say where the robot really stands.");
     }
@@ -388,13 +390,13 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   @Override
-  public CompletionStage<Answer<RobotView>> hold(String name, String user) {
+  public CompletionStage<Answer<RobotView>> holdRobot(String name, String user) {
     return change(
         name, known -> robot(name, RobotState.HOLDING, known.pose(), known.host(), known.port()));
   }
 
   @Override
-  public CompletionStage<Answer<RobotView>> resume(String name, String user) {
+  public CompletionStage<Answer<RobotView>> resumeRobot(String name, String user) {
     return change(
         name, known -> robot(name, RobotState.IDLE, known.pose(), known.host(), known.port()));
   }
@@ -407,7 +409,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
 
   /** Tasks are the mission of one robot, r1. */
   @Override
-  public CompletionStage<Answer<TaskView>> wish(long id, MissionEvent.Wish wish) {
+  public CompletionStage<Answer<TaskView>> commandTask(long id, MissionEvent.OperatorCommand wish) {
     lock.lock();
     try {
       Mission mission = mission(task(id).orElseThrow());
@@ -415,7 +417,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
       if (objection.isPresent()) {
         return CompletableFuture.completedFuture(Answer.conflict(objection.get()));
       }
-      TaskView next = TaskView.of(mission.on(wish).mission(), null, latest.at());
+      TaskView next = TaskView.of(mission.apply(wish).mission(), null, latest.at());
       tasks.replaceAll(view -> view.id() == id ? next : view);
       publish(latest.robots());
       return CompletableFuture.completedFuture(new Answer.Accepted<>(next));
@@ -426,8 +428,8 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
 
   private static Mission mission(TaskView view) {
     int phase = view.state() == TaskState.CARRYING ? 2 : 1;
-    List<Carrier> carriers =
-        view.robots().stream().map(robot -> new Carrier(robot, phase, false, false)).toList();
+    List<AssignedRobot> carriers =
+        view.robots().stream().map(robot -> new AssignedRobot(robot, phase, false, false)).toList();
     Trouble trouble =
         view.needs() == null
             ? null
@@ -437,14 +439,14 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   /** Publishes that a robot of the task, which has the load on board, is lost. */
-  void loseRobotOf(long id) {
+  public void loseRobotOf(long id) {
     lock.lock();
     try {
       MissionEvent lost = new MissionEvent.RobotLost("r1", new TaskPlace(new Vec2(2, 2), null));
       tasks.replaceAll(
           view ->
               view.id() == id
-                  ? TaskView.of(mission(view).on(lost).mission(), null, latest.at())
+                  ? TaskView.of(mission(view).apply(lost).mission(), null, latest.at())
                   : view);
       publish(latest.robots());
     } finally {
@@ -454,15 +456,15 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> pauseAll(String user) {
-    return pauseIs(new Hold(user, START));
+    return setPause(new Hold(user, START));
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> resumeAll(String user) {
-    return pauseIs(null);
+    return setPause(null);
   }
 
-  private CompletionStage<Answer<Optional<Hold>>> pauseIs(@Nullable Hold next) {
+  private CompletionStage<Answer<Optional<Hold>>> setPause(@Nullable Hold next) {
     lock.lock();
     try {
       pause = next;
@@ -475,15 +477,15 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> holdFloor(String floor, String user) {
-    return holdIs(floor, new Hold(user, START));
+    return setFloorHold(floor, new Hold(user, START));
   }
 
   @Override
   public CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user) {
-    return holdIs(floor, null);
+    return setFloorHold(floor, null);
   }
 
-  private CompletionStage<Answer<Optional<Hold>>> holdIs(String floor, @Nullable Hold next) {
+  private CompletionStage<Answer<Optional<Hold>>> setFloorHold(String floor, @Nullable Hold next) {
     lock.lock();
     try {
       if (!floor.equals("hall")) {
@@ -521,7 +523,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   @Override
-  public SnapshotFeed feed() {
+  public SnapshotFeed snapshots() {
     return this;
   }
 
@@ -541,7 +543,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     try {
       long left = limit.toNanos();
       while (latest.version() <= version && left > 0) {
-        left = changed.awaitNanos(left);
+        left = withChange.awaitNanos(left);
       }
       return latest;
     } finally {
@@ -558,7 +560,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
               ? Comparator.comparingDouble(t -> t.task().load())
               : Comparator.comparingLong(TaskView::id);
       return tasks.stream()
-          .filter(task -> isWanted(task, filter))
+          .filter(task -> isIncluded(task, filter))
           .sorted(sort.descending() ? order.reversed() : order)
           .skip(offset)
           .limit(limit)
@@ -569,13 +571,13 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   /** By state and text only; the store's tests hold the rest. */
-  private static boolean isWanted(TaskView task, Filter filter) {
+  private static boolean isIncluded(TaskView task, Filter filter) {
     return (filter.states().isEmpty() || filter.states().contains(task.state()))
         && (filter.text() == null || task.task().name().contains(filter.text()));
   }
 
   @Override
-  public Optional<TaskView> taskOf(UUID key) {
+  public Optional<TaskView> taskByKey(UUID key) {
     lock.lock();
     try {
       return Optional.ofNullable(keys.get(key)).flatMap(this::task);
@@ -608,13 +610,13 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   public long count(Filter filter) {
     lock.lock();
     try {
-      return tasks.stream().filter(task -> isWanted(task, filter)).count();
+      return tasks.stream().filter(task -> isIncluded(task, filter)).count();
     } finally {
       lock.unlock();
     }
   }
 
-  static RobotView robot(
+  public static RobotView robot(
       String name, RobotState state, @Nullable Pose pose, String host, int port) {
     return new RobotView(
         name,
@@ -643,7 +645,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   /** A floor with an obstacle of 2 x 2 cells, those of a lost robot r6, and a standstill. */
-  static FloorView crowdedFloor() {
+  public static FloorView crowdedFloor() {
     return new FloorView(
         "hall",
         null,
@@ -680,7 +682,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
             floors,
             pause,
             alerts);
-    changed.signalAll();
+    withChange.signalAll();
   }
 
   private List<TaskView> newestFirst() {
@@ -700,7 +702,7 @@ final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
 
   private static <T> CompletionStage<Answer<T>> refused(@Nullable String field, String sentence) {
     return CompletableFuture.completedFuture(
-        new Answer.Refused<>(field, Sentence.verbatim(sentence)));
+        new Answer.Rejected<>(field, Sentence.verbatim(sentence)));
   }
 
   /** 12 m x 6 m in cells of 0.3 m, walls around and one wall with a passage. */

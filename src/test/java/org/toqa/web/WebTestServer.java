@@ -23,48 +23,46 @@ import org.apache.catalina.webresources.StandardRoot;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
+import org.toqa.accounts.PasswordHasher;
+import org.toqa.accounts.Role;
 import org.toqa.fleet.EventRecord;
-import org.toqa.store.Accounts;
 import org.toqa.store.Database;
+import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.JdbiSessionStore;
+import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTrackStore;
-import org.toqa.store.JdbiUseStore;
-import org.toqa.store.PasswordResets;
-import org.toqa.store.Role;
-import org.toqa.store.Sessions;
-import org.toqa.store.Statistics;
+import org.toqa.store.JdbiUtilisationStore;
 import org.toqa.testbed.RealMySql;
-import org.toqa.web.access.PasswordLinks;
-import org.toqa.web.access.Passwords;
-import org.toqa.web.access.RequestLimit;
 
 /** The shipped web application in an embedded Tomcat, over a fleet in memory. */
-final class WebTestServer implements AutoCloseable {
-  static final String CLERK = "Clara";
-  static final String MANAGER = "Max";
-  static final String PASSWORD = "a long enough password";
+public final class WebTestServer implements AutoCloseable {
+  public static final String CLERK = "Clara";
+  public static final String MANAGER = "Max";
+  public static final String PASSWORD = "a long enough password";
 
   /** Argon2id takes its time; once is enough. */
-  private static final Passwords PASSWORDS = new Passwords();
+  private static final PasswordHasher PASSWORDS = new PasswordHasher();
 
   private static final RequestLimit NO_LIMIT = new RequestLimit(0, Ticker.systemTicker());
 
   private static final String PASSWORD_HASH = PASSWORDS.hash(PASSWORD);
 
   private final TestFleet fleet = new TestFleet();
-  private final Letters letters = new Letters();
-  private final Accounts accounts;
+  private final TestMailbox mailbox = new TestMailbox();
+  private final JdbiAccountStore accounts;
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
-  private final JdbiUseStore uses;
+  private final JdbiUtilisationStore uses;
   private final Database database;
   private final Tomcat tomcat = new Tomcat();
   private final Path baseDir;
 
   /** With a clerk and a manager. */
-  static WebTestServer start() throws IOException, LifecycleException {
+  public static WebTestServer start() throws IOException, LifecycleException {
     return start(0);
   }
 
@@ -72,7 +70,8 @@ final class WebTestServer implements AutoCloseable {
    * The same; on the MySQL of {@code -Dtoqa.mysql.url} where {@code -Dtoqa.browser.mysql=true}
    * wants it so, which takes twice as long.
    */
-  static WebTestServer startForBrowser() throws IOException, LifecycleException, SQLException {
+  public static WebTestServer startForBrowser()
+      throws IOException, LifecycleException, SQLException {
     return withUsers(
         new WebTestServer(
             0,
@@ -87,12 +86,12 @@ final class WebTestServer implements AutoCloseable {
    *
    * @param port 0 for a free one
    */
-  static WebTestServer start(int port) throws IOException, LifecycleException {
+  public static WebTestServer start(int port) throws IOException, LifecycleException {
     return withUsers(startEmpty(port));
   }
 
   /** With a clerk and a manager, who are told to wait when they ask too fast. */
-  static WebTestServer start(RequestLimit limit) throws IOException, LifecycleException {
+  public static WebTestServer start(RequestLimit limit) throws IOException, LifecycleException {
     return withUsers(new WebTestServer(0, inMemory(), limit));
   }
 
@@ -107,7 +106,7 @@ final class WebTestServer implements AutoCloseable {
    *
    * @param port 0 for a free one
    */
-  static WebTestServer startEmpty(int port) throws IOException, LifecycleException {
+  public static WebTestServer startEmpty(int port) throws IOException, LifecycleException {
     return new WebTestServer(port, inMemory(), NO_LIMIT);
   }
 
@@ -119,16 +118,16 @@ final class WebTestServer implements AutoCloseable {
       throws IOException, LifecycleException {
     this.database = database;
     Jdbi jdbi = database.jdbi();
-    accounts = new Accounts(jdbi, InstantSource.system());
-    Sessions sessions = new Sessions(jdbi, InstantSource.system());
+    accounts = new JdbiAccountStore(jdbi, InstantSource.system());
+    JdbiSessionStore sessions = new JdbiSessionStore(jdbi, InstantSource.system());
     PasswordLinks links =
         new PasswordLinks(
             accounts,
-            new PasswordResets(jdbi, InstantSource.system()),
-            letters,
+            new JdbiPasswordResetStore(jdbi, InstantSource.system()),
+            mailbox,
             InstantSource.system());
     tracks = new JdbiTrackStore(jdbi);
-    uses = new JdbiUseStore(jdbi);
+    uses = new JdbiUtilisationStore(jdbi);
     Services services =
         Services.of(
             fleet,
@@ -136,12 +135,12 @@ final class WebTestServer implements AutoCloseable {
             new JdbiEventArchive(jdbi),
             tracks,
             new JdbiScheduleStore(jdbi),
-            new Statistics(jdbi),
+            new JdbiStatisticsArchive(jdbi),
             accounts,
             sessions,
             links,
             PASSWORDS,
-            new Metrics(fleet.feed()),
+            new Metrics(fleet.snapshots()),
             limit,
             InstantSource.system());
     store = new JdbiFleetStore(jdbi);
@@ -177,37 +176,37 @@ final class WebTestServer implements AutoCloseable {
   }
 
   /** How long those who connect from now on may neither send nor take anything. */
-  void patience(Duration limit) {
+  public void setConnectionTimeout(Duration limit) {
     tomcat.getConnector().setProperty("connectionTimeout", String.valueOf(limit.toMillis()));
   }
 
   /** What the history is read from. */
-  JdbiFleetStore store() {
+  public JdbiFleetStore store() {
     return store;
   }
 
-  Letters letters() {
-    return letters;
+  public TestMailbox mailbox() {
+    return mailbox;
   }
 
-  JdbiTrackStore tracks() {
+  public JdbiTrackStore tracks() {
     return tracks;
   }
 
-  JdbiUseStore uses() {
+  JdbiUtilisationStore uses() {
     return uses;
   }
 
-  TestFleet fleet() {
+  public TestFleet fleet() {
     return fleet;
   }
 
-  Accounts accounts() {
+  public JdbiAccountStore accounts() {
     return accounts;
   }
 
   /** The root, with a slash at its end. */
-  URI root() {
+  public URI root() {
     return URI.create("http://127.0.0.1:%d/".formatted(tomcat.getConnector().getLocalPort()));
   }
 

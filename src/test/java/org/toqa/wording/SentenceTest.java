@@ -79,8 +79,8 @@ class SentenceTest {
     Sentence sentence =
         phrase.with(places.stream().map(place -> place.length() == 1 ? "r1" : 7777L).toArray());
 
-    assertTrue(sentence.canBeSaid());
-    for (String read : List.of(sentence.english(), sentence.in(IN_ARABIC))) {
+    assertTrue(sentence.isComplete());
+    for (String read : List.of(sentence.english(), sentence.text(IN_ARABIC))) {
       assertFalse(read.contains("{"), read);
       assertFalse(read.contains("7,777"), read);
       assertEquals(
@@ -127,7 +127,7 @@ class SentenceTest {
         "r1 is not heard of with the load on board, at (-2.00, 12.30)", sentence.english());
     assertEquals(
         "\u2068r1\u2069 لا يُسمع منه شيء والحمولة على متنه، عند \u2066(\u200e-2.00, 12.30)\u2069",
-        sentence.in(IN_ARABIC));
+        sentence.text(IN_ARABIC));
   }
 
   @Test
@@ -135,15 +135,15 @@ class SentenceTest {
     assertEquals("r1", Sentence.names(List.of("r1")).english());
     assertEquals("r1, r2, {0}", Sentence.names(List.of("r1", "r2", "{0}")).english());
     assertEquals(
-        "\u2068r1\u2069، \u2068r2\u2069", Sentence.names(List.of("r1", "r2")).in(IN_ARABIC));
+        "\u2068r1\u2069، \u2068r2\u2069", Sentence.names(List.of("r1", "r2")).text(IN_ARABIC));
   }
 
   @Test
   void whatLacksAValueCannotBeSaid() {
-    assertFalse(Phrase.HAS_PARKED.with().canBeSaid());
-    assertFalse(Phrase.HAS_PARKED.with("r1", "r2").canBeSaid());
-    assertFalse(Phrase.TASK_ON_HOLD.with("seven").canBeSaid());
-    assertFalse(Phrase.LOST.with(Phrase.HAS_PARKED.with(), "r1").canBeSaid());
+    assertFalse(Phrase.HAS_PARKED.with().isComplete());
+    assertFalse(Phrase.HAS_PARKED.with("r1", "r2").isComplete());
+    assertFalse(Phrase.TASK_ON_HOLD.with("seven").isComplete());
+    assertFalse(Phrase.LOST.with(Phrase.HAS_PARKED.with(), "r1").isComplete());
   }
 
   private static List<String> places(Map<String, String> texts, Phrase phrase) {

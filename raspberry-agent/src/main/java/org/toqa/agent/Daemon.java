@@ -1,7 +1,6 @@
 package org.toqa.agent;
 
 import java.io.IOException;
-import java.time.Duration;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -15,16 +14,26 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.agent.access.LinkEndpoint;
+import org.toqa.agent.access.LinkEndpointConfig;
+import org.toqa.agent.access.PeerRole;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.SimulatedChassis;
-import org.toqa.agent.door.Door;
-import org.toqa.agent.door.DoorConfig;
-import org.toqa.agent.door.PeerRole;
-import org.toqa.agent.spi.FirmwareChassis;
-import org.toqa.agent.spi.FrameTransport;
-import org.toqa.agent.spi.SerialTransport;
-import org.toqa.agent.spi.SimulatorTransport;
-import org.toqa.agent.spi.SpidevTransport;
+import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.ChassisConfig;
+import org.toqa.agent.connection.ConnectionEvent;
+import org.toqa.agent.connection.PeerConnection;
+import org.toqa.agent.control.RobotControl;
+import org.toqa.agent.firmware.FirmwareChassis;
+import org.toqa.agent.firmware.FrameTransport;
+import org.toqa.agent.firmware.SerialTransport;
+import org.toqa.agent.firmware.SimulatorTransport;
+import org.toqa.agent.firmware.SpidevTransport;
+import org.toqa.agent.formation.BroadcastTimer;
+import org.toqa.agent.formation.FollowerConnector;
+import org.toqa.agent.formation.FormationBroadcast;
+import org.toqa.agent.storage.DataFolder;
+import org.toqa.agent.storage.Journal;
 import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
@@ -35,14 +44,14 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.Reject;
 import org.toqa.link.message.AgentMessage.State;
-import org.toqa.link.message.MessageReading.Refused;
-import org.toqa.link.message.MessageReading.Understood;
+import org.toqa.link.message.DecodeResult.Decoded;
+import org.toqa.link.message.DecodeResult.Invalid;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Follow;
-import org.toqa.link.message.ServerMessage.FromLeader;
 import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.message.ServerMessage.LeaderMessage;
 import org.toqa.link.message.ServerMessage.Resume;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.LinkSocket;
@@ -52,54 +61,52 @@ import org.toqa.link.trust.LinkSocket;
  *
  * <ol>
  *   <li>{@link #open} takes the data folder, finds the body and the journal, and listens.
- *   <li>{@link #tick} is called every {@link #TICK}, always by one thread: it exchanges command and
- *       reading with the body, obeys what was heard, reports, and steers.
+ *   <li>{@link #tick} is called every {@link Chassis#TICK}, always by one thread: it exchanges
+ *       command and reading with the body, obeys what was heard, reports, and steers.
  *   <li>{@link #close}, when no tick is under way, ends it in the opposite order.
  * </ol>
  */
 public final class Daemon implements AutoCloseable {
 
-  public static final Duration TICK = Duration.ofMillis(20);
-
   private static final Logger log = LoggerFactory.getLogger(Daemon.class);
 
-  private static final long SILENCE_NANOS = 2_000_000_000;
+  private static final long SERVER_SILENT_NANOS = 2_000_000_000;
 
   /** Half a tick early, since a tick is never quite on time. */
-  private static final long STATE_NANOS = 190_000_000;
+  private static final long STATE_INTERVAL_NANOS = 190_000_000;
 
-  private static final long DONE_NANOS = 990_000_000;
+  private static final long DONE_INTERVAL_NANOS = 990_000_000;
 
   /** A tick that comes later than this moves the reference as if it came then. */
   private static final double LONGEST_STEP_SECONDS = 0.1;
 
-  private static final int INBOX = 1_000;
+  private static final int INBOX_CAPACITY = 1_000;
 
   /** Connections that have not shown yet whose they are. */
-  private static final int MOST_GUESTS = 8;
+  private static final int MAX_UNIDENTIFIED = 8;
 
   private final AgentConfig config;
   private final InstantSource clock;
   private final DataFolder folder;
   private final Chassis chassis;
   private final RobotControl control;
-  private final BlockingQueue<Inbound> inbox = new ArrayBlockingQueue<>(INBOX);
-  private final Door door;
-  private final Dialer dialer;
+  private final BlockingQueue<ConnectionEvent> inbox = new ArrayBlockingQueue<>(INBOX_CAPACITY);
+  private final LinkEndpoint endpoint;
+  private final FollowerConnector connector;
 
-  private volatile Runnable heard = () -> {};
+  private volatile Runnable messageListener = () -> {};
   private int ticks;
   private Twist command = Twist.ZERO;
-  private final Deque<ServerConnection> guests = new ArrayDeque<>();
-  private final List<FromLeader> unanswered = new ArrayList<>();
-  private final List<Broadcast> endings = new ArrayList<>();
-  private @Nullable ServerConnection server;
-  private @Nullable ServerConnection leader;
-  private @Nullable Broadcast broadcast;
+  private final Deque<PeerConnection> unidentified = new ArrayDeque<>();
+  private final List<LeaderMessage> unansweredMessages = new ArrayList<>();
+  private final List<FormationBroadcast> endingBroadcasts = new ArrayList<>();
+  private @Nullable PeerConnection server;
+  private @Nullable PeerConnection leader;
+  private @Nullable FormationBroadcast broadcast;
   private long leaderHeardNanos;
   private volatile long nanos; // the door's threads read it
-  private long heardNanos;
-  private long welcomedNanos;
+  private long serverHeardNanos;
+  private long helloSentNanos;
   private @Nullable State lastState;
   private long lastStateNanos;
   private @Nullable PhaseEnd lastDone;
@@ -125,7 +132,7 @@ public final class Daemon implements AutoCloseable {
       throws IOException {
     DataFolder folder = new DataFolder(config.dataDir());
     try {
-      return open(config, clock, nanos, pair, folder, chassis(config, folder, nanos));
+      return open(config, clock, nanos, pair, folder, openChassis(config, folder, nanos));
     } catch (IOException e) {
       folder.close();
       throw e;
@@ -148,28 +155,28 @@ public final class Daemon implements AutoCloseable {
     }
   }
 
-  private static Chassis chassis(AgentConfig config, DataFolder folder, long nanos)
+  private static Chassis openChassis(AgentConfig config, DataFolder folder, long nanos)
       throws IOException {
     return switch (config.chassis()) {
-      case Body.Simulated body ->
+      case ChassisConfig.Simulated body ->
           new SimulatedChassis(
               folder.path().resolve("body"),
               body.start(),
-              body.power(),
+              body.battery(),
               body.noise(),
               body.seed(),
               new RangeSensors(config.footprint() / 2),
               body.surroundings());
-      case Body.SimulatedFirmware(var socket, var start) ->
-          firmware(config, new SimulatorTransport(socket), start, nanos);
-      case Body.Spi(var device, int hertz, int wordDelay) ->
-          firmware(config, new SpidevTransport(device, hertz, wordDelay), null, nanos);
-      case Body.Serial(var device, int baud) ->
-          firmware(config, new SerialTransport(device, baud), null, nanos);
+      case ChassisConfig.SimulatedFirmware(var socket, var start) ->
+          openFirmware(config, new SimulatorTransport(socket), start, nanos);
+      case ChassisConfig.Spi(var device, int hertz, int wordDelay) ->
+          openFirmware(config, new SpidevTransport(device, hertz, wordDelay), null, nanos);
+      case ChassisConfig.Serial(var device, int baud) ->
+          openFirmware(config, new SerialTransport(device, baud), null, nanos);
     };
   }
 
-  private static Chassis firmware(
+  private static Chassis openFirmware(
       AgentConfig config, FrameTransport transport, @Nullable Pose start, long nanos)
       throws IOException {
     String caption = config.name() + " " + config.address().getHostAddress();
@@ -192,12 +199,12 @@ public final class Daemon implements AutoCloseable {
     this.config = config;
     this.clock = clock;
     this.nanos = nanos;
-    this.heardNanos = nanos;
+    this.serverHeardNanos = nanos;
     this.folder = folder;
     this.chassis = chassis;
-    door =
-        new Door(
-            new DoorConfig(
+    endpoint =
+        new LinkEndpoint(
+            new LinkEndpointConfig(
                 config.name(),
                 config.address(),
                 config.port(),
@@ -205,20 +212,20 @@ public final class Daemon implements AutoCloseable {
                 folder.path(),
                 pair,
                 () -> this.nanos),
-            this::greetLater);
-    dialer = new Dialer(door.tls(), config.plainOffLoopback());
+            this::startConnection);
+    connector = new FollowerConnector(endpoint.tls(), config.plainOffLoopback());
     try {
       control =
           new RobotControl(
               config,
               new Journal(folder.path()),
               chassis.exchange(Twist.ZERO, nanos),
-              door.tls().isPresent());
+              endpoint.tls().isPresent());
     } catch (IOException e) {
-      door.close();
+      endpoint.close();
       throw e;
     }
-    log.info("{}: listening on {}.", config.name(), door);
+    log.info("{}: listening on {}.", config.name(), endpoint);
   }
 
   public String robot() {
@@ -227,32 +234,32 @@ public final class Daemon implements AutoCloseable {
 
   /** The port that it listens on. */
   public int port() {
-    return door.port();
+    return endpoint.port();
   }
 
   /** The code that it shows for a server to pair with. */
   public Optional<String> pairingCode() {
-    return door.code();
+    return endpoint.pairingCode();
   }
 
-  private void greetLater(LinkSocket link) {
-    new ServerConnection(config.name(), link, this::hearLater).start();
+  private void startConnection(LinkSocket link) {
+    new PeerConnection(config.name(), link, this::enqueue).start();
   }
 
-  private void hearLater(Inbound inbound) throws InterruptedException {
+  private void enqueue(ConnectionEvent inbound) throws InterruptedException {
     inbox.put(inbound);
-    heard.run();
+    messageListener.run();
   }
 
   /**
    * @param listener is run on some thread when somebody has said something that waits for a tick
    */
-  void onHeard(Runnable listener) {
-    heard = listener;
+  void setMessageListener(Runnable listener) {
+    messageListener = listener;
   }
 
   /** Whether something that somebody said waits for a tick. */
-  boolean hasHeard() {
+  boolean hasPendingMessages() {
     return !inbox.isEmpty();
   }
 
@@ -262,7 +269,7 @@ public final class Daemon implements AutoCloseable {
         && command.equals(Twist.ZERO)
         && leader == null
         && broadcast == null
-        && endings.isEmpty()
+        && endingBroadcasts.isEmpty()
         && control.isAtRest();
   }
 
@@ -273,12 +280,12 @@ public final class Daemon implements AutoCloseable {
    *
    * @param now the time of the ticks
    */
-  public boolean awaitsServer(long now) {
-    ServerConnection waiting = server == null ? guests.peekLast() : server;
+  public boolean isWaitingForServer(long now) {
+    PeerConnection waiting = server == null ? unidentified.peekLast() : server;
     return waiting != null
-        && waiting.ended() == null
+        && waiting.endReason() == null
         && inbox.isEmpty()
-        && now - Math.max(heardNanos, welcomedNanos) > SILENCE_NANOS / 2;
+        && now - Math.max(serverHeardNanos, helloSentNanos) > SERVER_SILENT_NANOS / 2;
   }
 
   /**
@@ -287,11 +294,11 @@ public final class Daemon implements AutoCloseable {
    *
    * @param now the time of the ticks
    */
-  public boolean awaitsLeader(long now) {
+  public boolean isWaitingForLeader(long now) {
     return leader != null
-        && leader.ended() == null
+        && leader.endReason() == null
         && inbox.isEmpty()
-        && now - leaderHeardNanos > BroadcastPace.PERIOD_NANOS + 2 * TICK.toNanos();
+        && now - leaderHeardNanos > BroadcastTimer.PERIOD_NANOS + 2 * Chassis.TICK.toNanos();
   }
 
   /**
@@ -300,31 +307,34 @@ public final class Daemon implements AutoCloseable {
   public void tick(long now) {
     double seconds = Math.min((now - nanos) / 1e9, LONGEST_STEP_SECONDS);
     nanos = now;
-    chassis.carries(control.load());
-    control.sense(chassis.exchange(command, now), now / 1e9);
-    hear();
+    chassis.setLoad(control.load());
+    control.update(chassis.exchange(command, now), now / 1e9);
+    processInbox();
     if (broadcast != null) {
-      broadcast.answers().forEach(control::heard);
+      broadcast.takeAnswers().forEach(control::handle);
     }
-    command = config.limits().within(control.drive(seconds, now - heardNanos > SILENCE_NANOS));
+    command =
+        config
+            .limits()
+            .clampedTwist(control.drive(seconds, now - serverHeardNanos > SERVER_SILENT_NANOS));
     answerLeader();
-    lead();
-    report();
+    updateBroadcasts();
+    sendReports();
     if (ticks < SelfTest.TICKS && ++ticks == SelfTest.TICKS) {
-      SelfTest.tell(control.report());
+      SelfTest.logResult(control.report());
     }
   }
 
   @Override
   public void close() throws IOException {
-    door.close();
+    endpoint.close();
     if (broadcast != null) {
       broadcast.close();
     }
-    endings.forEach(Broadcast::close);
-    Stream.concat(guests.stream(), Stream.of(server, leader))
+    endingBroadcasts.forEach(FormationBroadcast::close);
+    Stream.concat(unidentified.stream(), Stream.of(server, leader))
         .filter(Objects::nonNull)
-        .forEach(ServerConnection::close);
+        .forEach(PeerConnection::close);
     inbox.forEach(inbound -> inbound.connection().close());
     chassis.exchange(Twist.ZERO, nanos);
     chassis.close();
@@ -332,85 +342,89 @@ public final class Daemon implements AutoCloseable {
     log.info("{}: ended.", config.name());
   }
 
-  private void hear() {
-    dropDistrusted();
-    for (Inbound inbound = inbox.poll(); inbound != null; inbound = inbox.poll()) {
+  private void processInbox() {
+    closeUntrusted();
+    for (ConnectionEvent inbound = inbox.poll(); inbound != null; inbound = inbox.poll()) {
       switch (inbound) {
-        case Inbound.Opened(ServerConnection connection) -> greet(connection);
-        case Inbound.Heard(ServerConnection connection, Understood(FromLeader message)) ->
-            hear(connection, message);
-        case Inbound.Heard(ServerConnection connection, Understood(var message)) ->
-            hear(connection, message);
-        case Inbound.Heard(ServerConnection connection, Refused(long seq, String reason)) -> {
+        case ConnectionEvent.Opened(PeerConnection connection) -> sendHello(connection);
+        case ConnectionEvent.LineReceived(
+                PeerConnection connection,
+                Decoded(LeaderMessage message)) ->
+            handle(connection, message);
+        case ConnectionEvent.LineReceived(PeerConnection connection, Decoded(var message)) ->
+            handle(connection, message);
+        case ConnectionEvent.LineReceived(
+                PeerConnection connection,
+                Invalid(long seq, String reason)) -> {
           log.warn("{}: refused a line: {}", config.name(), reason);
           connection.send(new Reject(seq, reason));
         }
       }
     }
-    dropEnded();
+    removeEnded();
   }
 
   /** Whose connection it is shows with its first message: a server commands, a leader tells. */
-  private void greet(ServerConnection connection) {
+  private void sendHello(PeerConnection connection) {
     connection.send(control.report().hello());
-    welcomedNanos = nanos;
-    guests.addLast(connection);
-    if (guests.size() > MOST_GUESTS) {
-      guests.removeFirst().close();
+    helloSentNanos = nanos;
+    unidentified.addLast(connection);
+    if (unidentified.size() > MAX_UNIDENTIFIED) {
+      unidentified.removeFirst().close();
     }
   }
 
-  private void hear(ServerConnection connection, ServerMessage message) {
-    PeerRole role = door.roleOf(connection.peer());
+  private void handle(PeerConnection connection, ServerMessage message) {
+    PeerRole role = endpoint.roleOf(connection.peer());
     if (role == PeerRole.LEADER && message instanceof Command command) {
       connection.send(new Reject(command.seq(), "A leader gives no commands."));
       return;
     }
-    if (!(role == PeerRole.ANYBODY || role == PeerRole.SERVER)) {
+    if (!(role == PeerRole.ANONYMOUS || role == PeerRole.SERVER)) {
       return;
     }
-    if (guests.remove(connection)) {
-      serve(connection);
+    if (unidentified.remove(connection)) {
+      setServer(connection);
     }
     if (connection != server) {
       return; // said by a server that was replaced
     }
-    heardNanos = nanos;
+    serverHeardNanos = nanos;
     switch (message) {
-      case AckDone(long drive) -> control.acknowledged(drive);
-      case Command order -> obey(order);
-      case FromLeader _ -> {} // heard elsewhere
+      case AckDone(long drive) -> control.acknowledgeDone(drive);
+      case Command order -> execute(order);
+      case LeaderMessage _ -> {} // heard elsewhere
     }
   }
 
-  private void obey(Command order) {
-    AgentMessage answer = control.obey(order);
+  private void execute(Command order) {
+    AgentMessage answer = control.execute(order);
     if (answer instanceof Ack && order instanceof Follow follow && follow.fingerprint() != null) {
-      Fingerprint.parse(follow.fingerprint()).ifPresent(door::expectLeader);
+      Fingerprint.parse(follow.fingerprint()).ifPresent(endpoint::setLeader);
     }
-    say(answer);
+    sendToServer(answer);
     if (order instanceof Resume) {
       chassis.clearFaults();
     }
   }
 
-  private void serve(ServerConnection connection) {
+  private void setServer(PeerConnection connection) {
     if (server != null) {
       log.info("{}: a newer connection replaces the older.", config.name());
       server.close();
     }
     server = connection;
-    tellState(state());
+    sendState(state());
     lastDone = control.done().orElse(null);
     lastDoneNanos = nanos;
   }
 
-  private void hear(ServerConnection connection, FromLeader message) {
-    PeerRole role = door.roleOf(connection.peer());
-    if (!(role == PeerRole.ANYBODY || role == PeerRole.LEADER)) {
+  private void handle(PeerConnection connection, LeaderMessage message) {
+    PeerRole role = endpoint.roleOf(connection.peer());
+    if (!(role == PeerRole.ANONYMOUS || role == PeerRole.LEADER)) {
       return;
     }
-    if (guests.remove(connection)) {
+    if (unidentified.remove(connection)) {
       if (leader != null) {
         leader.close();
       }
@@ -419,103 +433,108 @@ public final class Daemon implements AutoCloseable {
     }
     if (connection == leader) {
       leaderHeardNanos = nanos;
-      control.heard(message);
-      unanswered.add(message);
+      control.handle(message);
+      unansweredMessages.add(message);
     }
   }
 
   private void answerLeader() {
     if (leader != null) {
-      unanswered.stream()
-          .flatMap(message -> control.answer(message).stream())
+      unansweredMessages.stream()
+          .flatMap(message -> control.answerTo(message).stream())
           .forEach(leader::send);
     }
-    unanswered.clear();
+    unansweredMessages.clear();
   }
 
   /** Another server was paired, or another leader named: what the old one still says is void. */
-  private void dropDistrusted() {
-    Stream.concat(guests.stream(), Stream.of(server, leader))
+  private void closeUntrusted() {
+    Stream.concat(unidentified.stream(), Stream.of(server, leader))
         .filter(Objects::nonNull)
-        .filter(connection -> connection.ended() == null)
-        .filter(connection -> door.roleOf(connection.peer()) == PeerRole.NOBODY)
-        .forEach(ServerConnection::close);
+        .filter(connection -> connection.endReason() == null)
+        .filter(connection -> endpoint.roleOf(connection.peer()) == PeerRole.UNTRUSTED)
+        .forEach(PeerConnection::close);
   }
 
-  private void dropEnded() {
+  private void removeEnded() {
     if (!inbox.isEmpty()) {
       return; // their last words
     }
-    if (server != null && server.ended() != null) {
-      log.warn("{}: the connection of the server ended: {}.", config.name(), server.ended());
+    if (server != null && server.endReason() != null) {
+      log.warn("{}: the connection of the server ended: {}.", config.name(), server.endReason());
       server.close();
       server = null;
     }
-    if (leader != null && leader.ended() != null) {
-      log.info("{}: the connection of the leader ended: {}.", config.name(), leader.ended());
+    if (leader != null && leader.endReason() != null) {
+      log.info("{}: the connection of the leader ended: {}.", config.name(), leader.endReason());
       leader.close();
       leader = null;
     }
-    guests.removeIf(guest -> guest.ended() != null);
+    unidentified.removeIf(guest -> guest.endReason() != null);
   }
 
   /** Tells the followers, if there are any, where this leader is, or that the formation ends. */
-  private void lead() {
-    Lead order = control.leading().orElse(null);
+  private void updateBroadcasts() {
+    Lead order = control.leadOrder().orElse(null);
     if (broadcast != null && !broadcast.order().equals(order)) {
       endBroadcast(broadcast);
       broadcast = null;
     }
     if (broadcast == null && order != null) {
-      broadcast = new Broadcast(config.name(), order, dialer, nanos);
+      broadcast = new FormationBroadcast(config.name(), order, connector, nanos);
     }
     if (broadcast != null) {
-      broadcast.tell(control.pose(), control.planned(), control.isBraking(), clock.millis(), nanos);
+      broadcast.sendPose(
+          control.pose(), control.plannedTwist(), control.isBraking(), clock.millis(), nanos);
     }
-    endings.forEach(ending -> ending.tellEnd(nanos));
-    endings.stream().filter(ending -> ending.isOver(nanos)).forEach(Broadcast::close);
-    endings.removeIf(ending -> ending.isOver(nanos));
+    endingBroadcasts.forEach(ending -> ending.sendEnd(nanos));
+    endingBroadcasts.stream()
+        .filter(ending -> ending.isOver(nanos))
+        .forEach(FormationBroadcast::close);
+    endingBroadcasts.removeIf(ending -> ending.isOver(nanos));
   }
 
   /** A formation that is not at its goal has no end: its followers stop, and ask their server. */
-  private void endBroadcast(Broadcast over) {
+  private void endBroadcast(FormationBroadcast over) {
     boolean isAtGoal =
         control
             .done()
             .filter(done -> done.phase() == 2 && Objects.equals(done.task(), over.order().task()))
             .isPresent();
     if (isAtGoal) {
-      over.end(nanos);
-      endings.add(over);
+      over.beginEnd(nanos);
+      endingBroadcasts.add(over);
     } else {
       over.close();
     }
   }
 
-  private void report() {
+  private void sendReports() {
     State state = state();
-    if (nanos - lastStateNanos >= STATE_NANOS || isChange(state)) {
-      tellState(state);
+    if (nanos - lastStateNanos >= STATE_INTERVAL_NANOS || hasChanged(state)) {
+      sendState(state);
     }
     PhaseEnd done = control.done().orElse(null);
-    if (done != null && (!done.equals(lastDone) || nanos - lastDoneNanos >= DONE_NANOS)) {
-      say(new Done(done.task(), done.phase(), done.drive()));
+    if (done != null && (!done.equals(lastDone) || nanos - lastDoneNanos >= DONE_INTERVAL_NANOS)) {
+      sendToServer(new Done(done.task(), done.phase(), done.drive()));
       lastDoneNanos = nanos;
     }
     lastDone = done;
   }
 
   private State state() {
-    return control.report().state(clock.millis(), door.refused().map(List::of).orElse(List.of()));
+    return control
+        .report()
+        .state(clock.millis(), endpoint.rejection().map(List::of).orElse(List.of()));
   }
 
-  private void tellState(State state) {
-    say(state);
+  private void sendState(State state) {
+    sendToServer(state);
     lastState = state;
     lastStateNanos = nanos;
   }
 
-  private boolean isChange(State state) {
+  private boolean hasChanged(State state) {
     State before = lastState;
     return before == null
         || state.mode() != before.mode()
@@ -525,14 +544,14 @@ public final class Daemon implements AutoCloseable {
         || state.released() != before.released()
         || state.phase() != before.phase()
         || !Objects.equals(state.task(), before.task())
-        || !codes(state).equals(codes(before));
+        || !errorCodes(state).equals(errorCodes(before));
   }
 
-  private static List<String> codes(State state) {
+  private static List<String> errorCodes(State state) {
     return state.errors().stream().map(Fault::code).toList();
   }
 
-  private void say(AgentMessage message) {
+  private void sendToServer(AgentMessage message) {
     if (server != null) {
       server.send(message);
     }

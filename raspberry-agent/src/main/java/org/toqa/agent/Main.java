@@ -6,7 +6,10 @@ import java.time.InstantSource;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.toqa.agent.door.PairingRequest;
+import org.toqa.agent.access.PairingRequestFile;
+import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.ConfigException;
+import org.toqa.agent.storage.DataFolder;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -51,11 +54,11 @@ public final class Main implements Callable<Integer> {
   public static void main(String[] args) {
     System.exit(
         new CommandLine(new Main())
-            .setParameterExceptionHandler((e, arguments) -> complain(e))
+            .setParameterExceptionHandler((e, arguments) -> printError(e))
             .execute(args));
   }
 
-  private static int complain(ParameterException e) {
+  private static int printError(ParameterException e) {
     String sentence = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
     e.getCommandLine().getErr().println(sentence + " (agent --help lists what there is)");
     return WRONG_CONFIGURATION;
@@ -67,24 +70,24 @@ public final class Main implements Callable<Integer> {
       run(AgentConfig.read(config));
       return 0;
     } catch (ConfigException e) {
-      return complain(e, WRONG_CONFIGURATION);
+      return printError(e, WRONG_CONFIGURATION);
     } catch (IOException e) {
-      return complain(e, FAILED);
+      return printError(e, FAILED);
     }
   }
 
   private void run(AgentConfig settings) throws IOException {
     if (pair && DataFolder.isInUse(settings.dataDir())) {
-      askToPair(settings);
+      requestPairing(settings);
     } else {
       runUntilStopped(settings);
     }
   }
 
   /** The daemon runs already: it need not be stopped. */
-  private void askToPair(AgentConfig settings) throws IOException {
+  private void requestPairing(AgentConfig settings) throws IOException {
     try {
-      show(PairingRequest.ask(settings.dataDir()));
+      printCode(PairingRequestFile.requestPairing(settings.dataDir()));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new IOException("Interrupted before the daemon had taken the code.", e);
@@ -93,18 +96,18 @@ public final class Main implements Callable<Integer> {
 
   private void runUntilStopped(AgentConfig settings) throws IOException {
     Daemon daemon = Daemon.open(settings, InstantSource.system(), System.nanoTime(), pair);
-    daemon.pairingCode().ifPresent(this::show);
+    daemon.pairingCode().ifPresent(this::printCode);
     CountDownLatch closed = new CountDownLatch(1);
     try (daemon) {
-      RealTimeLoop loop = new RealTimeLoop(daemon, settings.chassis().speed());
-      Runtime.getRuntime().addShutdownHook(new Thread(() -> end(loop, closed)));
+      RealTimeLoop loop = new RealTimeLoop(daemon, settings.chassis().timeFactor());
+      Runtime.getRuntime().addShutdownHook(new Thread(() -> stopAndWait(loop, closed)));
       loop.run();
     } finally {
       closed.countDown();
     }
   }
 
-  private void show(String code) {
+  private void printCode(String code) {
     spec.commandLine()
         .getErr()
         .println(
@@ -114,7 +117,7 @@ public final class Main implements Callable<Integer> {
                 + " address and port)");
   }
 
-  private static void end(RealTimeLoop loop, CountDownLatch closed) {
+  private static void stopAndWait(RealTimeLoop loop, CountDownLatch closed) {
     loop.stop();
     try {
       closed.await(LONGEST_END_SECONDS, TimeUnit.SECONDS);
@@ -123,7 +126,7 @@ public final class Main implements Callable<Integer> {
     }
   }
 
-  private int complain(Exception e, int exitCode) {
+  private int printError(Exception e, int exitCode) {
     spec.commandLine().getErr().println(e.getMessage());
     return exitCode;
   }

@@ -1,6 +1,7 @@
 package org.toqa.agent;
 
 import java.util.concurrent.locks.LockSupport;
+import org.toqa.agent.chassis.Chassis;
 
 /**
  * Ticks a daemon by the machine's monotonic clock, or by one that goes faster, on the thread that
@@ -8,46 +9,46 @@ import java.util.concurrent.locks.LockSupport;
  */
 final class RealTimeLoop implements Runnable {
 
-  private static final long PERIOD = Daemon.TICK.toNanos();
+  private static final long PERIOD_NANOS = Chassis.TICK.toNanos();
 
   /** Three for each state that it tells, and well below what its microcontroller endures. */
-  private static final long AT_REST = 66_666_666;
+  private static final long AT_REST_PERIOD_NANOS = 66_666_666;
 
   private final Daemon daemon;
-  private final double speed;
+  private final double timeFactor;
   private final long start = System.nanoTime();
   private volatile boolean running = true;
 
   /**
-   * @param speed how many times faster than real time the daemon lives
+   * @param timeFactor how many times faster than real time the daemon lives
    */
-  RealTimeLoop(Daemon daemon, double speed) {
+  RealTimeLoop(Daemon daemon, double timeFactor) {
     this.daemon = daemon;
-    this.speed = speed;
+    this.timeFactor = timeFactor;
   }
 
   @Override
   public void run() {
     Thread own = Thread.currentThread();
-    daemon.onHeard(() -> LockSupport.unpark(own));
-    long period = PERIOD;
+    daemon.setMessageListener(() -> LockSupport.unpark(own));
+    long period = PERIOD_NANOS;
     long next = time();
     while (running && !own.isInterrupted()) {
       long now = time();
-      boolean isCalled = period == AT_REST && daemon.hasHeard();
+      boolean isCalled = period == AT_REST_PERIOD_NANOS && daemon.hasPendingMessages();
       if (now - next < 0 && !isCalled) {
-        LockSupport.parkNanos((long) ((next - now) / speed));
+        LockSupport.parkNanos((long) ((next - now) / timeFactor));
         continue;
       }
       daemon.tick(now);
-      period = daemon.isAtRest() ? AT_REST : PERIOD;
+      period = daemon.isAtRest() ? AT_REST_PERIOD_NANOS : PERIOD_NANOS;
       // after a stall the ticks that were missed are not made up for
       next = isCalled || now - next > period ? now + period : next + period;
     }
   }
 
   private long time() {
-    return start + (long) ((System.nanoTime() - start) * speed);
+    return start + (long) ((System.nanoTime() - start) * timeFactor);
   }
 
   /** Ends {@link #run} after the tick under way. */

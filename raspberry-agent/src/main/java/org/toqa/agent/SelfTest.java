@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.agent.control.RobotReport;
 import org.toqa.link.message.AgentMessage.Fault;
 
 /**
@@ -18,15 +19,15 @@ final class SelfTest {
 
   private SelfTest() {}
 
-  static void tell(RobotReport robot) {
+  static void logResult(RobotReport robot) {
     String name = robot.config().name();
     String found =
         String.format(
             Locale.ROOT,
             "battery %.0f %%, %d range sensors, %s",
-            100 * robot.body().battery(),
-            robot.body().ranges().size(),
-            robot.localised() ? "knows where it is" : "does not know where it is");
+            100 * robot.reading().battery(),
+            robot.reading().ranges().size(),
+            robot.isLocalised() ? "knows where it is" : "does not know where it is");
     if (robot.errors().isEmpty()) {
       log.info("{}: self-test passed: {}.", name, found);
     } else {

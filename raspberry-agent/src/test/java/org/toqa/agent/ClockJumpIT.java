@@ -38,11 +38,11 @@ class ClockJumpIT {
         library.isPresent(), "The clock is set by libfaketime: install it (Debian: faketime)");
     Path clock = Files.writeString(folder.resolve("clock"), "+0");
     try (ToqaProcess daemon = daemon(library.get(), clock);
-        GroupServer server =
-            GroupServer.plain(
+        FormationServer server =
+            FormationServer.plain(
                 Integer.parseInt(daemon.awaitErr("listening on .* port (\\d+)").group(1)))) {
       Pose start = server.awaitHello().pose();
-      server.accepted(new Drive(1, 5L, 1, start, WAY, 1, true, 0));
+      server.assertAccepted(new Drive(1, 5L, 1, start, WAY, 1, true, 0));
       long before = server.awaitState(s -> s.pose().x() > start.x() + 0.5).stamp();
 
       Files.writeString(clock, "+3600");
@@ -54,7 +54,7 @@ class ClockJumpIT {
 
       State atEnd = server.awaitState(s -> s.mode() == Mode.IDLE);
       assertEquals(start.x() + 4, atEnd.pose().x(), 0.02);
-      assertEquals(5L, server.awaitFlag().task());
+      assertEquals(5L, server.awaitDone().task());
       assertTrue(
           server.states().stream().allMatch(s -> s.mode() != Mode.HOLDING && s.errors().isEmpty()));
     }

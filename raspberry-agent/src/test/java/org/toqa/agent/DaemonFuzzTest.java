@@ -46,10 +46,10 @@ class DaemonFuzzTest {
       try (FuzzedRobot robot = new FuzzedRobot(data, FuzzRun.SEED + lines, count)) {
         long end = Math.min(FuzzRun.INPUTS, lines + LINES_TO_A_DAEMON);
         while (lines < end && !robot.isOutOfNumbers()) {
-          robot.hear(LINES_AT_ONCE, BETWEEN_LINES);
+          robot.receiveLines(LINES_AT_ONCE, BETWEEN_LINES);
           lines += LINES_AT_ONCE;
           if (lines % LINES_TO_A_DRIVE == 0 && !robot.isOutOfNumbers()) {
-            robot.calmDown();
+            robot.bringToStandstill();
           }
         }
       }

@@ -16,9 +16,9 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.DecodeResult.Decoded;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
-import org.toqa.link.message.MessageReading.Understood;
 import org.toqa.link.message.ServerMessage.Drive;
 
 /** A daemon as a process of its own, in real time, to be killed. */
@@ -116,14 +116,15 @@ public final class DaemonProcess implements AutoCloseable {
     }
 
     public void say(Drive drive) throws IOException {
-      socket.getOutputStream().write(LinkCodec.line(drive));
+      socket.getOutputStream().write(LinkCodec.encode(drive));
     }
 
     public <M extends AgentMessage> M await(Class<M> type, Predicate<M> wished) throws IOException {
       while (true) {
-        LineReader.Line line = lines.next();
+        LineReader.Line line = lines.readLine();
         assertNotNull(line, "the daemon hung up");
-        Object message = assertInstanceOf(Understood.class, LinkCodec.agentMessage(line)).message();
+        Object message =
+            assertInstanceOf(Decoded.class, LinkCodec.decodeAgentMessage(line)).message();
         if (type.isInstance(message) && wished.test(type.cast(message))) {
           return type.cast(message);
         }

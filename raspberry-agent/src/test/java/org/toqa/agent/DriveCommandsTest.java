@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.agent.chassis.Chassis;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Mode;
@@ -53,29 +54,29 @@ class DriveCommandsTest {
 
   @Test
   void secondDriveWaitsForTheEndOfTheFirst() {
-    server.accepted(driveOf(1, METRE));
-    server.live(Duration.ofSeconds(1));
+    server.assertAccepted(driveOf(1, METRE));
+    server.advance(Duration.ofSeconds(1));
 
     assertEquals(
         "The robot has not ended drive 1; wait for its end or send cancel.",
-        server.refused(driveOf(2, METRE)));
+        server.rejectReason(driveOf(2, METRE)));
   }
 
   @Test
   void driveIsRefusedWhileACancelledOneComesToAStand() {
-    server.accepted(driveOf(1, METRE));
-    server.live(Duration.ofSeconds(2));
-    server.accepted(new Cancel(2, 5L));
+    server.assertAccepted(driveOf(1, METRE));
+    server.advance(Duration.ofSeconds(2));
+    server.assertAccepted(new Cancel(2, 5L));
 
     assertEquals(
-        "The robot is still moving; wait until it stands.", server.refused(driveOf(3, METRE)));
+        "The robot is still moving; wait until it stands.", server.rejectReason(driveOf(3, METRE)));
   }
 
   @ParameterizedTest
   @CsvSource({"2.15, 3, 0", "2, 2.85, 0", "2, 3, 0.2", "200, 3, 0"})
   void driveThatStartsElsewhereIsRefused(double x, double y, double theta) {
     String reason =
-        server.refused(TestServer.drive(1, 5L, 1, new Pose(x, y, theta), List.of(METRE)));
+        server.rejectReason(TestServer.drive(1, 5L, 1, new Pose(x, y, theta), List.of(METRE)));
 
     assertTrue(reason.startsWith("The drive starts "), reason);
     assertTrue(reason.endsWith(" where the robot stands, (2.00, 3.00) facing 0 degrees."), reason);
@@ -94,33 +95,34 @@ class DriveCommandsTest {
           0.1  | 0   | 9999 | Segment 1 lasts 9999.0 s; a segment lasts more than 0 and at most 3600 s.
           """)
   void segmentThatTheBodyCannotDriveIsRefused(double v, double w, double t, String reason) {
-    assertEquals(reason, server.refused(driveOf(1, METRE, new Segment(v, w, t))));
+    assertEquals(reason, server.rejectReason(driveOf(1, METRE, new Segment(v, w, t))));
     assertEquals(Mode.IDLE, server.state().mode());
   }
 
   @Test
   void releasedLiesWithinTheSegments() {
-    assertEquals("Of 1 segments 2 cannot be released.", server.refused(released(1, 2, METRE)));
-    assertEquals("Of 1 segments -1 cannot be released.", server.refused(released(2, -1, METRE)));
+    assertEquals("Of 1 segments 2 cannot be released.", server.rejectReason(released(1, 2, METRE)));
+    assertEquals(
+        "Of 1 segments -1 cannot be released.", server.rejectReason(released(2, -1, METRE)));
   }
 
   @Test
   void phaseAndTaskBelongTogether() {
     assertEquals(
         "The phase 4 is not one of 0 to 3.",
-        server.refused(TestServer.drive(1, 5L, 4, Rig.START, List.of(METRE))));
+        server.rejectReason(TestServer.drive(1, 5L, 4, Rig.START, List.of(METRE))));
     assertEquals(
         "A drive without a task has phase 0, and one for a task has phase 1, 2 or 3.",
-        server.refused(TestServer.drive(2, null, 1, Rig.START, List.of(METRE))));
+        server.rejectReason(TestServer.drive(2, null, 1, Rig.START, List.of(METRE))));
     assertEquals(
         "A drive without a task has phase 0, and one for a task has phase 1, 2 or 3.",
-        server.refused(TestServer.drive(3, 5L, 0, Rig.START, List.of(METRE))));
+        server.rejectReason(TestServer.drive(3, 5L, 0, Rig.START, List.of(METRE))));
   }
 
   @Test
   void refusedDriveMovesNothingAndIsNoLastNumber() {
-    server.refused(driveOf(9, new Segment(2, 0, 1)));
-    server.live(Duration.ofSeconds(1));
+    server.rejectReason(driveOf(9, new Segment(2, 0, 1)));
+    server.advance(Duration.ofSeconds(1));
 
     assertEquals(Rig.START, server.pose());
     assertEquals(0, rig.connect().hello().lastSeq());
@@ -128,59 +130,60 @@ class DriveCommandsTest {
 
   @Test
   void extendReplacesNothingThatIsReleased() {
-    server.accepted(released(1, 2, METRE, METRE, METRE));
+    server.assertAccepted(released(1, 2, METRE, METRE, METRE));
 
     assertEquals(
         "Segments can be replaced from 2 (what is released stays) to 3, not from 1.",
-        server.refused(new Extend(2, 1, 1, List.of(METRE), 2, true)));
+        server.rejectReason(new Extend(2, 1, 1, List.of(METRE), 2, true)));
     assertEquals(
         "Segments can be replaced from 2 (what is released stays) to 3, not from 4.",
-        server.refused(new Extend(3, 1, 4, List.of(METRE), 2, true)));
+        server.rejectReason(new Extend(3, 1, 4, List.of(METRE), 2, true)));
     assertEquals(
         "What is released only grows: from 2 to at most 4, not 5.",
-        server.refused(new Extend(4, 1, 3, List.of(METRE), 5, true)));
+        server.rejectReason(new Extend(4, 1, 3, List.of(METRE), 5, true)));
     assertEquals(
         "What is released only grows: from 2 to at most 4, not 1.",
-        server.refused(new Extend(5, 1, 3, List.of(METRE), 1, true)));
+        server.rejectReason(new Extend(5, 1, 3, List.of(METRE), 1, true)));
     assertEquals(
         "Segment 3 has 0.9 m/s; this robot drives at most 0.5 m/s.",
-        server.refused(new Extend(6, 1, 3, List.of(new Segment(0.9, 0, 1)), 3, true)));
-    server.accepted(new Extend(7, 1, 2, List.of(METRE), 3, true));
+        server.rejectReason(new Extend(6, 1, 3, List.of(new Segment(0.9, 0, 1)), 3, true)));
+    server.assertAccepted(new Extend(7, 1, 2, List.of(METRE), 3, true));
   }
 
   @Test
   void releaseOnlyGrows() {
-    server.accepted(released(1, 1, METRE, METRE));
+    server.assertAccepted(released(1, 1, METRE, METRE));
 
     assertEquals(
         "What is released only grows: from 1 to at most 2, not 0.",
-        server.refused(new Release(2, 1, 0)));
+        server.rejectReason(new Release(2, 1, 0)));
     assertEquals(
         "What is released only grows: from 1 to at most 2, not 3.",
-        server.refused(new Release(3, 1, 3)));
-    server.accepted(new Release(4, 1, 1));
-    server.accepted(new Release(5, 1, 2));
+        server.rejectReason(new Release(3, 1, 3)));
+    server.assertAccepted(new Release(4, 1, 1));
+    server.assertAccepted(new Release(5, 1, 2));
     assertEquals(2, server.state().released());
   }
 
   @Test
   void driveThatIsNoMoreCannotGrow() {
     assertEquals(
-        "There is no drive 7 any more; the robot has none.", server.refused(new Release(1, 7, 1)));
-    server.accepted(driveOf(8, METRE));
+        "There is no drive 7 any more; the robot has none.",
+        server.rejectReason(new Release(1, 7, 1)));
+    server.assertAccepted(driveOf(8, METRE));
     assertEquals(
         "There is no drive 7 any more; the robot has drive 8.",
-        server.refused(new Extend(9, 7, 0, List.of(METRE), 1, true)));
+        server.rejectReason(new Extend(9, 7, 0, List.of(METRE), 1, true)));
   }
 
   @Test
-  void wayWithoutEndIsRefused() {
-    server.accepted(released(1, 0, METRE));
+  void endlessTrajectoryIsRejected() {
+    server.assertAccepted(released(1, 0, METRE));
     List<Segment> many = Collections.nCopies(500, METRE);
     String reason = "";
     for (int i = 0; i < 201 && reason.isEmpty(); i++) {
       Extend more = new Extend(2 + i, 1, 1 + 500 * i, many, 0, false);
-      reason = i < 199 ? acceptedOrFailed(more) : server.refused(more);
+      reason = i < 199 ? acceptedOrFailed(more) : server.rejectReason(more);
     }
 
     // 1 + 199 * 500 segments are a way, 500 more are not
@@ -188,53 +191,53 @@ class DriveCommandsTest {
   }
 
   private String acceptedOrFailed(Extend extend) {
-    server.accepted(extend);
+    server.assertAccepted(extend);
     return "";
   }
 
   @Test
   void drivingRobotIsNotToldWhereItIs() {
-    server.accepted(driveOf(1, METRE));
+    server.assertAccepted(driveOf(1, METRE));
 
     assertEquals(
         "A robot that drives cannot be told where it is; send cancel first.",
-        server.refused(new Locate(2, new Pose(0, 0, 0))));
+        server.rejectReason(new Locate(2, new Pose(0, 0, 0))));
   }
 
   @Test
   void placeOffAnyMapIsRefused() {
     assertEquals(
         "The pose lies more than 100000 m from the map's origin.",
-        server.refused(new Locate(1, new Pose(1e9, 0, 0))));
+        server.rejectReason(new Locate(1, new Pose(1e9, 0, 0))));
     assertEquals(Rig.START, server.pose());
   }
 
   @Test
   void standingRobotTakesItsPlaceFromLocate() {
-    server.accepted(new Locate(1, new Pose(7, 8, 1.5)));
-    rig.live(Daemon.TICK);
-    rig.live(Duration.ofMillis(200));
+    server.assertAccepted(new Locate(1, new Pose(7, 8, 1.5)));
+    rig.advance(Chassis.TICK);
+    rig.advance(Duration.ofMillis(200));
 
     assertPose(new Pose(7, 8, 1.5), server.pose());
-    server.accepted(TestServer.drive(2, 5L, 1, new Pose(7, 8, 1.5), List.of(METRE)));
+    server.assertAccepted(TestServer.drive(2, 5L, 1, new Pose(7, 8, 1.5), List.of(METRE)));
   }
 
   @Test
   void repeatedCommandIsAcknowledgedAndHasNoEffect() {
-    server.accepted(driveOf(4, METRE));
-    server.accepted(new Cancel(5, 5L));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, Duration.ofSeconds(3));
+    server.assertAccepted(driveOf(4, METRE));
+    server.assertAccepted(new Cancel(5, 5L));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, Duration.ofSeconds(3));
 
     assertEquals(new Ack(4), server.ask(driveOf(4, METRE)));
     assertEquals(new Ack(3), server.ask(driveOf(3, METRE)));
-    server.live(Duration.ofSeconds(1));
+    server.advance(Duration.ofSeconds(1));
     assertEquals(Mode.IDLE, server.state().mode());
     assertFalse(server.state().drive() == 4);
   }
 
   @Test
   void pingIsNoLastNumber() {
-    server.accepted(driveOf(4, METRE));
+    server.assertAccepted(driveOf(4, METRE));
     server.synchronise();
 
     assertEquals(4, rig.connect().hello().lastSeq());

@@ -50,7 +50,7 @@ class DrivingTest {
   }
 
   @Test
-  void wayOfTwentyMetresEndsWhereItWasPlanned() {
+  void trajectoryOfTwentyMetresEndsWhereItWasPlanned() {
     // turn, straight, arc left, straight, arc right ... as the fitter makes them, at 0.25 m/s
     double radius = 0.15 / Math.tan(Math.PI / 8);
     double rate = 0.25 / radius;
@@ -78,23 +78,23 @@ class DrivingTest {
     Trajectory planned = new Trajectory(Rig.START, way);
     assertTrue(planned.length() > 20);
 
-    server.accepted(TestServer.drive(1, 5L, 1, Rig.START, way));
-    State end = server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE.multipliedBy(3));
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, way));
+    State end = server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE.multipliedBy(3));
 
     assertNear(planned.end(), end.pose(), 0.002, 0.003);
   }
 
   @Test
-  void robotStaysOnItsWayWhileItDrives() {
+  void robotStaysOnItsTrajectoryWhileItDrives() {
     Segment tightLeft = new Segment(0.225, 1.5, Math.PI / 2 / 1.5); // radius 0.15 m
     List<Segment> way = List.of(METRE, tightLeft, METRE, new Segment(0, -1.5, 1), METRE);
     Trajectory planned = new Trajectory(Rig.START, way);
 
-    server.accepted(TestServer.drive(1, 5L, 1, Rig.START, way));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, way));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
 
     double worst =
-        server.heard(State.class).stream()
+        server.received(State.class).stream()
             .mapToDouble(s -> distance(planned, s.pose()))
             .max()
             .orElseThrow();
@@ -103,37 +103,37 @@ class DrivingTest {
 
   @Test
   void robotStandsAtTheEndOfWhatIsReleasedAndGoesOnWhenMoreIs() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true, 0));
-    server.live(Duration.ofSeconds(10));
+    server.assertAccepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true, 0));
+    server.advance(Duration.ofSeconds(10));
     assertNear(ahead(1), server.pose(), 0.002, 0.003);
     assertEquals(0, server.state().twist().v(), 0.01);
     assertEquals(Mode.DRIVING, server.state().mode());
     assertEquals(1, server.state().segment());
 
-    server.accepted(new Release(2, 1, 3));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    server.assertAccepted(new Release(2, 1, 3));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
     assertNear(ahead(3), server.pose(), 0.002, 0.003);
   }
 
   @Test
   void robotNeverLeavesWhatIsReleased() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true, 0));
-    server.live(Duration.ofSeconds(10));
+    server.assertAccepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true, 0));
+    server.advance(Duration.ofSeconds(10));
 
     double farthest =
-        server.heard(State.class).stream().mapToDouble(s -> s.pose().x()).max().orElseThrow();
+        server.received(State.class).stream().mapToDouble(s -> s.pose().x()).max().orElseThrow();
     assertTrue(farthest < ahead(1).x() + 0.005, "came to " + farthest);
   }
 
   @Test
   void releaseInTimeLeavesTheSpeedAsItIs() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true, 0));
-    server.live(Duration.ofSeconds(2));
-    server.accepted(new Release(2, 1, 2));
-    int before = server.heard(State.class).size();
-    server.live(Duration.ofSeconds(4));
+    server.assertAccepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true, 0));
+    server.advance(Duration.ofSeconds(2));
+    server.assertAccepted(new Release(2, 1, 2));
+    int before = server.received(State.class).size();
+    server.advance(Duration.ofSeconds(4));
 
-    List<State> driving = server.heard(State.class);
+    List<State> driving = server.received(State.class);
     assertTrue(driving.size() >= before + 20, "five states a second");
     for (State state : driving.subList(before, driving.size())) {
       assertEquals(0.25, state.twist().v(), 0.03);
@@ -141,121 +141,121 @@ class DrivingTest {
   }
 
   @Test
-  void extendBringsTheRestOfTheWay() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE), 1, false, 0));
-    server.live(Duration.ofSeconds(10));
-    assertEquals(List.of(), server.heard(Done.class), "an extend will bring the rest");
+  void extendBringsTheRestOfTheTrajectory() {
+    server.assertAccepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE), 1, false, 0));
+    server.advance(Duration.ofSeconds(10));
+    assertEquals(List.of(), server.received(Done.class), "an extend will bring the rest");
 
-    server.accepted(new Extend(2, 1, 1, List.of(METRE), 2, true));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    server.assertAccepted(new Extend(2, 1, 1, List.of(METRE), 2, true));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
     assertNear(ahead(2), server.pose(), 0.002, 0.003);
   }
 
   @Test
   void extendReplansWhatIsNotReleased() {
     Segment turn = new Segment(0, 1, Math.PI / 2);
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true, 0));
-    server.live(Duration.ofSeconds(1));
-    server.accepted(new Extend(2, 1, 1, List.of(turn), 2, true));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    server.assertAccepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE, METRE), 1, true, 0));
+    server.advance(Duration.ofSeconds(1));
+    server.assertAccepted(new Extend(2, 1, 1, List.of(turn), 2, true));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
 
     Pose end = new Pose(Rig.START.x() + 1, Rig.START.y(), Math.PI / 2);
     assertNear(end, server.pose(), 0.002, 0.003);
   }
 
   @Test
-  void wayWithoutSegmentsIsDoneWhereTheRobotStands() {
-    server.accepted(TestServer.drive(1, 5L, 1, Rig.START, List.of()));
-    server.live(Duration.ofMillis(500));
+  void driveWithoutSegmentsIsDoneWhereTheRobotStands() {
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, List.of()));
+    server.advance(Duration.ofMillis(500));
 
-    assertEquals(new Done(5L, 1, 1), server.heard(Done.class).getFirst());
+    assertEquals(new Done(5L, 1, 1), server.received(Done.class).getFirst());
   }
 
   @Test
-  void holdBringsTheRobotToAStandOnItsWayAndResumeLetsItGoOn() {
-    server.accepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE, METRE)));
-    server.live(Duration.ofSeconds(2));
-    server.accepted(new Hold(2));
-    server.live(Duration.ofSeconds(2));
+  void holdStopsTheRobotOnItsTrajectoryAndResumeContinues() {
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE, METRE)));
+    server.advance(Duration.ofSeconds(2));
+    server.assertAccepted(new Hold(2));
+    server.advance(Duration.ofSeconds(2));
     Pose held = server.pose();
     assertEquals(Mode.HOLDING, server.state().mode());
-    server.live(Duration.ofSeconds(10));
+    server.advance(Duration.ofSeconds(10));
     assertNear(held, server.pose(), 0.003, 0.006);
 
-    server.accepted(new Resume(3));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    server.assertAccepted(new Resume(3));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
     assertNear(ahead(2), server.pose(), 0.002, 0.003);
   }
 
   @Test
   void driveToAHeldRobotWaitsForResume() {
-    server.accepted(new Hold(1));
-    server.accepted(TestServer.drive(2, 5L, 1, Rig.START, List.of(METRE)));
-    server.live(Duration.ofSeconds(5));
+    server.assertAccepted(new Hold(1));
+    server.assertAccepted(TestServer.drive(2, 5L, 1, Rig.START, List.of(METRE)));
+    server.advance(Duration.ofSeconds(5));
     assertNear(Rig.START, server.pose(), 0.001, 0.001);
     assertEquals(Mode.HOLDING, server.state().mode());
 
-    server.accepted(new Resume(3));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    server.assertAccepted(new Resume(3));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
     assertNear(ahead(1), server.pose(), 0.002, 0.003);
   }
 
   @Test
   void cancelledRobotStandsAndWorksForNothing() {
-    server.accepted(TestServer.drive(1, 5L, 2, Rig.START, List.of(METRE, METRE)));
-    server.live(Duration.ofSeconds(3));
-    server.accepted(new Cancel(2, 5L));
-    State end = server.liveUntil(s -> s.mode() == Mode.IDLE, Duration.ofSeconds(3));
+    server.assertAccepted(TestServer.drive(1, 5L, 2, Rig.START, List.of(METRE, METRE)));
+    server.advance(Duration.ofSeconds(3));
+    server.assertAccepted(new Cancel(2, 5L));
+    State end = server.advanceUntil(s -> s.mode() == Mode.IDLE, Duration.ofSeconds(3));
 
     assertNull(end.task());
     assertEquals(0, end.phase());
     assertEquals(0, end.drive());
     assertTrue(end.pose().x() < ahead(1).x(), "it did not drive on: " + end.pose());
-    server.live(Duration.ofSeconds(3));
-    assertEquals(List.of(), server.heard(Done.class));
-    server.accepted(TestServer.drive(3, null, 0, server.pose(), List.of(METRE)));
+    server.advance(Duration.ofSeconds(3));
+    assertEquals(List.of(), server.received(Done.class));
+    server.assertAccepted(TestServer.drive(3, null, 0, server.pose(), List.of(METRE)));
   }
 
   @Test
   void cancelOfAnotherTaskLeavesTheRobotAlone() {
-    server.accepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE)));
-    server.accepted(new Cancel(2, 6L));
-    server.accepted(new Cancel(3, null));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE)));
+    server.assertAccepted(new Cancel(2, 6L));
+    server.assertAccepted(new Cancel(3, null));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
 
-    assertEquals(new Done(5L, 1, 1), server.heard(Done.class).getFirst());
+    assertEquals(new Done(5L, 1, 1), server.received(Done.class).getFirst());
   }
 
   @Test
   void doneIsRepeatedEverySecondUntilItIsAcknowledged() {
-    server.accepted(TestServer.drive(1, 5L, 1, Rig.START, List.of()));
-    server.live(Duration.ofMillis(4_500));
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, List.of()));
+    server.advance(Duration.ofMillis(4_500));
     // at once, and after 1, 2, 3 and 4 s
-    assertEquals(5, server.heard(Done.class).size());
+    assertEquals(5, server.received(Done.class).size());
 
     server.acknowledge(1);
-    server.live(Duration.ofSeconds(3));
-    assertEquals(5, server.heard(Done.class).size());
+    server.advance(Duration.ofSeconds(3));
+    assertEquals(5, server.received(Done.class).size());
     assertEquals(5L, server.state().task(), "the task goes on with its next phase");
   }
 
   @Test
   void acknowledgementOfAnotherDriveIsNone() {
-    server.accepted(TestServer.drive(3, 5L, 1, Rig.START, List.of()));
-    server.live(Duration.ofMillis(500));
+    server.assertAccepted(TestServer.drive(3, 5L, 1, Rig.START, List.of()));
+    server.advance(Duration.ofMillis(500));
     server.acknowledge(2);
-    server.live(Duration.ofMillis(900));
+    server.advance(Duration.ofMillis(900));
 
     // at once, and after 1 s
-    assertEquals(2, server.heard(Done.class).size());
+    assertEquals(2, server.received(Done.class).size());
   }
 
   @Test
   void acknowledgedEndOfPhaseThreeEndsTheTask() {
-    server.accepted(TestServer.drive(1, 5L, 3, Rig.START, List.of()));
-    server.live(Duration.ofMillis(500));
+    server.assertAccepted(TestServer.drive(1, 5L, 3, Rig.START, List.of()));
+    server.advance(Duration.ofMillis(500));
     server.acknowledge(1);
-    server.live(Duration.ofMillis(500));
+    server.advance(Duration.ofMillis(500));
 
     assertNull(server.state().task());
     assertEquals(0, server.state().phase());
@@ -263,11 +263,11 @@ class DrivingTest {
 
   @Test
   void silentServerLetsTheRobotFinishWhatIsReleasedAndHold() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true, 0));
-    rig.live(Duration.ofSeconds(10));
+    server.assertAccepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true, 0));
+    rig.advance(Duration.ofSeconds(10));
 
     server.synchronise(); // now it is heard again, after the states of the silence
-    List<State> states = server.heard(State.class);
+    List<State> states = server.received(State.class);
     State silent = states.get(states.size() - 2);
     assertEquals(Mode.HOLDING, silent.mode());
     assertNear(ahead(1), silent.pose(), 0.002, 0.003);
@@ -275,19 +275,19 @@ class DrivingTest {
 
   @Test
   void robotThatWaitedForASilentServerGoesOnWhenMoreIsReleased() {
-    server.accepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true, 0));
-    rig.live(Duration.ofSeconds(10));
-    server.accepted(new Release(2, 1, 2));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    server.assertAccepted(new Drive(1, 5L, 1, Rig.START, List.of(METRE, METRE), 1, true, 0));
+    rig.advance(Duration.ofSeconds(10));
+    server.assertAccepted(new Release(2, 1, 2));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
 
     assertNear(ahead(2), server.pose(), 0.002, 0.003);
   }
 
   @Test
   void silentServerHearsTheEndOfAPhaseLater() {
-    server.accepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE)));
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE)));
     server.close();
-    rig.live(Duration.ofSeconds(20));
+    rig.advance(Duration.ofSeconds(20));
 
     TestServer again = rig.connect();
     assertEquals(new PhaseEnd(5L, 1, 1), again.hello().done());

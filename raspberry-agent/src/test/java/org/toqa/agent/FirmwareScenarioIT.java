@@ -9,10 +9,11 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.toqa.agent.chassis.SimulatedPower;
-import org.toqa.agent.spi.FirmwareBuild;
-import org.toqa.agent.spi.SimulatorProbe;
-import org.toqa.agent.spi.SimulatorProbe.Truth;
+import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.config.ChassisConfig;
+import org.toqa.agent.firmware.FirmwareBuild;
+import org.toqa.agent.firmware.SimulatorProbe;
+import org.toqa.agent.firmware.SimulatorProbe.Truth;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.motion.Segment;
@@ -35,13 +36,13 @@ class FirmwareScenarioIT {
     Pose planned = Rig.START.compose(new Pose(0.25, 1.25, Math.PI / 2));
     Pose simulated =
         drive(
-            new Body.Simulated(Rig.START, SimulatedPower.FULL, 0, 1, 1),
+            new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 1, 1),
             folder.resolve("simulated"));
     Pose byFirmware;
     Pose really;
     try (SimulatedMicrocontroller microcontroller = build.start(folder);
         SimulatorProbe probe = new SimulatorProbe(microcontroller.socket())) {
-      Body body = new Body.SimulatedFirmware(microcontroller.socket(), Rig.START);
+      ChassisConfig body = new ChassisConfig.SimulatedFirmware(microcontroller.socket(), Rig.START);
       byFirmware = drive(body, folder.resolve("firmware"));
       Truth truth = probe.truth();
       really =
@@ -54,12 +55,12 @@ class FirmwareScenarioIT {
     DrivingTest.assertNear(planned, really, 0.005, 0.01);
   }
 
-  private static Pose drive(Body body, Path data) {
+  private static Pose drive(ChassisConfig body, Path data) {
     try (Rig rig = new Rig(data, body)) {
-      rig.live(Duration.ofMillis(500));
+      rig.advance(Duration.ofMillis(500));
       TestServer server = rig.connect();
-      server.accepted(new Drive(1, null, 0, Rig.START, WAY, WAY.size(), true, 0));
-      server.live(Duration.ofSeconds(10));
+      server.assertAccepted(new Drive(1, null, 0, Rig.START, WAY, WAY.size(), true, 0));
+      server.advance(Duration.ofSeconds(10));
       return server.pose();
     }
   }

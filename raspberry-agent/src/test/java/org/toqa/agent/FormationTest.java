@@ -35,11 +35,11 @@ class FormationTest {
   private static final long STAND_MILLIS = 800;
 
   @TempDir Path folder;
-  private Group group;
+  private FormationRig group;
 
   @BeforeEach
   void open() {
-    group = new Group(folder);
+    group = new FormationRig(folder);
   }
 
   @AfterEach
@@ -48,43 +48,43 @@ class FormationTest {
   }
 
   @Test
-  void groupDrivesTheLeadersWayInShapeAndEachFlags() {
+  void formationDrivesTheLeadersTrajectoryInShapeAndEachReportsDone() {
     List<Segment> way = List.of(STRAIGHT, LEFT, STRAIGHT);
-    group.begin(way);
+    group.startFormation(way);
     State onTheWay = group.server(1).awaitState(s -> s.twist().v() > 0.2);
     assertEquals(Role.FOLLOWER, onTheWay.role());
     assertEquals(Mode.FOLLOWING, onTheWay.mode());
     assertEquals(Role.LEADER, group.server(0).awaitState(s -> true).role());
 
     // each of the followers' flags bears the number of its order to follow
-    assertEquals(new Done(Group.TASK, 2, 2), group.server(0).awaitFlag());
-    assertEquals(new Done(Group.TASK, 2, 1), group.server(1).awaitFlag());
-    assertEquals(new Done(Group.TASK, 2, 1), group.server(2).awaitFlag());
+    assertEquals(new Done(FormationRig.TASK, 2, 2), group.server(0).awaitDone());
+    assertEquals(new Done(FormationRig.TASK, 2, 1), group.server(1).awaitDone());
+    assertEquals(new Done(FormationRig.TASK, 2, 1), group.server(2).awaitDone());
 
-    Pose goal = new Trajectory(Group.LEADER, way).end();
+    Pose goal = new Trajectory(FormationRig.LEADER, way).end();
     assertNear(goal, standing(0));
-    assertNear(Group.SHAPE.followersAt(goal).get(0), standing(1));
-    assertNear(Group.SHAPE.followersAt(goal).get(1), standing(2));
+    assertNear(FormationRig.SHAPE.followersAt(goal).get(0), standing(1));
+    assertNear(FormationRig.SHAPE.followersAt(goal).get(1), standing(2));
   }
 
   @Test
   void followerThatIsHeldStopsTheGroupUntilItIsLetGoOn() {
-    group.begin(List.of(STRAIGHT));
+    group.startFormation(List.of(STRAIGHT));
     group.server(0).awaitState(s -> s.twist().v() > 0.2);
-    group.server(2).accepted(new Hold(5));
+    group.server(2).assertAccepted(new Hold(5));
     State stopped = group.server(0).awaitState(s -> hasFault(s, "FORMATION_STOPPED"));
     assertTrue(stopped.errors().getFirst().text().contains("r3"), stopped.errors().toString());
     group.server(0).awaitState(s -> s.twist().v() < 0.01);
     group.server(1).awaitState(s -> s.twist().v() < 0.01);
 
-    group.server(2).accepted(new Resume(6));
+    group.server(2).assertAccepted(new Resume(6));
     group.server(0).awaitState(s -> s.errors().isEmpty() && s.twist().v() > 0.2);
-    assertEquals(new Done(Group.TASK, 2, 2), group.server(0).awaitFlag());
+    assertEquals(new Done(FormationRig.TASK, 2, 2), group.server(0).awaitDone());
   }
 
   @Test
   void groupStandsInTimeWhenAFollowerIsGone() {
-    group.begin(List.of(STRAIGHT, LEFT));
+    group.startFormation(List.of(STRAIGHT, LEFT));
     group.server(0).awaitState(s -> s.twist().v() > 0.2);
     long gone = group.kill(2);
 
@@ -96,62 +96,65 @@ class FormationTest {
 
   @Test
   void followersStandInTimeWhenTheirLeaderIsGone() {
-    group.begin(List.of(STRAIGHT, LEFT));
+    group.startFormation(List.of(STRAIGHT, LEFT));
     group.server(1).awaitState(s -> s.twist().v() > 0.2);
     long gone = group.kill(0);
 
     State lost = group.server(1).awaitState(s -> hasFault(s, "LEADER_LOST"));
     assertEquals(Mode.HOLDING, lost.mode());
-    assertEquals(Group.TASK, lost.task());
+    assertEquals(FormationRig.TASK, lost.task());
     assertStandsSince(gone + STAND_MILLIS, 1);
     assertStandsSince(gone + STAND_MILLIS, 2);
   }
 
   @Test
   void groupDrivesOnWhileItsServerIsAway() {
-    group.begin(List.of(STRAIGHT, LEFT));
+    group.startFormation(List.of(STRAIGHT, LEFT));
     State before = group.server(1).awaitState(s -> s.twist().v() > 0.2);
-    group.servers().forEach(GroupServer::close);
+    group.servers().forEach(FormationServer::close);
     group.connectServers();
 
     State after = group.server(1).awaitState(s -> s.stamp() > before.stamp() + 2_000);
     assertEquals(Mode.FOLLOWING, after.mode());
     assertTrue(after.pose().distanceTo(before.pose()) > 0.3, "it drove on");
-    assertEquals(new Done(Group.TASK, 2, 1), group.server(1).awaitFlag());
+    assertEquals(new Done(FormationRig.TASK, 2, 1), group.server(1).awaitDone());
   }
 
   @Test
   void cancelOfTheLeaderIsNoEndOfTheFormation() {
-    group.begin(List.of(STRAIGHT, LEFT));
+    group.startFormation(List.of(STRAIGHT, LEFT));
     group.server(1).awaitState(s -> s.twist().v() > 0.2);
-    group.server(0).accepted(new Cancel(9, Group.TASK));
+    group.server(0).assertAccepted(new Cancel(9, FormationRig.TASK));
 
     group.server(1).awaitState(s -> hasFault(s, "LEADER_LOST"));
-    assertEquals(List.of(), group.server(1).flags());
-    group.server(1).accepted(new Cancel(9, Group.TASK));
+    assertEquals(List.of(), group.server(1).dones());
+    group.server(1).assertAccepted(new Cancel(9, FormationRig.TASK));
     State free = group.server(1).awaitState(s -> s.mode() == Mode.IDLE);
     assertEquals(Role.ALONE, free.role());
   }
 
   @Test
   void ordersThatCannotBeRightAreRefused() {
-    GroupServer server = group.server(1);
+    FormationServer server = group.server(1);
     Vec2 beside = new Vec2(-0.5, 0);
 
     assertEquals(
-        "r2 cannot follow itself.", server.refused(new Follow(1, 7, "r2", null, beside, 0.05)));
+        "r2 cannot follow itself.",
+        server.rejectReason(new Follow(1, 7, "r2", null, beside, 0.05)));
     assertEquals(
         "The place is 0.05 m from the leader; it must be from 0.13 to 50 m.",
-        server.refused(new Follow(2, 7, "r1", null, new Vec2(0.05, 0), 0.05)));
+        server.rejectReason(new Follow(2, 7, "r1", null, new Vec2(0.05, 0), 0.05)));
     assertEquals(
         "The tolerance must be more than 0 and at most 0.5 m, not 0.000.",
-        server.refused(new Follow(3, 7, "r1", null, beside, 0)));
+        server.rejectReason(new Follow(3, 7, "r1", null, beside, 0)));
     assertEquals(
-        "A leader has 1 to 11 followers, not 0.", server.refused(new Lead(4, 7, 0.05, List.of())));
-    server.accepted(new Follow(5, 7, "r1", null, beside, 0.05));
+        "A leader has 1 to 11 followers, not 0.",
+        server.rejectReason(new Lead(4, 7, 0.05, List.of())));
+    server.assertAccepted(new Follow(5, 7, "r1", null, beside, 0.05));
     assertEquals(
         "The robot follows r1; wait for the formation's end or send cancel.",
-        server.refused(new Drive(6, 7L, 2, Group.LEADER, List.of(STRAIGHT), 1, true, 0)));
+        server.rejectReason(
+            new Drive(6, 7L, 2, FormationRig.LEADER, List.of(STRAIGHT), 1, true, 0)));
   }
 
   private Pose standing(int robot) {

@@ -14,7 +14,8 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.agent.chassis.SimulatedPower;
+import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.config.ChassisConfig;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -23,11 +24,11 @@ import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Reject;
 import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.DecodeResult;
+import org.toqa.link.message.DecodeResult.Decoded;
+import org.toqa.link.message.DecodeResult.Invalid;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
-import org.toqa.link.message.MessageReading;
-import org.toqa.link.message.MessageReading.Refused;
-import org.toqa.link.message.MessageReading.Understood;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Cancel;
@@ -37,9 +38,9 @@ import org.toqa.link.message.ServerMessage.Extend;
 import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.link.message.ServerMessage.FormationEnd;
-import org.toqa.link.message.ServerMessage.FromLeader;
 import org.toqa.link.message.ServerMessage.Hold;
 import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.message.ServerMessage.LeaderMessage;
 import org.toqa.link.message.ServerMessage.LeaderPose;
 import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Ping;
@@ -70,7 +71,7 @@ final class FuzzedRobot implements AutoCloseable {
 
   private final LineFuzzer fuzzer;
   private final Count count;
-  private final MotionWitness witness = new MotionWitness();
+  private final MotionRecorder witness = new MotionRecorder();
   private final long seed;
   private final Rig rig;
   private final TestServer server;
@@ -78,8 +79,8 @@ final class FuzzedRobot implements AutoCloseable {
   private int answersSeen;
   private long lastSeq;
   private long leaderSeq;
-  private boolean mayMove;
-  private @Nullable Pose told;
+  private boolean canMove;
+  private @Nullable Pose lastLocated;
 
   /** What became of the lines. */
   static final class Count {
@@ -107,7 +108,10 @@ final class FuzzedRobot implements AutoCloseable {
     this.seed = seed;
     this.count = count;
     fuzzer = new LineFuzzer(seed);
-    rig = new Rig(folder, new Body.Simulated(Rig.START, SimulatedPower.FULL, 0, 7, 1, witness));
+    rig =
+        new Rig(
+            folder,
+            new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 7, 1, witness));
     server = rig.connect();
     server.synchronise();
     leader = rig.connect();
@@ -120,7 +124,7 @@ final class FuzzedRobot implements AutoCloseable {
   }
 
   /** Hears so many lines at once, and lives on for a while. */
-  void hear(int lines, Duration time) {
+  void receiveLines(int lines, Duration time) {
     List<byte[]> ofServer = new ArrayList<>();
     List<byte[]> ofLeader = new ArrayList<>();
     State now = server.state();
@@ -129,30 +133,30 @@ final class FuzzedRobot implements AutoCloseable {
     while (ofServer.size() + ofLeader.size() < lines) {
       boolean isOfLeader = fuzzer.pick(List.of(true, false, false, false));
       byte[] line = fuzzer.next(isOfLeader ? correctOfLeader : correct);
-      if (staysOnThisMachine(line)) {
+      if (isForThisMachine(line)) {
         (isOfLeader ? ofLeader : ofServer).add(line);
       }
     }
     count.lines += lines;
-    leader.say(joined(ofLeader));
+    leader.send(joined(ofLeader));
     leader.synchroniseAsLeader();
-    server.say(joined(ofServer));
+    server.send(joined(ofServer));
     check(ofServer, answers());
-    rig.live(time);
+    rig.advance(time);
     checkMotion();
   }
 
   /** A drive or a place ends, a hold too, and the body stands. */
-  void calmDown() {
-    server.accepted(new Cancel(++lastSeq, server.state().task()));
-    server.accepted(new Cancel(++lastSeq, null));
-    server.accepted(new Resume(++lastSeq));
-    rig.live(Duration.ofSeconds(2));
+  void bringToStandstill() {
+    server.assertAccepted(new Cancel(++lastSeq, server.state().task()));
+    server.assertAccepted(new Cancel(++lastSeq, null));
+    server.assertAccepted(new Resume(++lastSeq));
+    rig.advance(Duration.ofSeconds(2));
     answers();
     assertEquals(0, server.state().drive());
     witness.takeMoved();
-    mayMove = false;
-    told = null;
+    canMove = false;
+    lastLocated = null;
   }
 
   @Override
@@ -194,8 +198,8 @@ final class FuzzedRobot implements AutoCloseable {
   }
 
   /** A robot that is told to lead really connects to whom it is told. */
-  private static boolean staysOnThisMachine(byte[] line) {
-    return !(read(line) instanceof Understood<ServerMessage>(Lead lead))
+  private static boolean isForThisMachine(byte[] line) {
+    return !(read(line) instanceof Decoded<ServerMessage>(Lead lead))
         || lead.followers().stream()
             .allMatch(f -> f.host().equals(NOBODY.host()) && f.port() == NOBODY.port());
   }
@@ -204,13 +208,13 @@ final class FuzzedRobot implements AutoCloseable {
     Iterator<AgentMessage> next = answers.iterator();
     for (byte[] line : lines) {
       switch (read(line)) {
-        case Refused<ServerMessage>(long seq, String _) ->
+        case Invalid<ServerMessage>(long seq, String _) ->
             assertEquals(seq, assertInstanceOf(Reject.class, next.next(), () -> about(line)).seq());
-        case Understood<ServerMessage>(Command command) -> {
+        case Decoded<ServerMessage>(Command command) -> {
           count.read++;
           check(command, next.next(), line);
         }
-        case Understood<ServerMessage>(AckDone _), Understood<ServerMessage>(FromLeader _) ->
+        case Decoded<ServerMessage>(AckDone _), Decoded<ServerMessage>(LeaderMessage _) ->
             count.read++;
       }
     }
@@ -228,38 +232,38 @@ final class FuzzedRobot implements AutoCloseable {
         if (!(command instanceof Ping) && seq > lastSeq) {
           lastSeq = seq;
           count.obeyed++;
-          obeyed(command, line);
+          recordObeyed(command, line);
         }
       }
       default -> throw new AssertionError(about(line) + " was answered by " + answer);
     }
   }
 
-  private void obeyed(Command command, byte[] line) {
+  private void recordObeyed(Command command, byte[] line) {
     switch (command) {
       case Drive drive -> {
         count.driven++;
         assertTrue(isLegal(drive), () -> about(line));
-        mayMove |= drive.released() > 0;
+        canMove |= drive.released() > 0;
       }
       case Extend extend -> {
-        assertTrue(areLegal(extend.segments()), () -> about(line));
-        mayMove |= extend.released() > 0;
+        assertTrue(hasOnlyLegalSegments(extend.segments()), () -> about(line));
+        canMove |= extend.released() > 0;
       }
-      case Release release -> mayMove |= release.released() > 0;
+      case Release release -> canMove |= release.released() > 0;
       case Follow follow -> {
         count.driven++;
         assertTrue(follow.tolerance() > 0 && follow.tolerance() <= 0.5, () -> about(line));
         assertTrue(follow.offset().norm() <= 50, () -> about(line));
-        mayMove = true;
+        canMove = true;
       }
-      case Locate locate -> told = locate.pose();
+      case Locate locate -> lastLocated = locate.pose();
       case Lead _, Hold _, Resume _, Cancel _, Ping _ -> {}
     }
   }
 
   private boolean isLegal(Drive drive) {
-    Pose stands = told == null ? server.state().pose() : told;
+    Pose stands = lastLocated == null ? server.state().pose() : lastLocated;
     return drive.phase() >= 0
         && drive.phase() <= 3
         && (drive.task() == null) == (drive.phase() == 0)
@@ -268,10 +272,10 @@ final class FuzzedRobot implements AutoCloseable {
         && drive.start().distanceTo(stands) < 0.1001
         && Math.toDegrees(Math.abs(Angles.difference(drive.start().theta(), stands.theta())))
             < 10.001
-        && areLegal(drive.segments());
+        && hasOnlyLegalSegments(drive.segments());
   }
 
-  private static boolean areLegal(List<Segment> segments) {
+  private static boolean hasOnlyLegalSegments(List<Segment> segments) {
     return segments.stream()
         .allMatch(
             s ->
@@ -283,7 +287,7 @@ final class FuzzedRobot implements AutoCloseable {
 
   private void checkMotion() {
     double moved = witness.takeMoved();
-    assertTrue(mayMove || moved < 1e-6, () -> "moved without an order, seed " + seed);
+    assertTrue(canMove || moved < 1e-6, () -> "moved without an order, seed " + seed);
     assertTrue(
         witness.fastest() <= 1.05 * Rig.LIMITS.speed(),
         () -> "drove %.3f m/s, seed %d".formatted(witness.fastest(), seed));
@@ -294,7 +298,8 @@ final class FuzzedRobot implements AutoCloseable {
 
   /** What was answered since the last time. */
   private List<AgentMessage> answers() {
-    List<AgentMessage> all = server.heard().stream().filter(FuzzedRobot::isAnswerToALine).toList();
+    List<AgentMessage> all =
+        server.received().stream().filter(FuzzedRobot::isAnswerToALine).toList();
     List<AgentMessage> fresh = all.subList(answersSeen, all.size());
     answersSeen = all.size();
     return fresh;
@@ -309,15 +314,15 @@ final class FuzzedRobot implements AutoCloseable {
     return "%s, seed %d".formatted(new String(line, StandardCharsets.UTF_8), seed);
   }
 
-  private static MessageReading<ServerMessage> read(byte[] line) {
-    return LinkCodec.serverMessage(
+  private static DecodeResult<ServerMessage> read(byte[] line) {
+    return LinkCodec.decodeServerMessage(
         line.length < LinkCodec.MAX_LINE_BYTES
             ? new LineReader.Text(line)
             : new LineReader.TooLong(line.length + 1L));
   }
 
   private static byte[] lineOf(ServerMessage message) {
-    byte[] line = LinkCodec.line(message);
+    byte[] line = LinkCodec.encode(message);
     return Arrays.copyOf(line, line.length - 1);
   }
 

@@ -35,13 +35,13 @@ class KilledLeaderTest {
   void followerOfAKilledLeaderStandsAndSaysWhy() throws Exception {
     try (DaemonProcess leader = DaemonProcess.launch(configuration("r1", 2));
         DaemonProcess follower = DaemonProcess.launch(configuration("r2", 1));
-        GroupServer ofLeader = GroupServer.plain(leader.port());
-        GroupServer ofFollower = GroupServer.plain(follower.port())) {
-      ofFollower.accepted(new Follow(1, TASK, "r1", null, new Vec2(-1, 0), 0.05));
-      ofLeader.accepted(
+        FormationServer ofLeader = FormationServer.plain(leader.port());
+        FormationServer ofFollower = FormationServer.plain(follower.port())) {
+      ofFollower.assertAccepted(new Follow(1, TASK, "r1", null, new Vec2(-1, 0), 0.05));
+      ofLeader.assertAccepted(
           new Lead(1, TASK, 0.05, List.of(new Follower("r2", "127.0.0.1", follower.port(), null))));
       List<Segment> way = List.of(new Segment(0.25, 0, 60));
-      ofLeader.accepted(new Drive(2, TASK, 2, START, way, 1, true, 0));
+      ofLeader.assertAccepted(new Drive(2, TASK, 2, START, way, 1, true, 0));
       ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.2);
 
       leader.process().destroyForcibly();

@@ -60,7 +60,7 @@ class LostNetworkIT {
   @TempDir Path folder;
   private RobotNetwork network;
   private final List<ToqaProcess> daemons = new ArrayList<>();
-  private final List<GroupServer> servers = new ArrayList<>();
+  private final List<FormationServer> servers = new ArrayList<>();
 
   @BeforeEach
   void start() throws Exception {
@@ -78,7 +78,7 @@ class LostNetworkIT {
 
   @AfterEach
   void end() throws IOException {
-    servers.forEach(GroupServer::close);
+    servers.forEach(FormationServer::close);
     daemons.forEach(ToqaProcess::close);
     if (network != null) {
       network.close();
@@ -88,13 +88,13 @@ class LostNetworkIT {
   /** Side by side, so that a minute is waited for only once. */
   @Test
   void robotFinishesWhatIsReleasedAndHoldsWhileItsNetworkIsGone() throws Exception {
-    GroupServer ofMinute = driving(2);
+    FormationServer ofMinute = driving(2);
     ofMinute.awaitState(s -> s.pose().x() > X[2] + 1);
     network.cut(2);
     long cut = System.nanoTime();
 
     forOneSecondNothingIsNoticed();
-    GroupServer ofFiveSeconds = driving(1);
+    FormationServer ofFiveSeconds = driving(1);
     ofFiveSeconds.awaitState(s -> s.pose().x() > X[1] + 1.2);
     network.cut(1);
     holdsAfter(1, System.nanoTime(), 5);
@@ -102,7 +102,7 @@ class LostNetworkIT {
   }
 
   private void forOneSecondNothingIsNoticed() throws Exception {
-    GroupServer server = driving(0);
+    FormationServer server = driving(0);
     double x = server.awaitState(s -> s.pose().x() > 1.3).pose().x();
     network.cut(0);
     waitUntil(System.nanoTime(), 1);
@@ -120,27 +120,27 @@ class LostNetworkIT {
   private void holdsAfter(int robot, long cut, int seconds) throws Exception {
     waitUntil(cut, seconds);
     network.mend(robot);
-    GroupServer server = connect(robot);
+    FormationServer server = connect(robot);
     Hello hello = server.awaitHello();
 
     assertEquals(Mode.HOLDING, hello.mode());
     assertEquals(1, hello.segment());
     assertEquals(X[robot] + 2, hello.pose().x(), 0.02); // the first segment
     assertEquals(TASK, hello.task());
-    server.accepted(new Release(2, 1, 2));
+    server.assertAccepted(new Release(2, 1, 2));
     server.awaitState(
         s -> s.mode() == Mode.DRIVING && s.pose().x() > X[robot] + 2.2); // nobody said resume
   }
 
   @Test
   void groupStandsWhileItsLeaderIsGoneAndGoesOnWithIt() throws Exception {
-    GroupServer ofLeader = connect(1); // at (3, 1)
-    GroupServer ofFollower = connect(0); // at (1, 1)
-    ofFollower.accepted(new Follow(1, TASK, "r2", null, new Vec2(-2, 0), 0.05));
-    ofLeader.accepted(
+    FormationServer ofLeader = connect(1); // at (3, 1)
+    FormationServer ofFollower = connect(0); // at (1, 1)
+    ofFollower.assertAccepted(new Follow(1, TASK, "r2", null, new Vec2(-2, 0), 0.05));
+    ofLeader.assertAccepted(
         new Lead(1, TASK, 0.05, List.of(new Follower("r1", network.address(0), PORT, null))));
     List<Segment> way = List.of(new Segment(SPEED, 0, 60));
-    ofLeader.accepted(new Drive(2, TASK, 2, new Pose(3, 1, 0), way, 1, true, 0));
+    ofLeader.assertAccepted(new Drive(2, TASK, 2, new Pose(3, 1, 0), way, 1, true, 0));
     ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.3);
     double x = ofLeader.awaitState(s -> s.pose().x() > 3.3).pose().x();
 
@@ -184,20 +184,20 @@ class LostNetworkIT {
                 config.toString())));
   }
 
-  private GroupServer driving(int robot) throws IOException {
-    GroupServer server = connect(robot);
+  private FormationServer driving(int robot) throws IOException {
+    FormationServer server = connect(robot);
     Pose start = server.awaitHello().pose();
-    server.accepted(new Drive(1, TASK, 1, start, WAY, 1, true, 0));
+    server.assertAccepted(new Drive(1, TASK, 1, start, WAY, 1, true, 0));
     return server;
   }
 
   /** As a server does: a cable that was just mended has no route yet, so it tries again. */
-  private GroupServer connect(int robot) throws IOException {
+  private FormationServer connect(int robot) throws IOException {
     long end = System.nanoTime() + CONNECT_NANOS;
     while (true) {
       try {
-        GroupServer server =
-            new GroupServer(LinkSocket.plain(new Socket(network.address(robot), PORT)));
+        FormationServer server =
+            new FormationServer(LinkSocket.plain(new Socket(network.address(robot), PORT)));
         servers.add(server);
         return server;
       } catch (ConnectException | NoRouteToHostException e) {

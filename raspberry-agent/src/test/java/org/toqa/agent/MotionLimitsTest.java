@@ -7,7 +7,9 @@ import java.nio.file.Path;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.toqa.agent.chassis.SimulatedPower;
+import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.config.ChassisConfig;
+import org.toqa.agent.config.MotionLimits;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
@@ -23,25 +25,26 @@ class MotionLimitsTest {
 
   @Test
   void whatIsTooFastIsDrivenMoreSlowlyOnTheSameCurve() {
-    assertEquals(new Twist(0.3, 0.4, 1), LIMITS.within(new Twist(0.6, 0.8, 2)));
-    assertEquals(new Twist(0.1, 0, -2), LIMITS.within(new Twist(0.2, 0, -4)));
-    assertEquals(new Twist(0.3, -0.4, 2), LIMITS.within(new Twist(0.3, -0.4, 2)));
-    assertEquals(Twist.ZERO, LIMITS.within(Twist.ZERO));
+    assertEquals(new Twist(0.3, 0.4, 1), LIMITS.clampedTwist(new Twist(0.6, 0.8, 2)));
+    assertEquals(new Twist(0.1, 0, -2), LIMITS.clampedTwist(new Twist(0.2, 0, -4)));
+    assertEquals(new Twist(0.3, -0.4, 2), LIMITS.clampedTwist(new Twist(0.3, -0.4, 2)));
+    assertEquals(Twist.ZERO, LIMITS.clampedTwist(Twist.ZERO));
   }
 
   @Test
   void followerIsNoFasterThanItsLimitsWhateverItsLeaderSays() {
-    MotionWitness witness = new MotionWitness();
-    Body body = new Body.Simulated(Rig.START, SimulatedPower.FULL, 0, 7, 1, witness);
+    MotionRecorder witness = new MotionRecorder();
+    ChassisConfig body =
+        new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 7, 1, witness);
     try (Rig rig = new Rig(folder, body)) {
       TestServer server = rig.connect();
-      server.accepted(new Follow(1, 5, "r9", null, new Vec2(-0.5, 0), 0.5));
+      server.assertAccepted(new Follow(1, 5, "r9", null, new Vec2(-0.5, 0), 0.5));
       TestServer leader = rig.connect();
       for (int word = 1; word <= 20; word++) {
         Pose ahead = server.pose().compose(new Pose(0.5, 0, 0));
-        leader.say(new LeaderPose(5, word, 0, ahead, new Speed(0.8, 0)));
+        leader.send(new LeaderPose(5, word, 0, ahead, new Speed(0.8, 0)));
         leader.synchroniseAsLeader();
-        server.live(Duration.ofMillis(100));
+        server.advance(Duration.ofMillis(100));
       }
 
       assertTrue(witness.fastest() > 0.9 * Rig.LIMITS.speed(), witness.fastest() + " m/s");

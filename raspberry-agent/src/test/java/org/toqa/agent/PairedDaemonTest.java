@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.toqa.link.PairingResult.Paired;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
-import org.toqa.link.TcpRobotLinks;
+import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.State;
@@ -31,7 +31,7 @@ import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.motion.Segment;
-import org.toqa.testbed.LinkRecord;
+import org.toqa.testbed.LinkRecorder;
 
 /** A daemon in a process of its own that is paired, and what becomes of it. */
 @Timeout(120)
@@ -70,7 +70,7 @@ class PairedDaemonTest {
 
   @Test
   void runningDaemonTakesANewCodeAndRunsOn() throws Exception {
-    Ended asked = Ended.of("--config", config.toString(), "--pair");
+    EndedCommand asked = EndedCommand.of("--config", config.toString(), "--pair");
 
     assertEquals(0, asked.exitCode(), asked.errors());
     PairingCode code =
@@ -81,12 +81,12 @@ class PairedDaemonTest {
   }
 
   /** The links of a server that has just been started over that folder. */
-  private TcpRobotLinks links(String server) throws IOException {
-    return new TcpRobotLinks(
+  private TcpRobotLinkFactory links(String server) throws IOException {
+    return new TcpRobotLinkFactory(
         new LinkTls(IdentityFile.open(Files.createDirectories(folder.resolve(server)))), false);
   }
 
-  private RobotLink link(String server, LinkRecord heard) throws IOException {
+  private RobotLink link(String server, LinkRecorder heard) throws IOException {
     return links(server).open(new RobotAddress("r1", "127.0.0.1", daemon.port(), robot), heard);
   }
 
@@ -97,7 +97,7 @@ class PairedDaemonTest {
 
   @Test
   void serverDrivesTheRobotAndBothMayBeStartedAnew() throws Exception {
-    LinkRecord heard = new LinkRecord();
+    LinkRecorder heard = new LinkRecorder();
     try (RobotLink link = link("server", heard)) {
       Hello hello = heard.await(Hello.class);
       link.send(new Drive(1, null, 0, hello.pose(), List.of(new Segment(0.25, 0, 2)), 1, true, 0));
@@ -105,7 +105,7 @@ class PairedDaemonTest {
     }
     restart();
 
-    LinkRecord again = new LinkRecord();
+    LinkRecorder again = new LinkRecorder();
     try (RobotLink _ = link("server", again)) {
       assertEquals(1, again.await(Hello.class).lastSeq());
     }
@@ -124,15 +124,15 @@ class PairedDaemonTest {
 
   @Test
   void secondServerIsRefusedAndTheFirstOneIsTold() throws Exception {
-    LinkRecord own = new LinkRecord();
-    LinkRecord others = new LinkRecord();
+    LinkRecorder own = new LinkRecorder();
+    LinkRecorder others = new LinkRecorder();
     try (RobotLink first = link("server", own);
         RobotLink _ = link("second", others)) {
       own.await(Hello.class);
       first.send(new Ping(1));
 
       assertEquals(
-          new LinkRecord.Refusal(
+          new LinkRecorder.Refusal(
               "r1 does not accept this server: it was paired with another one, or this server’s key"
                   + " is new. Pair it again."),
           others.next(),
@@ -149,7 +149,7 @@ class PairedDaemonTest {
 
   @Test
   void plainTextIsRefusedAndTheServerIsTold() throws Exception {
-    LinkRecord own = new LinkRecord();
+    LinkRecorder own = new LinkRecorder();
     try (RobotLink first = link("server", own);
         Socket plain = new Socket(InetAddress.getLoopbackAddress(), daemon.port())) {
       own.await(Hello.class);
@@ -170,24 +170,24 @@ class PairedDaemonTest {
     daemon.kill();
     Files.delete(folder.resolve("robot").resolve("link.p12"));
     daemon = DaemonProcess.launch(config);
-    LinkRecord heard = new LinkRecord();
+    LinkRecorder heard = new LinkRecorder();
     try (RobotLink _ = link("server", heard)) {
       assertEquals(
           "What answers at 127.0.0.1:%d is not r1: it has another key than the one recorded."
                   .formatted(daemon.port())
               + " If r1 was set up anew, pair it again; if not, find out who answers there.",
-          heard.await(LinkRecord.Refusal.class).sentence());
+          heard.await(LinkRecorder.Refusal.class).sentence());
     }
   }
 
   @Test
   void serverWithAnotherKeyIsRefusedByTheRobot() throws Exception {
     Files.delete(folder.resolve("server").resolve("link.p12"));
-    LinkRecord heard = new LinkRecord();
+    LinkRecorder heard = new LinkRecorder();
     try (RobotLink _ = link("server", heard)) {
       assertTrue(
           heard
-              .await(LinkRecord.Refusal.class)
+              .await(LinkRecorder.Refusal.class)
               .sentence()
               .startsWith("r1 does not accept this server"));
     }

@@ -23,15 +23,17 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.toqa.agent.chassis.SimulatedPower;
+import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.ChassisConfig;
 import org.toqa.link.PairingResult;
 import org.toqa.link.PairingResult.Paired;
 import org.toqa.link.PairingResult.Refused;
 import org.toqa.link.PairingResult.Unreachable;
-import org.toqa.link.TcpRobotLinks;
+import org.toqa.link.TcpRobotLinkFactory;
+import org.toqa.link.message.DecodeResult.Decoded;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
-import org.toqa.link.message.MessageReading.Understood;
 import org.toqa.link.message.PairingMessage.Pair;
 import org.toqa.link.message.PairingMessage.Unpaired;
 import org.toqa.link.trust.Fingerprint;
@@ -94,7 +96,7 @@ class PairingTest {
             0.255,
             Rig.LIMITS,
             AgentConfig.Following.DEFAULT,
-            new Body.Simulated(Rig.START, SimulatedPower.FULL, 0, 1, 1));
+            new ChassisConfig.Simulated(Rig.START, SimulatedBattery.FULL, 0, 1, 1));
     daemon = Daemon.open(config, () -> Instant.EPOCH, nanos, pair);
   }
 
@@ -104,7 +106,7 @@ class PairingTest {
   }
 
   private PairingResult pair(LinkTls who, String code) {
-    return new TcpRobotLinks(who, false)
+    return new TcpRobotLinkFactory(who, false)
         .pair("r1", "127.0.0.1", daemon().port(), PairingCode.parse(code).orElseThrow());
   }
 
@@ -170,7 +172,7 @@ class PairingTest {
 
   @Test
   void codeOfAnotherRobotIsNotEvenTried() throws IOException {
-    String robots = PairingCode.of(other.fingerprint(), new SecureRandom()).shown();
+    String robots = PairingCode.of(other.fingerprint(), new SecureRandom()).text();
     refused(
         "The code is not that of what answers at 127.0.0.1:%d: check code, host and port."
             .formatted(daemon().port()),
@@ -208,7 +210,7 @@ class PairingTest {
     start(everywhere, true, false); // paired is paired: it does not go back to plain text
     assertEquals(
         new Refused(Sentence.verbatim("r1 shows no code; start its daemon with --pair.")),
-        pair(server, PairingCode.of(fingerprint(), new SecureRandom()).shown()));
+        pair(server, PairingCode.of(fingerprint(), new SecureRandom()).text()));
   }
 
   private Fingerprint fingerprint() throws IOException {
@@ -234,10 +236,10 @@ class PairingTest {
 
   private Object say(LinkTls who, String proof) throws IOException {
     try (LinkSocket link = pairing(who)) {
-      link.out().write(LinkCodec.line(new Pair(proof)));
-      LineReader.Line answer = new LineReader(link.in()).next();
+      link.out().write(LinkCodec.encode(new Pair(proof)));
+      LineReader.Line answer = new LineReader(link.in()).readLine();
       return assertInstanceOf(
-              Understood.class, LinkCodec.pairingMessage(Objects.requireNonNull(answer)))
+              Decoded.class, LinkCodec.decodePairingMessage(Objects.requireNonNull(answer)))
           .message();
     }
   }
@@ -276,7 +278,7 @@ class PairingTest {
   @Test
   void robotOfAnotherNameIsNotTaken() {
     PairingResult result =
-        new TcpRobotLinks(server, false)
+        new TcpRobotLinkFactory(server, false)
             .pair("r2", "127.0.0.1", daemon().port(), PairingCode.parse(code()).orElseThrow());
 
     assertEquals(
@@ -300,7 +302,7 @@ class PairingTest {
     LineReader lines = new LineReader(link.in());
     Thread ticks = Thread.startVirtualThread(this::tickOften);
     try {
-      assertTrue(lines.next() instanceof LineReader.Text, "no hello");
+      assertTrue(lines.readLine() instanceof LineReader.Text, "no hello");
     } finally {
       ticks.interrupt();
       join(ticks);

@@ -14,8 +14,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.chassis.SimulatedChassis;
-import org.toqa.agent.chassis.SimulatedPower;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Done;
@@ -51,8 +51,8 @@ class RestartTest {
 
   @Test
   void driveUnderWayIsGivenUpButNotItsTask() {
-    server.accepted(TestServer.drive(7, 5L, 2, Rig.START, List.of(METRE, METRE, METRE)));
-    server.live(Duration.ofSeconds(6));
+    server.assertAccepted(TestServer.drive(7, 5L, 2, Rig.START, List.of(METRE, METRE, METRE)));
+    server.advance(Duration.ofSeconds(6));
     Pose before = server.pose();
     rig.restart();
     TestServer again = rig.connect();
@@ -74,21 +74,21 @@ class RestartTest {
         again.state().errors());
     // it rolled out and stands
     assertTrue(hello.pose().x() > before.x() && hello.pose().x() < before.x() + 0.1);
-    again.live(Duration.ofSeconds(2));
+    again.advance(Duration.ofSeconds(2));
     assertEquals(hello.pose(), again.pose());
   }
 
   @Test
   void newDriveLeadsOnFromWhereTheRobotStands() {
-    server.accepted(TestServer.drive(7, 5L, 2, Rig.START, List.of(METRE, METRE)));
-    server.live(Duration.ofSeconds(3));
+    server.assertAccepted(TestServer.drive(7, 5L, 2, Rig.START, List.of(METRE, METRE)));
+    server.advance(Duration.ofSeconds(3));
     rig.restart();
     TestServer again = rig.connect();
     Pose here = again.hello().pose();
-    again.accepted(TestServer.drive(8, 5L, 2, here, List.of(METRE)));
-    again.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    again.assertAccepted(TestServer.drive(8, 5L, 2, here, List.of(METRE)));
+    again.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
 
-    assertEquals(new Done(5L, 2, 8), again.heard(Done.class).getFirst());
+    assertEquals(new Done(5L, 2, 8), again.received(Done.class).getFirst());
     assertEquals(here.x() + 1, again.pose().x(), 0.002);
     assertEquals(List.of(), again.state().errors());
   }
@@ -96,8 +96,8 @@ class RestartTest {
   @Test
   void placeIsKnownAgainWithinMillimetres() {
     Segment turn = new Segment(0, 1, 2);
-    server.accepted(TestServer.drive(7, 5L, 1, Rig.START, List.of(METRE, turn, METRE)));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    server.assertAccepted(TestServer.drive(7, 5L, 1, Rig.START, List.of(METRE, turn, METRE)));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
     Pose before = server.pose();
     rig.restart();
 
@@ -106,14 +106,14 @@ class RestartTest {
 
   @Test
   void endThatWasNotAcknowledgedIsToldAgain() {
-    server.accepted(TestServer.drive(7, 5L, 1, Rig.START, List.of()));
-    server.live(Duration.ofMillis(500));
+    server.assertAccepted(TestServer.drive(7, 5L, 1, Rig.START, List.of()));
+    server.advance(Duration.ofMillis(500));
     rig.restart();
     TestServer again = rig.connect();
 
     assertEquals(new PhaseEnd(5L, 1, 7), again.hello().done());
-    again.live(Duration.ofMillis(1_500));
-    assertEquals(List.of(new Done(5L, 1, 7)), again.heard(Done.class));
+    again.advance(Duration.ofMillis(1_500));
+    assertEquals(List.of(new Done(5L, 1, 7)), again.received(Done.class));
     again.acknowledge(7);
     rig.restart();
     assertNull(rig.connect().hello().done());
@@ -121,9 +121,9 @@ class RestartTest {
 
   @Test
   void commandFromBeforeIsNotObeyedTwice() {
-    server.accepted(TestServer.drive(7, 5L, 1, Rig.START, List.of(METRE)));
-    server.accepted(new Cancel(8, 5L));
-    server.live(Duration.ofSeconds(1));
+    server.assertAccepted(TestServer.drive(7, 5L, 1, Rig.START, List.of(METRE)));
+    server.assertAccepted(new Cancel(8, 5L));
+    server.advance(Duration.ofSeconds(1));
     rig.restart();
     TestServer again = rig.connect();
 
@@ -131,13 +131,13 @@ class RestartTest {
     assertNull(again.hello().task());
     assertEquals(
         new Ack(7), again.ask(TestServer.drive(7, 5L, 1, again.hello().pose(), List.of(METRE))));
-    again.live(Duration.ofSeconds(1));
+    again.advance(Duration.ofSeconds(1));
     assertEquals(Mode.IDLE, again.state().mode());
   }
 
   @Test
   void holdOutlastsTheDaemon() {
-    server.accepted(new Hold(1));
+    server.assertAccepted(new Hold(1));
     rig.restart();
 
     assertEquals(Mode.HOLDING, rig.connect().hello().mode());
@@ -145,8 +145,8 @@ class RestartTest {
 
   @Test
   void robotThatLostItsPowerDrivesNothingUntilItIsToldWhereItIs() throws IOException {
-    server.accepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE)));
-    server.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE)));
+    server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
     rig.closeDaemon();
     cyclePower();
     rig.reopen();
@@ -155,11 +155,11 @@ class RestartTest {
     assertFalse(again.hello().localised());
     assertEquals(
         "The robot does not know where it is; send locate first.",
-        again.refused(TestServer.drive(2, 5L, 2, again.hello().pose(), List.of(METRE))));
+        again.rejectReason(TestServer.drive(2, 5L, 2, again.hello().pose(), List.of(METRE))));
     Pose dock = new Pose(10, 1, 0);
-    again.accepted(new Locate(3, dock));
-    again.accepted(TestServer.drive(4, 5L, 2, dock, List.of(METRE)));
-    again.liveUntil(s -> s.mode() == Mode.IDLE, MINUTE);
+    again.assertAccepted(new Locate(3, dock));
+    again.assertAccepted(TestServer.drive(4, 5L, 2, dock, List.of(METRE)));
+    again.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
     assertEquals(11, again.pose().x(), 0.002);
   }
 
@@ -179,19 +179,19 @@ class RestartTest {
 
     assertEquals(
         "The robot cannot write its journal, so it did nothing.",
-        server.refused(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE))));
-    server.live(Duration.ofSeconds(1));
+        server.rejectReason(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE))));
+    server.advance(Duration.ofSeconds(1));
     assertEquals(Rig.START, server.pose());
     assertEquals("JOURNAL", server.state().errors().getFirst().code());
 
     Files.delete(folder.resolve("journal.json.next"));
-    server.accepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE)));
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, List.of(METRE)));
     assertEquals(List.of(), server.state().errors());
   }
 
   private void cyclePower() throws IOException {
     try (SimulatedChassis body =
-        new SimulatedChassis(folder.resolve("body"), Rig.START, SimulatedPower.FULL, 0, 7)) {
+        new SimulatedChassis(folder.resolve("body"), Rig.START, SimulatedBattery.FULL, 0, 7)) {
       body.cyclePower();
     }
   }

@@ -8,7 +8,11 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import org.toqa.agent.chassis.SimulatedPower;
+import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.ChassisConfig;
+import org.toqa.agent.config.MotionLimits;
 import org.toqa.geometry.Pose;
 
 /** A real daemon over a simulated body, in time that only the test moves. */
@@ -18,7 +22,7 @@ final class Rig implements AutoCloseable {
   static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
 
   private final Path folder;
-  private final Body body;
+  private final ChassisConfig body;
   private final List<TestServer> servers = new ArrayList<>();
   private long nanos;
   private Daemon daemon;
@@ -28,10 +32,10 @@ final class Rig implements AutoCloseable {
   }
 
   Rig(Path folder, double noise) {
-    this(folder, new Body.Simulated(START, SimulatedPower.FULL, noise, 7, 1));
+    this(folder, new ChassisConfig.Simulated(START, SimulatedBattery.FULL, noise, 7, 1));
   }
 
-  Rig(Path folder, Body body) {
+  Rig(Path folder, ChassisConfig body) {
     this.folder = folder;
     this.body = body;
     daemon = open();
@@ -65,34 +69,34 @@ final class Rig implements AutoCloseable {
 
   /** A server that was greeted and has said nothing yet. */
   TestServer connect() {
-    TestServer server = connectDeaf();
-    server.listen();
+    TestServer server = connectWithoutReading();
+    server.startReading();
     server.awaitHello();
     return server;
   }
 
   /** A server that connects and never reads a byte. */
-  TestServer connectDeaf() {
+  TestServer connectWithoutReading() {
     TestServer server = new TestServer(this);
     servers.add(server);
     return server;
   }
 
-  boolean awaitsServer() {
-    return daemon.awaitsServer(nanos);
+  boolean isWaitingForServer() {
+    return daemon.isWaitingForServer(nanos);
   }
 
   /** Time goes on; nobody says anything. */
-  void live(Duration time) {
+  void advance(Duration time) {
     long end = nanos + time.toNanos();
     while (nanos < end) {
-      nanos += Daemon.TICK.toNanos();
+      nanos += Chassis.TICK.toNanos();
       daemon.tick(nanos);
     }
   }
 
   /** The daemon hears and answers, but no time passes. */
-  void listen() {
+  void tickWithoutTime() {
     daemon.tick(nanos);
   }
 

@@ -20,13 +20,13 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
+import org.toqa.link.message.AgentMessage.FollowerReport;
 import org.toqa.link.message.AgentMessage.Hello;
-import org.toqa.link.message.AgentMessage.Keep;
 import org.toqa.link.message.AgentMessage.Reject;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.DecodeResult;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
-import org.toqa.link.message.MessageReading;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.motion.Segment;
@@ -40,7 +40,7 @@ final class TestServer implements AutoCloseable {
   private final Rig rig;
   private final Socket socket;
   private final BlockingQueue<AgentMessage> incoming = new LinkedBlockingQueue<>();
-  private final List<AgentMessage> heard = new ArrayList<>();
+  private final List<AgentMessage> received = new ArrayList<>();
   private @Nullable Hello hello;
   private volatile boolean ended;
   private long nextPing = FIRST_PING;
@@ -55,7 +55,7 @@ final class TestServer implements AutoCloseable {
   }
 
   /** Begins to read; until then it is a server that connects and never listens. */
-  void listen() {
+  void startReading() {
     Thread.ofVirtual().start(this::read);
   }
 
@@ -68,18 +68,18 @@ final class TestServer implements AutoCloseable {
   }
 
   /** Everything heard so far, oldest first. */
-  List<AgentMessage> heard() {
+  List<AgentMessage> received() {
     synchronise();
-    return List.copyOf(heard);
+    return List.copyOf(received);
   }
 
-  <M extends AgentMessage> List<M> heard(Class<M> type) {
-    return heard().stream().filter(type::isInstance).map(type::cast).toList();
+  <M extends AgentMessage> List<M> received(Class<M> type) {
+    return received().stream().filter(type::isInstance).map(type::cast).toList();
   }
 
   /** The last state, no older than a fifth of a second of the robot's time. */
   State state() {
-    return heard(State.class).getLast();
+    return received(State.class).getLast();
   }
 
   Pose pose() {
@@ -88,7 +88,7 @@ final class TestServer implements AutoCloseable {
 
   /** Sends the command; what the robot answers to it at once. */
   AgentMessage ask(Command command) {
-    say(command);
+    send(command);
     return await(m -> isAnswer(m, command.seq()));
   }
 
@@ -100,7 +100,7 @@ final class TestServer implements AutoCloseable {
     };
   }
 
-  void accepted(Command command) {
+  void assertAccepted(Command command) {
     AgentMessage answer = ask(command);
     if (answer instanceof Reject(long _, String reason)) {
       fail(reason);
@@ -108,27 +108,27 @@ final class TestServer implements AutoCloseable {
   }
 
   /** Sends a command that is to be refused; why it was. */
-  String refused(Command command) {
+  String rejectReason(Command command) {
     return assertInstanceOf(Reject.class, ask(command)).reason();
   }
 
   /** Says that the end of this drive is stored; it has arrived when this returns. */
   void acknowledge(long drive) {
-    say(new ServerMessage.AckDone(drive));
+    send(new ServerMessage.AckDone(drive));
     synchronise();
   }
 
-  void say(ServerMessage message) {
-    say(LinkCodec.line(message));
+  void send(ServerMessage message) {
+    send(LinkCodec.encode(message));
   }
 
   /** Sends a line of text, whatever it is; the answer's reason. */
-  String refusedLine(String line) {
-    say((line + "\n").getBytes(StandardCharsets.UTF_8));
+  String rejectReasonOfLine(String line) {
+    send((line + "\n").getBytes(StandardCharsets.UTF_8));
     return assertInstanceOf(Reject.class, await(m -> m instanceof Reject)).reason();
   }
 
-  void say(byte[] bytes) {
+  void send(byte[] bytes) {
     try {
       socket.getOutputStream().write(bytes);
     } catch (IOException e) {
@@ -137,19 +137,19 @@ final class TestServer implements AutoCloseable {
   }
 
   /** Time goes on while the server pings as servers do. */
-  void live(Duration time) {
+  void advance(Duration time) {
     Duration ping = Duration.ofMillis(500);
     for (Duration left = time; left.isPositive(); left = left.minus(ping)) {
-      rig.live(left.compareTo(ping) < 0 ? left : ping);
+      rig.advance(left.compareTo(ping) < 0 ? left : ping);
       synchronise();
     }
   }
 
   /** Time goes on until a state is as wished. */
-  State liveUntil(Predicate<State> wished, Duration most) {
+  State advanceUntil(Predicate<State> wished, Duration most) {
     Duration step = Duration.ofMillis(100);
     for (Duration left = most; left.isPositive(); left = left.minus(step)) {
-      live(step);
+      advance(step);
       if (wished.test(state())) {
         return state();
       }
@@ -161,7 +161,7 @@ final class TestServer implements AutoCloseable {
   void awaitEnd() {
     long limit = System.nanoTime() + LIMIT.toNanos();
     while (!ended) {
-      rig.listen();
+      rig.tickWithoutTime();
       drain();
       if (System.nanoTime() > limit) {
         fail("The connection was not closed.");
@@ -177,8 +177,8 @@ final class TestServer implements AutoCloseable {
   /** The same for a leader, which is answered by a follower that is none of its own too. */
   void synchroniseAsLeader() {
     long task = nextPing++;
-    say(new ServerMessage.FormationEnd(task));
-    await(m -> m instanceof Keep keep && keep.task() == task);
+    send(new ServerMessage.FormationEnd(task));
+    await(m -> m instanceof FollowerReport keep && keep.task() == task);
   }
 
   @Override
@@ -198,7 +198,7 @@ final class TestServer implements AutoCloseable {
   private AgentMessage await(Predicate<AgentMessage> wished) {
     long limit = System.nanoTime() + LIMIT.toNanos();
     while (System.nanoTime() < limit) {
-      rig.listen();
+      rig.tickWithoutTime();
       AgentMessage message = drain();
       if (message != null && wished.test(message)) {
         return message;
@@ -206,14 +206,15 @@ final class TestServer implements AutoCloseable {
     }
     return fail(
         "The answer did not come; the connection %s; last heard was %s"
-            .formatted(ended ? "has ended" : "lives", heard.reversed().stream().limit(5).toList()));
+            .formatted(
+                ended ? "has ended" : "lives", received.reversed().stream().limit(5).toList()));
   }
 
   private @Nullable AgentMessage drain() {
     try {
       AgentMessage message = incoming.poll(1, TimeUnit.MILLISECONDS);
       if (message != null) {
-        heard.add(message);
+        received.add(message);
       }
       return message;
     } catch (InterruptedException e) {
@@ -224,11 +225,10 @@ final class TestServer implements AutoCloseable {
   private void read() {
     try {
       LineReader lines = new LineReader(socket.getInputStream());
-      for (LineReader.Line line = lines.next(); line != null; line = lines.next()) {
-        switch (LinkCodec.agentMessage(line)) {
-          case MessageReading.Understood<AgentMessage>(AgentMessage message) ->
-              incoming.add(message);
-          case MessageReading.Refused<AgentMessage>(long _, String reason) ->
+      for (LineReader.Line line = lines.readLine(); line != null; line = lines.readLine()) {
+        switch (LinkCodec.decodeAgentMessage(line)) {
+          case DecodeResult.Decoded<AgentMessage>(AgentMessage message) -> incoming.add(message);
+          case DecodeResult.Invalid<AgentMessage>(long _, String reason) ->
               throw new AssertionError(reason);
         }
       }

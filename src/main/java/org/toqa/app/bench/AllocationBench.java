@@ -89,9 +89,9 @@ public final class AllocationBench implements Callable<Integer> {
       names = "--policy",
       defaultValue = "all",
       paramLabel = "all|nearest|zones|contract-net|optimal",
-      converter = Policies.Converter.class,
+      converter = PolicyChoice.Converter.class,
       description = "Which allocator (default: all).")
-  private Policies policy = Policies.ALL;
+  private PolicyChoice policy = PolicyChoice.ALL;
 
   @Option(
       names = "--exchange",
@@ -125,14 +125,14 @@ public final class AllocationBench implements Callable<Integer> {
   @Override
   public Integer call() {
     Arguments arguments = new Arguments(spec);
-    arguments.mustBeBetween("--robots", robots, 1, 1000);
-    arguments.mustBeBetween("--tasks", tasks, 1, 100_000);
-    arguments.mustBeBetween("--pressure", pressure, 1, 200);
-    arguments.mustBeBetween("--slow", slow, 0, 100);
+    arguments.requireBetween("--robots", robots, 1, 1000);
+    arguments.requireBetween("--tasks", tasks, 1, 100_000);
+    arguments.requireBetween("--pressure", pressure, 1, 200);
+    arguments.requireBetween("--slow", slow, 0, 100);
     if (solverSize != null) {
-      arguments.mustBeBetween("--solver-size", solverSize, 1, 5000);
+      arguments.requireBetween("--solver-size", solverSize, 1, 5000);
     }
-    Shift shift = shift(arguments);
+    AllocationWorkload shift = workload(arguments);
     Map<String, AllocationRun.Report> reports = new LinkedHashMap<>();
     for (Map.Entry<String, Allocator> entry : policy.allocators().entrySet()) {
       reports.put(entry.getKey(), new AllocationRun(shift, entry.getValue(), exchange).run());
@@ -145,19 +145,19 @@ public final class AllocationBench implements Callable<Integer> {
     return allDelivered ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
-  private Shift shift(Arguments arguments) {
-    FloorMap floor = arguments.floor(map == null ? shippedMap.get() : map);
+  private AllocationWorkload workload(Arguments arguments) {
+    FloorMap floor = arguments.readFloor(map == null ? shippedMap.get() : map);
     try {
-      return Shift.of(
+      return AllocationWorkload.of(
           floor,
-          Inflation.of(floor.grid(), Shift.DIAMETER / 2),
+          Inflation.inflate(floor.grid(), AllocationWorkload.DIAMETER / 2),
           robots,
           tasks,
           pressure / 100.0,
           slow / 100.0,
           seed);
     } catch (IllegalArgumentException e) {
-      throw arguments.wrong("--robots " + robots + ": " + e.getMessage());
+      throw arguments.invalid("--robots " + robots + ": " + e.getMessage());
     }
   }
 

@@ -15,15 +15,15 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.AllocationProblem;
+import org.toqa.allocation.AllocationProblem.GivenTask;
+import org.toqa.allocation.AllocationTask;
 import org.toqa.allocation.Allocator;
+import org.toqa.allocation.Availability;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
 import org.toqa.allocation.Energy;
-import org.toqa.allocation.Job;
-import org.toqa.allocation.Situation;
-import org.toqa.allocation.Situation.Given;
-import org.toqa.allocation.Standing;
-import org.toqa.app.bench.Shift.Worker;
+import org.toqa.app.bench.AllocationWorkload.RobotSpec;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
 
@@ -33,17 +33,17 @@ import org.toqa.grid.OccupancyGrid;
  */
 final class AllocationRun {
   /** As many as the fleet lets take part in a round. */
-  private static final int LOOKED_AT = 200;
+  private static final int MAX_JOBS_PER_ROUND = 200;
 
-  private final Shift shift;
+  private final AllocationWorkload workload;
   private final Allocator allocator;
-  private final boolean mayExchange;
+  private final boolean exchangeAllowed;
   private final Map<String, Robot> robots = new LinkedHashMap<>();
-  private final Deque<Job> coming;
-  private final Map<Long, Job> waiting = new TreeMap<>();
+  private final Deque<AllocationTask> upcoming;
+  private final Map<Long, AllocationTask> waiting = new TreeMap<>();
   private final List<Double> secondsToGoal = new ArrayList<>();
   private final List<Double> roundMillis = new ArrayList<>();
-  private Instant now = Shift.BEGIN;
+  private Instant now = AllocationWorkload.BEGIN;
   private double metres;
   private double joules;
 
@@ -70,37 +70,37 @@ final class AllocationRun {
   }
 
   private static final class Robot {
-    private final Worker worker;
+    private final RobotSpec spec;
     private Phase phase = Phase.PARKED;
-    private @Nullable Job job;
-    private @Nullable Leg leg;
+    private @Nullable AllocationTask job;
+    private @Nullable TimedPath path;
     private Vec2 position;
 
-    Robot(Worker worker) {
-      this.worker = worker;
-      position = worker.home();
+    Robot(RobotSpec spec) {
+      this.spec = spec;
+      position = spec.home();
     }
   }
 
   /**
-   * @param mayExchange whether a task whose load is not picked up may go to another robot
+   * @param exchangeAllowed whether a task whose load is not picked up may go to another robot
    */
-  AllocationRun(Shift shift, Allocator allocator, boolean mayExchange) {
-    this.shift = shift;
+  AllocationRun(AllocationWorkload workload, Allocator allocator, boolean exchangeAllowed) {
+    this.workload = workload;
     this.allocator = allocator;
-    this.mayExchange = mayExchange;
-    this.coming = new ArrayDeque<>(shift.jobs());
-    shift.robots().forEach(worker -> robots.put(worker.name(), new Robot(worker)));
+    this.exchangeAllowed = exchangeAllowed;
+    this.upcoming = new ArrayDeque<>(workload.jobs());
+    workload.robots().forEach(worker -> robots.put(worker.name(), new Robot(worker)));
   }
 
   Report run() {
     Optional<Instant> next = nextEvent();
     while (next.isPresent()) {
       now = next.get();
-      boolean due = arrivals();
-      due |= legsEnded();
+      boolean due = acceptArrivals();
+      due |= endPaths();
       if (due) {
-        round();
+        allocate();
       }
       next = nextEvent();
     }
@@ -120,15 +120,15 @@ final class AllocationRun {
 
   private Optional<Instant> nextEvent() {
     Stream<Instant> ends =
-        robots.values().stream().flatMap(r -> Stream.ofNullable(r.leg)).map(Leg::end);
-    Stream<Instant> arrival = Stream.ofNullable(coming.peek()).map(Job::countsFrom);
+        robots.values().stream().flatMap(r -> Stream.ofNullable(r.path)).map(TimedPath::end);
+    Stream<Instant> arrival = Stream.ofNullable(upcoming.peek()).map(AllocationTask::waitsFrom);
     return Stream.concat(ends, arrival).min(Comparator.naturalOrder());
   }
 
-  private boolean arrivals() {
+  private boolean acceptArrivals() {
     boolean any = false;
-    while (!coming.isEmpty() && !coming.peek().countsFrom().isAfter(now)) {
-      Job job = coming.remove();
+    while (!upcoming.isEmpty() && !upcoming.peek().waitsFrom().isAfter(now)) {
+      AllocationTask job = upcoming.remove();
       waiting.put(job.id(), job);
       any = true;
     }
@@ -136,26 +136,26 @@ final class AllocationRun {
   }
 
   /** Whether a robot has become free. */
-  private boolean legsEnded() {
+  private boolean endPaths() {
     boolean free = false;
     for (Robot robot : robots.values()) {
-      if (robot.leg != null && !robot.leg.end().isAfter(now)) {
+      if (robot.path != null && !robot.path.end().isAfter(now)) {
         stop(robot);
         free |= robot.phase == Phase.CARRYING;
-        goOn(robot);
+        startNextPhase(robot);
       }
     }
     return free;
   }
 
-  private void goOn(Robot robot) {
+  private void startNextPhase(Robot robot) {
     switch (robot.phase) {
       case TO_LOAD -> drive(robot, Phase.CARRYING, requireNonNull(robot.job).goal());
       case CARRYING -> {
-        Job delivered = requireNonNull(robot.job);
-        secondsToGoal.add(Duration.between(delivered.countsFrom(), now).toMillis() / 1000.0);
+        AllocationTask delivered = requireNonNull(robot.job);
+        secondsToGoal.add(Duration.between(delivered.waitsFrom(), now).toMillis() / 1000.0);
         robot.job = null;
-        drive(robot, Phase.HOME, robot.worker.home());
+        drive(robot, Phase.HOME, robot.spec.home());
       }
       case HOME, PARKED -> robot.phase = Phase.PARKED;
     }
@@ -163,30 +163,30 @@ final class AllocationRun {
 
   private void drive(Robot robot, Phase phase, Vec2 to) {
     robot.phase = phase;
-    robot.leg = new Leg(shift.grid(), robot.position, to, now, robot.worker.speed());
+    robot.path = new TimedPath(workload.grid(), robot.position, to, now, robot.spec.speed());
   }
 
   /** It stands where it is now. */
   private void stop(Robot robot) {
-    if (robot.leg != null) {
-      double driven = robot.leg.driven(now);
+    if (robot.path != null) {
+      double driven = robot.path.drivenMetres(now);
       boolean loaded = robot.phase == Phase.CARRYING;
       metres += driven;
       joules += Energy.joules(driven, loaded ? requireNonNull(robot.job).load() : 0);
-      robot.position = robot.leg.at(now);
-      robot.leg = null;
+      robot.position = robot.path.positionAt(now);
+      robot.path = null;
     }
   }
 
-  private void round() {
-    Situation situation = situation();
+  private void allocate() {
+    AllocationProblem situation = situation();
     double begin = Timings.processorMillis();
     List<Decision> decisions = allocator.allocate(situation);
     roundMillis.add(Timings.processorMillis() - begin);
-    Map<Robot, Job> begun = new LinkedHashMap<>();
+    Map<Robot, AllocationTask> begun = new LinkedHashMap<>();
     for (Decision decision : decisions) {
       if (decision instanceof Decision.Assigned(long id, List<String> names, var _)) {
-        Job job = Optional.ofNullable(waiting.remove(id)).orElseGet(() -> takenBack(id));
+        AllocationTask job = Optional.ofNullable(waiting.remove(id)).orElseGet(() -> takeBack(id));
         begun.put(requireNonNull(robots.get(names.getFirst())), job);
       }
     }
@@ -199,50 +199,50 @@ final class AllocationRun {
   }
 
   /** From the robot that is on its way to the load, which turns home. */
-  private Job takenBack(long id) {
+  private AllocationTask takeBack(long id) {
     Robot robot =
         robots.values().stream()
             .filter(r -> r.job != null && r.job.id() == id)
             .findFirst()
             .orElseThrow();
-    Job job = requireNonNull(robot.job);
+    AllocationTask job = requireNonNull(robot.job);
     stop(robot);
     robot.job = null;
-    drive(robot, Phase.HOME, robot.worker.home());
+    drive(robot, Phase.HOME, robot.spec.home());
     return job;
   }
 
-  private Situation situation() {
-    OccupancyGrid grid = shift.grid();
+  private AllocationProblem situation() {
+    OccupancyGrid grid = workload.grid();
     Vec2 size = new Vec2(grid.width(), grid.height()).times(grid.resolution());
-    List<Given> given =
+    List<GivenTask> given =
         robots.values().stream()
-            .filter(r -> mayExchange && r.phase == Phase.TO_LOAD)
-            .map(r -> new Given(requireNonNull(r.job), r.worker.name()))
+            .filter(r -> exchangeAllowed && r.phase == Phase.TO_LOAD)
+            .map(r -> new GivenTask(requireNonNull(r.job), r.spec.name()))
             .toList();
-    return new Situation(
+    return new AllocationProblem(
         now,
         grid.origin(),
         grid.origin().plus(size),
-        shift.distances(),
+        workload.distances(),
         List.of(),
-        waiting.values().stream().limit(LOOKED_AT).toList(),
+        waiting.values().stream().limit(MAX_JOBS_PER_ROUND).toList(),
         given,
         robots.values().stream().map(this::candidate).toList(),
         List.of());
   }
 
   private Candidate candidate(Robot robot) {
-    Job job = robot.job;
+    AllocationTask job = robot.job;
     return new Candidate(
-        robot.worker.name(),
-        robot.worker.maxLoad(),
-        Shift.DIAMETER,
-        robot.worker.speed(),
-        robot.leg == null ? robot.position : robot.leg.at(now),
-        robot.worker.home(),
+        robot.spec.name(),
+        robot.spec.maxLoad(),
+        AllocationWorkload.DIAMETER,
+        robot.spec.speed(),
+        robot.path == null ? robot.position : robot.path.positionAt(now),
+        robot.spec.home(),
         null,
-        job == null ? Standing.FREE : Standing.BUSY,
+        job == null ? Availability.FREE : Availability.BUSY,
         job == null ? null : job.id());
   }
 }

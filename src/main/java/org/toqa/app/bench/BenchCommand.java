@@ -9,7 +9,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "bench",
     description = "Measures the planners, and a whole fleet; prints JSON.",
-    subcommands = {ScenBench.class, TrafficBench.class, MapfBench.class})
+    subcommands = {ScenarioBench.class, TrafficBench.class, MapfBench.class})
 public final class BenchCommand implements Runnable {
   @Spec private CommandSpec spec = CommandSpec.create();
 

@@ -45,10 +45,10 @@ public final class FormationBench implements Callable<Integer> {
   private static final double RADIUS = 0.1275;
 
   private static final int[] DELAYS_MS = {20, 100};
-  private static final double AIM_RMS = 0.01;
-  private static final double AIM_MAX = 0.03;
-  private static final double AIM_MAX_LATE = 0.05;
-  private static final double AIM_TRACKING = 0.01;
+  private static final double TARGET_RMS = 0.01;
+  private static final double TARGET_MAX = 0.03;
+  private static final double TARGET_MAX_LATE = 0.05;
+  private static final double TARGET_TRACKING = 0.01;
 
   private final Supplier<Path> shippedMap;
 
@@ -90,9 +90,9 @@ public final class FormationBench implements Callable<Integer> {
   @Override
   public Integer call() {
     Arguments arguments = new Arguments(spec);
-    mustBeBetween(arguments, "--slip", slip, 10);
-    mustBeBetween(arguments, "--wheel-size-error", sizeError, 5);
-    OccupancyGrid free = Inflation.of(arguments.map(shippedMap.get()), RADIUS);
+    requireBetween(arguments, "--slip", slip, 10);
+    requireBetween(arguments, "--wheel-size-error", sizeError, 5);
+    OccupancyGrid free = Inflation.inflate(arguments.readGrid(shippedMap.get()), RADIUS);
     SimulatedWheels three = SimulatedWheels.omni(slip / 100, sizeError / 100);
     SimulatedWheels two = SimulatedWheels.differential(slip / 100, sizeError / 100);
     Group omni = new Group(new SingleIntegratorLaw(Gains.DEFAULT), three, 0.05, 0.25, 1);
@@ -107,7 +107,7 @@ public final class FormationBench implements Callable<Integer> {
     }
     Report report = new Report(seed, formations, new TrackingRun(three, seed).run());
     spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
-    return isAsAimed(report) ? ExitCode.OK : ExitCode.SOFTWARE;
+    return meetsTargets(report) ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
   private Formation formation(String name, Group group, int delayMs, OccupancyGrid free) {
@@ -115,19 +115,19 @@ public final class FormationBench implements Callable<Integer> {
         name, delayMs, new FormationRun(group, RADIUS, delayMs / 1e3, free, seed).run());
   }
 
-  private static boolean isAsAimed(Report report) {
+  private static boolean meetsTargets(Report report) {
     FormationRun.Report soon = report.formations().get(0).error();
     FormationRun.Report late = report.formations().get(1).error();
     return report.formations().stream().allMatch(f -> f.error().free() && f.error().arrived())
-        && soon.rmsMetres() < AIM_RMS
-        && soon.maxMetres() < AIM_MAX
-        && late.maxMetres() < AIM_MAX_LATE
-        && report.tracking().endMetres() < AIM_TRACKING;
+        && soon.rmsMetres() < TARGET_RMS
+        && soon.maxMetres() < TARGET_MAX
+        && late.maxMetres() < TARGET_MAX_LATE
+        && report.tracking().endMetres() < TARGET_TRACKING;
   }
 
-  private static void mustBeBetween(Arguments arguments, String option, double value, int most) {
+  private static void requireBetween(Arguments arguments, String option, double value, int most) {
     if (!(value >= 0 && value <= most)) {
-      throw arguments.wrong("%s %s: it must be from 0 to %d".formatted(option, value, most));
+      throw arguments.invalid("%s %s: it must be from 0 to %d".formatted(option, value, most));
     }
   }
 }

@@ -4,17 +4,17 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import org.toqa.agent.MotionLimits;
-import org.toqa.agent.PaceLimits;
-import org.toqa.agent.SegmentRunner;
-import org.toqa.agent.Way;
 import org.toqa.agent.chassis.SimulatedWheels;
+import org.toqa.agent.config.MotionLimits;
+import org.toqa.agent.drive.PaceLimits;
+import org.toqa.agent.drive.ReferenceTrajectory;
+import org.toqa.agent.drive.SegmentRunner;
 import org.toqa.formation.Follower;
 import org.toqa.formation.FollowerLaw;
-import org.toqa.formation.FormationWatch;
+import org.toqa.formation.FormationMonitor;
 import org.toqa.formation.Shape;
-import org.toqa.formation.Verdict.Onward;
-import org.toqa.formation.WayRules;
+import org.toqa.formation.TrajectoryRules;
+import org.toqa.formation.Verdict.Drive;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
@@ -31,12 +31,12 @@ import org.toqa.motion.Trajectory;
  */
 final class FormationRun {
   private static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
-  private static final double LOAD = 0.4;
+  private static final double LOAD_SIDE = 0.4;
   private static final int ROBOTS = 3;
 
-  private static final double PERIOD = 0.2;
+  private static final double POSE_PERIOD = 0.2;
   private static final double USUAL_DELAY = 0.02;
-  private static final double LONGEST_SECONDS = 600;
+  private static final double MAX_SECONDS = 600;
 
   private static final Pose START = new Pose(2.5, 6.75, 0);
   private static final List<Vec2> CORNERS =
@@ -46,15 +46,15 @@ final class FormationRun {
   private final OccupancyGrid free;
   private final Shape shape;
   private final SegmentRunner runner;
-  private final FormationWatch watch;
-  private final SimulatedDrive leader;
-  private final List<Member> followers = new ArrayList<>();
-  private final Deque<Message> underWay = new ArrayDeque<>();
+  private final FormationMonitor watch;
+  private final SimulatedBody leader;
+  private final List<FollowerRobot> followers = new ArrayList<>();
+  private final Deque<Message> inFlight = new ArrayDeque<>();
 
-  private double squares;
-  private double worst;
-  private double trueSquares;
-  private double trueWorst;
+  private double squaredErrors;
+  private double maxError;
+  private double trueSquaredErrors;
+  private double trueMaxError;
   private long samples;
   private boolean allFree = true;
 
@@ -63,21 +63,21 @@ final class FormationRun {
    *
    * @param wheels the followers'
    * @param tolerance metres that one may be off its place
-   * @param fastest metres a second that any of them shall be
+   * @param maxSpeed metres a second that any of them shall be
    * @param roundness radius of the corners, as a multiple of the smallest that the shape allows
    */
   record Group(
       FollowerLaw law,
       SimulatedWheels wheels,
       double tolerance,
-      double fastest,
+      double maxSpeed,
       double roundness) {}
 
   /** A follower with its body. */
-  private record Member(String name, Follower follower, SimulatedDrive body) {}
+  private record FollowerRobot(String name, Follower follower, SimulatedBody body) {}
 
   /** A leader's pose, or a follower's answer. */
-  private record Message(double arrives, Runnable heard) {}
+  private record Message(double arrivesAt, Runnable receive) {}
 
   /**
    * @param arrived whether the leader came to the way's end in time
@@ -100,30 +100,32 @@ final class FormationRun {
   FormationRun(Group group, double radius, double delay, OccupancyGrid free, long seed) {
     this.delay = delay;
     this.free = free;
-    shape = Shape.around(ROBOTS, LOAD, LOAD, radius);
-    Trajectory way = way(shape, group);
+    shape = Shape.around(ROBOTS, LOAD_SIDE, LOAD_SIDE, radius);
+    Trajectory trajectory = trajectory(shape, group);
     runner =
         new SegmentRunner(
-            new Way(
+            new ReferenceTrajectory(
                 START,
-                way.segments(),
-                way.segments().size(),
-                PaceLimits.leading(LIMITS, shape.reach())));
+                trajectory.segments(),
+                trajectory.segments().size(),
+                PaceLimits.forLeader(LIMITS, shape.reach())));
     leader =
-        new SimulatedDrive(
+        new SimulatedBody(
             START, SimulatedWheels.omni(group.wheels().slip(), group.wheels().sizeError()), seed);
     for (int i = 0; i < shape.followers().size(); i++) {
       followers.add(
-          new Member(
+          new FollowerRobot(
               "r" + (i + 2),
               new Follower(group.law(), shape.offsets().get(i), group.tolerance(), USUAL_DELAY),
-              new SimulatedDrive(shape.followersAt(START).get(i), group.wheels(), seed + i + 1)));
+              new SimulatedBody(shape.followersAt(START).get(i), group.wheels(), seed + i + 1)));
     }
-    watch = new FormationWatch(followers.stream().map(Member::name).toList(), group.tolerance());
+    watch =
+        new FormationMonitor(
+            followers.stream().map(FollowerRobot::name).toList(), group.tolerance());
   }
 
-  private static Trajectory way(Shape shape, Group group) {
-    WayRules rules = new WayRules(shape, group.fastest());
+  private static Trajectory trajectory(Shape shape, Group group) {
+    TrajectoryRules rules = new TrajectoryRules(shape, group.maxSpeed());
     double cornerLength = rules.cornerLength(Math.PI / 2) * group.roundness();
     return rules.slowed(
         new SegmentFitter(DriveSpeeds.DEFAULT, cornerLength)
@@ -132,75 +134,75 @@ final class FormationRun {
 
   Report run() {
     double seconds = 0;
-    for (int tick = 0; seconds < LONGEST_SECONDS && !runner.isAtEnd(); tick++) {
-      seconds = tick * SimulatedDrive.TICK;
-      leader.live();
-      followers.forEach(member -> member.body().live());
+    for (int tick = 0; seconds < MAX_SECONDS && !runner.isAtEnd(); tick++) {
+      seconds = tick * SimulatedBody.TICK;
+      leader.advance();
+      followers.forEach(member -> member.body().advance());
       deliver(seconds);
-      if (tick % Math.round(PERIOD / SimulatedDrive.TICK) == 0) {
-        tell(seconds);
+      if (tick % Math.round(POSE_PERIOD / SimulatedBody.TICK) == 0) {
+        sendLeaderPose(seconds);
       }
-      double pace = watch.verdict(seconds) instanceof Onward(double onward) ? onward : 0;
-      leader.command(runner.steer(leader.pose(), SimulatedDrive.TICK, pace));
-      for (Member member : followers) {
-        member.body().command(member.follower().steer(member.body().pose(), seconds));
+      double pace = watch.verdict(seconds) instanceof Drive(double onward) ? onward : 0;
+      leader.setCommand(runner.steer(leader.pose(), SimulatedBody.TICK, pace));
+      for (FollowerRobot member : followers) {
+        member.body().setCommand(member.follower().steer(member.body().pose(), seconds));
       }
       measure();
     }
     leader.close();
     followers.forEach(member -> member.body().close());
     return new Report(
-        Math.sqrt(squares / samples),
-        worst,
-        Math.sqrt(trueSquares / samples),
-        trueWorst,
+        Math.sqrt(squaredErrors / samples),
+        maxError,
+        Math.sqrt(trueSquaredErrors / samples),
+        trueMaxError,
         seconds,
         runner.isAtEnd(),
         allFree);
   }
 
-  private void tell(double now) {
+  private void sendLeaderPose(double now) {
     Pose pose = leader.pose();
-    Twist twist = runner.way().twist();
-    for (Member member : followers) {
+    Twist twist = runner.trajectory().twist();
+    for (FollowerRobot member : followers) {
       send(
           now,
           () -> {
-            member.follower().hear(pose, twist, now + delay);
-            answer(member, now + delay);
+            member.follower().receive(pose, twist, now + delay);
+            sendAnswer(member, now + delay);
           });
     }
   }
 
-  private void answer(Member member, double now) {
+  private void sendAnswer(FollowerRobot member, double now) {
     member.follower().steer(member.body().pose(), now);
     double error = member.follower().error();
     boolean follows = member.follower().trouble().isEmpty();
-    send(now, () -> watch.answered(member.name(), error, follows, now + delay));
+    send(now, () -> watch.recordAnswer(member.name(), error, follows, now + delay));
   }
 
   private void send(double now, Runnable heard) {
-    underWay.addLast(new Message(now + delay, heard));
+    inFlight.addLast(new Message(now + delay, heard));
   }
 
   private void deliver(double now) {
-    while (!underWay.isEmpty() && underWay.getFirst().arrives() <= now + 1e-9) {
-      underWay.removeFirst().heard().run();
+    while (!inFlight.isEmpty() && inFlight.getFirst().arrivesAt() <= now + 1e-9) {
+      inFlight.removeFirst().receive().run();
     }
   }
 
   private void measure() {
     List<Pose> places = shape.followersAt(leader.pose());
-    List<Pose> truePlaces = shape.followersAt(leader.truth());
+    List<Pose> truePlaces = shape.followersAt(leader.truePose());
     allFree &= isFree(leader.pose());
     for (int i = 0; i < followers.size(); i++) {
-      SimulatedDrive body = followers.get(i).body();
+      SimulatedBody body = followers.get(i).body();
       double error = places.get(i).distanceTo(body.pose());
-      double trueError = truePlaces.get(i).distanceTo(body.truth());
-      squares += error * error;
-      worst = Math.max(worst, error);
-      trueSquares += trueError * trueError;
-      trueWorst = Math.max(trueWorst, trueError);
+      double trueError = truePlaces.get(i).distanceTo(body.truePose());
+      squaredErrors += error * error;
+      maxError = Math.max(maxError, error);
+      trueSquaredErrors += trueError * trueError;
+      trueMaxError = Math.max(trueMaxError, trueError);
       samples++;
       allFree &= isFree(body.pose());
     }

@@ -25,7 +25,7 @@ interface GoalSource {
   }
 
   /** A list a robot, one goal after the other. */
-  static GoalSource listed(List<TaskList> tasks) {
+  static GoalSource ofLists(List<RobotGoals> tasks) {
     List<Queue<Cell>> goals =
         tasks.stream().<Queue<Cell>>map(list -> new ArrayDeque<>(list.goals())).toList();
     return (robot, at) -> {

@@ -23,17 +23,17 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Scenario;
 import org.toqa.planning.Heading;
 import org.toqa.traffic.Deadline;
+import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.Stance;
-import org.toqa.traffic.TrafficChecker;
-import org.toqa.traffic.TrafficChecker.Violation;
-import org.toqa.traffic.oneshot.MapfInstance;
-import org.toqa.traffic.oneshot.MapfPlan;
-import org.toqa.traffic.oneshot.MapfResult;
-import org.toqa.traffic.oneshot.MapfResult.Solved;
-import org.toqa.traffic.oneshot.MapfResult.Unsolved;
-import org.toqa.traffic.oneshot.OneShotPlanner;
+import org.toqa.traffic.check.TrafficChecker;
+import org.toqa.traffic.check.TrafficChecker.Violation;
+import org.toqa.traffic.mapf.MapfInstance;
+import org.toqa.traffic.mapf.MapfPlan;
+import org.toqa.traffic.mapf.MapfResult;
+import org.toqa.traffic.mapf.MapfResult.Solved;
+import org.toqa.traffic.mapf.MapfResult.Unsolved;
+import org.toqa.traffic.mapf.OneShotPlanner;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -46,9 +46,9 @@ import tools.jackson.databind.json.JsonMapper;
     name = "mapf",
     description = "Plans ways for all robots of a scenario in one go (four neighbours or wait).")
 final class MapfBench implements Callable<Integer> {
-  private static final int MOST_ROBOTS = 20_000;
-  private static final int LONGEST_LIMIT = 3_600_000;
-  private static final int MOST_REPEATS = 1000;
+  private static final int MAX_ROBOTS = 20_000;
+  private static final int MAX_LIMIT_MS = 3_600_000;
+  private static final int MAX_REPEATS = 1000;
 
   /** First plans are made for so long before any is measured. */
   private static final int WARM_UP_MS = 3_000;
@@ -112,15 +112,16 @@ final class MapfBench implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     Arguments arguments = new Arguments(spec);
-    arguments.mustBeBetween("--robots", robots, 1, MOST_ROBOTS);
-    arguments.mustBeBetween("--limit-ms", limitMs, 1, LONGEST_LIMIT);
-    arguments.mustBeBetween("--repeat", repeat, 1, MOST_REPEATS);
+    arguments.requireBetween("--robots", robots, 1, MAX_ROBOTS);
+    arguments.requireBetween("--limit-ms", limitMs, 1, MAX_LIMIT_MS);
+    arguments.requireBetween("--repeat", repeat, 1, MAX_REPEATS);
     if (plan != null) {
-      arguments.mustBeWritable(plan);
+      arguments.requireWritable(plan);
     }
-    OccupancyGrid grid = arguments.map(map);
+    OccupancyGrid grid = arguments.readGrid(map);
     Report report =
-        measure(grid, instance(new RoadGraph(grid), arguments.scenarios(scen, grid), arguments));
+        measure(
+            grid, instance(new RoadGraph(grid), arguments.readScenarios(scen, grid), arguments));
     spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
     return report.solved() ? ExitCode.OK : ExitCode.SOFTWARE;
   }
@@ -133,27 +134,27 @@ final class MapfBench implements Callable<Integer> {
     if (missing == 0) {
       return new MapfInstance(roads, starts, goals);
     }
-    complain(
+    printError(
         "the scenario has %d robots; %d more stand and go anywhere, by seed %d"
             .formatted(starts.size(), missing, seed));
     Random random = new Random(seed);
     return new MapfInstance(
         roads,
-        filledUp(starts, roads, random, arguments),
-        filledUp(goals, roads, random, arguments));
+        filledUpCells(starts, roads, random, arguments),
+        filledUpCells(goals, roads, random, arguments));
   }
 
-  private List<Cell> filledUp(
+  private List<Cell> filledUpCells(
       List<Cell> cells, RoadGraph roads, Random random, Arguments arguments) {
     Set<Cell> taken = Set.copyOf(cells);
     List<Cell> free =
         new ArrayList<>(
-            IntStream.range(0, roads.vertices())
+            IntStream.range(0, roads.vertexCount())
                 .filter(roads::isInLargestPart)
                 .mapToObj(roads::cell)
                 .filter(cell -> !taken.contains(cell))
                 .toList());
-    arguments.mustBeBetween("--robots", robots, 1, cells.size() + free.size());
+    arguments.requireBetween("--robots", robots, 1, cells.size() + free.size());
     Collections.shuffle(free, random);
     return Stream.concat(cells.stream(), free.stream()).limit(robots).toList();
   }
@@ -164,12 +165,12 @@ final class MapfBench implements Callable<Integer> {
     Deadline deadline = Deadline.in(Duration.ofMillis(limitMs), System::nanoTime);
     return switch (solve(instance, deadline, firsts, () -> {})) {
       case Unsolved unsolved -> {
-        complain("not solved: " + reason(unsolved));
+        printError("not solved: " + reason(unsolved));
         yield new Report(false, null, null, null);
       }
       case Solved(MapfPlan found, long lowerBound) -> {
         List<Violation> violations = check(grid, instance, found);
-        violations.forEach(violation -> complain(violation.toString()));
+        violations.forEach(violation -> printError(violation.toString()));
         write(found);
         yield new Report(violations.isEmpty(), median(firsts), found.sumOfCosts(), lowerBound);
       }
@@ -215,7 +216,7 @@ final class MapfBench implements Callable<Integer> {
     return sorted.get(sorted.size() / 2);
   }
 
-  private void complain(String sentence) {
+  private void printError(String sentence) {
     spec.commandLine().getErr().println("toqa: " + sentence);
   }
 
@@ -229,19 +230,19 @@ final class MapfBench implements Callable<Integer> {
   /** What is wrong with a plan, by the checker, which knows no planner. */
   private static List<Violation> check(OccupancyGrid grid, MapfInstance instance, MapfPlan plan) {
     TrafficChecker checker = new TrafficChecker(grid, MotionModel.CLASSIC);
-    List<Stance> before = stances(plan, 0);
+    List<GridPose> before = stances(plan, 0);
     List<Violation> violations = new ArrayList<>(checker.checkPlaces(before));
-    violations.addAll(elsewhere(before, instance.starts()));
+    violations.addAll(misplacedRobots(before, instance.starts()));
     for (int step = 1; step <= plan.makespan(); step++) {
-      List<Stance> after = stances(plan, step);
+      List<GridPose> after = stances(plan, step);
       violations.addAll(checker.check(before, after));
       before = after;
     }
-    violations.addAll(elsewhere(before, instance.goals()));
+    violations.addAll(misplacedRobots(before, instance.goals()));
     return violations;
   }
 
-  private static List<Violation> elsewhere(List<Stance> stances, List<Cell> expected) {
+  private static List<Violation> misplacedRobots(List<GridPose> stances, List<Cell> expected) {
     return IntStream.range(0, stances.size())
         .filter(robot -> !stances.get(robot).cell().equals(expected.get(robot)))
         .mapToObj(
@@ -251,9 +252,9 @@ final class MapfBench implements Callable<Integer> {
         .toList();
   }
 
-  private static List<Stance> stances(MapfPlan plan, int step) {
-    return IntStream.range(0, plan.robots())
-        .mapToObj(robot -> new Stance(plan.at(robot, step), Heading.EAST))
+  private static List<GridPose> stances(MapfPlan plan, int step) {
+    return IntStream.range(0, plan.robotCount())
+        .mapToObj(robot -> new GridPose(plan.at(robot, step), Heading.EAST))
         .toList();
   }
 
@@ -261,7 +262,7 @@ final class MapfBench implements Callable<Integer> {
     if (plan == null) {
       return;
     }
-    StanceLines lines = new StanceLines(MotionModel.CLASSIC);
+    StanceFormat lines = new StanceFormat(MotionModel.CLASSIC);
     try (BufferedWriter writer = Files.newBufferedWriter(plan, UTF_8)) {
       for (int step = 0; step <= found.makespan(); step++) {
         writer.write(lines.line(stances(found, step)));

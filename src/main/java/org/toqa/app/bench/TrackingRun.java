@@ -1,11 +1,11 @@
 package org.toqa.app.bench;
 
 import java.util.List;
-import org.toqa.agent.MotionLimits;
-import org.toqa.agent.PaceLimits;
-import org.toqa.agent.SegmentRunner;
-import org.toqa.agent.Way;
 import org.toqa.agent.chassis.SimulatedWheels;
+import org.toqa.agent.config.MotionLimits;
+import org.toqa.agent.drive.PaceLimits;
+import org.toqa.agent.drive.ReferenceTrajectory;
+import org.toqa.agent.drive.SegmentRunner;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
@@ -17,7 +17,7 @@ import org.toqa.motion.Trajectory;
 final class TrackingRun {
   private static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
   private static final double CELL = 0.3;
-  private static final double LONGEST_SECONDS = 300;
+  private static final double MAX_SECONDS = 300;
 
   private static final List<Vec2> CORNERS =
       List.of(
@@ -49,17 +49,20 @@ final class TrackingRun {
             .fit(start, CORNERS.stream().map(corner -> new Waypoint(corner, false)).toList());
     SegmentRunner runner =
         new SegmentRunner(
-            new Way(
-                start, planned.segments(), planned.segments().size(), PaceLimits.alone(LIMITS)));
-    try (SimulatedDrive robot = new SimulatedDrive(start, wheels, seed)) {
-      for (double t = 0; t < LONGEST_SECONDS && !runner.isAtEnd(); t += SimulatedDrive.TICK) {
-        robot.live();
-        robot.command(runner.steer(robot.pose(), SimulatedDrive.TICK, 1));
+            new ReferenceTrajectory(
+                start,
+                planned.segments(),
+                planned.segments().size(),
+                PaceLimits.forSingleRobot(LIMITS)));
+    try (SimulatedBody robot = new SimulatedBody(start, wheels, seed)) {
+      for (double t = 0; t < MAX_SECONDS && !runner.isAtEnd(); t += SimulatedBody.TICK) {
+        robot.advance();
+        robot.setCommand(runner.steer(robot.pose(), SimulatedBody.TICK, 1));
       }
       return new Report(
           planned.length(),
           planned.end().distanceTo(robot.pose()),
-          planned.end().distanceTo(robot.truth()));
+          planned.end().distanceTo(robot.truePose()));
     }
   }
 }

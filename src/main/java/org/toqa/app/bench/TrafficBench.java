@@ -15,19 +15,19 @@ import java.util.concurrent.Callable;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.TrafficRun.Report;
-import org.toqa.app.bench.TrafficRun.Witness;
+import org.toqa.app.bench.TrafficRun.StepListener;
 import org.toqa.app.command.Arguments;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.Heading;
 import org.toqa.traffic.Deadline;
+import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.Stance;
-import org.toqa.traffic.TrafficChecker.Violation;
-import org.toqa.traffic.TrafficPlanner;
+import org.toqa.traffic.check.TrafficChecker.Violation;
+import org.toqa.traffic.lifelong.LifelongPlanner;
 import org.toqa.traffic.lifelong.ReservationPlanner;
-import org.toqa.traffic.lifelong.RollingPlanner;
+import org.toqa.traffic.lifelong.RollingHorizonPlanner;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -40,12 +40,12 @@ import tools.jackson.databind.json.JsonMapper;
     name = "traffic",
     description = "Drives robots that get a new goal whenever they reach one.")
 final class TrafficBench implements Callable<Integer> {
-  private static final int MOST_ROBOTS = 20_000;
-  private static final int MOST_STEPS = 1_000_000;
-  private static final int LONGEST_LIMIT = 60_000;
-  private static final int FEW_ROBOTS = 500;
-  private static final int LIMIT_FOR_FEW = 8;
-  private static final int LIMIT_FOR_MANY = 60;
+  private static final int MAX_ROBOTS = 20_000;
+  private static final int MAX_STEPS = 1_000_000;
+  private static final int MAX_LIMIT_MS = 60_000;
+  private static final int SMALL_FLEET_ROBOTS = 500;
+  private static final int SMALL_FLEET_LIMIT_MS = 8;
+  private static final int LARGE_FLEET_LIMIT_MS = 60;
 
   /** The same is driven for so long before anything is measured, milliseconds. */
   private static final int WARM_UP_MS = 3_000;
@@ -110,35 +110,37 @@ final class TrafficBench implements Callable<Integer> {
   private @Nullable Path trace;
 
   /** Where the robots begin, and where they go. */
-  private record Work(List<Stance> starts, GoalSource goals) {}
+  private record Workload(List<GridPose> starts, GoalSource goals) {}
 
   @Override
   public Integer call() throws IOException {
     Arguments arguments = new Arguments(spec);
-    arguments.mustBeBetween("--steps", steps, 1, MOST_STEPS);
+    arguments.requireBetween("--steps", steps, 1, MAX_STEPS);
     if (limitMs != null) {
-      arguments.mustBeBetween("--limit-ms", limitMs, 1, LONGEST_LIMIT);
+      arguments.requireBetween("--limit-ms", limitMs, 1, MAX_LIMIT_MS);
     }
     if (trace != null) {
-      arguments.mustBeWritable(trace);
+      arguments.requireWritable(trace);
     }
-    OccupancyGrid grid = arguments.map(map);
-    StanceLines lines = new StanceLines(motionModel(arguments));
+    OccupancyGrid grid = arguments.readGrid(map);
+    StanceFormat lines = new StanceFormat(motionModel(arguments));
     Deadline warmUp = Deadline.in(Duration.ofMillis(WARM_UP_MS), System::nanoTime);
-    trafficRun(grid, new Onlooker(lines, Writer.nullWriter()), arguments).run(steps, warmUp);
+    trafficRun(grid, new TraceListener(lines, Writer.nullWriter()), arguments).run(steps, warmUp);
     Report report;
     try (Writer writer =
         trace == null ? Writer.nullWriter() : Files.newBufferedWriter(trace, UTF_8)) {
-      report = trafficRun(grid, new Onlooker(lines, writer), arguments).run(steps, Deadline.none());
+      report =
+          trafficRun(grid, new TraceListener(lines, writer), arguments).run(steps, Deadline.none());
     }
     spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
     return report.collisions() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
-  private TrafficRun trafficRun(OccupancyGrid grid, Witness witness, Arguments arguments) {
+  private TrafficRun trafficRun(OccupancyGrid grid, StepListener witness, Arguments arguments) {
     MotionModel motion = motionModel(arguments);
     RoadGraph roads = new RoadGraph(grid);
-    Work work = tasks == null ? randomWork(roads, arguments) : listedWork(tasks, roads, arguments);
+    Workload work =
+        tasks == null ? randomWorkload(roads, arguments) : listedWorkload(tasks, roads, arguments);
     Duration limit = limit(work.starts().size());
     return new TrafficRun(
         roads,
@@ -151,21 +153,21 @@ final class TrafficBench implements Callable<Integer> {
   }
 
   private Duration limit(int robots) {
-    int usual = robots > FEW_ROBOTS ? LIMIT_FOR_MANY : LIMIT_FOR_FEW;
+    int usual = robots > SMALL_FLEET_ROBOTS ? LARGE_FLEET_LIMIT_MS : SMALL_FLEET_LIMIT_MS;
     return Duration.ofMillis(limitMs == null ? usual : limitMs);
   }
 
-  private final class Onlooker implements Witness {
-    private final StanceLines lines;
+  private final class TraceListener implements StepListener {
+    private final StanceFormat lines;
     private final Writer writer;
 
-    Onlooker(StanceLines lines, Writer writer) {
+    TraceListener(StanceFormat lines, Writer writer) {
       this.lines = lines;
       this.writer = writer;
     }
 
     @Override
-    public void sees(List<Stance> stances) throws IOException {
+    public void stepTaken(List<GridPose> stances) throws IOException {
       if (trace != null) {
         writer.write(lines.line(stances));
         writer.write('\n');
@@ -173,7 +175,7 @@ final class TrafficBench implements Callable<Integer> {
     }
 
     @Override
-    public void objects(int step, Violation violation) {
+    public void violationFound(int step, Violation violation) {
       spec.commandLine().getErr().println("toqa: step " + step + ": " + violation);
     }
   }
@@ -182,44 +184,44 @@ final class TrafficBench implements Callable<Integer> {
     return switch (model) {
       case "classic" -> MotionModel.CLASSIC;
       case "turns" -> MotionModel.TURNS;
-      default -> throw arguments.wrong("--model " + model + ": it is classic or turns");
+      default -> throw arguments.invalid("--model " + model + ": it is classic or turns");
     };
   }
 
-  private TrafficPlanner trafficPlanner(MotionModel motion, Arguments arguments) {
+  private LifelongPlanner trafficPlanner(MotionModel motion, Arguments arguments) {
     return switch (planner) {
-      case "rolling" -> new RollingPlanner(motion, true, seed);
+      case "rolling" -> new RollingHorizonPlanner(motion, true, seed);
       case "reservation" -> new ReservationPlanner(motion);
-      default -> throw arguments.wrong("--planner " + planner + ": it is rolling or reservation");
+      default -> throw arguments.invalid("--planner " + planner + ": it is rolling or reservation");
     };
   }
 
   /** Starts and goals by chance in the largest connected part, starts all different. */
-  private Work randomWork(RoadGraph roads, Arguments arguments) {
+  private Workload randomWorkload(RoadGraph roads, Arguments arguments) {
     if (robots == null) {
-      throw arguments.wrong("--robots is missing");
+      throw arguments.invalid("--robots is missing");
     }
     List<Cell> cells =
-        IntStream.range(0, roads.vertices())
+        IntStream.range(0, roads.vertexCount())
             .filter(roads::isInLargestPart)
             .mapToObj(roads::cell)
             .toList();
-    arguments.mustBeBetween("--robots", robots, 1, Math.min(MOST_ROBOTS, cells.size() - 1));
+    arguments.requireBetween("--robots", robots, 1, Math.min(MAX_ROBOTS, cells.size() - 1));
     Random random = new Random(seed);
     List<Cell> shuffled = new ArrayList<>(cells);
     Collections.shuffle(shuffled, random);
-    List<Stance> starts =
+    List<GridPose> starts =
         shuffled.subList(0, robots).stream()
-            .map(cell -> new Stance(cell, Heading.EAST.turned(2 * random.nextInt(4))))
+            .map(cell -> new GridPose(cell, Heading.EAST.turned(2 * random.nextInt(4))))
             .toList();
-    return new Work(starts, GoalSource.random(cells, random));
+    return new Workload(starts, GoalSource.random(cells, random));
   }
 
-  private Work listedWork(Path file, RoadGraph roads, Arguments arguments) {
-    List<TaskList> all = TaskList.read(file, roads, arguments);
+  private Workload listedWorkload(Path file, RoadGraph roads, Arguments arguments) {
+    List<RobotGoals> all = RobotGoals.read(file, roads, arguments);
     int count = robots == null ? all.size() : robots;
-    arguments.mustBeBetween("--robots", count, 1, all.size());
-    List<TaskList> lists = all.subList(0, count);
-    return new Work(lists.stream().map(TaskList::start).toList(), GoalSource.listed(lists));
+    arguments.requireBetween("--robots", count, 1, all.size());
+    List<RobotGoals> lists = all.subList(0, count);
+    return new Workload(lists.stream().map(RobotGoals::start).toList(), GoalSource.ofLists(lists));
   }
 }

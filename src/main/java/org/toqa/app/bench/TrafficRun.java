@@ -10,15 +10,15 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.toqa.grid.Cell;
 import org.toqa.traffic.Deadline;
+import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.Stance;
-import org.toqa.traffic.TrafficChecker;
-import org.toqa.traffic.TrafficChecker.Violation;
-import org.toqa.traffic.TrafficPlan;
-import org.toqa.traffic.TrafficPlanner;
-import org.toqa.traffic.TrafficRobot;
-import org.toqa.traffic.TrafficScene;
+import org.toqa.traffic.check.TrafficChecker;
+import org.toqa.traffic.check.TrafficChecker.Violation;
+import org.toqa.traffic.lifelong.LifelongPlan;
+import org.toqa.traffic.lifelong.LifelongPlanner;
+import org.toqa.traffic.lifelong.PlannedRobot;
+import org.toqa.traffic.lifelong.TrafficSnapshot;
 
 /**
  * Robots that do what a planner says, step by step, and go to their next goals as they arrive. A
@@ -26,35 +26,35 @@ import org.toqa.traffic.TrafficScene;
  */
 final class TrafficRun {
   /** Who has not left its cell for so many steps, short of its goal, is stuck. */
-  private static final int STUCK = 50;
+  private static final int STUCK_STEPS = 50;
 
   private final RoadGraph roads;
-  private final TrafficPlanner planner;
+  private final LifelongPlanner planner;
   private final TrafficChecker checker;
   private final GoalSource source;
   private final Supplier<Deadline> deadlines;
-  private final Witness witness;
-  private final List<Stance> stances;
+  private final StepListener listener;
+  private final List<GridPose> stances;
   private final List<Cell> goals;
 
   /** The robots with a goal to reach. */
-  private final BitSet busy = new BitSet();
+  private final BitSet robotsWithGoal = new BitSet();
 
   /** The step after which each robot has stood where it is. */
-  private final int[] arrivals;
+  private final int[] lastMoveSteps;
 
   private int goalsReached;
   private int collisions;
   private int step;
 
   /** Who looks on. */
-  interface Witness {
+  interface StepListener {
 
     /** The stances of all robots, step 0 first. */
-    void sees(List<Stance> stances) throws IOException;
+    void stepTaken(List<GridPose> stances) throws IOException;
 
     /** A rule was broken on the way to a step. */
-    void objects(int step, Violation violation);
+    void violationFound(int step, Violation violation);
   }
 
   /**
@@ -78,43 +78,43 @@ final class TrafficRun {
   TrafficRun(
       RoadGraph roads,
       MotionModel model,
-      TrafficPlanner planner,
-      List<Stance> starts,
+      LifelongPlanner planner,
+      List<GridPose> starts,
       GoalSource source,
       Supplier<Deadline> deadlines,
-      Witness witness) {
+      StepListener listener) {
     this.roads = roads;
     this.planner = planner;
     this.checker = new TrafficChecker(roads.grid(), model);
     this.source = source;
     this.deadlines = deadlines;
-    this.witness = witness;
+    this.listener = listener;
     this.stances = new ArrayList<>(starts);
     this.goals = new ArrayList<>();
-    this.arrivals = new int[starts.size()];
+    this.lastMoveSteps = new int[starts.size()];
     for (int robot = 0; robot < starts.size(); robot++) {
       goals.add(starts.get(robot).cell());
-      sendOn(robot);
+      assignNextGoal(robot);
     }
   }
 
   /** Ends after so many steps, at the deadline, or when no robot has anything left to do. */
   Report run(int steps, Deadline end) throws IOException {
     double[] millis = new double[steps];
-    judge(checker.checkPlaces(stances));
-    witness.sees(stances);
+    recordViolations(checker.checkPlaces(stances));
+    listener.stepTaken(stances);
     while (step < steps && !end.isPassed() && !isDone()) {
       long begin = System.nanoTime();
-      TrafficPlan plan = planner.plan(scene(), deadlines.get());
+      LifelongPlan plan = planner.plan(scene(), deadlines.get());
       millis[step++] = (System.nanoTime() - begin) / 1e6;
       drive(plan);
-      witness.sees(stances);
+      listener.stepTaken(stances);
     }
     Timings timings = new Timings(Arrays.copyOf(millis, step));
     return new Report(
         goalsReached,
         collisions,
-        stuck(),
+        stuckRobots(),
         timings.percentile(0.50),
         timings.percentile(0.99),
         step == 0 ? 0 : (double) goalsReached / step,
@@ -122,9 +122,9 @@ final class TrafficRun {
   }
 
   /** To the next goal; who has done all keeps its last one. */
-  private void sendOn(int robot) {
+  private void assignNextGoal(int robot) {
     Optional<Cell> next = source.next(robot, goals.get(robot));
-    busy.set(robot, next.isPresent());
+    robotsWithGoal.set(robot, next.isPresent());
     next.ifPresent(goal -> goals.set(robot, goal));
   }
 
@@ -136,39 +136,40 @@ final class TrafficRun {
     return stances.get(robot).cell().equals(goals.get(robot));
   }
 
-  private TrafficScene scene() {
-    return new TrafficScene(
+  private TrafficSnapshot scene() {
+    return new TrafficSnapshot(
         roads,
         IntStream.range(0, stances.size())
-            .mapToObj(r -> new TrafficRobot("r" + r, stances.get(r), goals.get(r), 0))
+            .mapToObj(r -> new PlannedRobot("r" + r, stances.get(r), goals.get(r), 0))
             .toList());
   }
 
-  private void drive(TrafficPlan plan) {
-    List<Stance> before = List.copyOf(stances);
+  private void drive(LifelongPlan plan) {
+    List<GridPose> before = List.copyOf(stances);
     for (int robot = 0; robot < stances.size(); robot++) {
-      Stance next = plan.of(robot).at(1);
+      GridPose next = plan.path(robot).at(1);
       if (!next.cell().equals(before.get(robot).cell())) {
-        arrivals[robot] = step;
+        lastMoveSteps[robot] = step;
       }
       stances.set(robot, next);
-      if (busy.get(robot) && isAtGoal(robot)) {
+      if (robotsWithGoal.get(robot) && isAtGoal(robot)) {
         goalsReached++;
-        sendOn(robot);
+        assignNextGoal(robot);
       }
     }
-    judge(checker.check(before, stances));
+    recordViolations(checker.check(before, stances));
   }
 
-  private void judge(List<Violation> violations) {
+  private void recordViolations(List<Violation> violations) {
     collisions += violations.size();
-    violations.forEach(violation -> witness.objects(step, violation));
+    violations.forEach(violation -> listener.violationFound(step, violation));
   }
 
-  private int stuck() {
+  private int stuckRobots() {
     return (int)
         IntStream.range(0, stances.size())
-            .filter(robot -> busy.get(robot) && step - arrivals[robot] >= STUCK)
+            .filter(
+                robot -> robotsWithGoal.get(robot) && step - lastMoveSteps[robot] >= STUCK_STEPS)
             .count();
   }
 }

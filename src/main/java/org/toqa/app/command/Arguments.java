@@ -19,41 +19,41 @@ import picocli.CommandLine.ParameterException;
  */
 public record Arguments(CommandSpec spec) {
 
-  public ParameterException wrong(String sentence) {
+  public ParameterException invalid(String sentence) {
     return new ParameterException(spec.commandLine(), sentence);
   }
 
   /** A MovingAI map, or the yaml file of a map_server pair. */
-  public OccupancyGrid map(Path file) {
+  public OccupancyGrid readGrid(Path file) {
     try {
       return file.toString().endsWith(".map")
           ? MovingAiReader.read(file)
           : FloorReader.read(file).grid();
     } catch (MapFormatException e) {
-      throw wrong(String.valueOf(e.getMessage()));
+      throw invalid(String.valueOf(e.getMessage()));
     }
   }
 
   /** A map of either kind, with its places and keep-out zones where it has some. */
-  public FloorMap floor(Path file) {
+  public FloorMap readFloor(Path file) {
     try {
       return FloorReader.read(file);
     } catch (MapFormatException e) {
-      throw wrong(String.valueOf(e.getMessage()));
+      throw invalid(String.valueOf(e.getMessage()));
     }
   }
 
   /** The lines of a scenario file, which has to be one for the map. */
-  public List<Scenario> scenarios(Path file, OccupancyGrid map) {
+  public List<Scenario> readScenarios(Path file, OccupancyGrid map) {
     List<Scenario> all;
     try {
       all = ScenarioReader.read(file);
     } catch (MapFormatException e) {
-      throw wrong(String.valueOf(e.getMessage()));
+      throw invalid(String.valueOf(e.getMessage()));
     }
     for (Scenario scenario : all) {
       if (scenario.width() != map.width() || scenario.height() != map.height()) {
-        throw wrong(
+        throw invalid(
             "%s is for a map of %d x %d cells, but the map has %d x %d"
                 .formatted(file, scenario.width(), scenario.height(), map.width(), map.height()));
       }
@@ -61,26 +61,26 @@ public record Arguments(CommandSpec spec) {
     return all;
   }
 
-  public List<String> lines(Path file) {
+  public List<String> readLines(Path file) {
     try {
       return Files.readAllLines(file);
     } catch (IOException e) {
-      throw wrong(file + " cannot be read");
+      throw invalid(file + " cannot be read");
     }
   }
 
   /** Fails before a measurement rather than after it. */
-  public void mustBeWritable(Path file) {
+  public void requireWritable(Path file) {
     Path folder = file.toAbsolutePath().getParent();
     if (folder == null || !Files.isWritable(folder) || Files.isDirectory(file)) {
-      throw wrong(file + " must be a file in a folder that can be written");
+      throw invalid(file + " must be a file in a folder that can be written");
     }
   }
 
   /** A number out of its range. */
-  public void mustBeBetween(String option, long value, long least, long most) {
+  public void requireBetween(String option, long value, long least, long most) {
     if (value < least || value > most) {
-      throw wrong("%s %d: it must be from %d to %d".formatted(option, value, least, most));
+      throw invalid("%s %d: it must be from %d to %d".formatted(option, value, least, most));
     }
   }
 }

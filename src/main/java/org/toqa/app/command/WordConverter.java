@@ -17,18 +17,18 @@ public abstract class WordConverter<E extends Enum<E>> implements ITypeConverter
   @Override
   public E convert(String text) {
     return choices.stream()
-        .filter(choice -> word(choice).equals(text))
+        .filter(choice -> wordOf(choice).equals(text))
         .findFirst()
-        .orElseThrow(() -> new TypeConversionException("it is " + words() + ", not " + text));
+        .orElseThrow(() -> new TypeConversionException("it is " + choiceList() + ", not " + text));
   }
 
-  private String words() {
-    String[] words = choices.stream().map(WordConverter::word).toArray(String[]::new);
+  private String choiceList() {
+    String[] words = choices.stream().map(WordConverter::wordOf).toArray(String[]::new);
     int last = words.length - 1;
     return String.join(", ", Arrays.copyOf(words, last)) + " or " + words[last];
   }
 
-  private static String word(Enum<?> choice) {
+  private static String wordOf(Enum<?> choice) {
     return choice.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
-import org.toqa.app.command.Moves;
+import org.toqa.app.command.MoveSet;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
@@ -48,7 +48,7 @@ import picocli.CommandLine.Spec;
     })
 public final class PlanCommand implements Callable<Integer> {
   /** Cells; more than any map has on a side that is worth planning on. */
-  private static final int WIDEST_MARGIN = 1000;
+  private static final int MAX_MARGIN = 1000;
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
@@ -63,25 +63,25 @@ public final class PlanCommand implements Callable<Integer> {
       names = "--from",
       required = true,
       paramLabel = "X,Y[,DEG]",
-      converter = Spot.Stand.class,
+      converter = PlaceArgument.PoseConverter.class,
       description = "The start, and where the robot faces (default: to its first leg).")
-  private Spot from = new Spot(Vec2.ZERO, null);
+  private PlaceArgument from = new PlaceArgument(Vec2.ZERO, null);
 
   @Option(
       names = "--to",
       required = true,
       paramLabel = "X,Y",
-      converter = Spot.Point.class,
+      converter = PlaceArgument.PointConverter.class,
       description = "The goal.")
-  private Spot to = new Spot(Vec2.ZERO, null);
+  private PlaceArgument to = new PlaceArgument(Vec2.ZERO, null);
 
   @Option(
       names = "--moves",
       defaultValue = "heading",
       paramLabel = "octile|heading",
-      converter = Moves.Converter.class,
+      converter = MoveSet.Converter.class,
       description = "Any of eight moves, or what a robot drives in arcs (default: heading).")
-  private Moves moves = Moves.HEADING;
+  private MoveSet moves = MoveSet.HEADING;
 
   @Option(
       names = "--margin",
@@ -96,58 +96,58 @@ public final class PlanCommand implements Callable<Integer> {
       names = "--format",
       defaultValue = "table",
       paramLabel = "table|json|svg",
-      converter = Format.Converter.class,
+      converter = PlanFormat.Converter.class,
       description = "For people, for programs, or a picture (default: table).")
-  private Format format = Format.TABLE;
+  private PlanFormat format = PlanFormat.TABLE;
 
   @Override
   public Integer call() {
     Arguments arguments = new Arguments(spec);
-    if (!(margin >= 0 && margin <= WIDEST_MARGIN)) {
-      throw arguments.wrong(
-          "--margin %s: it must be from 0 to %d".formatted(margin, WIDEST_MARGIN));
+    if (!(margin >= 0 && margin <= MAX_MARGIN)) {
+      throw arguments.invalid("--margin %s: it must be from 0 to %d".formatted(margin, MAX_MARGIN));
     }
-    FloorMap floor = arguments.floor(map);
-    OccupancyGrid grown = Inflation.of(floor.grid(), margin * floor.grid().resolution());
-    Cell start = grown.cellAt(from.position());
-    Cell goal = grown.cellAt(to.position());
-    PlanResult result = moves.planner(expanded -> {}).plan(grown, start, goal);
+    FloorMap floor = arguments.readFloor(map);
+    OccupancyGrid inflated = Inflation.inflate(floor.grid(), margin * floor.grid().resolution());
+    Cell start = inflated.cellAt(from.position());
+    Cell goal = inflated.cellAt(to.position());
+    PlanResult result = moves.planner(expanded -> {}).plan(inflated, start, goal);
     return switch (result) {
       case Found(org.toqa.planning.Path path) -> {
-        spec.commandLine().getOut().println(format.text(drive(floor, grown, path)));
+        spec.commandLine().getOut().println(format.render(plannedDrive(floor, inflated, path)));
         yield ExitCode.OK;
       }
       case NotFound none -> {
-        if (format == Format.JSON) {
+        if (format == PlanFormat.JSON) {
           spec.commandLine().getOut().println(PlanJson.of(none));
         }
-        spec.commandLine().getErr().println("toqa: " + sentence(none, floor.grid()));
+        spec.commandLine().getErr().println("toqa: " + failureMessage(none, floor.grid()));
         yield ExitCode.SOFTWARE;
       }
     };
   }
 
-  private PlannedDrive drive(FloorMap floor, OccupancyGrid grown, org.toqa.planning.Path path) {
+  private PlannedDrive plannedDrive(
+      FloorMap floor, OccupancyGrid inflated, org.toqa.planning.Path path) {
     org.toqa.planning.Path.Step first = path.steps().getFirst();
-    Vec2 centre = grown.centre(first.cell());
+    Vec2 centre = inflated.centre(first.cell());
     @Nullable Double given = from.heading();
     Pose start = new Pose(centre.x(), centre.y(), given == null ? first.heading().angle() : given);
-    List<Waypoint> way = path.waypoints(grown);
-    SegmentFitter fitter = new SegmentFitter(DriveSpeeds.DEFAULT, grown.resolution());
-    return new PlannedDrive(floor, grown, path, fitter.fit(start, way));
+    List<Waypoint> waypoints = path.waypoints(inflated);
+    SegmentFitter fitter = new SegmentFitter(DriveSpeeds.DEFAULT, inflated.resolution());
+    return new PlannedDrive(floor, inflated, path, fitter.fit(start, waypoints));
   }
 
-  private String sentence(NotFound none, OccupancyGrid walls) {
+  private String failureMessage(NotFound none, OccupancyGrid walls) {
     String why =
         switch (none.reason()) {
-          case START_BLOCKED -> "the start" + obstacle(none.where(), from, walls);
-          case GOAL_BLOCKED -> "the goal" + obstacle(none.where(), to, walls);
+          case START_BLOCKED -> "the start" + obstacleMessage(none.where(), from, walls);
+          case GOAL_BLOCKED -> "the goal" + obstacleMessage(none.where(), to, walls);
           case NO_PATH -> "obstacles part the goal from the start";
         };
     return "There is no way (%s): %s.".formatted(none.reason(), why);
   }
 
-  private static String obstacle(Cell cell, Spot spot, OccupancyGrid walls) {
+  private static String obstacleMessage(Cell cell, PlaceArgument spot, OccupancyGrid walls) {
     String place = " at (%s, %s) m ".formatted(spot.position().x(), spot.position().y());
     if (!walls.contains(cell)) {
       return place + "lies off the map";

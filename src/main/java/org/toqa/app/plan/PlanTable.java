@@ -29,8 +29,8 @@ final class PlanTable {
   private static void addSummary(Formatter table, PlannedDrive drive) {
     Path path = drive.path();
     Trajectory trajectory = drive.trajectory();
-    addPlace(table, "from", path.cells().getFirst(), drive.grown());
-    addPlace(table, "to", path.cells().getLast(), drive.grown());
+    addPlace(table, "from", path.cells().getFirst(), drive.inflated());
+    addPlace(table, "to", path.cells().getLast(), drive.inflated());
     table.format("cost    %.3f cells%n", path.cost());
     table.format("length  %.3f m driven%n", trajectory.length());
     table.format("time    %.1f s%n", trajectory.duration());

@@ -9,7 +9,7 @@ import org.toqa.planning.Path;
  * A way on a map, and how a robot drives it.
  *
  * @param floor the map as it was read
- * @param grown its grid with the margin round the obstacles, on which the way was planned
+ * @param inflated its grid with the margin round the obstacles, on which the way was planned
  * @param trajectory from the middle of the first cell to the middle of the last one
  */
-record PlannedDrive(FloorMap floor, OccupancyGrid grown, Path path, Trajectory trajectory) {}
+record PlannedDrive(FloorMap floor, OccupancyGrid inflated, Path path, Trajectory trajectory) {}

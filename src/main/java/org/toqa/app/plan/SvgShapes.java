@@ -18,13 +18,13 @@ import org.toqa.motion.Trajectory;
 record SvgShapes(OccupancyGrid grid) {
 
   /** A point of the map frame. */
-  Vec2 at(Vec2 point) {
+  Vec2 toPicture(Vec2 point) {
     Vec2 cells = point.minus(grid.origin()).times(1 / grid.resolution());
     return new Vec2(cells.x(), grid.height() - cells.y());
   }
 
   /** Cells by {@link OccupancyGrid#index}, neighbours in a row as one rectangle. */
-  String area(BitSet cells) {
+  String cellArea(BitSet cells) {
     StringBuilder path = new StringBuilder();
     int from = cells.nextSetBit(0);
     while (from >= 0) {
@@ -39,7 +39,7 @@ record SvgShapes(OccupancyGrid grid) {
   }
 
   /** The lines between the cells. */
-  String lines() {
+  String gridLines() {
     StringBuilder path = new StringBuilder();
     for (int column = 1; column < grid.width(); column++) {
       path.append("M").append(column).append(" 0v").append(grid.height());
@@ -51,20 +51,20 @@ record SvgShapes(OccupancyGrid grid) {
   }
 
   /** A line through the middles of cells. */
-  String line(Collection<Cell> cells) {
+  String polyline(Collection<Cell> cells) {
     return cells.stream()
         .map(grid::centre)
-        .map(centre -> point(at(centre)))
+        .map(centre -> point(toPicture(centre)))
         .collect(Collectors.joining("L", "M", ""));
   }
 
   /** Straights and arcs as they are driven. */
-  String drive(Trajectory trajectory) {
-    StringBuilder path = new StringBuilder("M" + point(at(trajectory.start().position())));
+  String trajectoryPath(Trajectory trajectory) {
+    StringBuilder path = new StringBuilder("M" + point(toPicture(trajectory.start().position())));
     Pose pose = trajectory.start();
     for (Segment segment : trajectory.segments()) {
       pose = pose.advanced(segment.twist(), segment.t());
-      String end = point(at(pose.position()));
+      String end = point(toPicture(pose.position()));
       if (segment.w() == 0) {
         path.append("L").append(end);
       } else if (segment.v() != 0) {

@@ -18,7 +18,7 @@ import org.toqa.geometry.Vec2;
   @Type(value = AgentMessage.Done.class, name = "done"),
   @Type(value = AgentMessage.Ack.class, name = "ack"),
   @Type(value = AgentMessage.Reject.class, name = "reject"),
-  @Type(value = AgentMessage.Keep.class, name = "keep"),
+  @Type(value = AgentMessage.FollowerReport.class, name = "keep"),
 })
 public sealed interface AgentMessage {
 
@@ -133,5 +133,6 @@ public sealed interface AgentMessage {
    * @param error metres off its place
    * @param mode {@code FOLLOWING} if it can keep its place
    */
-  record Keep(long task, long seq, Pose pose, double error, Mode mode) implements AgentMessage {}
+  record FollowerReport(long task, long seq, Pose pose, double error, Mode mode)
+      implements AgentMessage {}
 }

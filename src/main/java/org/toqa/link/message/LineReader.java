@@ -40,14 +40,14 @@ public final class LineReader {
   public record TooLong(long bytes) implements Line {}
 
   /** The next line, or null at the end of the stream; waits for it. */
-  public @Nullable Line next() throws IOException {
+  public @Nullable Line readLine() throws IOException {
     byte[] line = new byte[0];
     long length = 0;
     while (true) {
       if (position == limit && !fill()) {
         return null;
       }
-      int end = lineFeed();
+      int end = lineFeedIndex();
       int part = (end < 0 ? limit : end) - position;
       length += part;
       if (length < LinkCodec.MAX_LINE_BYTES) {
@@ -70,7 +70,7 @@ public final class LineReader {
     return count > 0;
   }
 
-  private int lineFeed() {
+  private int lineFeedIndex() {
     for (int i = position; i < limit; i++) {
       if (buffer[i] == '\n') {
         return i;

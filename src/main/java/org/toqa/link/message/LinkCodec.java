@@ -84,8 +84,8 @@ public final class LinkCodec {
    *
    * @throws IllegalArgumentException if it would be longer than a line may be
    */
-  public static byte[] line(ServerMessage message) {
-    return line((Object) message);
+  public static byte[] encode(ServerMessage message) {
+    return encode((Object) message);
   }
 
   /**
@@ -93,25 +93,25 @@ public final class LinkCodec {
    *
    * @throws IllegalArgumentException if it would be longer than a line may be
    */
-  public static byte[] line(AgentMessage message) {
-    return line((Object) message);
+  public static byte[] encode(AgentMessage message) {
+    return encode((Object) message);
   }
 
   /** The message as a line with its line feed. */
-  public static byte[] line(PairingMessage message) {
-    return line((Object) message);
+  public static byte[] encode(PairingMessage message) {
+    return encode((Object) message);
   }
 
-  public static MessageReading<ServerMessage> serverMessage(LineReader.Line line) {
-    return read(line, ServerMessage.class);
+  public static DecodeResult<ServerMessage> decodeServerMessage(LineReader.Line line) {
+    return decode(line, ServerMessage.class);
   }
 
-  public static MessageReading<AgentMessage> agentMessage(LineReader.Line line) {
-    return read(line, AgentMessage.class);
+  public static DecodeResult<AgentMessage> decodeAgentMessage(LineReader.Line line) {
+    return decode(line, AgentMessage.class);
   }
 
-  public static MessageReading<PairingMessage> pairingMessage(LineReader.Line line) {
-    return read(line, PairingMessage.class);
+  public static DecodeResult<PairingMessage> decodePairingMessage(LineReader.Line line) {
+    return decode(line, PairingMessage.class);
   }
 
   private static String tooLong(long bytes) {
@@ -122,7 +122,7 @@ public final class LinkCodec {
         + ". Send a longer way by extend.";
   }
 
-  private static byte[] line(Object message) {
+  private static byte[] encode(Object message) {
     byte[] json = MAPPER.writeValueAsBytes(message);
     if (json.length >= MAX_LINE_BYTES) {
       throw new IllegalArgumentException(tooLong(json.length + 1L));
@@ -132,33 +132,33 @@ public final class LinkCodec {
     return line;
   }
 
-  private static <M> MessageReading<M> read(LineReader.Line line, Class<M> messages) {
+  private static <M> DecodeResult<M> decode(LineReader.Line line, Class<M> messages) {
     return switch (line) {
-      case LineReader.Text(byte[] utf8) -> read(utf8, messages);
-      case LineReader.TooLong(long bytes) -> new MessageReading.Refused<>(0, tooLong(bytes));
+      case LineReader.Text(byte[] utf8) -> decode(utf8, messages);
+      case LineReader.TooLong(long bytes) -> new DecodeResult.Invalid<>(0, tooLong(bytes));
     };
   }
 
-  private static <M> MessageReading<M> read(byte[] line, Class<M> messages) {
+  private static <M> DecodeResult<M> decode(byte[] line, Class<M> messages) {
     JsonNode tree;
     try {
       tree = MAPPER.readTree(line);
     } catch (JacksonException e) {
-      return new MessageReading.Refused<>(0, "The line is not one JSON object in UTF-8.");
+      return new DecodeResult.Invalid<>(0, "The line is not one JSON object in UTF-8.");
     }
     if (!tree.isObject()) {
-      return new MessageReading.Refused<>(0, "The line is not one JSON object in UTF-8.");
+      return new DecodeResult.Invalid<>(0, "The line is not one JSON object in UTF-8.");
     }
-    addMissing(tree);
+    addMissingFields(tree);
     long seq = seqOf(tree);
     String fault = faultOf(tree, messages);
     if (fault != null) {
-      return new MessageReading.Refused<>(seq, fault);
+      return new DecodeResult.Invalid<>(seq, fault);
     }
     try {
-      return new MessageReading.Understood<>(MAPPER.treeToValue(tree, messages));
+      return new DecodeResult.Decoded<>(MAPPER.treeToValue(tree, messages));
     } catch (JacksonException e) {
-      return new MessageReading.Refused<>(seq, sentence(tree.path("type").stringValue(), e));
+      return new DecodeResult.Invalid<>(seq, sentence(tree.path("type").stringValue(), e));
     }
   }
 
@@ -169,7 +169,7 @@ public final class LinkCodec {
   }
 
   /** Fields that a peer of an earlier release does not send. */
-  private static void addMissing(JsonNode message) {
+  private static void addMissingFields(JsonNode message) {
     if (message instanceof ObjectNode drive
         && message.path("type").asString("").equals("drive")
         && !message.has("load")) {
@@ -187,7 +187,7 @@ public final class LinkCodec {
       return "The type \"%s\" is not known; known are %s."
           .formatted(shortened(type.stringValue()), String.join(", ", known));
     }
-    return numbersAreSane(tree)
+    return hasSaneNumbers(tree)
         ? null
         : "A number of the %s is not finite or absurdly large.".formatted(type.stringValue());
   }
@@ -198,8 +198,8 @@ public final class LinkCodec {
         .toList();
   }
 
-  private static boolean numbersAreSane(JsonNode node) {
-    return node.isNumber() ? isSane(node) : node.valueStream().allMatch(LinkCodec::numbersAreSane);
+  private static boolean hasSaneNumbers(JsonNode node) {
+    return node.isNumber() ? isSane(node) : node.valueStream().allMatch(LinkCodec::hasSaneNumbers);
   }
 
   private static boolean isSane(JsonNode number) {

@@ -131,8 +131,8 @@ public sealed interface ServerMessage {
   /** The server has stored that the drive is done. */
   record AckDone(long done) implements ServerMessage {}
 
-  /** A message of a leading robot; each is answered with {@link AgentMessage.Keep}. */
-  sealed interface FromLeader extends ServerMessage {
+  /** A message of a leading robot; each is answered with {@link AgentMessage.FollowerReport}. */
+  sealed interface LeaderMessage extends ServerMessage {
     long task();
   }
 
@@ -144,8 +144,8 @@ public sealed interface ServerMessage {
    * @param pose map frame
    */
   record LeaderPose(long task, long seq, long stamp, Pose pose, AgentMessage.Speed twist)
-      implements FromLeader {}
+      implements LeaderMessage {}
 
   /** The leader is at its goal. */
-  record FormationEnd(long task) implements FromLeader {}
+  record FormationEnd(long task) implements LeaderMessage {}
 }

@@ -9,15 +9,15 @@ public final class HandshakeException extends IOException {
   /** What went wrong. */
   public enum Reason {
     /** The other end has proved to be somebody who is not trusted. */
-    STRANGER,
+    UNTRUSTED_PEER,
     /** The other end does not trust this one. */
-    REFUSED,
+    REJECTED_BY_PEER,
     /** The other end does not speak TLS. */
     NOT_TLS,
     /** The connection ended in the middle. */
     CUT_OFF,
     /** It took too long. */
-    LATE,
+    TIMED_OUT,
     /** Anything else, such as another version of TLS. */
     FAILED
   }

@@ -30,7 +30,7 @@ public final class IdentityFile {
     if (content.isPresent()) {
       return read(file, content.get());
     }
-    return make(file);
+    return create(file);
   }
 
   private static Identity read(PrivateFile file, byte[] content) throws IOException {
@@ -46,9 +46,9 @@ public final class IdentityFile {
     }
   }
 
-  private static Identity make(PrivateFile file) throws IOException {
+  private static Identity create(PrivateFile file) throws IOException {
     try {
-      SelfSigned made = SelfSigned.make();
+      SelfSignedCertificate made = SelfSignedCertificate.generate();
       KeyStore keys = KeyStore.getInstance("PKCS12");
       keys.load(null, PASSWORD);
       keys.setKeyEntry(

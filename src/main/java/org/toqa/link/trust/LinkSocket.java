@@ -42,7 +42,7 @@ public final class LinkSocket implements AutoCloseable {
     return protocol.equals(LinkTls.PAIRING);
   }
 
-  public InetAddress remote() {
+  public InetAddress remoteAddress() {
     return tcp.getInetAddress();
   }
 
@@ -55,7 +55,7 @@ public final class LinkSocket implements AutoCloseable {
   }
 
   /** Lets the conversation last so long from now on, and not longer. */
-  public TimeLimit within(Duration limit) {
+  public TimeLimit startTimeLimit(Duration limit) {
     return new TimeLimit(tcp, limit);
   }
 

@@ -33,8 +33,8 @@ public final class LinkTls {
   /** Every TLS connection begins with a record of this type. */
   private static final int HANDSHAKE_RECORD = 22;
 
-  private static final int LONGEST_FAREWELL_MILLIS = 500;
-  private static final int MOST_UNREAD_BYTES = 16_384;
+  private static final int ALERT_TIMEOUT_MILLIS = 500;
+  private static final int MAX_UNREAD_BYTES = 16_384;
 
   private static final Logger log = LoggerFactory.getLogger(LinkTls.class);
 
@@ -56,22 +56,22 @@ public final class LinkTls {
    *
    * @throws HandshakeException the socket is closed then
    */
-  public LinkSocket connect(Socket connected, String protocol, Admission admission, Duration limit)
-      throws IOException {
+  public LinkSocket connect(
+      Socket connected, String protocol, PeerVerifier verifier, Duration limit) throws IOException {
     try (TimeLimit time = new TimeLimit(connected, limit)) {
       try {
         SSLSocket tls =
             (SSLSocket)
-                context(admission)
+                context(verifier)
                     .getSocketFactory()
                     .createSocket(
                         connected,
                         connected.getInetAddress().getHostAddress(),
                         connected.getPort(),
                         true);
-        return shake(connected, tls, protocol);
+        return handshake(connected, tls, protocol);
       } catch (IOException e) {
-        throw failed(connected, time, e);
+        throw closeAfterFailure(connected, time, e);
       }
     }
   }
@@ -81,7 +81,7 @@ public final class LinkTls {
    *
    * @throws HandshakeException the socket is closed then
    */
-  public LinkSocket accept(Socket accepted, Admission admission, Duration limit)
+  public LinkSocket accept(Socket accepted, PeerVerifier verifier, Duration limit)
       throws IOException {
     try (TimeLimit time = new TimeLimit(accepted, limit)) {
       try {
@@ -95,15 +95,15 @@ public final class LinkTls {
         byte[] read = first < 0 ? new byte[0] : new byte[] {(byte) first};
         SSLSocket tls =
             (SSLSocket)
-                context(admission)
+                context(verifier)
                     .getSocketFactory()
                     .createSocket(accepted, new ByteArrayInputStream(read), false);
         tls.setUseClientMode(false);
         tls.setNeedClientAuth(true);
-        return shake(accepted, tls, PAIRING, LINK);
+        return handshake(accepted, tls, PAIRING, LINK);
       } catch (IOException e) {
-        letReadTheAlert(accepted);
-        throw failed(accepted, time, e);
+        awaitAlertRead(accepted);
+        throw closeAfterFailure(accepted, time, e);
       }
     }
   }
@@ -115,16 +115,16 @@ public final class LinkTls {
         case HandshakeException known -> {
           return known.reason();
         }
-        case PinnedTrust.StrangerException _ -> {
-          return Reason.STRANGER;
+        case PinnedTrustManager.UntrustedPeerException _ -> {
+          return Reason.UNTRUSTED_PEER;
         }
         case EOFException _, SocketException _ -> {
           return Reason.CUT_OFF;
         }
-        case SSLException tls when says(tls, "Received fatal alert") -> {
-          return Reason.REFUSED;
+        case SSLException tls when hasMessage(tls, "Received fatal alert") -> {
+          return Reason.REJECTED_BY_PEER;
         }
-        case SSLException tls when says(tls, "Unsupported or unrecognized SSL message") -> {
+        case SSLException tls when hasMessage(tls, "Unsupported or unrecognized SSL message") -> {
           return Reason.NOT_TLS;
         }
         default -> {}
@@ -133,11 +133,11 @@ public final class LinkTls {
     return Reason.FAILED;
   }
 
-  private static boolean says(SSLException e, String words) {
+  private static boolean hasMessage(SSLException e, String words) {
     return e.getMessage() != null && e.getMessage().contains(words);
   }
 
-  private static LinkSocket shake(Socket tcp, SSLSocket tls, String... protocols)
+  private static LinkSocket handshake(Socket tcp, SSLSocket tls, String... protocols)
       throws IOException {
     SSLParameters parameters = tls.getSSLParameters();
     parameters.setProtocols(new String[] {"TLSv1.3"});
@@ -152,10 +152,11 @@ public final class LinkTls {
     }
   }
 
-  private SSLContext context(Admission admission) throws IOException {
+  private SSLContext context(PeerVerifier verifier) throws IOException {
     try {
       SSLContext context = SSLContext.getInstance("TLSv1.3");
-      context.init(identity.keyManagers(), new TrustManager[] {new PinnedTrust(admission)}, null);
+      context.init(
+          identity.keyManagers(), new TrustManager[] {new PinnedTrustManager(verifier)}, null);
       return context;
     } catch (GeneralSecurityException e) {
       throw new IOException("TLS cannot be had: " + e.getMessage(), e);
@@ -163,17 +164,18 @@ public final class LinkTls {
   }
 
   /** A peer that still writes while its socket is closed would lose the alert that was sent. */
-  private static void letReadTheAlert(Socket refused) {
+  private static void awaitAlertRead(Socket refused) {
     try {
       refused.shutdownOutput();
-      refused.setSoTimeout(LONGEST_FAREWELL_MILLIS);
-      refused.getInputStream().readNBytes(MOST_UNREAD_BYTES);
+      refused.setSoTimeout(ALERT_TIMEOUT_MILLIS);
+      refused.getInputStream().readNBytes(MAX_UNREAD_BYTES);
     } catch (IOException e) {
       log.debug("A refused connection ended.", e);
     }
   }
 
-  private static HandshakeException failed(Socket socket, TimeLimit time, IOException e) {
+  private static HandshakeException closeAfterFailure(
+      Socket socket, TimeLimit time, IOException e) {
     try {
       socket.close();
     } catch (IOException suppressed) {
@@ -181,7 +183,7 @@ public final class LinkTls {
     }
     Reason reason = reasonOf(e);
     if (time.hasPassed() && (reason == Reason.CUT_OFF || reason == Reason.FAILED)) {
-      reason = Reason.LATE;
+      reason = Reason.TIMED_OUT;
     }
     return e instanceof HandshakeException known && known.reason() == reason
         ? known

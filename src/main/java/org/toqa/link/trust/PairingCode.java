@@ -30,7 +30,7 @@ public final class PairingCode {
   /** A new code of the robot with this certificate. */
   public static PairingCode of(Fingerprint robot, SecureRandom random) {
     BigInteger secret = new BigInteger(BITS_A_LETTER * SECRET_LETTERS, random);
-    return new PairingCode(beginning(robot) + base32(secret, SECRET_LETTERS));
+    return new PairingCode(fingerprintLetters(robot) + base32(secret, SECRET_LETTERS));
   }
 
   /** Reads what a person has typed; blanks and hyphens do not count, nor does case. */
@@ -43,7 +43,7 @@ public final class PairingCode {
 
   /** Whether the code is one of the robot with this certificate. */
   public boolean isOf(Fingerprint robot) {
-    return letters.startsWith(beginning(robot));
+    return letters.startsWith(fingerprintLetters(robot));
   }
 
   /** The secret's letters as ASCII. */
@@ -52,7 +52,7 @@ public final class PairingCode {
   }
 
   /** As it is shown to people, with hyphens: four groups of four, two of five. */
-  public String shown() {
+  public String text() {
     return letters.replaceFirst("(.{4})(.{4})(.{4})(.{4})(.{5})(.{5})", "$1-$2-$3-$4-$5-$6");
   }
 
@@ -61,7 +61,7 @@ public final class PairingCode {
     return "PairingCode[" + letters.substring(0, FINGERPRINT_LETTERS) + "...]";
   }
 
-  private static String beginning(Fingerprint robot) {
+  private static String fingerprintLetters(Fingerprint robot) {
     int bits = BITS_A_LETTER * FINGERPRINT_LETTERS;
     return base32(
         new BigInteger(robot.hex(), 16).shiftRight(FINGERPRINT_BITS - bits), FINGERPRINT_LETTERS);

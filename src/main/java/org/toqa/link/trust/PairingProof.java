@@ -34,7 +34,7 @@ public enum PairingProof {
   }
 
   /** Whether this is the proof; how long the answer takes tells nothing. */
-  public boolean isShownBy(String given, PairingCode code, Fingerprint robot, Fingerprint server) {
+  public boolean isValid(String given, PairingCode code, Fingerprint robot, Fingerprint server) {
     return MessageDigest.isEqual(
         given.getBytes(StandardCharsets.UTF_8),
         of(code, robot, server).getBytes(StandardCharsets.UTF_8));

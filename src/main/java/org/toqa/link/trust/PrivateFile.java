@@ -39,8 +39,8 @@ public final class PrivateFile {
     if (Files.notExists(path)) {
       return Optional.empty();
     }
-    if (knowsRights()
-        && !Collections.disjoint(Files.getPosixFilePermissions(path), rightsOfOthers())) {
+    if (supportsPosix()
+        && !Collections.disjoint(Files.getPosixFilePermissions(path), permissionsOfOthers())) {
       throw new IOException(
           "Others than its owner may read or write %s; make it private (chmod 600), and pair anew if anybody may have read it."
               .formatted(path));
@@ -53,7 +53,9 @@ public final class PrivateFile {
     Files.deleteIfExists(next);
     try (FileChannel channel =
         FileChannel.open(
-            next, Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), rights())) {
+            next,
+            Set.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+            ownerOnlyAttributes())) {
       ByteBuffer bytes = ByteBuffer.wrap(content);
       while (bytes.hasRemaining()) {
         channel.write(bytes);
@@ -71,17 +73,17 @@ public final class PrivateFile {
     return path.toString();
   }
 
-  private static Set<PosixFilePermission> rightsOfOthers() {
+  private static Set<PosixFilePermission> permissionsOfOthers() {
     return PosixFilePermissions.fromString("---rwxrwx");
   }
 
-  private static FileAttribute<?>[] rights() {
-    return knowsRights()
+  private static FileAttribute<?>[] ownerOnlyAttributes() {
+    return supportsPosix()
         ? new FileAttribute<?>[] {PosixFilePermissions.asFileAttribute(OWNER_ONLY)}
         : new FileAttribute<?>[0];
   }
 
-  private static boolean knowsRights() {
+  private static boolean supportsPosix() {
     return FileSystems.getDefault().supportedFileAttributeViews().contains("posix");
   }
 }

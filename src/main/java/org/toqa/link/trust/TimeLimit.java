@@ -13,30 +13,30 @@ import java.util.concurrent.TimeUnit;
 public final class TimeLimit implements AutoCloseable {
 
   private final Socket socket;
-  private final CompletableFuture<Void> alarm;
-  private volatile boolean passed;
+  private final CompletableFuture<Void> timer;
+  private volatile boolean hasPassed;
 
   public TimeLimit(Socket socket, Duration limit) {
     this.socket = socket;
-    alarm =
+    timer =
         CompletableFuture.runAsync(
-            this::strike,
+            this::closeSocket,
             CompletableFuture.delayedExecutor(
                 limit.toMillis(), TimeUnit.MILLISECONDS, Thread::startVirtualThread));
   }
 
   /** Whether the socket was closed for it. */
   public boolean hasPassed() {
-    return passed;
+    return hasPassed;
   }
 
   @Override
   public void close() {
-    alarm.cancel(false);
+    timer.cancel(false);
   }
 
-  private void strike() {
-    passed = true;
+  private void closeSocket() {
+    hasPassed = true;
     try {
       socket.close();
     } catch (IOException e) {

@@ -22,7 +22,7 @@ final class CellSet {
     return new CellSet(Arrays.stream(some).sorted().distinct().toArray());
   }
 
-  CellSet and(CellSet other) {
+  CellSet union(CellSet other) {
     int[] both = Arrays.copyOf(indices, indices.length + other.indices.length);
     System.arraycopy(other.indices, 0, both, indices.length, other.indices.length);
     return of(both);

@@ -26,30 +26,30 @@ final class Clearance {
    *
    * @param from where the stretch begins
    */
-  static boolean isKept(Mover mover, Pose from, Stretch stretch, Mover standing) {
-    if (mover.isGroup()) {
+  static boolean isKept(TrafficRobot robot, Pose from, Section section, TrafficRobot other) {
+    if (robot.isFormation()) {
       return false;
     }
     BitSet under = new BitSet();
-    mover.standing().addTo(under);
-    BitSet others = standing.held();
+    robot.standingCells().addTo(under);
+    BitSet others = other.allocatedCells();
     others.andNot(under);
-    if (stretch.cells().intersects(others) || standing.isDriving()) {
+    if (section.cells().intersects(others) || other.isDriving()) {
       return false;
     }
-    return standing.discs().stream().allMatch(disc -> isKept(mover, from, stretch, disc));
+    return other.discs().stream().allMatch(disc -> isKept(robot, from, section, disc));
   }
 
-  private static boolean isKept(Mover mover, Pose from, Stretch stretch, Round disc) {
+  private static boolean isKept(TrafficRobot robot, Pose from, Section section, PlacedDisc disc) {
     double needed =
         Math.min(
-            mover.radius + disc.radius() + ENOUGH, mover.pose.position().distanceTo(disc.middle()));
+            robot.radius + disc.radius() + ENOUGH, robot.pose.position().distanceTo(disc.centre()));
     Pose pose = from;
-    for (Segment segment : stretch.segments()) {
+    for (Segment segment : section.segments()) {
       int pieces = Math.max(1, (int) Math.ceil(Math.abs(segment.angle()) / PIECE));
       for (int i = 0; i < pieces; i++) {
         Pose next = pose.advanced(segment.twist(), segment.t() / pieces);
-        if (disc.middle().distanceToLine(pose.position(), next.position()) < needed - ROUNDING) {
+        if (disc.centre().distanceToLine(pose.position(), next.position()) < needed - ROUNDING) {
           return false;
         }
         pose = next;

@@ -20,6 +20,7 @@ import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
+import org.toqa.traffic.JointPlanner;
 import org.toqa.wording.Sentence;
 
 /**
@@ -39,61 +40,64 @@ import org.toqa.wording.Sentence;
  * <p>Confined to one thread. It knows no clock: time is handed in.
  *
  * <ol>
- *   <li>Tell it what is so: {@link #stands}, {@link #moved}, {@link #wants}, {@link #isFixed}.
+ *   <li>Tell it what is so: {@link #reportStanding}, {@link #reportProgress}, {@link #setGoal},
+ *       {@link #setMovable}.
  *   <li>Ask {@link #decide} what robots are to be told, in that order.
  * </ol>
  */
 public final class FloorTraffic {
   private static final Duration NO_PROGRESS_AFTER = Duration.ofSeconds(10);
   private static final Duration PLAN_AGAIN_AFTER = Duration.ofSeconds(5);
-  private static final Duration BACK_OFF_AFTER = Duration.ofSeconds(2);
-  private static final Duration LOOK_AGAIN_AFTER = Duration.ofSeconds(1);
+  private static final Duration MAKE_ROOM_AFTER = Duration.ofSeconds(2);
+  private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
 
-  private final Ground ground;
-  private final OwnWays ways;
-  private final JointPlanning together;
-  private final Releases releases;
-  private final Hindrances hindrances;
-  private final Holdings holdings;
-  private final StandstillWatch watch = new StandstillWatch();
-  private final Map<String, Mover> movers = new TreeMap<>();
-  private int joined;
+  private final FreeSpace freeSpace;
+  private final SingleRobotPlanner singleRobotPlanner;
+  private final LanePlanner lanePlanner;
+  private final SectionReleaser releaser;
+  private final WaitReasonFinder waitReasons;
+  private final CellAllocations allocations;
+  private final StandstillDetector standstillDetector = new StandstillDetector();
+  private final Map<String, TrafficRobot> robots = new TreeMap<>();
+  private int robotCount;
 
   /** Whether something changed since the robots were last planned together. */
   private boolean changed = true;
 
   /** Whether a robot gave up a part of its way that others wait for it to drive. */
-  private boolean broken;
+  private boolean mustReplan;
 
   /** When any robot last completed a stretch. */
   private Instant lastProgress = Instant.MIN;
 
-  private Instant plannedTogether = Instant.MIN;
+  private Instant lastJointPlan = Instant.MIN;
 
   /**
-   * @param patience how long a plan for all robots may take
+   * @param planningDeadline how long a plan for all robots may take
    */
-  public FloorTraffic(OccupancyGrid grid, JointPlanner joint, Supplier<Deadline> patience) {
-    CourseFitter fitter = new CourseFitter();
-    this.ground = new Ground(grid);
-    this.ways = new OwnWays(ground, fitter);
-    this.together = new JointPlanning(ground, ways, fitter, joint, patience);
-    this.holdings = new Holdings(grid, movers.values());
-    this.releases = new Releases(fitter, movers, holdings);
-    this.hindrances = new Hindrances(ground, ways);
+  public FloorTraffic(
+      OccupancyGrid grid, JointPlanner jointPlanner, Supplier<Deadline> planningDeadline) {
+    SectionFitter fitter = new SectionFitter();
+    this.freeSpace = new FreeSpace(grid);
+    this.singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
+    this.lanePlanner =
+        new LanePlanner(freeSpace, singleRobotPlanner, fitter, jointPlanner, planningDeadline);
+    this.allocations = new CellAllocations(grid, robots.values());
+    this.releaser = new SectionReleaser(fitter, robots, allocations);
+    this.waitReasons = new WaitReasonFinder(freeSpace, singleRobotPlanner);
   }
 
   // --- what is so -------------------------------------------------------------------------------
 
   /** The robot stands at a pose and has no way; it may be new here. */
-  public void stands(String robot, Pose pose, double footprint, Instant now) {
-    OccupancyGrid grid = ground.grid();
-    Mover m =
-        movers.computeIfAbsent(
-            robot, name -> new Mover(name, ++joined, grid, pose, footprint / 2, now));
-    broken |= m.hasUnreleased();
-    changed |= m.course != null || !m.cell().equals(grid.cellAt(pose.position()));
-    m.isAt(pose, footprint / 2);
+  public void reportStanding(String robot, Pose pose, double footprint, Instant now) {
+    OccupancyGrid grid = freeSpace.grid();
+    TrafficRobot m =
+        robots.computeIfAbsent(
+            robot, name -> new TrafficRobot(name, ++robotCount, grid, pose, footprint / 2, now));
+    mustReplan |= m.hasUnreleased();
+    changed |= m.path != null || !m.cell().equals(grid.cellAt(pose.position()));
+    m.setPose(pose, footprint / 2);
     m.stop();
   }
 
@@ -101,13 +105,13 @@ public final class FloorTraffic {
    * The robot, which stands, leads others from now on: what it wants is where the load shall go,
    * and all of the group's cells are its own. The others must have left.
    *
-   * @param group null: it drives alone again
+   * @param formation null: it drives alone again
    */
-  public void leads(String robot, @Nullable Group group) {
-    Mover m = mover(robot);
-    if (m.group() != group) {
-      giveUpTheRest(m);
-      m.leads(group);
+  public void setFormation(String robot, @Nullable FormationFootprint formation) {
+    TrafficRobot m = robot(robot);
+    if (m.formation() != formation) {
+      freeUnreleased(m);
+      m.setFormation(formation);
       changed = true;
     }
   }
@@ -117,26 +121,26 @@ public final class FloorTraffic {
    *
    * @param robot one that stands or drives here
    */
-  public void drivesAt(String robot, DriveSpeeds speeds) {
-    mover(robot).speeds = speeds;
+  public void setSpeeds(String robot, DriveSpeeds speeds) {
+    robot(robot).speeds = speeds;
   }
 
   /**
    * The robot is on the way that it was told.
    *
-   * @param segments so many are completed
+   * @param completedSegments so many are completed
    */
-  public void moved(String robot, Pose pose, int segments, Instant now) {
-    Mover m = mover(robot);
-    m.isAt(pose, m.radius);
-    Course course = m.course;
-    if (course != null) {
-      int done = Math.min(course.stretchesOf(segments), m.released);
-      if (done > m.done) {
-        m.done = done;
+  public void reportProgress(String robot, Pose pose, int completedSegments, Instant now) {
+    TrafficRobot m = robot(robot);
+    m.setPose(pose, m.radius);
+    ReservedPath path = m.path;
+    if (path != null) {
+      int done = Math.min(path.completedSections(completedSegments), m.released);
+      if (done > m.completed) {
+        m.completed = done;
         m.lastProgress = now;
         lastProgress = now;
-        changed |= done == course.size();
+        changed |= done == path.sectionCount();
       }
     }
   }
@@ -144,65 +148,67 @@ public final class FloorTraffic {
   /**
    * The robot is known to drive a way that this traffic did not give it, as after a restart.
    *
-   * @param way all of which up to {@code released} segments it may drive; the rest is forgotten
+   * @param trajectory all of which up to {@code released} segments it may drive; the rest is
+   *     forgotten
    */
-  public void drives(
+  public void adoptTrajectory(
       String robot,
       Pose pose,
       double footprint,
-      Trajectory way,
-      int segments,
+      Trajectory trajectory,
+      int completedSegments,
       int released,
       Instant now) {
-    stands(robot, pose, footprint, now);
-    Mover m = mover(robot);
-    List<Stretch> stretches = new ArrayList<>();
-    Pose at = way.start();
-    for (Segment segment : way.segments().subList(0, Math.min(released, way.segments().size()))) {
-      CellSet cells = m.swept(at, segment);
+    reportStanding(robot, pose, footprint, now);
+    TrafficRobot m = robot(robot);
+    List<Section> sections = new ArrayList<>();
+    Pose at = trajectory.start();
+    for (Segment segment :
+        trajectory.segments().subList(0, Math.min(released, trajectory.segments().size()))) {
+      CellSet cells = m.sweptCells(at, segment);
       at = at.advanced(segment.twist(), segment.t());
-      stretches.add(new Stretch(List.of(segment), at, cells, m.standingAt(at)));
+      sections.add(new Section(List.of(segment), at, cells, m.cellsAt(at)));
     }
-    m.take(Course.meetingNobody(way.start(), stretches));
-    m.released = stretches.size();
-    m.done = Math.min(segments, stretches.size());
-    m.begun = true;
-    m.toldReleased = m.released;
+    m.continueOn(ReservedPath.independent(trajectory.start(), sections));
+    m.released = sections.size();
+    m.completed = Math.min(completedSegments, sections.size());
+    m.isDriveStarted = true;
+    m.sentReleased = m.released;
     m.lastProgress = now;
   }
 
   /**
    * @param goal null: it wants nothing, and may be asked to step aside
    */
-  public void wants(String robot, @Nullable Vec2 goal, Instant now) {
-    wants(robot, goal, null, now);
+  public void setGoal(String robot, @Nullable Vec2 goal, Instant now) {
+    setGoal(robot, goal, null, now);
   }
 
   /**
    * @param goal null: it wants nothing, and may be asked to step aside
    * @param heading how it shall face there, radians, map frame; null: in any way
    */
-  public void wants(String robot, @Nullable Vec2 goal, @Nullable Double heading, Instant now) {
-    Mover m = mover(robot);
-    if (!Objects.equals(m.goal, goal) || !Objects.equals(m.heading, heading)) {
+  public void setGoal(String robot, @Nullable Vec2 goal, @Nullable Double heading, Instant now) {
+    TrafficRobot m = robot(robot);
+    if (!Objects.equals(m.goal, goal) || !Objects.equals(m.goalHeading, heading)) {
       m.goal = goal;
-      m.heading = heading;
-      m.wish = new BitSet();
+      m.goalHeading = heading;
+      m.wantedCells = new BitSet();
       m.waitingSince = goal == null ? null : now;
-      m.hindrance = null;
-      m.takenBy = null;
+      m.noPathReason = null;
+      m.goalTakenBy = null;
       changed = true;
     }
   }
 
-  /** Whether it cannot be told to move: lost, held, or not sure where it is. */
-  public void isFixed(String robot, boolean fixed) {
-    Mover m = mover(robot);
-    if (m.movable == fixed) {
-      m.movable = !fixed;
+  /** Says whether it can be told to move; one that is lost, held or not localised cannot. */
+  public void setMovable(String robot, boolean movable) {
+    TrafficRobot m = robot(robot);
+    if (m.movable != movable) {
+      m.movable = movable;
       changed = true;
-      if (fixed) {
-        giveUpTheRest(m);
+      if (!movable) {
+        freeUnreleased(m);
       }
     }
   }
@@ -214,25 +220,25 @@ public final class FloorTraffic {
    * @param cells all that are obstructed now, as bits by {@link OccupancyGrid#index}; instead of
    *     those told before
    */
-  public void isObstructed(BitSet cells) {
-    if (ground.takeObstacles(cells)) {
+  public void setObstacles(BitSet cells) {
+    if (freeSpace.setObstacles(cells)) {
       changed = true;
-      movers.values().stream().filter(m -> m.needsAny(cells)).forEach(this::giveUpTheRest);
+      robots.values().stream().filter(m -> m.hasUnreleasedOn(cells)).forEach(this::freeUnreleased);
     }
   }
 
-  public void leaves(String robot) {
-    broken |= mover(robot).hasUnreleased();
-    movers.remove(robot);
+  public void removeRobot(String robot) {
+    mustReplan |= robot(robot).hasUnreleased();
+    robots.remove(robot);
     changed = true;
   }
 
-  public boolean knows(String robot) {
-    return movers.containsKey(robot);
+  public boolean hasRobot(String robot) {
+    return robots.containsKey(robot);
   }
 
-  private Mover mover(String robot) {
-    Mover m = movers.get(robot);
+  private TrafficRobot robot(String robot) {
+    TrafficRobot m = robots.get(robot);
     if (m == null) {
       throw new IllegalArgumentException("There is no robot " + robot + " on this floor.");
     }
@@ -243,110 +249,116 @@ public final class FloorTraffic {
 
   /** Whether the robot stands in the cell it wants. */
   public boolean isAtGoal(String robot) {
-    return mover(robot).isAtGoal();
+    return robot(robot).isAtGoal();
   }
 
   /** Why it does not go on, for people; null while it does. */
-  public @Nullable Sentence reason(String robot) {
-    Hindrance why = mover(robot).why();
-    return why == null ? null : why.sentence();
+  public @Nullable Sentence waitReason(String robot) {
+    WaitReason waitReason = robot(robot).waitReason();
+    return waitReason == null ? null : waitReason.sentence();
   }
 
   /** The cells that are its own now, as bits by {@link OccupancyGrid#index}. */
-  public BitSet held(String robot) {
-    return mover(robot).held();
+  public BitSet allocatedCells(String robot) {
+    return robot(robot).allocatedCells();
   }
 
   /** Whether an obstacle stands on what it has been released and not driven yet. */
-  public boolean isHeadingForObstacle(String robot) {
-    Mover m = mover(robot);
-    Course course = m.course;
-    return course != null
-        && course.stretches().subList(Math.min(m.done, m.released), m.released).stream()
-            .anyMatch(stretch -> stretch.cells().intersects(ground.obstacles()));
+  public boolean isObstacleAhead(String robot) {
+    TrafficRobot m = robot(robot);
+    ReservedPath path = m.path;
+    return path != null
+        && path.sections().subList(Math.min(m.completed, m.released), m.released).stream()
+            .anyMatch(section -> section.cells().intersects(freeSpace.obstacles()));
   }
 
   /** Robots that do not get on as they should, each in one of these at most. */
   public List<Standstill> standstills() {
-    return watch.standstills();
+    return standstillDetector.standstills();
   }
 
   /** The rest of its way. */
-  public Route route(String robot) {
-    Mover m = mover(robot);
-    return m.course == null ? Route.NONE : Route.of(m.course, m.done, m.released, m.pose);
+  public RemainingPath remainingPath(String robot) {
+    TrafficRobot m = robot(robot);
+    return m.path == null
+        ? RemainingPath.NONE
+        : RemainingPath.of(m.path, m.completed, m.released, m.pose);
   }
 
   // --- decisions --------------------------------------------------------------------------------
 
   /** Plans for whoever needs a way, and releases what can be. */
-  public List<Decision> decide(Instant now) {
-    holdings.take();
-    watchForStalls(now);
-    planEachAlone(now);
-    planTogether(now);
-    explain(now);
-    movers.values().stream().filter(m -> m.isUnserved()).forEach(m -> makeRoomFor(m, now));
-    movers.values().forEach(m -> releases.release(m, now));
-    watch.look(movers.values(), now);
-    return movers.values().stream().flatMap(m -> m.untold().stream()).toList();
+  public List<DriveCommand> decide(Instant now) {
+    allocations.refresh();
+    detectStalls(now);
+    planSingleRobots(now);
+    planJointly(now);
+    findWaitReasons(now);
+    robots.values().stream().filter(m -> m.needsPath()).forEach(m -> makeRoomFor(m, now));
+    robots.values().forEach(m -> releaser.release(m, now));
+    standstillDetector.update(robots.values(), now);
+    return robots.values().stream().flatMap(m -> m.takeUnsentCommand().stream()).toList();
   }
 
-  private void giveUpTheRest(Mover m) {
-    broken |= m.hasUnreleased();
-    m.cut();
+  private void freeUnreleased(TrafficRobot m) {
+    mustReplan |= m.hasUnreleased();
+    m.freeUnreleased();
   }
 
-  private void watchForStalls(Instant now) {
-    for (Mover m : movers.values()) {
+  private void detectStalls(Instant now) {
+    for (TrafficRobot m : robots.values()) {
       if (!m.isDriving()) {
         m.lastProgress = now;
       }
-      boolean stalled = StandstillWatch.isNotMoving(m, now);
+      boolean stalled = StandstillDetector.isNotMoving(m, now);
       if (stalled != m.stalled) {
         m.stalled = stalled;
         changed = true;
         if (stalled) {
-          giveUpTheRest(m);
+          freeUnreleased(m);
         }
       }
     }
   }
 
   /** Gives their own ways to those that wait: groups first, then the longest waiting. */
-  private void planEachAlone(Instant now) {
-    List<Mover> unserved =
-        movers.values().stream()
-            .filter(Mover::isUnserved)
+  private void planSingleRobots(Instant now) {
+    List<TrafficRobot> unserved =
+        robots.values().stream()
+            .filter(TrafficRobot::needsPath)
             .sorted(
-                Comparator.<Mover, Boolean>comparing(m -> !m.isGroup())
+                Comparator.<TrafficRobot, Boolean>comparing(m -> !m.isFormation())
                     .thenComparing(
                         m -> m.waitingSince, nullsLast(Comparator.<Instant>naturalOrder())))
             .toList();
-    for (Mover m : unserved) {
+    for (TrafficRobot m : unserved) {
       if (m.waitingSince == null) {
         m.waitingSince = now;
       }
-      if (changed || m.triedAlone.plus(LOOK_AGAIN_AFTER).isBefore(now)) {
-        m.triedAlone = now;
-        BitSet taken = claimedByOthers(m);
-        movers.values().stream().filter(o -> o.goesBefore(m)).forEach(o -> taken.or(o.wish));
-        ways.among(m, movers.values(), taken).ifPresent(way -> takeOwn(m, way));
+      if (changed || m.lastSinglePlan.plus(RETRY_AFTER).isBefore(now)) {
+        m.lastSinglePlan = now;
+        BitSet claimed = claimedByOthers(m);
+        robots.values().stream()
+            .filter(o -> o.hasPrecedenceOver(m))
+            .forEach(o -> claimed.or(o.wantedCells));
+        singleRobotPlanner
+            .pathAmong(m, robots.values(), claimed)
+            .ifPresent(sections -> adoptOwnPath(m, sections));
       }
     }
   }
 
-  private static void takeOwn(Mover m, List<Stretch> way) {
-    m.take(Course.meetingNobody(m.releasedEnd(), way));
-    m.hindrance = null;
-    m.takenBy = null;
+  private static void adoptOwnPath(TrafficRobot m, List<Section> sections) {
+    m.continueOn(ReservedPath.independent(m.releasedEnd(), sections));
+    m.noPathReason = null;
+    m.goalTakenBy = null;
     m.waitingSince = null;
-    m.wish = new BitSet();
+    m.wantedCells = new BitSet();
   }
 
-  private BitSet claimedByOthers(Mover m) {
+  private BitSet claimedByOthers(TrafficRobot m) {
     BitSet claimed = new BitSet();
-    for (Mover other : movers.values()) {
+    for (TrafficRobot other : robots.values()) {
       if (other != m) {
         other.addClaimedTo(claimed);
       }
@@ -354,19 +366,19 @@ public final class FloorTraffic {
     return claimed;
   }
 
-  private void planTogether(Instant now) {
-    broken |= isStandstill(now);
-    boolean isNeeded = broken || movers.values().stream().anyMatch(Mover::isUnserved);
-    if (!isNeeded || !(changed || plannedTogether.plus(PLAN_AGAIN_AFTER).isBefore(now))) {
+  private void planJointly(Instant now) {
+    mustReplan |= hasStandstill(now);
+    boolean isNeeded = mustReplan || robots.values().stream().anyMatch(TrafficRobot::needsPath);
+    if (!isNeeded || !(changed || lastJointPlan.plus(PLAN_AGAIN_AFTER).isBefore(now))) {
       return;
     }
-    plannedTogether = now;
+    lastJointPlan = now;
     changed = false;
-    if (together.plan(movers.values(), holdings, broken) == JointPlanning.Outcome.PLANNED) {
-      broken = false;
-      for (Mover m : movers.values()) {
-        if (m.isServed()) {
-          m.hindrance = null;
+    if (lanePlanner.plan(robots.values(), allocations, mustReplan) == LanePlanner.Outcome.PLANNED) {
+      mustReplan = false;
+      for (TrafficRobot m : robots.values()) {
+        if (m.hasPathToGoal()) {
+          m.noPathReason = null;
           m.waitingSince = null;
         }
       }
@@ -374,22 +386,23 @@ public final class FloorTraffic {
   }
 
   /** Whether robots wait in a circle, or have ways and none has got on for long. */
-  private boolean isStandstill(Instant now) {
+  private boolean hasStandstill(Instant now) {
     boolean isCycle =
-        watch.standstills().stream().anyMatch(s -> s.kind() == Standstill.Kind.CYCLE_OF_WAITS);
+        standstillDetector.standstills().stream()
+            .anyMatch(s -> s.kind() == Standstill.Kind.CYCLE_OF_WAITS);
     return isCycle
         || (lastProgress.plus(NO_PROGRESS_AFTER).isBefore(now)
-            && movers.values().stream().anyMatch(Mover::hasUnreleased)
-            && movers.values().stream().noneMatch(m -> m.isDriving() && !m.stalled));
+            && robots.values().stream().anyMatch(TrafficRobot::hasUnreleased)
+            && robots.values().stream().noneMatch(m -> m.isDriving() && !m.stalled));
   }
 
-  private void explain(Instant now) {
-    for (Mover m : movers.values()) {
-      if (!m.isUnserved()) {
-        m.hindrance = null;
-      } else if (m.hindrance == null || m.hindranceSince.plus(LOOK_AGAIN_AFTER).isBefore(now)) {
-        m.hindrance = hindrances.of(m, movers.values());
-        m.hindranceSince = now;
+  private void findWaitReasons(Instant now) {
+    for (TrafficRobot m : robots.values()) {
+      if (!m.needsPath()) {
+        m.noPathReason = null;
+      } else if (m.noPathReason == null || m.noPathReasonFound.plus(RETRY_AFTER).isBefore(now)) {
+        m.noPathReason = waitReasons.reasonFor(m, robots.values());
+        m.noPathReasonFound = now;
       }
     }
   }
@@ -398,39 +411,42 @@ public final class FloorTraffic {
    * Where a robot stands in another's only way and no plan for all could move it, as one that is
    * too large for the lanes, it is sent to the nearest place where it stands in nobody's way.
    */
-  private void makeRoomFor(Mover m, Instant now) {
-    if (m.waitingSince == null || m.waitingSince.plus(BACK_OFF_AFTER).isAfter(now)) {
+  private void makeRoomFor(TrafficRobot m, Instant now) {
+    if (m.waitingSince == null || m.waitingSince.plus(MAKE_ROOM_AFTER).isAfter(now)) {
       return;
     }
-    Mover other = standingInTheWayOf(m);
-    if (other == null || !other.movable || other.goesBefore(m)) {
+    TrafficRobot other = robotBlocking(m);
+    if (other == null || !other.movable || other.hasPrecedenceOver(m)) {
       return;
     }
-    m.wish = new BitSet();
-    ways.roundFixed(m, movers.values()).ifPresent(way -> way.forEach(s -> s.cells().addTo(m.wish)));
-    if (m.wish.isEmpty()) {
+    m.wantedCells = new BitSet();
+    singleRobotPlanner
+        .pathAroundNotMovable(m, robots.values())
+        .ifPresent(sections -> sections.forEach(s -> s.cells().addTo(m.wantedCells)));
+    if (m.wantedCells.isEmpty()) {
       return;
     }
-    ways.outOf(other, movers.values(), claimedByOthers(other), m.wish)
+    singleRobotPlanner
+        .pathOutOf(other, robots.values(), claimedByOthers(other), m.wantedCells)
         .ifPresent(
-            way -> {
-              giveUpTheRest(other);
-              other.take(Course.meetingNobody(other.releasedEnd(), way));
+            sections -> {
+              freeUnreleased(other);
+              other.continueOn(ReservedPath.independent(other.releasedEnd(), sections));
               other.waitingSince = other.goal == null ? null : now;
             });
   }
 
   /** One that cannot go on its way, as to where a group stands, stands in that group's way too. */
-  private @Nullable Mover standingInTheWayOf(Mover m) {
-    Hindrance hindrance = m.hindrance;
-    if (hindrance == null || hindrance.robot() == null) {
+  private @Nullable TrafficRobot robotBlocking(TrafficRobot m) {
+    WaitReason reason = m.noPathReason;
+    if (reason == null || reason.robot() == null) {
       return null;
     }
-    Mover other = movers.get(hindrance.robot());
+    TrafficRobot other = robots.get(reason.robot());
     boolean isStanding =
-        switch (hindrance) {
-          case Hindrance.Standing _ -> other != null && other.course == null;
-          case Hindrance.Passing _ -> other != null && m.isGroup() && !other.isDriving();
+        switch (reason) {
+          case WaitReason.RobotStanding _ -> other != null && other.path == null;
+          case WaitReason.RobotPassing _ -> other != null && m.isFormation() && !other.isDriving();
           default -> false;
         };
     return isStanding ? other : null;

@@ -16,7 +16,7 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.Segment;
 import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.floor.Course.Wait;
+import org.toqa.traffic.floor.ReservedPath.Dependency;
 
 /**
  * Turns a plan for all robots into courses and the order in which they visit each cell.
@@ -34,21 +34,26 @@ final class JointPlan {
   /** So near to the middle of a cell, in cells, a point is in it and on no border. */
   private static final double INSIDE = 0.49;
 
-  private final Lanes lanes;
-  private final BitSet closed;
+  private final LaneGrid lanes;
+  private final BitSet blocked;
   private final RoadGraph roads;
-  private final List<Mover> movers;
+  private final List<TrafficRobot> robots;
   private final List<int[]> steps;
 
   /**
-   * @param closed cells of the floor where none of them must be
+   * @param blocked cells of the floor where none of them must be
    * @param steps the vertices of the movers after each step, in the movers' order
    */
-  JointPlan(Lanes lanes, BitSet closed, RoadGraph roads, List<Mover> movers, List<int[]> steps) {
+  JointPlan(
+      LaneGrid lanes,
+      BitSet blocked,
+      RoadGraph roads,
+      List<TrafficRobot> robots,
+      List<int[]> steps) {
     this.lanes = lanes;
-    this.closed = closed;
+    this.blocked = blocked;
     this.roads = roads;
-    this.movers = movers;
+    this.robots = robots;
     this.steps = steps;
   }
 
@@ -58,35 +63,35 @@ final class JointPlan {
    * @param index of the visit on the robot's course
    * @param enters the step after which it is there
    */
-  private record Visit(int mover, int index, int enters) {}
+  private record Visit(int robot, int index, int enters) {}
 
   /** Gives every mover its course in the plan; one that does not move keeps what was released. */
-  void adopt(CourseFitter fitter) {
+  void adopt(SectionFitter fitter) {
     List<List<Cell>> visits = new ArrayList<>();
     Map<Cell, List<Visit>> byCell = new HashMap<>();
-    for (int m = 0; m < movers.size(); m++) {
+    for (int m = 0; m < robots.size(); m++) {
       visits.add(visitsOf(m, byCell));
-      takeCourse(movers.get(m), visits.get(m), fitter);
+      assignPath(robots.get(m), visits.get(m), fitter);
     }
     byCell.values().forEach(v -> v.sort(Comparator.comparingInt(Visit::enters)));
-    for (int m = 0; m < movers.size(); m++) {
-      Course course = movers.get(m).course;
-      if (course != null && !course.visits().isEmpty()) {
-        movers.get(m).course = course.withWaits(waits(m, visits.get(m), byCell));
+    for (int m = 0; m < robots.size(); m++) {
+      ReservedPath path = robots.get(m).path;
+      if (path != null && !path.visits().isEmpty()) {
+        robots.get(m).path = path.withDependencies(dependencies(m, visits.get(m), byCell));
       }
     }
   }
 
-  private List<Cell> visitsOf(int mover, Map<Cell, List<Visit>> byCell) {
+  private List<Cell> visitsOf(int robot, Map<Cell, List<Visit>> byCell) {
     List<Cell> cells = new ArrayList<>();
     int last = RoadGraph.NONE;
     for (int step = 0; step < steps.size(); step++) {
-      int vertex = steps.get(step)[mover];
+      int vertex = steps.get(step)[robot];
       if (vertex != last) {
         Cell cell = roads.cell(vertex);
         byCell
             .computeIfAbsent(cell, c -> new ArrayList<>())
-            .add(new Visit(mover, cells.size(), step));
+            .add(new Visit(robot, cells.size(), step));
         cells.add(cell);
         last = vertex;
       }
@@ -94,68 +99,72 @@ final class JointPlan {
     return cells;
   }
 
-  private void takeCourse(Mover mover, List<Cell> visits, CourseFitter fitter) {
+  private void assignPath(TrafficRobot robot, List<Cell> visits, SectionFitter fitter) {
     if (visits.size() == 1) {
-      mover.cut();
+      robot.freeUnreleased();
       return;
     }
     OccupancyGrid lattice = lanes.lattice();
-    Pose start = mover.releasedEnd();
-    List<Stretch> stretches = stretches(mover, start, visits, fitter);
-    mover.take(
-        new Course(
+    Pose start = robot.releasedEnd();
+    List<Section> sections = sections(robot, start, visits, fitter);
+    robot.continueOn(
+        new ReservedPath(
             start,
-            stretches,
+            sections,
             0,
             lattice,
             visits,
-            visitsAfter(lattice, start, stretches, visits, 0),
-            Arrays.asList(new @Nullable Wait[visits.size()])));
+            visitsAtEnds(lattice, start, sections, visits, 0),
+            Arrays.asList(new @Nullable Dependency[visits.size()])));
   }
 
   /** With round corners, where these are clear and the robot stands well in its cell. */
-  private List<Stretch> stretches(Mover mover, Pose start, List<Cell> visits, CourseFitter fitter) {
+  private List<Section> sections(
+      TrafficRobot robot, Pose start, List<Cell> visits, SectionFitter fitter) {
     OccupancyGrid lattice = lanes.lattice();
-    Halts halts = new Halts.Middles(lattice);
+    PassingPlaces passingPlaces = new PassingPlaces.CellCentres(lattice);
     double length = lattice.resolution();
-    if (halts.isHalt(start.position(), 0)) {
-      List<Stretch> rounding =
-          fitter.fit(mover, start, waypoints(lattice, visits, 0, i -> false), length, halts);
-      if (rounding.stream().noneMatch(s -> s.cells().intersects(closed))) {
+    if (passingPlaces.isPassingPlace(start.position(), 0)) {
+      List<Section> rounding =
+          fitter.fit(
+              robot, start, waypoints(lattice, visits, 0, i -> false), length, passingPlaces);
+      if (rounding.stream().noneMatch(s -> s.cells().intersects(blocked))) {
         return rounding;
       }
     }
-    return fitter.fit(mover, start, fromMiddle(lattice, visits, 0, i -> true), length, halts);
+    return fitter.fit(
+        robot, start, waypointsFromCentre(lattice, visits, 0, i -> true), length, passingPlaces);
   }
 
-  private List<@Nullable Wait> waits(int m, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
-    List<@Nullable Wait> waits = new ArrayList<>();
+  private List<@Nullable Dependency> dependencies(
+      int m, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
+    List<@Nullable Dependency> dependencies = new ArrayList<>();
     for (int index = 0; index < visits.size(); index++) {
       Visit before = null;
       for (Visit v : byCell.getOrDefault(visits.get(index), List.of())) {
-        if (v.mover() == m && v.index() == index) {
+        if (v.robot() == m && v.index() == index) {
           break;
         }
-        before = v.mover() == m ? before : v;
+        before = v.robot() == m ? before : v;
       }
-      Mover other = before == null ? null : movers.get(before.mover());
-      waits.add(
+      TrafficRobot other = before == null ? null : robots.get(before.robot());
+      dependencies.add(
           before == null || other == null
               ? null
-              : new Wait(other.name, other.courseNumber, before.index()));
+              : new Dependency(other.name, other.pathNumber, before.index()));
     }
-    return waits;
+    return dependencies;
   }
 
   /** Where the way over the cells bends, from visit {@code from} on; the start is left out. */
   static List<Waypoint> waypoints(
       OccupancyGrid lattice, List<Cell> visits, int from, IntPredicate stopsAt) {
-    List<Waypoint> way = new ArrayList<>();
+    List<Waypoint> waypoints = new ArrayList<>();
     for (int i = from + 1; i < visits.size(); i++) {
       Cell before = visits.get(i - 1);
       Cell here = visits.get(i);
       if (i + 1 == visits.size()) {
-        way.add(new Waypoint(lattice.centre(here), false));
+        waypoints.add(new Waypoint(lattice.centre(here), false));
         break;
       }
       Cell next = visits.get(i + 1);
@@ -165,22 +174,22 @@ final class JointPlan {
           next.column() - here.column() == dColumn && next.row() - here.row() == dRow;
       boolean isReversal = next.equals(before);
       if (!isStraight) {
-        way.add(new Waypoint(lattice.centre(here), isReversal || stopsAt.test(i)));
+        waypoints.add(new Waypoint(lattice.centre(here), isReversal || stopsAt.test(i)));
       }
     }
-    return way;
+    return waypoints;
   }
 
   /**
    * The same by way of the middle of the first cell, for a robot that stands beside that: from
    * middle to middle the lanes are known to be wide enough.
    */
-  static List<Waypoint> fromMiddle(
+  static List<Waypoint> waypointsFromCentre(
       OccupancyGrid lattice, List<Cell> visits, int from, IntPredicate stopsAt) {
-    List<Waypoint> way = new ArrayList<>();
-    way.add(new Waypoint(lattice.centre(visits.get(from)), true));
-    way.addAll(waypoints(lattice, visits, from, stopsAt));
-    return way;
+    List<Waypoint> waypoints = new ArrayList<>();
+    waypoints.add(new Waypoint(lattice.centre(visits.get(from)), true));
+    waypoints.addAll(waypoints(lattice, visits, from, stopsAt));
+    return waypoints;
   }
 
   /**
@@ -189,13 +198,13 @@ final class JointPlan {
    *
    * @param start where the first stretch begins, in visit {@code from}
    */
-  static List<Integer> visitsAfter(
-      OccupancyGrid lattice, Pose start, List<Stretch> stretches, List<Cell> visits, int from) {
+  static List<Integer> visitsAtEnds(
+      OccupancyGrid lattice, Pose start, List<Section> sections, List<Cell> visits, int from) {
     List<Integer> after = new ArrayList<>();
     int visit = from;
     Pose pose = start;
-    for (Stretch stretch : stretches) {
-      for (Segment segment : stretch.segments()) {
+    for (Section section : sections) {
+      for (Segment segment : section.segments()) {
         int pieces = 1 + (int) (PIECES * Math.abs(segment.length()) / lattice.resolution());
         for (int i = 0; i < pieces; i++) {
           pose = pose.advanced(segment.twist(), segment.t() / pieces);

@@ -14,7 +14,7 @@ import org.toqa.motion.Segment;
  */
 final class SweptCells {
   /** An arc is taken as chords; so far, in metres, it may rise over its chord. */
-  private static final double HEIGHT = 0.0005;
+  private static final double MAX_CHORD_HEIGHT = 0.0005;
 
   private SweptCells() {}
 
@@ -23,17 +23,17 @@ final class SweptCells {
    *
    * @param radius metres
    */
-  static CellSet standing(OccupancyGrid grid, Vec2 centre, double radius) {
+  static CellSet at(OccupancyGrid grid, Vec2 centre, double radius) {
     return CellSet.of(indices(grid, new Disc(radius).cellsAt(grid, centre)).toArray());
   }
 
   /** The cells that the disc touches on a straight line. */
-  static CellSet straight(OccupancyGrid grid, Vec2 from, Vec2 to, double radius) {
+  static CellSet alongLine(OccupancyGrid grid, Vec2 from, Vec2 to, double radius) {
     return CellSet.of(indices(grid, new Disc(radius).cellsAlong(grid, from, to)).toArray());
   }
 
   /** The cells that the disc touches while it drives the segment. */
-  static CellSet of(OccupancyGrid grid, Pose from, Segment segment, double radius) {
+  static CellSet alongSegment(OccupancyGrid grid, Pose from, Segment segment, double radius) {
     double angle = Math.abs(segment.angle());
     boolean isArc = segment.v() != 0 && angle != 0;
     double arcRadius = isArc ? Math.abs(segment.length()) / angle : 0;
@@ -54,7 +54,7 @@ final class SweptCells {
   }
 
   private static int chords(double radius, double angle) {
-    double chordAngle = 2 * Math.acos(Math.max(0, 1 - HEIGHT / radius));
+    double chordAngle = 2 * Math.acos(Math.max(0, 1 - MAX_CHORD_HEIGHT / radius));
     return Math.max(1, (int) Math.ceil(angle / chordAngle));
   }
 

@@ -7,7 +7,7 @@ import static org.toqa.traffic.RoadGraph.opposite;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.toqa.traffic.DistanceTables;
-import org.toqa.traffic.route.StateGraph;
+import org.toqa.traffic.mapf.StateGraph;
 
 /**
  * Distances that know of oncoming traffic, so that robots keep to the side on which others go their
@@ -49,9 +49,9 @@ final class Guidance {
   Guidance(StateGraph graph) {
     this.graph = graph;
     this.columns =
-        IntStream.range(0, graph.roads().vertices()).map(graph.roads()::columnOf).toArray();
-    this.rows = IntStream.range(0, graph.roads().vertices()).map(graph.roads()::rowOf).toArray();
-    this.announced = new int[graph.roads().vertices() * DIRECTIONS];
+        IntStream.range(0, graph.roads().vertexCount()).map(graph.roads()::columnOf).toArray();
+    this.rows = IntStream.range(0, graph.roads().vertexCount()).map(graph.roads()::rowOf).toArray();
+    this.announced = new int[graph.roads().vertexCount() * DIRECTIONS];
   }
 
   /**
@@ -59,11 +59,11 @@ final class Guidance {
    * beyond the margin. Any number of threads may call it while nobody announces.
    */
   char[] distances(int start, int goal) {
-    char[] costs = new char[graph.states()];
+    char[] costs = new char[graph.stateCount()];
     Arrays.fill(costs, (char) DistanceTables.UNREACHABLE);
-    StackRow open = new StackRow(graph.states());
-    int first = atLeast(goal, graph.vertex(start));
-    for (int heading = 0; heading < graph.headings(); heading++) {
+    BucketQueue open = new BucketQueue(graph.stateCount());
+    int first = lowerBound(goal, graph.vertex(start));
+    for (int heading = 0; heading < graph.headingCount(); heading++) {
       int state = graph.state(goal, heading);
       costs[state] = 0;
       open.push(state, first);
@@ -71,7 +71,7 @@ final class Guidance {
     int last = DistanceTables.UNREACHABLE - STACKS;
     for (int key = first; key <= last && open.size > 0; key++) {
       for (int state = open.pop(key); state != NONE; state = open.pop(key)) {
-        if (costs[state] + atLeast(graph.vertex(state), graph.vertex(start)) == key) {
+        if (costs[state] + lowerBound(graph.vertex(state), graph.vertex(start)) == key) {
           relax(state, graph.vertex(start), costs, open);
         }
       }
@@ -83,20 +83,20 @@ final class Guidance {
   }
 
   /** What the way between two vertices costs at least: the steps on an empty floor. */
-  private int atLeast(int from, int to) {
+  private int lowerBound(int from, int to) {
     return STEP * (Math.abs(columns[from] - columns[to]) + Math.abs(rows[from] - rows[to]));
   }
 
-  private void relax(int state, int start, char[] costs, StackRow open) {
-    for (int action = 1; action < graph.actions(); action++) {
-      int from = graph.before(state, action);
+  private void relax(int state, int start, char[] costs, BucketQueue open) {
+    for (int action = 1; action < graph.actionCount(); action++) {
+      int from = graph.predecessor(state, action);
       if (from == NONE) {
         continue;
       }
       int through = costs[state] + cost(from, state, action);
       if (through < costs[from]) {
         costs[from] = (char) through;
-        open.push(from, through + atLeast(graph.vertex(from), start));
+        open.push(from, through + lowerBound(graph.vertex(from), start));
       }
     }
   }
@@ -124,21 +124,21 @@ final class Guidance {
         }
         edges[count++] = graph.vertex(state) * DIRECTIONS + direction;
       }
-      state = graph.after(state, action);
+      state = graph.successor(state, action);
       action = bestAction(state, costs);
     }
-    int[] way = Arrays.copyOf(edges, count);
-    for (int edge : way) {
+    int[] path = Arrays.copyOf(edges, count);
+    for (int edge : path) {
       announced[edge]++;
     }
-    return way;
+    return path;
   }
 
   private int bestAction(int state, char[] costs) {
     int best = StateGraph.WAIT;
     int least = costs[state];
-    for (int action = 1; action < graph.actions(); action++) {
-      int next = graph.after(state, action);
+    for (int action = 1; action < graph.actionCount(); action++) {
+      int next = graph.successor(state, action);
       if (next != NONE && costs[next] < least) {
         least = costs[next];
         best = action;
@@ -147,14 +147,14 @@ final class Guidance {
     return best;
   }
 
-  void withdraw(int[] way) {
-    for (int edge : way) {
+  void withdraw(int[] path) {
+    for (int edge : path) {
       announced[edge]--;
     }
   }
 
   /** A priority queue for keys that never lie further apart than there are stacks. */
-  private static final class StackRow {
+  private static final class BucketQueue {
     private final int[] tops = new int[STACKS];
     private int[] states;
     private int[] below;
@@ -162,7 +162,7 @@ final class Guidance {
     private int free = NONE;
     private int size;
 
-    StackRow(int capacity) {
+    BucketQueue(int capacity) {
       states = new int[capacity];
       below = new int[capacity];
       Arrays.fill(tops, NONE);

@@ -4,7 +4,7 @@ import static org.toqa.traffic.RoadGraph.NONE;
 
 import java.util.SplittableRandom;
 import org.toqa.traffic.Deadline;
-import org.toqa.traffic.route.StateGraph;
+import org.toqa.traffic.mapf.StateGraph;
 
 /**
  * Chooses an operation, some steps long, for every robot: priority inheritance with backtracking
@@ -231,18 +231,18 @@ final class OperationSearch {
 
   private void decode(long choice, int[] operation) {
     for (int t = 1; t <= depth; t++) {
-      operation[t] = graph.after(operation[t - 1], action((int) choice, t - 1));
+      operation[t] = graph.successor(operation[t - 1], action((int) choice, t - 1));
     }
   }
 
   /** Waiting comes last, so that of two choices that are equal otherwise the livelier is taken. */
   private int digit(int action, int t) {
-    return Math.floorMod(action - 1, graph.actions()) << (t * ACTION_BITS);
+    return Math.floorMod(action - 1, graph.actionCount()) << (t * ACTION_BITS);
   }
 
   private int action(int code, int t) {
     int digit = code >>> (t * ACTION_BITS) & ((1 << ACTION_BITS) - 1);
-    return (digit + 1) % graph.actions();
+    return (digit + 1) % graph.actionCount();
   }
 
   /** What the robot's operation leaves to be done, and the time it takes itself. */
@@ -266,7 +266,7 @@ final class OperationSearch {
     if (choices[level] == null) {
       int most = 1;
       for (int t = 0; t < depth; t++) {
-        most *= graph.actions();
+        most *= graph.actionCount();
       }
       choices[level] = new long[most];
     }
@@ -289,9 +289,9 @@ final class OperationSearch {
       return;
     }
     int vertex = graph.vertex(state);
-    for (int action = 0; action < graph.actions(); action++) {
-      int next = graph.after(state, action);
-      if (next == NONE || (t > 0 && graph.isIdlePair(action(code, t - 1), action))) {
+    for (int action = 0; action < graph.actionCount(); action++) {
+      int next = graph.successor(state, action);
+      if (next == NONE || (t > 0 && graph.isRedundantPair(action(code, t - 1), action))) {
         continue;
       }
       int there = graph.vertex(next);

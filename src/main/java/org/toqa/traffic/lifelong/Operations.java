@@ -3,7 +3,7 @@ package org.toqa.traffic.lifelong;
 import static org.toqa.traffic.RoadGraph.NONE;
 
 import java.util.Arrays;
-import org.toqa.traffic.route.StateGraph;
+import org.toqa.traffic.mapf.StateGraph;
 
 /**
  * What each robot is going to do in the next steps, its operation, and who is where after each of
@@ -22,7 +22,7 @@ final class Operations {
   Operations(StateGraph graph, int depth) {
     this.graph = graph;
     this.depth = depth;
-    this.occupants = new int[depth + 1][graph.roads().vertices()];
+    this.occupants = new int[depth + 1][graph.roads().vertexCount()];
     for (int[] occupant : occupants) {
       Arrays.fill(occupant, NONE);
     }

@@ -9,19 +9,13 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.toqa.traffic.Deadline;
-import org.toqa.traffic.Itinerary;
+import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
-import org.toqa.traffic.Prospect;
 import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.Stance;
-import org.toqa.traffic.TrafficPlan;
-import org.toqa.traffic.TrafficPlanner;
-import org.toqa.traffic.TrafficRobot;
-import org.toqa.traffic.TrafficScene;
-import org.toqa.traffic.route.SafeIntervalSearch;
-import org.toqa.traffic.route.StateDistances;
-import org.toqa.traffic.route.StateGraph;
-import org.toqa.traffic.route.Timetable;
+import org.toqa.traffic.mapf.ReservationTable;
+import org.toqa.traffic.mapf.SafeIntervalSearch;
+import org.toqa.traffic.mapf.StateDistances;
+import org.toqa.traffic.mapf.StateGraph;
 
 /**
  * The baseline: first come, first served. A robot reserves its whole route in space and time when
@@ -30,11 +24,11 @@ import org.toqa.traffic.route.Timetable;
  *
  * <p>D. Silver, "Cooperative pathfinding", AIIDE 2005.
  */
-public final class ReservationPlanner implements TrafficPlanner {
+public final class ReservationPlanner implements LifelongPlanner {
   private static final int HORIZON = 4;
 
   private final MotionModel model;
-  private final Map<String, Booking> bookings = new HashMap<>();
+  private final Map<String, Reservation> reservations = new HashMap<>();
   private @Nullable StateGraph lastGraph;
 
   public ReservationPlanner(MotionModel model) {
@@ -42,32 +36,32 @@ public final class ReservationPlanner implements TrafficPlanner {
   }
 
   /** A robot's route from the present step on; its last state is kept for ever. */
-  private static final class Booking {
+  private static final class Reservation {
     int goal = NONE;
     char @Nullable [] distances;
-    int[] route;
+    int[] path;
 
-    Booking(int state) {
-      route = new int[] {state};
+    Reservation(int state) {
+      path = new int[] {state};
     }
 
     int expected() {
-      return route[Math.min(1, route.length - 1)];
+      return path[Math.min(1, path.length - 1)];
     }
   }
 
   @Override
-  public TrafficPlan plan(TrafficScene scene, Deadline deadline) {
-    StateGraph graph = graphOf(scene.roads());
-    Attendance attendance = Attendance.of(scene, graph);
-    List<Booking> present = advance(scene, attendance);
-    Timetable timetable = new Timetable(scene.roads(), span(present));
-    present.forEach(booking -> timetable.add(vertices(graph, booking.route)));
-    SafeIntervalSearch search = new SafeIntervalSearch(graph, timetable);
+  public LifelongPlan plan(TrafficSnapshot snapshot, Deadline deadline) {
+    StateGraph graph = graphOf(snapshot.roads());
+    ActiveRobots active = ActiveRobots.of(snapshot, graph);
+    List<Reservation> present = advance(snapshot, active);
+    ReservationTable table = new ReservationTable(snapshot.roads(), tableLength(present));
+    present.forEach(reservation -> table.add(vertices(graph, reservation.path)));
+    SafeIntervalSearch search = new SafeIntervalSearch(graph, table);
     for (int k = 0; k < present.size() && !deadline.isPassed(); k++) {
-      book(present.get(k), attendance.goal(k), graph, timetable, search);
+      reserve(present.get(k), active.goal(k), graph, table, search);
     }
-    return report(scene, attendance, present);
+    return toPlan(snapshot, active, present);
   }
 
   private StateGraph graphOf(RoadGraph roads) {
@@ -75,86 +69,92 @@ public final class ReservationPlanner implements TrafficPlanner {
     if (last != null && last.roads() == roads) {
       return last;
     }
-    bookings.clear();
+    reservations.clear();
     StateGraph graph = new StateGraph(roads, model);
     lastGraph = graph;
     return graph;
   }
 
   /** One step on; if a robot is not where it booked to be, all bookings are void. */
-  private List<Booking> advance(TrafficScene scene, Attendance attendance) {
-    Map<String, Booking> former = new HashMap<>(bookings);
-    bookings.clear();
-    List<Booking> present = new ArrayList<>();
+  private List<Reservation> advance(TrafficSnapshot snapshot, ActiveRobots active) {
+    Map<String, Reservation> former = new HashMap<>(reservations);
+    reservations.clear();
+    List<Reservation> present = new ArrayList<>();
     boolean isObeyed = true;
-    for (int k = 0; k < attendance.size(); k++) {
-      String name = scene.robots().get(attendance.robot(k)).name();
-      int state = attendance.state(k);
-      Booking booking = former.getOrDefault(name, new Booking(state));
-      isObeyed &= booking.expected() == state && (former.isEmpty() || former.containsKey(name));
-      present.add(booking);
-      bookings.put(name, booking);
+    for (int k = 0; k < active.size(); k++) {
+      String name = snapshot.robots().get(active.robot(k)).name();
+      int state = active.state(k);
+      Reservation reservation = former.getOrDefault(name, new Reservation(state));
+      isObeyed &= reservation.expected() == state && (former.isEmpty() || former.containsKey(name));
+      present.add(reservation);
+      reservations.put(name, reservation);
     }
     for (int k = 0; k < present.size(); k++) {
-      Booking booking = present.get(k);
+      Reservation reservation = present.get(k);
       if (isObeyed) {
-        booking.route =
+        reservation.path =
             Arrays.copyOfRange(
-                booking.route, Math.min(1, booking.route.length - 1), booking.route.length);
+                reservation.path,
+                Math.min(1, reservation.path.length - 1),
+                reservation.path.length);
       } else {
-        booking.route = new int[] {attendance.state(k)};
-        booking.goal = NONE;
+        reservation.path = new int[] {active.state(k)};
+        reservation.goal = NONE;
       }
     }
     return present;
   }
 
-  private static int span(List<Booking> present) {
-    int longest = present.stream().mapToInt(booking -> booking.route.length).max().orElse(0);
+  private static int tableLength(List<Reservation> present) {
+    int longest = present.stream().mapToInt(reservation -> reservation.path.length).max().orElse(0);
     return 2 * longest + 512;
   }
 
-  private static void book(
-      Booking booking, int goal, StateGraph graph, Timetable timetable, SafeIntervalSearch search) {
-    int state = booking.route[0];
-    boolean ends = graph.vertex(booking.route[booking.route.length - 1]) == goal;
-    if (goal == NONE || (booking.goal == goal && ends)) {
+  private static void reserve(
+      Reservation reservation,
+      int goal,
+      StateGraph graph,
+      ReservationTable table,
+      SafeIntervalSearch search) {
+    int state = reservation.path[0];
+    boolean ends = graph.vertex(reservation.path[reservation.path.length - 1]) == goal;
+    if (goal == NONE || (reservation.goal == goal && ends)) {
       return;
     }
-    char[] distances = booking.distances;
-    if (booking.goal != goal || distances == null) {
+    char[] distances = reservation.distances;
+    if (reservation.goal != goal || distances == null) {
       distances = StateDistances.to(graph, goal);
-      booking.goal = goal;
-      booking.distances = distances;
+      reservation.goal = goal;
+      reservation.distances = distances;
     }
-    timetable.remove(vertices(graph, booking.route));
-    int[] route = search.route(state, goal, distances, timetable.end());
-    booking.route = route == null ? booking.route : route;
-    timetable.add(vertices(graph, booking.route));
+    table.remove(vertices(graph, reservation.path));
+    int[] path = search.path(state, goal, distances, table.end());
+    reservation.path = path == null ? reservation.path : path;
+    table.add(vertices(graph, reservation.path));
   }
 
-  private static int[] vertices(StateGraph graph, int[] route) {
-    return Arrays.stream(route).map(graph::vertex).toArray();
+  private static int[] vertices(StateGraph graph, int[] path) {
+    return Arrays.stream(path).map(graph::vertex).toArray();
   }
 
-  private static TrafficPlan report(
-      TrafficScene scene, Attendance attendance, List<Booking> present) {
-    Itinerary[] itineraries = new Itinerary[scene.robots().size()];
-    for (int robot = 0; robot < itineraries.length; robot++) {
-      TrafficRobot asked = scene.robots().get(robot);
-      itineraries[robot] = new Itinerary(List.of(asked.stance()), attendance.prospect(robot));
+  private static LifelongPlan toPlan(
+      TrafficSnapshot snapshot, ActiveRobots active, List<Reservation> present) {
+    PlannedPath[] paths = new PlannedPath[snapshot.robots().size()];
+    for (int robot = 0; robot < paths.length; robot++) {
+      PlannedRobot asked = snapshot.robots().get(robot);
+      paths[robot] = new PlannedPath(List.of(asked.pose()), active.status(robot));
     }
-    for (int k = 0; k < attendance.size(); k++) {
-      int robot = attendance.robot(k);
-      int[] route = present.get(k).route;
-      List<Stance> stances = new ArrayList<>();
-      stances.add(scene.robots().get(robot).stance());
+    for (int k = 0; k < active.size(); k++) {
+      int robot = active.robot(k);
+      int[] path = present.get(k).path;
+      List<GridPose> poses = new ArrayList<>();
+      poses.add(snapshot.robots().get(robot).pose());
       for (int t = 1; t <= HORIZON; t++) {
-        stances.add(attendance.stance(robot, route[Math.min(t, route.length - 1)]));
+        poses.add(active.pose(robot, path[Math.min(t, path.length - 1)]));
       }
-      Prospect prospect = attendance.prospect(robot);
-      itineraries[robot] = new Itinerary(stances, prospect);
+      PlanStatus status = active.status(robot);
+      paths[robot] = new PlannedPath(poses, status);
     }
-    return new TrafficPlan(List.of(itineraries));
+    return new LifelongPlan(List.of(paths));
   }
 }

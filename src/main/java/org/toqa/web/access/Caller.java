@@ -4,8 +4,8 @@ import jakarta.servlet.ServletRequest;
 import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.toqa.store.Account;
-import org.toqa.store.Session;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Session;
 
 /** The user whose request it is, and how he proved it. */
 public record Caller(Account account, Session session, Credential credential) {
@@ -20,7 +20,7 @@ public record Caller(Account account, Session session, Credential credential) {
     return account.isManager();
   }
 
-  void keepIn(ServletRequest request) {
+  void storeIn(ServletRequest request) {
     request.setAttribute(ATTRIBUTE, this);
   }
 
@@ -29,7 +29,7 @@ public record Caller(Account account, Session session, Credential credential) {
     return Objects.requireNonNull((@Nullable Caller) request.getAttribute(ATTRIBUTE));
   }
 
-  public static Optional<Caller> ifKnown(ServletRequest request) {
+  public static Optional<Caller> find(ServletRequest request) {
     return Optional.ofNullable((@Nullable Caller) request.getAttribute(ATTRIBUTE));
   }
 }

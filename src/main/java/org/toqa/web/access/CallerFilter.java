@@ -17,11 +17,11 @@ public final class CallerFilter extends HttpFilter {
     if (!request.getServletPath().startsWith("/assets/")) {
       Credential.of(request)
           .flatMap(
-              shown ->
-                  shown
-                      .login(Services.from(request.getServletContext()))
-                      .map(login -> new Caller(login.account(), login.session(), shown)))
-          .ifPresent(caller -> caller.keepIn(request));
+              credential ->
+                  credential
+                      .login(Services.of(request.getServletContext()))
+                      .map(login -> new Caller(login.account(), login.session(), credential)))
+          .ifPresent(caller -> caller.storeIn(request));
     }
     chain.doFilter(request, response);
   }

@@ -2,8 +2,8 @@ package org.toqa.web.access;
 
 import jakarta.servlet.http.HttpServletRequest;
 import java.util.Optional;
-import org.toqa.store.Session;
-import org.toqa.store.Sessions;
+import org.toqa.accounts.Session;
+import org.toqa.store.JdbiSessionStore;
 import org.toqa.web.Services;
 
 /**
@@ -14,8 +14,11 @@ import org.toqa.web.Services;
 public record Credential(Session.Kind kind, String secret) {
 
   /** The session it proves and its user, while it does and he may come in. */
-  public Optional<Sessions.Login> login(Services services) {
-    return services.sessions().login(kind, secret).filter(login -> !login.account().disabled());
+  public Optional<JdbiSessionStore.AuthenticatedSession> login(Services services) {
+    return services
+        .sessions()
+        .authenticate(kind, secret)
+        .filter(login -> !login.account().disabled());
   }
 
   /** The request's bearer token if it has one, else its cookie if it has one. */

@@ -5,7 +5,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import org.jspecify.annotations.Nullable;
-import org.toqa.store.Secret;
+import org.toqa.accounts.Secret;
 
 /**
  * What a browser's own pages send back with every write. It follows from the secret of {@link
@@ -22,10 +22,10 @@ public final class CsrfToken {
 
   /** The browser's token; makes its cookie if there is none. */
   public static String of(HttpServletRequest request, HttpServletResponse response) {
-    return from(SessionCookie.ofStranger(request, response));
+    return from(SessionCookie.getOrCreate(request, response));
   }
 
-  static boolean matches(HttpServletRequest request, @Nullable String given) {
+  public static boolean isValid(HttpServletRequest request, @Nullable String given) {
     return given != null
         && SessionCookie.of(request)
             .filter(

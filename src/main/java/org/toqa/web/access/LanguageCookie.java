@@ -12,7 +12,7 @@ import org.toqa.web.Language;
 /** The language that a browser was told to keep to. */
 public final class LanguageCookie {
   private static final String NAME = "toqa-language";
-  private static final Duration LIFE = Duration.ofDays(365);
+  private static final Duration LIFETIME = Duration.ofDays(365);
 
   private LanguageCookie() {}
 
@@ -28,7 +28,7 @@ public final class LanguageCookie {
       HttpServletRequest request, HttpServletResponse response, Language language) {
     Cookie cookie = new Cookie(NAME, language.tag());
     cookie.setPath(request.getContextPath() + "/");
-    cookie.setMaxAge(Math.toIntExact(LIFE.toSeconds()));
+    cookie.setMaxAge(Math.toIntExact(LIFETIME.toSeconds()));
     cookie.setHttpOnly(true);
     cookie.setSecure(request.isSecure());
     cookie.setAttribute("SameSite", "Lax");

@@ -24,7 +24,7 @@ public final class LanguageFilter extends HttpFilter {
         LanguageCookie.of(request)
             .orElseGet(() -> Language.preferred(request.getHeader("Accept-Language")));
     Texts texts = Texts.in(language.locale());
-    texts.keepIn(request);
+    texts.storeIn(request);
     Config.set(
         request,
         Config.FMT_LOCALIZATION_CONTEXT,

@@ -7,9 +7,9 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import org.toqa.store.Account;
-import org.toqa.store.Secret;
-import org.toqa.store.Session;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Secret;
+import org.toqa.accounts.Session;
 import org.toqa.web.Services;
 
 /**
@@ -32,28 +32,28 @@ public final class SessionCookie {
   }
 
   /** The browser's secret; one that has none gets one. */
-  static String ofStranger(HttpServletRequest request, HttpServletResponse response) {
+  static String getOrCreate(HttpServletRequest request, HttpServletResponse response) {
     return of(request)
         .orElseGet(
             () -> {
-              String secret = Secret.fresh();
+              String secret = Secret.random();
               set(request, response, secret);
               return secret;
             });
   }
 
   /** Logs the user in, in this browser; what was logged in there ends. */
-  public static void begin(
+  public static void signIn(
       HttpServletRequest request, HttpServletResponse response, Services services, Account user) {
-    end(request, services);
+    signOut(request, services);
     set(
         request,
         response,
-        services.sessions().begin(user, Session.Kind.BROWSER, Origins.of(request)).secret());
+        services.sessions().begin(user, Session.Kind.BROWSER, RequestOrigin.of(request)).secret());
   }
 
   /** Logs out whoever is logged in, in this browser. */
-  public static void end(HttpServletRequest request, Services services) {
+  public static void signOut(HttpServletRequest request, Services services) {
     of(request).ifPresent(services.sessions()::end);
   }
 

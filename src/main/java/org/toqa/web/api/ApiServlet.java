@@ -11,69 +11,69 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.Question;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
-import org.toqa.web.Version;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.Version;
 import org.toqa.wording.Sentence;
 
 /** What the servlets of the API have in common: raised problems become answers. */
-abstract class ApiServlet extends HttpServlet {
+public abstract class ApiServlet extends HttpServlet {
 
   @Override
   protected void service(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     try {
       super.service(request, response);
-    } catch (Problem.Raised e) {
+    } catch (Problem.ProblemException e) {
       e.problem().send(request, response);
     } catch (StoreException e) {
       Problem.of(503, Texts.of(request).get("problem.databaseAway")).send(request, response);
     }
   }
 
-  final Services services() {
-    return Services.from(getServletContext());
+  public final Services services() {
+    return Services.of(getServletContext());
   }
 
   /**
-   * @throws Problem.Raised when there are errors
+   * @throws Problem.ProblemException when there are errors
    */
-  static void refuseIfAny(FieldErrors errors) {
+  static void throwIfAny(FieldErrors errors) {
     if (!errors.isEmpty()) {
-      throw Problem.of(errors).raised();
+      throw Problem.of(errors).exception();
     }
   }
 
   /**
-   * @throws Problem.Raised when the caller means another version than this
+   * @throws Problem.ProblemException when the caller means another version than this
    */
-  static void refuseOther(Version version, HttpServletRequest request) {
-    String wanted = request.getHeader("If-Match");
-    if (wanted != null && !version.isAmong(wanted)) {
-      throw Problem.of(412, Texts.of(request).get("problem.changedMeanwhile")).raised();
+  static void requireVersion(Version version, HttpServletRequest request) {
+    String ifMatch = request.getHeader("If-Match");
+    if (ifMatch != null && !version.isAmong(ifMatch)) {
+      throw Problem.of(412, Texts.of(request).get("problem.changedMeanwhile")).exception();
     }
   }
 
   /**
-   * @throws Problem.Raised when the fleet says no
+   * @throws Problem.ProblemException when the fleet says no
    */
-  static <T> T accepted(HttpServletRequest request, Answer<T> answer) {
+  static <T> T acceptedValue(HttpServletRequest request, Answer<T> answer) {
     Texts texts = Texts.of(request);
     return switch (answer) {
       case Answer.Accepted<T>(T value) -> value;
-      case Answer.Refused<T>(String field, Sentence sentence) -> {
+      case Answer.Rejected<T>(String field, Sentence sentence) -> {
         if (field == null) {
-          throw Problem.of(422, texts.say(sentence)).raised();
+          throw Problem.of(422, texts.text(sentence)).exception();
         }
         FieldErrors errors = new FieldErrors();
-        errors.add(field, texts.say(sentence));
-        throw Problem.of(errors).raised();
+        errors.add(field, texts.text(sentence));
+        throw Problem.of(errors).exception();
       }
       case Answer.Conflict<T>(Sentence sentence, Question needs) ->
-          throw Problem.conflict(texts.say(sentence), needs).raised();
+          throw Problem.conflict(texts.text(sentence), needs).exception();
       case Answer.Unknown<T>(Sentence sentence) ->
-          throw Problem.of(404, texts.say(sentence)).raised();
+          throw Problem.of(404, texts.text(sentence)).exception();
     };
   }
 
@@ -87,21 +87,21 @@ abstract class ApiServlet extends HttpServlet {
         .orElseThrow(() -> noSuchFloor(request, floors));
   }
 
-  private static Problem.Raised noSuchFloor(HttpServletRequest request, List<FloorMap> floors) {
+  private static Problem.ProblemException noSuchFloor(
+      HttpServletRequest request, List<FloorMap> floors) {
     String names = floors.stream().map(FloorMap::name).collect(Collectors.joining(", "));
-    return Problem.of(404, Texts.of(request).get("problem.noSuchFloor", names)).raised();
+    return Problem.of(404, Texts.of(request).get("problem.noSuchFloor", names)).exception();
   }
 
   /** A whole number from the query, at least {@code least}; a larger one than most is lowered. */
-  static int queryNumber(
-      HttpServletRequest request, String name, int otherwise, int least, int most) {
+  static int queryNumber(HttpServletRequest request, String name, int fallback, int min, int max) {
     String given = request.getParameter(name);
     if (given == null) {
-      return otherwise;
+      return fallback;
     }
-    if (!given.matches("[0-9]{1,9}") || Integer.parseInt(given) < least) {
-      throw Problem.of(400, Texts.of(request).get("problem.queryNumber", name, least)).raised();
+    if (!given.matches("[0-9]{1,9}") || Integer.parseInt(given) < min) {
+      throw Problem.of(400, Texts.of(request).get("problem.queryNumber", name, min)).exception();
     }
-    return Math.min(Integer.parseInt(given), most);
+    return Math.min(Integer.parseInt(given), max);
   }
 }

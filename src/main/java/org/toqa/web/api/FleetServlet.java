@@ -9,9 +9,9 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.Hold;
-import org.toqa.web.Doors;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.access.Caller;
+import org.toqa.web.route.Routes;
 
 /** The fleet as a whole: whether it is paused. */
 public final class FleetServlet extends ApiServlet {
@@ -28,7 +28,8 @@ public final class FleetServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Json.send(request, response, 200, FleetJson.of(services().fleet().feed().latest().pause()));
+    Json.send(
+        request, response, 200, FleetJson.of(services().fleet().snapshots().latest().pause()));
   }
 
   @Override
@@ -36,12 +37,12 @@ public final class FleetServlet extends ApiServlet {
       throws IOException {
     Fleet fleet = services().fleet();
     String user = Caller.of(request).name();
-    CompletionStage<Answer<Optional<Hold>>> wish =
-        Doors.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user);
+    CompletionStage<Answer<Optional<Hold>>> answer =
+        Routes.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user);
     Json.send(
         request,
         response,
         200,
-        FleetJson.of(accepted(request, FleetAnswers.await(wish)).orElse(null)));
+        FleetJson.of(acceptedValue(request, FleetAnswers.await(answer)).orElse(null)));
   }
 }

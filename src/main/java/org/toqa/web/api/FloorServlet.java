@@ -9,9 +9,9 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.Hold;
-import org.toqa.web.Doors;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.access.Caller;
+import org.toqa.web.route.Routes;
 
 /** A floor: whether its robots are on hold. */
 public final class FloorServlet extends ApiServlet {
@@ -25,13 +25,13 @@ public final class FloorServlet extends ApiServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Fleet fleet = services().fleet();
-    String floor = Doors.parameter(request, "floor");
+    String floor = Routes.parameter(request, "floor");
     String user = Caller.of(request).name();
-    CompletionStage<Answer<Optional<Hold>>> wish =
-        Doors.lastSegment(request).equals("hold")
+    CompletionStage<Answer<Optional<Hold>>> answer =
+        Routes.lastSegment(request).equals("hold")
             ? fleet.holdFloor(floor, user)
             : fleet.resumeFloor(floor, user);
-    Hold hold = accepted(request, FleetAnswers.await(wish)).orElse(null);
+    Hold hold = acceptedValue(request, FleetAnswers.await(answer)).orElse(null);
     Json.send(request, response, 200, new FloorHoldJson(floor, HoldJson.of(hold)));
   }
 }

@@ -12,7 +12,7 @@ public final class HealthServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    List<Sentence> alerts = services().fleet().feed().latest().alerts();
+    List<Sentence> alerts = services().fleet().snapshots().latest().alerts();
     if (alerts.isEmpty()) {
       Json.send(request, response, 200, Map.of("status", "UP"));
     } else {

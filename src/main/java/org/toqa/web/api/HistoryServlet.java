@@ -6,17 +6,17 @@ import java.io.IOException;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.EventArchive.Entry;
-import org.toqa.fleet.EventArchive.Filter;
 import org.toqa.fleet.EventRecord;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.HistoryFilter;
+import org.toqa.fleet.history.EventArchive.Entry;
+import org.toqa.fleet.history.EventArchive.Filter;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.HistoryQueryReader;
 import org.toqa.wording.Sentence;
 
 /** Everything that has happened, newest first. */
 public final class HistoryServlet extends ApiServlet {
-  private static final int USUAL_LIMIT = 100;
-  private static final int HIGHEST_LIMIT = 1000;
+  private static final int DEFAULT_LIMIT = 100;
+  private static final int MAX_LIMIT = 1000;
 
   /**
    * @param next what {@code before} must be for the next ones; null: there are no more
@@ -33,7 +33,8 @@ public final class HistoryServlet extends ApiServlet {
       Sentence text) {
     static EntryJson of(Entry entry) {
       EventRecord e = entry.event();
-      return new EntryJson(entry.id(), e.at(), e.kind(), e.task(), e.robot(), e.who(), e.said());
+      return new EntryJson(
+          entry.id(), e.at(), e.kind(), e.task(), e.robot(), e.who(), e.sentence());
     }
   }
 
@@ -41,11 +42,11 @@ public final class HistoryServlet extends ApiServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     FieldErrors errors = new FieldErrors();
-    HistoryFilter reader = new HistoryFilter(request, errors);
-    Filter filter = reader.read();
+    HistoryQueryReader reader = new HistoryQueryReader(request, errors);
+    Filter filter = reader.filter();
     long before = reader.before();
-    refuseIfAny(errors);
-    int limit = queryNumber(request, "limit", USUAL_LIMIT, 1, HIGHEST_LIMIT);
+    throwIfAny(errors);
+    int limit = queryNumber(request, "limit", DEFAULT_LIMIT, 1, MAX_LIMIT);
     List<Entry> entries = services().history().events(filter, before, limit);
     Json.send(
         request,

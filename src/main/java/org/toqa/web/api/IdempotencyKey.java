@@ -2,7 +2,7 @@ package org.toqa.web.api;
 
 import jakarta.servlet.http.HttpServletRequest;
 import java.util.UUID;
-import org.toqa.web.Submissions;
+import org.toqa.web.TaskSubmitter;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
@@ -19,8 +19,8 @@ final class IdempotencyKey {
       return UUID.randomUUID();
     }
     if (!given.matches("[!-~]{1,128}")) {
-      throw Problem.of(400, Texts.of(request).get("problem.idempotencyKey")).raised();
+      throw Problem.of(400, Texts.of(request).get("problem.idempotencyKey")).exception();
     }
-    return Submissions.key(Caller.of(request).account(), "header " + given);
+    return TaskSubmitter.idempotencyKey(Caller.of(request).account(), "header " + given);
   }
 }

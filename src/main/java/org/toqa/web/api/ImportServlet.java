@@ -12,11 +12,11 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskView;
 import org.toqa.grid.Place;
-import org.toqa.web.LineFault;
-import org.toqa.web.LineFaults;
-import org.toqa.web.TaskImport;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.LineFault;
+import org.toqa.web.input.LineFaults;
+import org.toqa.web.input.TaskImport;
 
 /** Many tasks at once, as a table from a spreadsheet; and an example of one. */
 public final class ImportServlet extends ApiServlet {
@@ -26,12 +26,13 @@ public final class ImportServlet extends ApiServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     List<Place> stations = services().fleet().floors().getFirst().stations();
-    Csv csv = new Csv(List.of("name", "load", "start", "goal", "goalX", "goalY", "priority"));
+    CsvWriter csv =
+        new CsvWriter(List.of("name", "load", "start", "goal", "goalX", "goalY", "priority"));
     Optional<Place> start = stations.stream().findFirst();
     if (start.isPresent()) {
       Place goal = stations.getLast();
-      csv.line("Box of bolts", 2.5, start.get().name(), goal.name(), null, null, 0);
-      csv.line(
+      csv.addLine("Box of bolts", 2.5, start.get().name(), goal.name(), null, null, 0);
+      csv.addLine(
           "Empty box",
           0.5,
           goal.name(),
@@ -54,15 +55,15 @@ public final class ImportServlet extends ApiServlet {
     byte[] table = table(request, texts);
     ZoneId zone =
         TaskImport.zone(request.getParameter("zone"))
-            .orElseThrow(() -> Problem.of(422, texts.get("error.statistics.zone")).raised());
+            .orElseThrow(() -> Problem.of(422, texts.get("error.statistics.zone")).exception());
     List<TaskView> tasks =
         switch (new TaskImport(services(), texts)
             .run(table, zone, Caller.of(request).account(), IdempotencyKey.of(request))) {
           case TaskImport.Outcome.Imported(List<TaskView> imported) -> imported;
           case TaskImport.Outcome.Faulty(LineFaults faults) ->
-              throw Problem.of(faults, sentence(faults, texts)).raised();
-          case TaskImport.Outcome.OtherTable() ->
-              throw Problem.of(422, texts.get("problem.idempotencyKey.used")).raised();
+              throw Problem.of(faults, sentence(faults, texts)).exception();
+          case TaskImport.Outcome.KeyReused() ->
+              throw Problem.of(422, texts.get("problem.idempotencyKey.used")).exception();
         };
     Json.send(
         request,
@@ -73,11 +74,11 @@ public final class ImportServlet extends ApiServlet {
 
   private static byte[] table(HttpServletRequest request, Texts texts) throws IOException {
     if (!isCsv(request.getContentType())) {
-      throw Problem.of(415, texts.get("problem.notCsv")).raised();
+      throw Problem.of(415, texts.get("problem.notCsv")).exception();
     }
-    byte[] table = request.getInputStream().readNBytes(TaskImport.LARGEST + 1);
-    if (table.length > TaskImport.LARGEST) {
-      throw Problem.of(413, texts.get("problem.bodySize", TaskImport.LARGEST / 1024)).raised();
+    byte[] table = request.getInputStream().readNBytes(TaskImport.MAX_BYTES + 1);
+    if (table.length > TaskImport.MAX_BYTES) {
+      throw Problem.of(413, texts.get("problem.bodySize", TaskImport.MAX_BYTES / 1024)).exception();
     }
     return table;
   }

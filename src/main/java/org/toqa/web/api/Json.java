@@ -15,24 +15,24 @@ import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.module.SimpleModule;
 
 /** Reads and writes JSON, strictly. */
-final class Json {
+public final class Json {
   static final JsonMapper MAPPER =
       JsonMapper.builder()
           .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
-          .addModule(new SimpleModule().addSerializer(Sentence.class, new InReadersLanguage()))
+          .addModule(new SimpleModule().addSerializer(Sentence.class, new SentenceSerializer()))
           .build();
 
   private Json() {}
 
   /** What the fleet says is written in the language of the writer. */
-  private static final class InReadersLanguage extends ValueSerializer<Sentence> {
+  private static final class SentenceSerializer extends ValueSerializer<Sentence> {
     @Override
     public void serialize(Sentence said, JsonGenerator to, SerializationContext context) {
-      to.writeString(said.in(context.getLocale()));
+      to.writeString(said.text(context.getLocale()));
     }
   }
 
-  static ObjectWriter in(Locale locale) {
+  public static ObjectWriter writer(Locale locale) {
     return MAPPER.writer().with(locale);
   }
 
@@ -50,8 +50,8 @@ final class Json {
       Object body)
       throws IOException {
     Texts texts = Texts.of(request);
-    texts.tell(response);
-    byte[] bytes = in(texts.locale()).writeValueAsBytes(body);
+    texts.setContentLanguage(response);
+    byte[] bytes = writer(texts.locale()).writeValueAsBytes(body);
     response.setStatus(status);
     response.setContentType(mediaType);
     response.setContentLength(bytes.length);

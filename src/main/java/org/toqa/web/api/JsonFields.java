@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.Texts;
+import org.toqa.web.input.FieldErrors;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.core.exc.StreamConstraintsException;
@@ -21,7 +21,7 @@ import tools.jackson.databind.JsonNode;
  */
 final class JsonFields {
   /** Bytes of a body. */
-  private static final int LONGEST_BODY = 64 * 1024;
+  private static final int MAX_BODY_BYTES = 64 * 1024;
 
   private final JsonNode object;
   private final String prefix;
@@ -39,28 +39,28 @@ final class JsonFields {
   /**
    * Reads the body.
    *
-   * @throws Problem.Raised when it is not one JSON object of acceptable size
+   * @throws Problem.ProblemException when it is not one JSON object of acceptable size
    */
   static JsonFields of(HttpServletRequest request, FieldErrors errors) throws IOException {
     Texts texts = Texts.of(request);
     String mediaType = request.getContentType();
     if (mediaType == null
         || !mediaType.split(";", 2)[0].strip().equalsIgnoreCase("application/json")) {
-      throw Problem.of(415, texts.get("problem.mediaType")).raised();
+      throw Problem.of(415, texts.get("problem.mediaType")).exception();
     }
-    byte[] body = request.getInputStream().readNBytes(LONGEST_BODY + 1);
-    if (body.length > LONGEST_BODY) {
-      throw Problem.of(413, texts.get("problem.bodySize", LONGEST_BODY / 1024)).raised();
+    byte[] body = request.getInputStream().readNBytes(MAX_BODY_BYTES + 1);
+    if (body.length > MAX_BODY_BYTES) {
+      throw Problem.of(413, texts.get("problem.bodySize", MAX_BODY_BYTES / 1024)).exception();
     }
     JsonNode root = parse(body, texts);
     if (!root.isObject()) {
-      throw Problem.of(400, texts.get("problem.notAnObject")).raised();
+      throw Problem.of(400, texts.get("problem.notAnObject")).exception();
     }
     return new JsonFields(root, "", texts, errors);
   }
 
   /** Whether the request has a body at all. */
-  static boolean isSent(HttpServletRequest request) {
+  static boolean hasBody(HttpServletRequest request) {
     return request.getContentLengthLong() != 0
         && (request.getContentLengthLong() > 0 || request.getHeader("Transfer-Encoding") != null);
   }
@@ -71,7 +71,7 @@ final class JsonFields {
             value ->
                 value.isString()
                     ? Optional.of(value.stringValue())
-                    : wrongType(name, "error.type.text"))
+                    : refuseType(name, "error.type.text"))
         .orElse(null);
   }
 
@@ -82,18 +82,18 @@ final class JsonFields {
             value ->
                 value.isNumber()
                     ? Optional.of(value.doubleValueOpt().orElse(Double.POSITIVE_INFINITY))
-                    : this.<Double>wrongType(name, "error.type.number"))
+                    : this.<Double>refuseType(name, "error.type.number"))
         .orElse(null);
   }
 
   /** False where it is missing. */
-  boolean bool(String name) {
+  boolean flag(String name) {
     return value(name)
         .flatMap(
             value ->
                 value.isBoolean()
                     ? Optional.of(value.booleanValue())
-                    : this.<Boolean>wrongType(name, "error.type.boolean"))
+                    : this.<Boolean>refuseType(name, "error.type.boolean"))
         .orElse(false);
   }
 
@@ -104,7 +104,7 @@ final class JsonFields {
             value ->
                 value.isArray() && value.values().stream().allMatch(JsonNode::isString)
                     ? Optional.of(value.values().stream().map(JsonNode::stringValue).toList())
-                    : this.<List<String>>wrongType(name, "error.type.texts"))
+                    : this.<List<String>>refuseType(name, "error.type.texts"))
         .orElse(List.of());
   }
 
@@ -114,7 +114,7 @@ final class JsonFields {
             value ->
                 value.isObject()
                     ? Optional.of(new JsonFields(value, path(name) + ".", texts, errors))
-                    : wrongType(name, "error.type.object"));
+                    : refuseType(name, "error.type.object"));
   }
 
   boolean has(String name) {
@@ -141,7 +141,7 @@ final class JsonFields {
     return Optional.ofNullable(object.get(name)).filter(value -> !value.isNull());
   }
 
-  private <T> Optional<T> wrongType(String name, String key) {
+  private <T> Optional<T> refuseType(String name, String key) {
     errors.add(path(name), texts.get(key, path(name)));
     return Optional.empty();
   }
@@ -150,11 +150,11 @@ final class JsonFields {
     try {
       return Json.MAPPER.readTree(body);
     } catch (StreamConstraintsException e) {
-      throw Problem.of(400, texts.get("problem.jsonLimits")).raised();
+      throw Problem.of(400, texts.get("problem.jsonLimits")).exception();
     } catch (JacksonException e) {
       TokenStreamLocation where = e.getLocation();
       throw Problem.of(400, texts.get("problem.notJson", where.getLineNr(), where.getColumnNr()))
-          .raised();
+          .exception();
     }
   }
 }

@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Question;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.LineFaults;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.LineFaults;
 
 /**
  * An error of the API as RFC 9457 has it.
@@ -37,10 +37,10 @@ public record Problem(
   public record FieldProblem(@Nullable Long line, String field, String detail) {}
 
   /** Ends a request with a problem. */
-  static final class Raised extends RuntimeException {
+  public static final class ProblemException extends RuntimeException {
     private final transient Problem problem;
 
-    Raised(Problem problem) {
+    ProblemException(Problem problem) {
       super(problem.detail, null, false, false);
       this.problem = problem;
     }
@@ -87,8 +87,8 @@ public record Problem(
         null);
   }
 
-  Raised raised() {
-    return new Raised(this);
+  public ProblemException exception() {
+    return new ProblemException(this);
   }
 
   public void send(HttpServletRequest request, HttpServletResponse response) throws IOException {

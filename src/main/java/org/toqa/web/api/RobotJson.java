@@ -12,7 +12,7 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.wording.Sentence;
 
 /** A robot on the wire; the fields are those of {@link RobotView}, the route as it is drawn. */
-record RobotJson(
+public record RobotJson(
     String name,
     String floor,
     RobotState state,
@@ -37,8 +37,8 @@ record RobotJson(
     @Nullable String fingerprint,
     @Nullable Sentence alert) {
 
-  static RobotJson of(RobotView view) {
-    DrawnRoute route = DrawnRoute.of(view.route(), view.released());
+  public static RobotJson of(RobotView view) {
+    SimplifiedPath path = SimplifiedPath.of(view.path(), view.released());
     return new RobotJson(
         view.name(),
         view.floor(),
@@ -54,8 +54,8 @@ record RobotJson(
         view.port(),
         view.parking(),
         view.simulated(),
-        route.points(),
-        route.released(),
+        path.points(),
+        path.released(),
         view.errors(),
         view.doing(),
         view.lastSeen(),

@@ -10,14 +10,14 @@ import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
-import org.toqa.web.Doors;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.InputRules;
-import org.toqa.web.PairingForm;
 import org.toqa.web.Texts;
-import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
+import org.toqa.web.input.PairingFields;
+import org.toqa.web.input.Version;
+import org.toqa.web.route.Routes;
 
 /** One robot; and a person's word where it is and what it shall do. */
 public final class RobotServlet extends ApiServlet {
@@ -28,11 +28,12 @@ public final class RobotServlet extends ApiServlet {
   }
 
   private RobotView robot(HttpServletRequest request) {
-    String name = Doors.parameter(request, "name");
-    return services().fleet().feed().latest().robots().stream()
+    String name = Routes.parameter(request, "name");
+    return services().fleet().snapshots().latest().robots().stream()
         .filter(r -> r.name().equals(name))
         .findFirst()
-        .orElseThrow(() -> Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).raised());
+        .orElseThrow(
+            () -> Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).exception());
   }
 
   private static void send(
@@ -46,7 +47,7 @@ public final class RobotServlet extends ApiServlet {
   protected void doPut(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     RobotView robot = robot(request);
-    refuseOther(Version.of(robot), request);
+    requireVersion(Version.of(robot), request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     InputRules rules = new InputRules(Texts.of(request), errors);
@@ -57,20 +58,20 @@ public final class RobotServlet extends ApiServlet {
             rules.load("maxLoad", fields.number("maxLoad")),
             fields.text("parking"));
     fields.refuseUnknown();
-    refuseIfAny(errors);
+    throwIfAny(errors);
     String user = Caller.of(request).name();
     send(
         request,
         response,
-        accepted(
+        acceptedValue(
             request,
             FleetAnswers.await(services().fleet().changeRobot(robot.name(), change, user))));
   }
 
   @Override
   protected void doDelete(HttpServletRequest request, HttpServletResponse response) {
-    String robot = Doors.parameter(request, "name");
-    accepted(
+    String robot = Routes.parameter(request, "name");
+    acceptedValue(
         request,
         FleetAnswers.await(services().fleet().removeRobot(robot, Caller.of(request).name())));
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
@@ -79,29 +80,30 @@ public final class RobotServlet extends ApiServlet {
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    String robot = Doors.parameter(request, "name");
+    String robot = Routes.parameter(request, "name");
     String user = Caller.of(request).name();
-    CompletionStage<Answer<RobotView>> wish =
-        switch (Doors.lastSegment(request)) {
+    CompletionStage<Answer<RobotView>> answer =
+        switch (Routes.lastSegment(request)) {
           case "out-of-service" -> services().fleet().takeOutOfService(robot, user);
           case "in-service" -> services().fleet().putInService(robot, user);
-          case "hold" -> services().fleet().hold(robot, user);
-          case "resume" -> services().fleet().resume(robot, user);
+          case "hold" -> services().fleet().holdRobot(robot, user);
+          case "resume" -> services().fleet().resumeRobot(robot, user);
           case "home" -> services().fleet().sendHome(robot, user);
-          case "pair" -> services().fleet().pair(robot, pairing(request), user);
-          default -> services().fleet().locate(robot, pose(request), user);
+          case "pair" -> services().fleet().pairRobot(robot, pairing(request), user);
+          default -> services().fleet().locateRobot(robot, pose(request), user);
         };
-    Json.send(request, response, 200, RobotJson.of(accepted(request, FleetAnswers.await(wish))));
+    Json.send(
+        request, response, 200, RobotJson.of(acceptedValue(request, FleetAnswers.await(answer))));
   }
 
   private static PairingOrder pairing(HttpServletRequest request) throws IOException {
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     Optional<PairingOrder> order =
-        new PairingForm(fields.text("host"), fields.number("port"), fields.text("code"))
-            .order(Texts.of(request), errors);
+        new PairingFields(fields.text("host"), fields.number("port"), fields.text("code"))
+            .read(Texts.of(request), errors);
     fields.refuseUnknown();
-    refuseIfAny(errors);
+    throwIfAny(errors);
     return order.orElseThrow();
   }
 
@@ -115,7 +117,7 @@ public final class RobotServlet extends ApiServlet {
             rules.coordinate("y", fields.number("y")),
             rules.angle("theta", fields.number("theta")));
     fields.refuseUnknown();
-    refuseIfAny(errors);
+    throwIfAny(errors);
     return pose;
   }
 }

@@ -7,11 +7,11 @@ import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotView;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.InputRules;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
 
 /** All robots by name, and new ones. */
 public final class RobotsServlet extends ApiServlet {
@@ -22,7 +22,7 @@ public final class RobotsServlet extends ApiServlet {
         request,
         response,
         200,
-        services().fleet().feed().latest().robots().stream().map(RobotJson::of).toList());
+        services().fleet().snapshots().latest().robots().stream().map(RobotJson::of).toList());
   }
 
   @Override
@@ -31,9 +31,9 @@ public final class RobotsServlet extends ApiServlet {
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     RobotOrder order = read(fields, Texts.of(request), errors);
-    refuseIfAny(errors);
+    throwIfAny(errors);
     RobotView robot =
-        accepted(
+        acceptedValue(
             request,
             FleetAnswers.await(services().fleet().addRobot(order, Caller.of(request).name())));
     response.setHeader(

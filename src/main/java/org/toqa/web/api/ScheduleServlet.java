@@ -3,11 +3,11 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import org.toqa.fleet.Schedule;
-import org.toqa.web.Doors;
-import org.toqa.web.Schedules;
+import org.toqa.fleet.schedule.Schedule;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.ScheduleCommands;
+import org.toqa.web.route.Routes;
 
 /** One schedule, and what people want of it. */
 public final class ScheduleServlet extends ApiServlet {
@@ -21,8 +21,8 @@ public final class ScheduleServlet extends ApiServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Schedule schedule = ownSchedule(request);
-    Schedules schedules = new Schedules(services(), Texts.of(request));
-    if (Doors.lastSegment(request).equals("pause")) {
+    ScheduleCommands schedules = new ScheduleCommands(services(), Texts.of(request));
+    if (Routes.lastSegment(request).equals("pause")) {
       schedules.pause(schedule, Caller.of(request));
     } else {
       schedules.resume(schedule, Caller.of(request));
@@ -32,14 +32,15 @@ public final class ScheduleServlet extends ApiServlet {
 
   @Override
   protected void doDelete(HttpServletRequest request, HttpServletResponse response) {
-    new Schedules(services(), Texts.of(request)).delete(ownSchedule(request), Caller.of(request));
+    new ScheduleCommands(services(), Texts.of(request))
+        .delete(ownSchedule(request), Caller.of(request));
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 
   private Schedule ownSchedule(HttpServletRequest request) {
     Schedule schedule = schedule(request);
-    if (!Schedules.isAllowed(Caller.of(request), schedule)) {
-      throw Problem.of(403, Texts.of(request).get("problem.notYourSchedule")).raised();
+    if (!ScheduleCommands.canChange(Caller.of(request), schedule)) {
+      throw Problem.of(403, Texts.of(request).get("problem.notYourSchedule")).exception();
     }
     return schedule;
   }
@@ -47,8 +48,8 @@ public final class ScheduleServlet extends ApiServlet {
   private Schedule schedule(HttpServletRequest request) {
     return services()
         .schedules()
-        .schedule(Doors.number(request, "id"))
+        .schedule(Routes.number(request, "id"))
         .orElseThrow(
-            () -> Problem.of(404, Texts.of(request).get("problem.noSuchSchedule")).raised());
+            () -> Problem.of(404, Texts.of(request).get("problem.noSuchSchedule")).exception());
   }
 }

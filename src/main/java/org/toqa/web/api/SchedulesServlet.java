@@ -7,14 +7,14 @@ import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.OffsetDateTime;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.Recurrence;
-import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.RecurrenceRules;
-import org.toqa.web.Schedules;
+import org.toqa.fleet.schedule.Recurrence;
+import org.toqa.fleet.schedule.Schedule;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.RecurrenceRules;
+import org.toqa.web.input.ScheduleCommands;
 
 /** All schedules, and new ones. */
 public final class SchedulesServlet extends ApiServlet {
@@ -34,7 +34,7 @@ public final class SchedulesServlet extends ApiServlet {
     Texts texts = Texts.of(request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
-    TaskOrder order = TaskOrderJson.read("task", fields, texts, errors);
+    TaskOrder order = TaskOrderReader.read("task", fields, texts, errors);
     RecurrenceRules rules = new RecurrenceRules(texts, errors, services().clock().instant());
     Recurrence recurrence = recurrence(fields, rules, texts, errors);
     Instant until = rules.until("until", moment("until", fields, texts, errors));
@@ -42,14 +42,14 @@ public final class SchedulesServlet extends ApiServlet {
     if (order.deadline() != null) {
       errors.add("task.deadline", texts.get("error.schedule.deadline"));
     }
-    refuseIfAny(errors);
+    throwIfAny(errors);
     Schedule schedule =
-        switch (new Schedules(services(), texts)
+        switch (new ScheduleCommands(services(), texts)
             .add(order, recurrence, until, Caller.of(request), IdempotencyKey.of(request))) {
-          case Schedules.Outcome.Answered(var answer) -> accepted(request, answer);
-          case Schedules.Outcome.Repeated(Schedule before) -> before;
-          case Schedules.Outcome.OtherWish() ->
-              throw Problem.of(422, texts.get("problem.idempotencyKey.used")).raised();
+          case ScheduleCommands.Outcome.Answered(var answer) -> acceptedValue(request, answer);
+          case ScheduleCommands.Outcome.Repeated(Schedule before) -> before;
+          case ScheduleCommands.Outcome.KeyReused() ->
+              throw Problem.of(422, texts.get("problem.idempotencyKey.used")).exception();
         };
     response.setHeader("Location", request.getContextPath() + "/api/v1/schedules/" + schedule.id());
     Json.send(request, response, HttpServletResponse.SC_CREATED, ScheduleJson.of(schedule));

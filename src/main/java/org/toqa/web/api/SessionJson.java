@@ -2,7 +2,7 @@ package org.toqa.web.api;
 
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
-import org.toqa.store.Session;
+import org.toqa.accounts.Session;
 
 /** A session on the wire. */
 record SessionJson(

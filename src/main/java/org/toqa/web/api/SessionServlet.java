@@ -4,12 +4,12 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Map;
-import org.toqa.store.Session;
-import org.toqa.web.FieldErrors;
+import org.toqa.accounts.Authenticator;
+import org.toqa.accounts.Session;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
-import org.toqa.web.access.Login;
-import org.toqa.web.access.Origins;
+import org.toqa.web.access.RequestOrigin;
+import org.toqa.web.input.FieldErrors;
 
 /** A name and a password for a bearer token, and its end. */
 public final class SessionServlet extends ApiServlet {
@@ -28,10 +28,12 @@ public final class SessionServlet extends ApiServlet {
     if (password == null) {
       errors.add("password", texts.get("error.login.password"));
     }
-    refuseIfAny(errors);
+    throwIfAny(errors);
     if (name != null && password != null) {
-      answer(
-          services().login().attempt(name, password, request.getRemoteAddr()), request, response);
+      send(
+          services().authenticator().authenticate(name, password, request.getRemoteAddr()),
+          request,
+          response);
     }
   }
 
@@ -42,12 +44,12 @@ public final class SessionServlet extends ApiServlet {
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 
-  private void answer(
-      Login.Outcome outcome, HttpServletRequest request, HttpServletResponse response)
+  private void send(
+      Authenticator.Outcome outcome, HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Texts texts = Texts.of(request);
     switch (outcome) {
-      case Login.Outcome.Welcome welcome ->
+      case Authenticator.Outcome.Authenticated welcome ->
           Json.send(
               request,
               response,
@@ -56,17 +58,17 @@ public final class SessionServlet extends ApiServlet {
                   "token",
                   services()
                       .sessions()
-                      .begin(welcome.account(), Session.Kind.TOKEN, Origins.of(request))
+                      .begin(welcome.account(), Session.Kind.TOKEN, RequestOrigin.of(request))
                       .secret()));
-      case Login.Outcome.Wrong() -> {
+      case Authenticator.Outcome.WrongCredentials() -> {
         response.setHeader("WWW-Authenticate", "Bearer");
         Problem.of(401, texts.get("error.login.wrong")).send(request, response);
       }
-      case Login.Outcome.Disabled() ->
+      case Authenticator.Outcome.AccountDisabled() ->
           Problem.of(403, texts.get("error.login.disabled")).send(request, response);
-      case Login.Outcome.TooSoon tooSoon -> {
-        response.setHeader("Retry-After", Long.toString(tooSoon.seconds()));
-        Problem.of(429, texts.get("error.login.tooSoon", tooSoon.seconds()))
+      case Authenticator.Outcome.Throttled tooSoon -> {
+        response.setHeader("Retry-After", Long.toString(tooSoon.retryAfterSeconds()));
+        Problem.of(429, texts.get("error.login.tooSoon", tooSoon.retryAfterSeconds()))
             .send(request, response);
       }
     }

@@ -9,13 +9,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.RobotUse;
-import org.toqa.store.Failure;
-import org.toqa.store.Figures;
-import org.toqa.store.Period;
-import org.toqa.store.PeriodFigures;
-import org.toqa.store.RobotFigures;
-import org.toqa.store.Spread;
+import org.toqa.fleet.history.DurationStatistics;
+import org.toqa.fleet.history.FailureKind;
+import org.toqa.fleet.history.Period;
+import org.toqa.fleet.history.PeriodStatistics;
+import org.toqa.fleet.history.RobotActivity;
+import org.toqa.fleet.history.RobotUtilisation;
+import org.toqa.fleet.history.WorkStatistics;
 
 /** The figures of a period in lines and columns, with the units in the columns' names. */
 final class StatisticsCsv {
@@ -24,7 +24,7 @@ final class StatisticsCsv {
   private StatisticsCsv() {}
 
   /** A line for each bucket. */
-  static Csv series(PeriodFigures figures) {
+  static CsvWriter series(PeriodStatistics figures) {
     List<String> header = new ArrayList<>(List.of("from", "until"));
     header.addAll(List.of("ordered", "done", "failed", "cancelled"));
     for (String what : List.of("waiting", "delivery", "completion")) {
@@ -33,29 +33,29 @@ final class StatisticsCsv {
           .forEach(header::add);
     }
     header.addAll(List.of("distance_m", "battery_used_percent"));
-    Stream.of(Failure.values()).map(Failure::kind).forEach(header::add);
-    Csv csv = new Csv(header);
-    for (int i = 0; i < figures.period().buckets(); i++) {
+    Stream.of(FailureKind.values()).map(FailureKind::kind).forEach(header::add);
+    CsvWriter csv = new CsvWriter(header);
+    for (int i = 0; i < figures.period().bucketCount(); i++) {
       List<@Nullable Object> line = new ArrayList<>();
-      line.add(border(figures.period(), i));
-      line.add(border(figures.period(), i + 1));
-      addFigures(figures.series().get(i), line);
-      csv.line(line.toArray());
+      line.add(boundary(figures.period(), i));
+      line.add(boundary(figures.period(), i + 1));
+      addFigures(figures.buckets().get(i), line);
+      csv.addLine(line.toArray());
     }
     return csv;
   }
 
-  private static void addFigures(Figures figures, List<@Nullable Object> line) {
+  private static void addFigures(WorkStatistics figures, List<@Nullable Object> line) {
     line.addAll(List.of(figures.ordered(), figures.done(), figures.failed(), figures.cancelled()));
     addSpread(figures.waiting(), line);
     addSpread(figures.delivery(), line);
     addSpread(figures.completion(), line);
     line.add(number(figures.metres()));
     line.add(number(100 * figures.battery()));
-    Stream.of(Failure.values()).map(figures.failures()::get).forEach(line::add);
+    Stream.of(FailureKind.values()).map(figures.failures()::get).forEach(line::add);
   }
 
-  private static void addSpread(@Nullable Spread spread, List<@Nullable Object> line) {
+  private static void addSpread(@Nullable DurationStatistics spread, List<@Nullable Object> line) {
     if (spread == null) {
       line.add(0);
       line.add(null);
@@ -70,27 +70,27 @@ final class StatisticsCsv {
   }
 
   /** A line for each robot. */
-  static Csv robots(PeriodFigures figures) {
+  static CsvWriter robots(PeriodStatistics figures) {
     List<String> header = new ArrayList<>(List.of("robot", "recorded_s"));
-    Stream.of(RobotUse.values())
+    Stream.of(RobotActivity.values())
         .map(use -> use.name().toLowerCase(Locale.ROOT) + "_s")
         .forEach(header::add);
     header.addAll(List.of("distance_m", "battery_used_percent"));
-    Csv csv = new Csv(header);
-    for (RobotFigures robot : figures.robots()) {
+    CsvWriter csv = new CsvWriter(header);
+    for (RobotUtilisation robot : figures.robots()) {
       List<Object> line = new ArrayList<>();
       line.add(robot.robot());
-      line.add(number(robot.recorded()));
-      Stream.of(RobotUse.values()).map(use -> number(robot.seconds(use))).forEach(line::add);
+      line.add(number(robot.recordedSeconds()));
+      Stream.of(RobotActivity.values()).map(use -> number(robot.seconds(use))).forEach(line::add);
       line.add(number(robot.metres()));
       line.add(number(100 * robot.battery()));
-      csv.line(line.toArray());
+      csv.addLine(line.toArray());
     }
     return csv;
   }
 
   /** ISO 8601, with the offset that the period's zone had then. */
-  private static String border(Period period, int index) {
+  private static String boundary(Period period, int index) {
     return DateTimeFormatter.ISO_OFFSET_DATE_TIME.format(
         OffsetDateTime.ofInstant(period.borders().get(index), period.zone()));
   }

@@ -4,18 +4,18 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import org.toqa.store.Period;
-import org.toqa.store.PeriodFigures;
-import org.toqa.web.Doors;
+import org.toqa.fleet.history.Period;
+import org.toqa.fleet.history.PeriodStatistics;
+import org.toqa.web.route.Routes;
 
 /** A period in numbers, as a file for a spreadsheet. */
 public final class StatisticsCsvServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    PeriodFigures figures = StatisticsServlet.wanted(request, services());
-    boolean isOfRobots = Doors.lastSegment(request).equals("robots.csv");
-    Csv csv = isOfRobots ? StatisticsCsv.robots(figures) : StatisticsCsv.series(figures);
+    PeriodStatistics figures = StatisticsServlet.figures(request, services());
+    boolean isOfRobots = Routes.lastSegment(request).equals("robots.csv");
+    CsvWriter csv = isOfRobots ? StatisticsCsv.robots(figures) : StatisticsCsv.series(figures);
     Period period = figures.period();
     String name =
         "toqa-%s-%s-to-%s.csv"

@@ -7,12 +7,12 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.RobotUse;
-import org.toqa.store.Figures;
-import org.toqa.store.Period;
-import org.toqa.store.PeriodFigures;
-import org.toqa.store.RobotFigures;
-import org.toqa.store.Spread;
+import org.toqa.fleet.history.DurationStatistics;
+import org.toqa.fleet.history.Period;
+import org.toqa.fleet.history.PeriodStatistics;
+import org.toqa.fleet.history.RobotActivity;
+import org.toqa.fleet.history.RobotUtilisation;
+import org.toqa.fleet.history.WorkStatistics;
 
 /**
  * A period on the wire.
@@ -38,13 +38,13 @@ record StatisticsJson(
       long done,
       long failed,
       long cancelled,
-      @Nullable Spread waiting,
-      @Nullable Spread delivery,
-      @Nullable Spread completion,
+      @Nullable DurationStatistics waiting,
+      @Nullable DurationStatistics delivery,
+      @Nullable DurationStatistics completion,
       double metres,
       double battery,
       Map<String, Long> failures) {
-    static FiguresJson of(Figures f) {
+    static FiguresJson of(WorkStatistics f) {
       Map<String, Long> failures = new TreeMap<>();
       f.failures().forEach((failure, count) -> failures.put(failure.kind(), count));
       return new FiguresJson(
@@ -64,15 +64,16 @@ record StatisticsJson(
   /**
    * @param seconds how long it did what
    */
-  record RobotUseJson(String name, Map<RobotUse, Double> seconds, double metres, double battery) {
-    static RobotUseJson of(RobotFigures robot) {
-      Map<RobotUse, Double> seconds = new TreeMap<>();
+  record RobotUseJson(
+      String name, Map<RobotActivity, Double> seconds, double metres, double battery) {
+    static RobotUseJson of(RobotUtilisation robot) {
+      Map<RobotActivity, Double> seconds = new TreeMap<>();
       robot.time().keySet().forEach(use -> seconds.put(use, robot.seconds(use)));
       return new RobotUseJson(robot.robot(), seconds, robot.metres(), robot.battery());
     }
   }
 
-  static StatisticsJson of(PeriodFigures figures) {
+  static StatisticsJson of(PeriodStatistics figures) {
     Period period = figures.period();
     List<Instant> borders = period.borders();
     return new StatisticsJson(
@@ -81,13 +82,13 @@ record StatisticsJson(
         period.zone().getId(),
         period.step(),
         FiguresJson.of(figures.total()),
-        IntStream.range(0, period.buckets())
+        IntStream.range(0, period.bucketCount())
             .mapToObj(
                 i ->
                     new BucketJson(
                         borders.get(i),
                         borders.get(i + 1),
-                        FiguresJson.of(figures.series().get(i))))
+                        FiguresJson.of(figures.buckets().get(i))))
             .toList(),
         figures.robots().stream().map(RobotUseJson::of).toList());
   }

@@ -3,27 +3,27 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import org.toqa.store.Period;
-import org.toqa.store.PeriodFigures;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.PeriodChoice;
+import org.toqa.fleet.history.Period;
+import org.toqa.fleet.history.PeriodStatistics;
 import org.toqa.web.Services;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.PeriodReader;
 
 /** A period in numbers. */
 public final class StatisticsServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Json.send(request, response, 200, StatisticsJson.of(wanted(request, services())));
+    Json.send(request, response, 200, StatisticsJson.of(figures(request, services())));
   }
 
   /**
-   * @throws Problem.Raised when the query does not say a period
+   * @throws Problem.ProblemException when the query does not say a period
    */
-  static PeriodFigures wanted(HttpServletRequest request, Services services) {
+  static PeriodStatistics figures(HttpServletRequest request, Services services) {
     FieldErrors errors = new FieldErrors();
-    Period period = new PeriodChoice(request, errors).read(services.clock().instant());
-    refuseIfAny(errors);
-    return services.statistics().of(period);
+    Period period = new PeriodReader(request, errors).period(services.clock().instant());
+    throwIfAny(errors);
+    return services.statistics().statistics(period);
   }
 }

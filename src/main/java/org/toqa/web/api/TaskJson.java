@@ -19,7 +19,7 @@ import org.toqa.wording.Sentence;
  * @param loadAt where the load stands if that is neither its start nor its goal
  * @param history left out of lists and of the live stream
  */
-record TaskJson(
+public record TaskJson(
     long id,
     String name,
     double load,
@@ -50,11 +50,11 @@ record TaskJson(
 
   record EventJson(Instant at, String kind, @Nullable String robot, String who, Sentence text) {
     static EventJson of(EventRecord event) {
-      return new EventJson(event.at(), event.kind(), event.robot(), event.who(), event.said());
+      return new EventJson(event.at(), event.kind(), event.robot(), event.who(), event.sentence());
     }
   }
 
-  static TaskJson of(TaskView view) {
+  public static TaskJson of(TaskView view) {
     return of(view, null);
   }
 

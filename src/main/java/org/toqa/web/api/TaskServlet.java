@@ -6,13 +6,13 @@ import java.io.IOException;
 import java.util.function.BiFunction;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.MissionEvent;
-import org.toqa.web.Doors;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.TaskWishes;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.TaskCommandReader;
+import org.toqa.web.route.Routes;
 
 /** One task with its history, and what people want of it. */
 public final class TaskServlet extends ApiServlet {
@@ -26,46 +26,52 @@ public final class TaskServlet extends ApiServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     TaskView task = task(request);
-    if (!TaskWishes.isAllowed(Caller.of(request), task)) {
-      throw Problem.of(403, Texts.of(request).get("problem.notYourTask")).raised();
+    if (!TaskCommandReader.canChange(Caller.of(request), task)) {
+      throw Problem.of(403, Texts.of(request).get("problem.notYourTask")).exception();
     }
-    MissionEvent.Wish wish = wish(request);
+    MissionEvent.OperatorCommand command = command(request);
     send(
         request,
         response,
-        accepted(request, FleetAnswers.await(services().fleet().wish(task.id(), wish))));
+        acceptedValue(
+            request, FleetAnswers.await(services().fleet().commandTask(task.id(), command))));
   }
 
-  private static MissionEvent.Wish wish(HttpServletRequest request) throws IOException {
+  private static MissionEvent.OperatorCommand command(HttpServletRequest request)
+      throws IOException {
     Caller caller = Caller.of(request);
-    return switch (Doors.lastSegment(request)) {
+    return switch (Routes.lastSegment(request)) {
       case "hold" -> new MissionEvent.Hold(caller.name());
       case "resume" -> new MissionEvent.Resume(caller.name());
       case "priority" ->
-          read(request, (wishes, fields) -> wishes.prioritise(caller, fields.number("priority")));
+          read(request, (wishes, fields) -> wishes.readPriority(caller, fields.number("priority")));
       case "cancel" ->
-          JsonFields.isSent(request)
-              ? read(request, (wishes, fields) -> wishes.cancel(caller, fields.text("load")))
+          JsonFields.hasBody(request)
+              ? read(request, (wishes, fields) -> wishes.readCancel(caller, fields.text("load")))
               : new MissionEvent.Cancel(caller.name(), null);
-      default -> read(request, (wishes, fields) -> wishes.answer(caller, fields.text("answer")));
+      default ->
+          read(request, (wishes, fields) -> wishes.readAnswer(caller, fields.text("answer")));
     };
   }
 
-  private static MissionEvent.Wish read(
-      HttpServletRequest request, BiFunction<TaskWishes, JsonFields, MissionEvent.Wish> reader)
+  private static MissionEvent.OperatorCommand read(
+      HttpServletRequest request,
+      BiFunction<TaskCommandReader, JsonFields, MissionEvent.OperatorCommand> reader)
       throws IOException {
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
-    MissionEvent.Wish wish = reader.apply(new TaskWishes(Texts.of(request), errors), fields);
+    MissionEvent.OperatorCommand command =
+        reader.apply(new TaskCommandReader(Texts.of(request), errors), fields);
     fields.refuseUnknown();
-    refuseIfAny(errors);
-    return wish;
+    throwIfAny(errors);
+    return command;
   }
 
   private TaskView task(HttpServletRequest request) {
     return new Tasks(services())
-        .byId(Doors.number(request, "id"))
-        .orElseThrow(() -> Problem.of(404, Texts.of(request).get("problem.noSuchTask")).raised());
+        .task(Routes.number(request, "id"))
+        .orElseThrow(
+            () -> Problem.of(404, Texts.of(request).get("problem.noSuchTask")).exception());
   }
 
   private void send(HttpServletRequest request, HttpServletResponse response, TaskView task)

@@ -7,14 +7,14 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import org.toqa.fleet.FleetSnapshot;
-import org.toqa.fleet.TrackPoint;
-import org.toqa.web.Doors;
+import org.toqa.fleet.history.TrackPoint;
 import org.toqa.web.Texts;
+import org.toqa.web.route.Routes;
 
 /** Where a robot was in the last hours. */
 public final class TrackServlet extends ApiServlet {
-  private static final int USUAL_HOURS = 4;
-  private static final int MOST_HOURS = 168;
+  private static final int DEFAULT_HOURS = 4;
+  private static final int MAX_HOURS = 168;
 
   private record TrackJson(String robot, List<PointJson> points) {}
 
@@ -28,12 +28,12 @@ public final class TrackServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    String robot = Doors.parameter(request, "name");
-    FleetSnapshot fleet = services().fleet().feed().latest();
+    String robot = Routes.parameter(request, "name");
+    FleetSnapshot fleet = services().fleet().snapshots().latest();
     if (fleet.robots().stream().noneMatch(r -> r.name().equals(robot))) {
-      throw Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).raised();
+      throw Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).exception();
     }
-    int hours = queryNumber(request, "hours", USUAL_HOURS, 1, MOST_HOURS);
+    int hours = queryNumber(request, "hours", DEFAULT_HOURS, 1, MAX_HOURS);
     Instant since = fleet.at().minus(Duration.ofHours(hours));
     Json.send(
         request,

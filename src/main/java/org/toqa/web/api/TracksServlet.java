@@ -7,20 +7,20 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
-import org.toqa.fleet.FloorTracks;
 import org.toqa.fleet.RobotView;
-import org.toqa.fleet.TrackPoint;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.InputRules;
+import org.toqa.fleet.history.FloorTracks;
+import org.toqa.fleet.history.TrackPoint;
 import org.toqa.web.Texts;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
 
 /** Where the robots of a floor were in a period, for replays. */
 public final class TracksServlet extends ApiServlet {
-  private static final Duration LONGEST = Duration.ofHours(1);
-  private static final Duration USUAL = Duration.ofMinutes(10);
+  private static final Duration MAX_DURATION = Duration.ofHours(1);
+  private static final Duration DEFAULT_DURATION = Duration.ofMinutes(10);
 
   /** As JSON they have less than a megabyte. */
-  private static final int MOST_POINTS = 30_000;
+  private static final int MAX_POINTS = 30_000;
 
   private record Span(Instant from, Instant until) {}
 
@@ -37,11 +37,12 @@ public final class TracksServlet extends ApiServlet {
     String floor = floor(request).name();
     Span span = span(request);
     List<String> robots =
-        services().fleet().feed().latest().robots().stream()
+        services().fleet().snapshots().latest().robots().stream()
             .filter(robot -> robot.floor().equals(floor))
             .map(RobotView::name)
             .toList();
-    FloorTracks tracks = services().tracks().tracks(robots, span.from(), span.until(), MOST_POINTS);
+    FloorTracks tracks =
+        services().tracks().tracksOf(robots, span.from(), span.until(), MAX_POINTS);
     Json.send(
         request,
         response,
@@ -57,14 +58,14 @@ public final class TracksServlet extends ApiServlet {
     FieldErrors errors = new FieldErrors();
     InputRules rules = new InputRules(Texts.of(request), errors);
     Instant end = rules.moment("until", request.getParameter("until"));
-    Instant until = end == null ? services().fleet().feed().latest().at() : end;
+    Instant until = end == null ? services().fleet().snapshots().latest().at() : end;
     Instant begin = rules.moment("from", request.getParameter("from"));
-    Instant from = begin == null ? until.minus(USUAL) : begin;
+    Instant from = begin == null ? until.minus(DEFAULT_DURATION) : begin;
     if (errors.isEmpty()
-        && (!from.isBefore(until) || Duration.between(from, until).compareTo(LONGEST) > 0)) {
+        && (!from.isBefore(until) || Duration.between(from, until).compareTo(MAX_DURATION) > 0)) {
       errors.add("until", Texts.of(request).get("error.tracks.period"));
     }
-    refuseIfAny(errors);
+    throwIfAny(errors);
     return new Span(from, until);
   }
 

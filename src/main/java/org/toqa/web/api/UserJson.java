@@ -2,8 +2,8 @@ package org.toqa.web.api;
 
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
-import org.toqa.store.Account;
-import org.toqa.store.Role;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Role;
 
 /** A user on the wire. */
 record UserJson(

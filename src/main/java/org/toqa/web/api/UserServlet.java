@@ -5,17 +5,17 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
-import org.toqa.store.Account;
-import org.toqa.store.Accounts;
-import org.toqa.store.Role;
-import org.toqa.store.Sessions;
-import org.toqa.web.Doors;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.InputRules;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Role;
+import org.toqa.store.JdbiAccountStore;
+import org.toqa.store.JdbiSessionStore;
 import org.toqa.web.Texts;
-import org.toqa.web.UserWishes;
-import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
+import org.toqa.web.input.UserCommands;
+import org.toqa.web.input.Version;
+import org.toqa.web.route.Routes;
 
 /** One user: his sessions and tokens, password and e-mail address, what he may do, and the end. */
 public final class UserServlet extends ApiServlet {
@@ -23,12 +23,12 @@ public final class UserServlet extends ApiServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Account user = user(request);
-    if (Doors.lastSegment(request).equals("sessions")) {
+    if (Routes.lastSegment(request).equals("sessions")) {
       Json.send(
           request,
           response,
           200,
-          services().sessions().of(user.id()).stream().map(SessionJson::of).toList());
+          services().sessions().sessions(user.id()).stream().map(SessionJson::of).toList());
     } else {
       send(request, response, user);
     }
@@ -44,7 +44,7 @@ public final class UserServlet extends ApiServlet {
   protected void doPut(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Account user = user(request);
-    refuseOther(Version.of(user), request);
+    requireVersion(Version.of(user), request);
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     Texts texts = Texts.of(request);
@@ -52,11 +52,11 @@ public final class UserServlet extends ApiServlet {
       errors.add("role", texts.get("error.role"));
     }
     Role role = new InputRules(texts, errors).role("role", fields.text("role"));
-    boolean disabled = fields.bool("disabled");
+    boolean disabled = fields.flag("disabled");
     fields.refuseUnknown();
-    refuseIfAny(errors);
+    throwIfAny(errors);
     refuseUnlessDone(
-        services().accounts().change(user.id(), role, disabled, Caller.of(request).name()),
+        services().accounts().update(user.id(), role, disabled, Caller.of(request).name()),
         request);
     send(request, response, user(request));
   }
@@ -65,10 +65,10 @@ public final class UserServlet extends ApiServlet {
   protected void doDelete(HttpServletRequest request, HttpServletResponse response) {
     Account user = user(request);
     String by = Caller.of(request).name();
-    if (!Doors.hasParameter(request, "session")) {
+    if (!Routes.hasParameter(request, "session")) {
       refuseUnlessDone(services().accounts().delete(user.id(), by), request);
-    } else if (!services().sessions().end(user, Doors.number(request, "session"), by)) {
-      throw Problem.of(404, Texts.of(request).get("problem.noSuchSession")).raised();
+    } else if (!services().sessions().end(user, Routes.number(request, "session"), by)) {
+      throw Problem.of(404, Texts.of(request).get("problem.noSuchSession")).exception();
     }
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
@@ -77,9 +77,9 @@ public final class UserServlet extends ApiServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Account user = user(request);
-    switch (Doors.lastSegment(request)) {
-      case "tokens" -> makeToken(user, request, response);
-      case "reset-link" -> makeLink(user, request, response);
+    switch (Routes.lastSegment(request)) {
+      case "tokens" -> createToken(user, request, response);
+      case "reset-link" -> createLink(user, request, response);
       case "email" -> changeEmail(user, request, response);
       default -> changePassword(user, request, response);
     }
@@ -92,10 +92,10 @@ public final class UserServlet extends ApiServlet {
     String password = fields.text("password");
     String old = fields.text("old");
     fields.refuseUnknown();
-    refuseIfAny(errors);
-    new UserWishes(services(), Texts.of(request), errors)
+    throwIfAny(errors);
+    new UserCommands(services(), Texts.of(request), errors)
         .changePassword(Caller.of(request), user, password, old);
-    refuseIfAny(errors);
+    throwIfAny(errors);
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 
@@ -106,35 +106,35 @@ public final class UserServlet extends ApiServlet {
     String email = fields.text("email");
     String password = fields.text("password");
     fields.refuseUnknown();
-    refuseIfAny(errors);
-    new UserWishes(services(), Texts.of(request), errors)
+    throwIfAny(errors);
+    new UserCommands(services(), Texts.of(request), errors)
         .changeEmail(Caller.of(request), user, email, "password", password);
-    refuseIfAny(errors);
+    throwIfAny(errors);
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 
-  private void makeToken(Account user, HttpServletRequest request, HttpServletResponse response)
+  private void createToken(Account user, HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Texts texts = Texts.of(request);
-    if (!UserWishes.isOwn(Caller.of(request), user)) {
-      throw Problem.of(403, texts.get("problem.notYourToken")).raised();
+    if (!UserCommands.isSelf(Caller.of(request), user)) {
+      throw Problem.of(403, texts.get("problem.notYourToken")).exception();
     }
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
     String name = fields.text("name");
     Double days = fields.number("days");
     fields.refuseUnknown();
-    refuseIfAny(errors);
-    Optional<Sessions.Begun> made =
-        new UserWishes(services(), texts, errors)
-            .makeToken(Caller.of(request), user, "name", name, days, request);
-    refuseIfAny(errors);
-    Sessions.Begun begun = made.orElseThrow();
+    throwIfAny(errors);
+    Optional<JdbiSessionStore.NewSession> created =
+        new UserCommands(services(), texts, errors)
+            .createToken(Caller.of(request), user, "name", name, days, request);
+    throwIfAny(errors);
+    JdbiSessionStore.NewSession token = created.orElseThrow();
     Json.send(
         request,
         response,
         HttpServletResponse.SC_CREATED,
-        new TokenJson(begun.secret(), SessionJson.of(begun.session())));
+        new TokenJson(token.secret(), SessionJson.of(token.session())));
   }
 
   /**
@@ -142,10 +142,12 @@ public final class UserServlet extends ApiServlet {
    */
   private record TokenJson(String token, SessionJson session) {}
 
-  private void makeLink(Account user, HttpServletRequest request, HttpServletResponse response)
+  private void createLink(Account user, HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     String link =
-        services().passwordLinks().byHand(user, Doors.site(request), Caller.of(request).name());
+        services()
+            .passwordLinks()
+            .createLink(user, Routes.baseUrl(request), Caller.of(request).name());
     Json.send(request, response, HttpServletResponse.SC_CREATED, Map.of("link", link));
   }
 
@@ -154,17 +156,18 @@ public final class UserServlet extends ApiServlet {
     Caller caller = Caller.of(request);
     return services()
         .accounts()
-        .byId(Doors.number(request, "id"))
-        .filter(user -> UserWishes.maySee(caller, user))
-        .orElseThrow(() -> Problem.of(404, Texts.of(request).get("problem.noSuchUser")).raised());
+        .account(Routes.number(request, "id"))
+        .filter(user -> UserCommands.canSee(caller, user))
+        .orElseThrow(
+            () -> Problem.of(404, Texts.of(request).get("problem.noSuchUser")).exception());
   }
 
-  private void refuseUnlessDone(Accounts.Outcome outcome, HttpServletRequest request) {
-    new UserWishes(services(), Texts.of(request), new FieldErrors())
+  private void refuseUnlessDone(JdbiAccountStore.Outcome outcome, HttpServletRequest request) {
+    new UserCommands(services(), Texts.of(request), new FieldErrors())
         .refusal(outcome)
         .ifPresent(
             sentence -> {
-              throw Problem.of(409, sentence).raised();
+              throw Problem.of(409, sentence).exception();
             });
   }
 }

@@ -4,12 +4,12 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
-import org.toqa.store.Account;
-import org.toqa.store.Role;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.InputRules;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Role;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
 
 /** The users: a manager sees all and adds some, a clerk sees himself. */
 public final class UsersServlet extends ApiServlet {
@@ -18,7 +18,7 @@ public final class UsersServlet extends ApiServlet {
       throws IOException {
     Caller caller = Caller.of(request);
     List<Account> users =
-        caller.isManager() ? services().accounts().all() : List.of(caller.account());
+        caller.isManager() ? services().accounts().accounts() : List.of(caller.account());
     Json.send(request, response, 200, users.stream().map(UserJson::of).toList());
   }
 
@@ -34,13 +34,17 @@ public final class UsersServlet extends ApiServlet {
     String email = rules.email("email", fields.text("email"));
     Role role = rules.role("role", fields.text("role"));
     fields.refuseUnknown();
-    refuseIfAny(errors);
+    throwIfAny(errors);
     Account user =
         services()
             .accounts()
             .add(
-                name, email, services().passwords().hash(password), role, Caller.of(request).name())
-            .orElseThrow(() -> Problem.of(409, texts.get("error.userName.taken")).raised());
+                name,
+                email,
+                services().passwordHasher().hash(password),
+                role,
+                Caller.of(request).name())
+            .orElseThrow(() -> Problem.of(409, texts.get("error.userName.taken")).exception());
     response.setHeader("Location", request.getContextPath() + "/api/v1/users/" + user.id());
     Json.send(request, response, HttpServletResponse.SC_CREATED, UserJson.of(user));
   }

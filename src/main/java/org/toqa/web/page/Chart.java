@@ -8,10 +8,10 @@ import org.jspecify.annotations.Nullable;
  *
  * @param name of its texts
  * @param head what the rows are: the name of a text
- * @param isLying whether its bars lie
+ * @param isHorizontal whether its bars lie
  */
 public record Chart(
-    String name, String head, boolean isLying, List<Column> columns, List<Row> rows) {
+    String name, String head, boolean isHorizontal, List<Column> columns, List<Row> rows) {
 
   /** How a column is drawn. Bars of one row stand upon each other. */
   public enum Shape {

@@ -7,24 +7,15 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.toqa.fleet.FleetStore.StoreException;
-import org.toqa.web.Door;
-import org.toqa.web.FleetSilentException;
+import org.toqa.web.ErrorResponse;
+import org.toqa.web.FleetUnavailableException;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.api.Problem;
+import org.toqa.web.route.Route;
 
 /** Shows every error as a page in the style of the others, or as a problem where the API was. */
 public final class ErrorServlet extends PageServlet {
-  private static final String SENTENCE = ErrorServlet.class.getName();
-
-  /** Ends the request with an error page that shows the sentence. */
-  public static void send(
-      HttpServletRequest request, HttpServletResponse response, int status, String sentence)
-      throws IOException {
-    request.setAttribute(SENTENCE, sentence);
-    response.sendError(status);
-  }
-
   @Override
   protected void service(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
@@ -43,16 +34,16 @@ public final class ErrorServlet extends PageServlet {
     request.setAttribute("status", status);
     request.setAttribute("sentence", sentence);
     request.setAttribute("heading", texts.get(headingKey(status)));
-    if (Caller.ifKnown(request).isPresent()) {
+    if (Caller.find(request).isPresent()) {
       show(request, response, "error");
     } else {
-      showBare(request, response, "error");
+      showWithoutForm(request, response, "error");
     }
   }
 
   private static int status(HttpServletRequest request) {
     Object cause = cause(request);
-    if (cause instanceof FleetSilentException || cause instanceof StoreException) {
+    if (cause instanceof FleetUnavailableException || cause instanceof StoreException) {
       return HttpServletResponse.SC_SERVICE_UNAVAILABLE;
     }
     return request.getAttribute(RequestDispatcher.ERROR_STATUS_CODE) instanceof Integer status
@@ -61,9 +52,10 @@ public final class ErrorServlet extends PageServlet {
   }
 
   private static String sentence(HttpServletRequest request, int status) {
-    if (request.getAttribute(SENTENCE) instanceof String sentence) {
-      return sentence;
-    }
+    return ErrorResponse.sentence(request).orElseGet(() -> sentenceOf(request, status));
+  }
+
+  private static String sentenceOf(HttpServletRequest request, int status) {
     return Texts.of(request)
         .get(
             switch (status) {
@@ -94,6 +86,6 @@ public final class ErrorServlet extends PageServlet {
   private static boolean isForApi(HttpServletRequest request) {
     return request.getAttribute(RequestDispatcher.ERROR_REQUEST_URI) instanceof String uri
         && uri.startsWith(request.getContextPath())
-        && Door.isApi(uri.substring(request.getContextPath().length()));
+        && Route.isApi(uri.substring(request.getContextPath().length()));
   }
 }

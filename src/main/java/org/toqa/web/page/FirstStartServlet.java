@@ -5,11 +5,11 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
-import org.toqa.store.Account;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.InputRules;
+import org.toqa.accounts.Account;
 import org.toqa.web.Texts;
 import org.toqa.web.access.SessionCookie;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
 
 /** Makes the first manager, once. */
 public final class FirstStartServlet extends PageServlet {
@@ -17,7 +17,7 @@ public final class FirstStartServlet extends PageServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     if (services().accounts().hasManager()) {
-      goTo(request, response, "/");
+      redirect(request, response, "/");
     } else {
       show(request, response, "first-start");
     }
@@ -27,7 +27,7 @@ public final class FirstStartServlet extends PageServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     if (services().accounts().hasManager()) {
-      goTo(request, response, "/");
+      redirect(request, response, "/");
       return;
     }
     FieldErrors errors = new FieldErrors();
@@ -40,13 +40,13 @@ public final class FirstStartServlet extends PageServlet {
       return;
     }
     Optional<Account> manager =
-        services().accounts().addFirstManager(name, services().passwords().hash(password));
+        services().accounts().addFirstManager(name, services().passwordHasher().hash(password));
     if (manager.isEmpty()) {
       errors.add("name", Texts.of(request).get("error.userName.taken"));
       showAgain(request, response, "first-start", errors);
       return;
     }
-    SessionCookie.begin(request, response, services(), manager.get());
-    goTo(request, response, "/map");
+    SessionCookie.signIn(request, response, services(), manager.get());
+    redirect(request, response, "/map");
   }
 }

@@ -4,9 +4,9 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.toqa.fleet.Fleet;
-import org.toqa.web.Doors;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.access.Caller;
+import org.toqa.web.route.Routes;
 
 /** The button on every page that pauses all robots, and the one that lets them go on. */
 public final class FleetServlet extends PageServlet {
@@ -16,7 +16,7 @@ public final class FleetServlet extends PageServlet {
     Fleet fleet = services().fleet();
     String user = Caller.of(request).name();
     FleetAnswers.await(
-        Doors.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user));
-    goTo(request, response, OwnPages.at(request.getParameter("back")).orElse("/map"));
+        Routes.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user));
+    redirect(request, response, ReturnAddress.parse(request.getParameter("back")).orElse("/map"));
   }
 }

@@ -5,10 +5,11 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
-import org.toqa.web.Doors;
+import org.toqa.web.ErrorResponse;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.route.Routes;
 import org.toqa.wording.Sentence;
 
 /** The button on the live map that puts a floor's robots on hold, and lets them go on. */
@@ -17,17 +18,17 @@ public final class FloorServlet extends PageServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Fleet fleet = services().fleet();
-    String floor = Doors.parameter(request, "floor");
+    String floor = Routes.parameter(request, "floor");
     String user = Caller.of(request).name();
     Answer<?> answer =
         FleetAnswers.await(
-            Doors.lastSegment(request).equals("hold")
+            Routes.lastSegment(request).equals("hold")
                 ? fleet.holdFloor(floor, user)
                 : fleet.resumeFloor(floor, user));
     if (answer instanceof Answer.Unknown<?>(Sentence sentence)) {
-      ErrorServlet.send(request, response, 404, Texts.of(request).say(sentence));
+      ErrorResponse.send(request, response, 404, Texts.of(request).text(sentence));
     } else {
-      goTo(request, response, "/map");
+      redirect(request, response, "/map");
     }
   }
 }

@@ -8,9 +8,9 @@ import java.time.ZoneId;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.toqa.web.Digits;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.Texts;
+import org.toqa.web.input.Digits;
+import org.toqa.web.input.FieldErrors;
 
 /** The fields of a form that somebody sent. An empty one counts as missing. */
 final class FormFields {

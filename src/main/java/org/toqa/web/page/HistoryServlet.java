@@ -6,15 +6,15 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
 import java.util.stream.Stream;
-import org.toqa.fleet.EventArchive.Entry;
-import org.toqa.fleet.EventArchive.Filter;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.HistoryFilter;
+import org.toqa.fleet.history.EventArchive.Entry;
+import org.toqa.fleet.history.EventArchive.Filter;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.HistoryQueryReader;
 
 /** Everything that has happened, newest first, as far as it is wanted. */
 public final class HistoryServlet extends PageServlet {
-  private static final int ON_A_PAGE = 100;
+  private static final int PAGE_SIZE = 100;
   private static final List<String> FAMILIES =
       List.of("task", "schedule", "robot", "fleet", "floor", "traffic");
   private static final String USERS = "user";
@@ -28,18 +28,18 @@ public final class HistoryServlet extends PageServlet {
                 FAMILIES.stream(),
                 Caller.of(request).isManager() ? Stream.of(USERS) : Stream.empty())
             .toList());
-    request.setAttribute("robots", services().fleet().feed().latest().robots());
+    request.setAttribute("robots", services().fleet().snapshots().latest().robots());
     FieldErrors errors = new FieldErrors();
-    HistoryFilter reader = new HistoryFilter(request, errors);
-    Filter filter = reader.read();
+    HistoryQueryReader reader = new HistoryQueryReader(request, errors);
+    Filter filter = reader.filter();
     long before = reader.before();
     if (!errors.isEmpty()) {
       showAgain(request, response, "history", errors);
       return;
     }
-    List<Entry> entries = services().history().events(filter, before, ON_A_PAGE);
+    List<Entry> entries = services().history().events(filter, before, PAGE_SIZE);
     request.setAttribute("entries", entries);
-    if (entries.size() == ON_A_PAGE) {
+    if (entries.size() == PAGE_SIZE) {
       request.setAttribute("next", entries.getLast().id());
     }
     show(request, response, "history");

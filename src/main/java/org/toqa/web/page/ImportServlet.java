@@ -11,14 +11,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Account;
 import org.toqa.fleet.TaskView;
-import org.toqa.store.Account;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.LineFaults;
-import org.toqa.web.Submissions;
-import org.toqa.web.TaskImport;
+import org.toqa.web.TaskSubmitter;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.LineFaults;
+import org.toqa.web.input.TaskImport;
 
 /** Puts in many tasks at once, from a table that a spreadsheet has saved. */
 public final class ImportServlet extends PageServlet {
@@ -35,34 +35,36 @@ public final class ImportServlet extends PageServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
-    Optional<List<TaskView>> tasks = run(request, errors);
+    Optional<List<TaskView>> tasks = importTable(request, errors);
     if (tasks.isPresent()) {
-      goTo(request, response, "/tasks?imported=" + tasks.get().size());
+      redirect(request, response, "/tasks?imported=" + tasks.get().size());
     } else {
       request.setAttribute("wish", UUID.randomUUID());
       showAgain(request, response, "import", errors);
     }
   }
 
-  private Optional<List<TaskView>> run(HttpServletRequest request, FieldErrors errors)
+  private Optional<List<TaskView>> importTable(HttpServletRequest request, FieldErrors errors)
       throws ServletException, IOException {
     Texts texts = Texts.of(request);
     byte[] table = table(request);
     Optional<ZoneId> zone = TaskImport.zone(request.getParameter("zone"));
     if (table.length == 0) {
       errors.add(FILE, texts.get("error.import.noFile"));
-    } else if (table.length > TaskImport.LARGEST) {
-      errors.add(FILE, texts.get("error.import.large", TaskImport.LARGEST / 1024));
+    } else if (table.length > TaskImport.MAX_BYTES) {
+      errors.add(FILE, texts.get("error.import.large", TaskImport.MAX_BYTES / 1024));
     } else if (zone.isEmpty()) {
       errors.add(FILE, texts.get("error.statistics.zone"));
     }
-    return errors.isEmpty() ? run(table, zone.orElseThrow(), request, errors) : Optional.empty();
+    return errors.isEmpty()
+        ? importTable(table, zone.orElseThrow(), request, errors)
+        : Optional.empty();
   }
 
-  private Optional<List<TaskView>> run(
+  private Optional<List<TaskView>> importTable(
       byte[] table, ZoneId zone, HttpServletRequest request, FieldErrors errors) {
     Account user = Caller.of(request).account();
-    UUID key = Submissions.key(user, "import " + request.getParameter("wish"));
+    UUID key = TaskSubmitter.idempotencyKey(user, "import " + request.getParameter("wish"));
     return switch (new TaskImport(services(), Texts.of(request)).run(table, zone, user, key)) {
       case TaskImport.Outcome.Imported(List<TaskView> tasks) -> Optional.of(tasks);
       case TaskImport.Outcome.Faulty(LineFaults faults) -> {
@@ -70,7 +72,7 @@ public final class ImportServlet extends PageServlet {
         errors.add(FILE, Texts.of(request).get("import.faulty"));
         yield Optional.empty();
       }
-      case TaskImport.Outcome.OtherTable() -> {
+      case TaskImport.Outcome.KeyReused() -> {
         errors.add(FILE, Texts.of(request).get("error.import.again"));
         yield Optional.empty();
       }
@@ -84,7 +86,7 @@ public final class ImportServlet extends PageServlet {
       return new byte[0];
     }
     try (InputStream file = part.getInputStream()) {
-      return file.readNBytes(TaskImport.LARGEST + 1);
+      return file.readNBytes(TaskImport.MAX_BYTES + 1);
     }
   }
 

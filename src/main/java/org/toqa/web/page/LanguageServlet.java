@@ -7,9 +7,9 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.web.Doors;
 import org.toqa.web.Language;
 import org.toqa.web.access.LanguageCookie;
+import org.toqa.web.route.Routes;
 
 /**
  * The switch on every page that chooses the language. It is a link, for it also stands where no
@@ -22,27 +22,27 @@ public final class LanguageServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Optional<Language> chosen = Language.ofTag(Doors.parameter(request, "language"));
+    Optional<Language> chosen = Language.ofTag(Routes.parameter(request, "language"));
     if (chosen.isEmpty()) {
-      notFound(request, response, "problem.noSuchPage");
+      sendNotFound(request, response, "problem.noSuchPage");
       return;
     }
     if (!"cross-site".equals(request.getHeader("Sec-Fetch-Site"))) {
       LanguageCookie.set(request, response, chosen.get());
     }
-    goTo(request, response, page(request.getParameter("back")));
+    redirect(request, response, returnPage(request.getParameter("back")));
   }
 
   /** Where a refused form was shown again, the page on which it stands. */
-  private static String page(@Nullable String address) {
-    return Stream.iterate(Objects.requireNonNullElse(address, ""), LanguageServlet::above)
+  private static String returnPage(@Nullable String address) {
+    return Stream.iterate(Objects.requireNonNullElse(address, ""), LanguageServlet::parentPath)
         .limit(1 + DEEPEST_FORM)
-        .flatMap(at -> OwnPages.at(at).stream())
+        .flatMap(at -> ReturnAddress.parse(at).stream())
         .findFirst()
         .orElse("/");
   }
 
-  private static String above(String address) {
+  private static String parentPath(String address) {
     return address.substring(0, Math.max(0, address.lastIndexOf('/')));
   }
 }

@@ -4,11 +4,11 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import org.toqa.web.FieldErrors;
+import org.toqa.accounts.Authenticator;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
-import org.toqa.web.access.Login;
 import org.toqa.web.access.SessionCookie;
+import org.toqa.web.input.FieldErrors;
 
 /** The front door: name and password. */
 public final class LoginServlet extends PageServlet {
@@ -17,8 +17,8 @@ public final class LoginServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    if (Caller.ifKnown(request).isPresent()) {
-      goTo(request, response, FIRST_PAGE);
+    if (Caller.find(request).isPresent()) {
+      redirect(request, response, FIRST_PAGE);
     } else {
       show(request, response, "login");
     }
@@ -42,22 +42,25 @@ public final class LoginServlet extends PageServlet {
       showAgain(request, response, "login", errors);
       return;
     }
-    switch (services().login().attempt(name, password, request.getRemoteAddr())) {
-      case Login.Outcome.Welcome welcome -> {
-        SessionCookie.begin(request, response, services(), welcome.account());
-        goTo(request, response, OwnPages.at(request.getParameter("next")).orElse(FIRST_PAGE));
+    switch (services().authenticator().authenticate(name, password, request.getRemoteAddr())) {
+      case Authenticator.Outcome.Authenticated welcome -> {
+        SessionCookie.signIn(request, response, services(), welcome.account());
+        redirect(
+            request,
+            response,
+            ReturnAddress.parse(request.getParameter("next")).orElse(FIRST_PAGE));
       }
-      case Login.Outcome.Wrong() -> {
+      case Authenticator.Outcome.WrongCredentials() -> {
         errors.add("form", texts.get("error.login.wrong"));
         showAgain(request, response, "login", errors);
       }
-      case Login.Outcome.Disabled() -> {
+      case Authenticator.Outcome.AccountDisabled() -> {
         errors.add("form", texts.get("error.login.disabled"));
         showAgain(request, response, "login", errors);
       }
-      case Login.Outcome.TooSoon tooSoon -> {
-        errors.add("form", texts.get("error.login.tooSoon", tooSoon.seconds()));
-        response.setHeader("Retry-After", Long.toString(tooSoon.seconds()));
+      case Authenticator.Outcome.Throttled tooSoon -> {
+        errors.add("form", texts.get("error.login.tooSoon", tooSoon.retryAfterSeconds()));
+        response.setHeader("Retry-After", Long.toString(tooSoon.retryAfterSeconds()));
         showAgain(request, response, "login", errors);
       }
     }

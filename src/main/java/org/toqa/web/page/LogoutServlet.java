@@ -10,7 +10,7 @@ public final class LogoutServlet extends PageServlet {
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    SessionCookie.end(request, services());
-    goTo(request, response, "/");
+    SessionCookie.signOut(request, services());
+    redirect(request, response, "/");
   }
 }

@@ -12,7 +12,7 @@ public final class MapServlet extends PageServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     request.setAttribute("floors", services().fleet().floors());
-    request.setAttribute("floorViews", services().fleet().feed().latest().floors());
+    request.setAttribute("floorViews", services().fleet().snapshots().latest().floors());
     request.setAttribute("robotStates", RobotState.values());
     show(request, response, "map");
   }

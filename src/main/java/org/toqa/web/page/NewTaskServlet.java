@@ -11,30 +11,30 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.Recurrence;
-import org.toqa.fleet.Schedule;
+import org.toqa.accounts.Account;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
+import org.toqa.fleet.schedule.Recurrence;
+import org.toqa.fleet.schedule.Schedule;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.TransportTask.LoadSize;
-import org.toqa.store.Account;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.InputRules;
-import org.toqa.web.RecurrenceRules;
-import org.toqa.web.Schedules;
-import org.toqa.web.Submissions;
+import org.toqa.web.TaskSubmitter;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
+import org.toqa.web.input.RecurrenceRules;
+import org.toqa.web.input.ScheduleCommands;
 
 /** Assigns a transport task: carry this load from here to there. */
 public final class NewTaskServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    offerFloors(request);
+    addFloorAttributes(request);
     request.setAttribute("wish", UUID.randomUUID());
     show(request, response, "new-task");
   }
@@ -44,21 +44,21 @@ public final class NewTaskServlet extends PageServlet {
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
     Optional<String> next =
-        isForNow(request)
+        isImmediate(request)
             ? read(request, errors)
                 .flatMap(order -> submit(order, request, errors))
                 .map(task -> "/tasks/" + task.id())
             : schedule(request, errors).map(schedule -> "/schedules?added=" + schedule.id());
     if (next.isPresent()) {
-      goTo(request, response, next.get());
+      redirect(request, response, next.get());
     } else {
-      offerFloors(request);
-      request.setAttribute("wish", wish(request));
+      addFloorAttributes(request);
+      request.setAttribute("wish", idempotencyKey(request));
       showAgain(request, response, "new-task", errors);
     }
   }
 
-  private static boolean isForNow(HttpServletRequest request) {
+  private static boolean isImmediate(HttpServletRequest request) {
     String when = request.getParameter("when");
     return when == null || when.isEmpty() || when.equals("now");
   }
@@ -77,15 +77,15 @@ public final class NewTaskServlet extends PageServlet {
       return Optional.empty();
     }
     Caller user = Caller.of(request);
-    UUID key = Submissions.key(user.account(), "schedule " + wish(request));
-    Schedules schedules = new Schedules(services(), texts);
+    UUID key = TaskSubmitter.idempotencyKey(user.account(), "schedule " + idempotencyKey(request));
+    ScheduleCommands schedules = new ScheduleCommands(services(), texts);
     return switch (schedules.add(order.orElseThrow(), recurrence, until, user, key)) {
-      case Schedules.Outcome.Answered(var answer) -> accepted(request, answer, errors);
-      case Schedules.Outcome.Repeated(Schedule before) -> Optional.of(before);
-      case Schedules.Outcome.OtherWish() ->
-          accepted(
+      case ScheduleCommands.Outcome.Answered(var answer) -> acceptedValue(request, answer, errors);
+      case ScheduleCommands.Outcome.Repeated(Schedule before) -> Optional.of(before);
+      case ScheduleCommands.Outcome.KeyReused() ->
+          acceptedValue(
               request,
-              schedules.addNew(order.get(), recurrence, until, user, UUID.randomUUID()),
+              schedules.create(order.get(), recurrence, until, user, UUID.randomUUID()),
               errors);
     };
   }
@@ -108,18 +108,19 @@ public final class NewTaskServlet extends PageServlet {
       TaskOrder order, HttpServletRequest request, FieldErrors errors) {
     Account user = Caller.of(request).account();
     return switch (services()
-        .submissions()
-        .submit(order, user, Submissions.key(user, "form " + wish(request)))) {
-      case Submissions.Outcome.Answered(var answer) -> accepted(request, answer, errors);
-      case Submissions.Outcome.Repeated(TaskView before) -> Optional.of(before);
-      case Submissions.Outcome.OtherOrder() ->
-          accepted(
+        .taskSubmitter()
+        .submit(
+            order, user, TaskSubmitter.idempotencyKey(user, "form " + idempotencyKey(request)))) {
+      case TaskSubmitter.Outcome.Answered(var answer) -> acceptedValue(request, answer, errors);
+      case TaskSubmitter.Outcome.Repeated(TaskView before) -> Optional.of(before);
+      case TaskSubmitter.Outcome.KeyReused() ->
+          acceptedValue(
               request, FleetAnswers.await(services().fleet().submit(order, user.name())), errors);
     };
   }
 
   /** The same form that was sent twice, as by a double click, wishes for one task. */
-  private static String wish(HttpServletRequest request) {
+  private static String idempotencyKey(HttpServletRequest request) {
     return Objects.requireNonNullElseGet(
         request.getParameter("wish"), () -> UUID.randomUUID().toString());
   }
@@ -135,7 +136,7 @@ public final class NewTaskServlet extends PageServlet {
             where("goal", fields, rules),
             fields.text("floor"),
             rules.priority("priority", fields.number("priority")),
-            rules.deadlineToCome(
+            rules.futureDeadline(
                 "deadline", fields.moment("deadline", "zone"), services().clock().instant()),
             size(fields, rules));
     return errors.isEmpty() ? Optional.of(order) : Optional.empty();
@@ -162,7 +163,7 @@ public final class NewTaskServlet extends PageServlet {
   }
 
   /** The chosen floor's stations can be selected; without a choice, the first floor's. */
-  private void offerFloors(HttpServletRequest request) {
+  private void addFloorAttributes(HttpServletRequest request) {
     List<FloorMap> floors = services().fleet().floors();
     String wanted = request.getParameter("floor");
     FloorMap floor =

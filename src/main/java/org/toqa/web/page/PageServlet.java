@@ -9,11 +9,12 @@ import java.util.Optional;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.mission.Question;
-import org.toqa.web.Doors;
-import org.toqa.web.FieldErrors;
+import org.toqa.web.ErrorResponse;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.access.CsrfToken;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.route.Routes;
 import org.toqa.wording.Sentence;
 
 /**
@@ -28,24 +29,24 @@ abstract class PageServlet extends HttpServlet {
   private static final String FORM = "form";
 
   final Services services() {
-    return Services.from(getServletContext());
+    return Services.of(getServletContext());
   }
 
   /** Shows a view; it finds the CSRF token for its forms as {@code csrf}. */
   static void show(HttpServletRequest request, HttpServletResponse response, String view)
       throws ServletException, IOException {
     request.setAttribute("csrf", CsrfToken.of(request, response));
-    showBare(request, response, view);
+    showWithoutForm(request, response, view);
   }
 
   /** Shows a view that has no form, without giving the browser a cookie for it. */
-  static void showBare(HttpServletRequest request, HttpServletResponse response, String view)
+  static void showWithoutForm(HttpServletRequest request, HttpServletResponse response, String view)
       throws ServletException, IOException {
-    Texts.of(request).tell(response);
-    String path = Doors.pathOf(request);
+    Texts.of(request).setContentLanguage(response);
+    String path = Routes.path(request);
     String query = request.getQueryString();
     request.setAttribute("address", query == null ? path : path + "?" + query);
-    FleetSnapshot fleet = Services.from(request.getServletContext()).fleet().feed().latest();
+    FleetSnapshot fleet = Services.of(request.getServletContext()).fleet().snapshots().latest();
     request.setAttribute("pause", fleet.pause());
     request.setAttribute("alerts", fleet.alerts());
     request.getRequestDispatcher("/WEB-INF/views/" + view + ".jsp").forward(request, response);
@@ -78,31 +79,31 @@ abstract class PageServlet extends HttpServlet {
   }
 
   /** See other: a reload does not send the form again. */
-  static void goTo(HttpServletRequest request, HttpServletResponse response, String path)
+  static void redirect(HttpServletRequest request, HttpServletResponse response, String path)
       throws IOException {
     response.sendRedirect(request.getContextPath() + path, HttpServletResponse.SC_SEE_OTHER);
   }
 
-  static void notFound(HttpServletRequest request, HttpServletResponse response, String key)
+  static void sendNotFound(HttpServletRequest request, HttpServletResponse response, String key)
       throws IOException {
-    ErrorServlet.send(request, response, 404, Texts.of(request).get(key));
+    ErrorResponse.send(request, response, 404, Texts.of(request).get(key));
   }
 
   /** The value, if the fleet said yes; its no is filed under the field it names, or the form. */
-  static <T> Optional<T> accepted(
+  static <T> Optional<T> acceptedValue(
       HttpServletRequest request, Answer<T> answer, FieldErrors errors) {
     Texts texts = Texts.of(request);
     return switch (answer) {
       case Answer.Accepted<T>(T value) -> Optional.of(value);
-      case Answer.Refused<T>(String field, Sentence sentence) ->
-          no(errors, field == null ? FORM : field, texts.say(sentence));
+      case Answer.Rejected<T>(String field, Sentence sentence) ->
+          refuse(errors, field == null ? FORM : field, texts.text(sentence));
       case Answer.Conflict<T>(Sentence sentence, Question needs) ->
-          no(errors, FORM, texts.say(sentence));
-      case Answer.Unknown<T>(Sentence sentence) -> no(errors, FORM, texts.say(sentence));
+          refuse(errors, FORM, texts.text(sentence));
+      case Answer.Unknown<T>(Sentence sentence) -> refuse(errors, FORM, texts.text(sentence));
     };
   }
 
-  private static <T> Optional<T> no(FieldErrors errors, String field, String sentence) {
+  private static <T> Optional<T> refuse(FieldErrors errors, String field, String sentence) {
     errors.add(field, sentence);
     return Optional.empty();
   }

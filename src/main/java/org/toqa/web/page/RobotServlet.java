@@ -13,14 +13,14 @@ import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
-import org.toqa.web.Doors;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.InputRules;
-import org.toqa.web.PairingForm;
 import org.toqa.web.Texts;
-import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
+import org.toqa.web.input.PairingFields;
+import org.toqa.web.input.Version;
+import org.toqa.web.route.Routes;
 
 /** One robot: its state, and a manager's word where it is and what it shall do. */
 public final class RobotServlet extends PageServlet {
@@ -29,22 +29,22 @@ public final class RobotServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    if (offerRobot(request).isPresent()) {
+    if (addRobotAttributes(request).isPresent()) {
       show(request, response, "robot");
     } else {
-      notFound(request, response, "problem.noSuchRobot");
+      sendNotFound(request, response, "problem.noSuchRobot");
     }
   }
 
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    Optional<RobotView> now = offerRobot(request);
+    Optional<RobotView> now = addRobotAttributes(request);
     if (now.isEmpty()) {
-      notFound(request, response, "problem.noSuchRobot");
+      sendNotFound(request, response, "problem.noSuchRobot");
       return;
     }
-    request.setAttribute("sent", Doors.lastSegment(request));
+    request.setAttribute("sent", Routes.lastSegment(request));
     FieldErrors differences = differences(now.get(), request);
     if (!differences.isEmpty()) {
       showConflict(request, response, "robot", differences);
@@ -52,10 +52,11 @@ public final class RobotServlet extends PageServlet {
     }
     FieldErrors errors = new FieldErrors();
     Optional<RobotView> robot =
-        ask(request, errors).flatMap(wish -> answered(request, wish, errors));
+        command(request, errors).flatMap(answer -> awaitAnswer(request, answer, errors));
     if (robot.isPresent()) {
-      boolean isGone = Doors.lastSegment(request).equals("remove");
-      goTo(request, response, isGone ? "/robots?done=removed" : "/robots/" + robot.get().name());
+      boolean isRemoved = Routes.lastSegment(request).equals("remove");
+      redirect(
+          request, response, isRemoved ? "/robots?done=removed" : "/robots/" + robot.get().name());
     } else {
       showAgain(request, response, "robot", errors);
     }
@@ -63,37 +64,37 @@ public final class RobotServlet extends PageServlet {
 
   private static FieldErrors differences(RobotView robot, HttpServletRequest request) {
     Texts texts = Texts.of(request);
-    return new Rivals(request, Version.of(robot))
-        .text("host", robot.host(), "")
-        .number("port", robot.port(), String.valueOf(robot.port()))
-        .number("maxLoad", robot.maxLoad(), texts.get("common.kilograms", robot.maxLoad()))
-        .text("parking", robot.parking(), texts.get("robot.parking.none"))
+    return new EditConflict(request, Version.of(robot))
+        .compareText("host", robot.host(), "")
+        .compareNumber("port", robot.port(), String.valueOf(robot.port()))
+        .compareNumber("maxLoad", robot.maxLoad(), texts.get("common.kilograms", robot.maxLoad()))
+        .compareText("parking", robot.parking(), texts.get("robot.parking.none"))
         .differences();
   }
 
   /** The wish of the form that was sent, if its fields are right. */
-  private Optional<CompletionStage<Answer<RobotView>>> ask(
+  private Optional<CompletionStage<Answer<RobotView>>> command(
       HttpServletRequest request, FieldErrors errors) {
     Fleet fleet = services().fleet();
-    String name = Doors.parameter(request, "name");
+    String name = Routes.parameter(request, "name");
     String user = Caller.of(request).name();
-    return switch (Doors.lastSegment(request)) {
+    return switch (Routes.lastSegment(request)) {
       case "out-of-service" -> Optional.of(fleet.takeOutOfService(name, user));
       case "in-service" -> Optional.of(fleet.putInService(name, user));
-      case "hold" -> Optional.of(fleet.hold(name, user));
-      case "resume" -> Optional.of(fleet.resume(name, user));
+      case "hold" -> Optional.of(fleet.holdRobot(name, user));
+      case "resume" -> Optional.of(fleet.resumeRobot(name, user));
       case "home" -> Optional.of(fleet.sendHome(name, user));
       case "remove" -> Optional.of(fleet.removeRobot(name, user));
       case "change" -> change(request, errors).map(change -> fleet.changeRobot(name, change, user));
-      case "pair" -> pairing(request, errors).map(order -> fleet.pair(name, order, user));
-      default -> read(request, errors).map(pose -> fleet.locate(name, pose, user));
+      case "pair" -> pairing(request, errors).map(order -> fleet.pairRobot(name, order, user));
+      default -> pose(request, errors).map(pose -> fleet.locateRobot(name, pose, user));
     };
   }
 
   private static Optional<PairingOrder> pairing(HttpServletRequest request, FieldErrors errors) {
     FormFields fields = new FormFields(request, errors);
-    return new PairingForm(fields.text("host"), fields.number("port"), fields.text("code"))
-        .order(Texts.of(request), errors);
+    return new PairingFields(fields.text("host"), fields.number("port"), fields.text("code"))
+        .read(Texts.of(request), errors);
   }
 
   private static Optional<RobotChange> change(HttpServletRequest request, FieldErrors errors) {
@@ -108,13 +109,13 @@ public final class RobotServlet extends PageServlet {
     return errors.isEmpty() ? Optional.of(change) : Optional.empty();
   }
 
-  private static Optional<RobotView> answered(
-      HttpServletRequest request, CompletionStage<Answer<RobotView>> wish, FieldErrors errors) {
-    return accepted(request, FleetAnswers.await(wish), errors);
+  private static Optional<RobotView> awaitAnswer(
+      HttpServletRequest request, CompletionStage<Answer<RobotView>> answer, FieldErrors errors) {
+    return acceptedValue(request, FleetAnswers.await(answer), errors);
   }
 
   /** The form has degrees. */
-  private static Optional<Pose> read(HttpServletRequest request, FieldErrors errors) {
+  private static Optional<Pose> pose(HttpServletRequest request, FieldErrors errors) {
     FormFields fields = new FormFields(request, errors);
     InputRules rules = new InputRules(Texts.of(request), errors);
     Pose pose =
@@ -125,9 +126,9 @@ public final class RobotServlet extends PageServlet {
     return errors.isEmpty() ? Optional.of(pose) : Optional.empty();
   }
 
-  private Optional<RobotView> offerRobot(HttpServletRequest request) {
-    String name = Doors.parameter(request, "name");
-    FleetSnapshot fleet = services().fleet().feed().latest();
+  private Optional<RobotView> addRobotAttributes(HttpServletRequest request) {
+    String name = Routes.parameter(request, "name");
+    FleetSnapshot fleet = services().fleet().snapshots().latest();
     Optional<RobotView> robot =
         fleet.robots().stream().filter(r -> r.name().equals(name)).findFirst();
     robot.ifPresent(
@@ -138,7 +139,8 @@ public final class RobotServlet extends PageServlet {
     request.setAttribute("floors", services().fleet().floors());
     request.setAttribute("trackHours", TRACK_HOURS);
     request.setAttribute(
-        "keepsPlace", fleet.floors().stream().anyMatch(floor -> floor.kept().containsKey(name)));
+        "keepsPlace",
+        fleet.floors().stream().anyMatch(floor -> floor.silentRobotCells().containsKey(name)));
     return robot;
   }
 }

@@ -7,18 +7,18 @@ import java.io.IOException;
 import java.util.Optional;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotView;
-import org.toqa.web.FieldErrors;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.InputRules;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
 
 /** All robots; managers add some. */
 public final class RobotsServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    offerFleet(request);
+    addFleetAttributes(request);
     show(request, response, "robots");
   }
 
@@ -28,9 +28,9 @@ public final class RobotsServlet extends PageServlet {
     FieldErrors errors = new FieldErrors();
     Optional<RobotView> robot = read(request, errors).flatMap(order -> add(order, request, errors));
     if (robot.isPresent()) {
-      goTo(request, response, "/robots/" + robot.get().name());
+      redirect(request, response, "/robots/" + robot.get().name());
     } else {
-      offerFleet(request);
+      addFleetAttributes(request);
       showAgain(request, response, "robots", errors);
     }
   }
@@ -38,7 +38,8 @@ public final class RobotsServlet extends PageServlet {
   private Optional<RobotView> add(
       RobotOrder order, HttpServletRequest request, FieldErrors errors) {
     String user = Caller.of(request).name();
-    return accepted(request, FleetAnswers.await(services().fleet().addRobot(order, user)), errors);
+    return acceptedValue(
+        request, FleetAnswers.await(services().fleet().addRobot(order, user)), errors);
   }
 
   private static Optional<RobotOrder> read(HttpServletRequest request, FieldErrors errors) {
@@ -55,8 +56,8 @@ public final class RobotsServlet extends PageServlet {
     return errors.isEmpty() ? Optional.of(order) : Optional.empty();
   }
 
-  private void offerFleet(HttpServletRequest request) {
-    request.setAttribute("robots", services().fleet().feed().latest().robots());
+  private void addFleetAttributes(HttpServletRequest request) {
+    request.setAttribute("robots", services().fleet().snapshots().latest().robots());
     request.setAttribute("floors", services().fleet().floors());
   }
 }

@@ -7,14 +7,15 @@ import java.io.IOException;
 import java.time.DayOfWeek;
 import java.util.List;
 import java.util.Optional;
-import org.toqa.fleet.Recurrence;
-import org.toqa.fleet.Schedule;
-import org.toqa.web.Doors;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.Schedules;
+import org.toqa.fleet.schedule.Recurrence;
+import org.toqa.fleet.schedule.Schedule;
+import org.toqa.web.ErrorResponse;
 import org.toqa.web.Texts;
-import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.ScheduleCommands;
+import org.toqa.web.input.Version;
+import org.toqa.web.route.Routes;
 
 /** All schedules, and what people want of them. */
 public final class SchedulesServlet extends PageServlet {
@@ -37,18 +38,18 @@ public final class SchedulesServlet extends PageServlet {
 
     private static Entry of(Schedule schedule, String kind, List<DayOfWeek> days, Caller caller) {
       return new Entry(
-          schedule, Version.of(schedule), kind, days, Schedules.isAllowed(caller, schedule));
+          schedule, Version.of(schedule), kind, days, ScheduleCommands.canChange(caller, schedule));
     }
   }
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    offer(request);
+    addAttributes(request);
     show(request, response, "schedules");
   }
 
-  private void offer(HttpServletRequest request) {
+  private void addAttributes(HttpServletRequest request) {
     Caller caller = Caller.of(request);
     request.setAttribute(
         "entries",
@@ -58,29 +59,29 @@ public final class SchedulesServlet extends PageServlet {
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    Optional<Schedule> schedule = services().schedules().schedule(Doors.number(request, "id"));
+    Optional<Schedule> schedule = services().schedules().schedule(Routes.number(request, "id"));
     if (schedule.isEmpty()) {
-      notFound(request, response, "problem.noSuchSchedule");
+      sendNotFound(request, response, "problem.noSuchSchedule");
       return;
     }
     Caller caller = Caller.of(request);
-    if (!Schedules.isAllowed(caller, schedule.get())) {
-      ErrorServlet.send(request, response, 403, Texts.of(request).get("problem.notYourSchedule"));
+    if (!ScheduleCommands.canChange(caller, schedule.get())) {
+      ErrorResponse.send(request, response, 403, Texts.of(request).get("problem.notYourSchedule"));
       return;
     }
-    if (new Rivals(request, Version.of(schedule.get())).wasChanged()) {
+    if (new EditConflict(request, Version.of(schedule.get())).isStale()) {
       FieldErrors errors = new FieldErrors();
       errors.add("form", Texts.of(request).get("error.changed.schedule", schedule.get().id()));
-      offer(request);
+      addAttributes(request);
       showConflict(request, response, "schedules", errors);
       return;
     }
-    Schedules schedules = new Schedules(services(), Texts.of(request));
-    switch (Doors.lastSegment(request)) {
+    ScheduleCommands schedules = new ScheduleCommands(services(), Texts.of(request));
+    switch (Routes.lastSegment(request)) {
       case "pause" -> schedules.pause(schedule.get(), caller);
       case "resume" -> schedules.resume(schedule.get(), caller);
       default -> schedules.delete(schedule.get(), caller);
     }
-    goTo(request, response, "/schedules");
+    redirect(request, response, "/schedules");
   }
 }

@@ -12,13 +12,13 @@ import java.util.function.Function;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.RobotUse;
-import org.toqa.store.Failure;
-import org.toqa.store.Figures;
-import org.toqa.store.Period;
-import org.toqa.store.PeriodFigures;
-import org.toqa.store.RobotFigures;
-import org.toqa.store.Spread;
+import org.toqa.fleet.history.DurationStatistics;
+import org.toqa.fleet.history.FailureKind;
+import org.toqa.fleet.history.Period;
+import org.toqa.fleet.history.PeriodStatistics;
+import org.toqa.fleet.history.RobotActivity;
+import org.toqa.fleet.history.RobotUtilisation;
+import org.toqa.fleet.history.WorkStatistics;
 import org.toqa.web.page.Chart.Column;
 import org.toqa.web.page.Chart.Row;
 import org.toqa.web.page.Chart.Shape;
@@ -26,10 +26,10 @@ import org.toqa.web.page.Chart.Unit;
 
 /** The figures of a period as charts, in a reader's language. */
 final class StatisticsCharts {
-  private final PeriodFigures figures;
+  private final PeriodStatistics figures;
   private final List<String> labels;
 
-  StatisticsCharts(PeriodFigures figures, Locale locale) {
+  StatisticsCharts(PeriodStatistics figures, Locale locale) {
     this.figures = figures;
     this.labels = labels(figures.period(), locale);
   }
@@ -38,11 +38,11 @@ final class StatisticsCharts {
   List<Chart> series() {
     return List.of(
         tasks(),
-        durations("delivery", Figures::delivery),
-        durations("waiting", Figures::waiting),
-        durations("completion", Figures::completion),
-        ofOne("distance", Unit.METRES, Figures::metres),
-        ofOne("battery", Unit.SHARE, Figures::battery),
+        durations("delivery", WorkStatistics::delivery),
+        durations("waiting", WorkStatistics::waiting),
+        durations("completion", WorkStatistics::completion),
+        singleColumn("distance", Unit.METRES, WorkStatistics::metres),
+        singleColumn("battery", Unit.SHARE, WorkStatistics::battery),
         failures());
   }
 
@@ -60,7 +60,8 @@ final class StatisticsCharts {
                 .toList());
   }
 
-  private Chart durations(String name, Function<Figures, @Nullable Spread> spreadOf) {
+  private Chart durations(
+      String name, Function<WorkStatistics, @Nullable DurationStatistics> spreadOf) {
     return series(
         name,
         List.of(
@@ -69,45 +70,45 @@ final class StatisticsCharts {
             new Column("mean", Shape.NONE, Unit.SECONDS),
             new Column("count", Shape.NONE, Unit.COUNT)),
         f -> {
-          Spread spread = spreadOf.apply(f);
+          DurationStatistics spread = spreadOf.apply(f);
           return spread == null
               ? Arrays.asList(null, null, null, 0.0)
               : List.of(spread.median(), spread.p90(), spread.mean(), (double) spread.count());
         });
   }
 
-  private Chart ofOne(String name, Unit unit, Function<Figures, Double> value) {
+  private Chart singleColumn(String name, Unit unit, Function<WorkStatistics, Double> value) {
     return series(name, List.of(new Column(name, Shape.BAR, unit)), f -> List.of(value.apply(f)));
   }
 
   private Chart failures() {
     return series(
         "failures",
-        Stream.of(Failure.values())
+        Stream.of(FailureKind.values())
             .map(failure -> new Column(failure.name(), Shape.BAR, Unit.COUNT))
             .toList(),
         f ->
-            Stream.of(Failure.values())
+            Stream.of(FailureKind.values())
                 .map(failure -> f.failures().getOrDefault(failure, 0L).doubleValue())
                 .toList());
   }
 
   private Chart series(
-      String name, List<Column> columns, Function<Figures, List<@Nullable Double>> values) {
+      String name, List<Column> columns, Function<WorkStatistics, List<@Nullable Double>> values) {
     return new Chart(
         name,
         figures.period().step().name(),
         false,
         columns,
         IntStream.range(0, labels.size())
-            .mapToObj(i -> new Row(labels.get(i), values.apply(figures.series().get(i))))
+            .mapToObj(i -> new Row(labels.get(i), values.apply(figures.buckets().get(i))))
             .toList());
   }
 
   /** What each robot did. */
-  Chart use() {
+  Chart utilisation() {
     List<Column> columns = new ArrayList<>();
-    for (RobotUse use : RobotUse.values()) {
+    for (RobotActivity use : RobotActivity.values()) {
       columns.add(new Column(use.name(), Shape.BAR, Unit.SHARE));
     }
     columns.add(new Column("recorded", Shape.NONE, Unit.SECONDS));
@@ -121,12 +122,12 @@ final class StatisticsCharts {
         figures.robots().stream().map(StatisticsCharts::row).toList());
   }
 
-  private static Row row(RobotFigures robot) {
+  private static Row row(RobotUtilisation robot) {
     List<@Nullable Double> values = new ArrayList<>();
-    for (RobotUse use : RobotUse.values()) {
-      values.add(robot.share(use));
+    for (RobotActivity use : RobotActivity.values()) {
+      values.add(robot.utilisation(use));
     }
-    values.add(robot.recorded());
+    values.add(robot.recordedSeconds());
     values.add(robot.metres());
     values.add(robot.battery());
     return new Row(robot.robot(), values);
@@ -136,7 +137,7 @@ final class StatisticsCharts {
     DateTimeFormatter format =
         DateTimeFormatter.ofLocalizedPattern(pattern(period)).withLocale(locale);
     return period.borders().stream()
-        .limit(period.buckets())
+        .limit(period.bucketCount())
         .map(border -> label(border, period, format))
         .toList();
   }
@@ -153,7 +154,7 @@ final class StatisticsCharts {
   private static String label(Instant border, Period period, DateTimeFormatter format) {
     ZonedDateTime at = border.atZone(period.zone());
     LocalDateTime local = at.toLocalDateTime();
-    boolean isTwice = period.zone().getRules().getValidOffsets(local).size() > 1;
-    return isTwice ? format.format(at) + " (" + at.getOffset() + ")" : format.format(at);
+    boolean isAmbiguous = period.zone().getRules().getValidOffsets(local).size() > 1;
+    return isAmbiguous ? format.format(at) + " (" + at.getOffset() + ")" : format.format(at);
   }
 }

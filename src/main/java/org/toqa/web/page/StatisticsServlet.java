@@ -7,11 +7,11 @@ import java.io.IOException;
 import java.time.format.DateTimeFormatter;
 import java.time.format.FormatStyle;
 import java.util.Locale;
-import org.toqa.store.Period;
-import org.toqa.store.PeriodFigures;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.PeriodChoice;
+import org.toqa.fleet.history.Period;
+import org.toqa.fleet.history.PeriodStatistics;
 import org.toqa.web.Texts;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.PeriodReader;
 
 /** How the fleet does, in numbers of a period. */
 public final class StatisticsServlet extends PageServlet {
@@ -20,15 +20,15 @@ public final class StatisticsServlet extends PageServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
-    PeriodChoice choice = new PeriodChoice(request, errors);
-    Period period = choice.read(services().clock().instant());
-    request.setAttribute("names", PeriodChoice.NAMES);
+    PeriodReader choice = new PeriodReader(request, errors);
+    Period period = choice.period(services().clock().instant());
+    request.setAttribute("names", PeriodReader.NAMES);
     request.setAttribute("chosen", choice.name());
     if (!errors.isEmpty()) {
       showAgain(request, response, "statistics", errors);
       return;
     }
-    PeriodFigures figures = services().statistics().of(period);
+    PeriodStatistics figures = services().statistics().statistics(period);
     Locale locale = Texts.of(request).locale();
     DateTimeFormatter day =
         DateTimeFormatter.ofLocalizedDate(FormatStyle.MEDIUM).withLocale(locale);
@@ -38,7 +38,7 @@ public final class StatisticsServlet extends PageServlet {
     request.setAttribute("total", figures.total());
     StatisticsCharts charts = new StatisticsCharts(figures, locale);
     request.setAttribute("series", charts.series());
-    request.setAttribute("use", charts.use());
+    request.setAttribute("use", charts.utilisation());
     show(request, response, "statistics");
   }
 }

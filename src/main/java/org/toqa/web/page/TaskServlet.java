@@ -10,19 +10,20 @@ import java.util.Set;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
-import org.toqa.web.Doors;
-import org.toqa.web.FieldErrors;
+import org.toqa.web.ErrorResponse;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.TaskWishes;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
-import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.TaskCommandReader;
+import org.toqa.web.input.Version;
+import org.toqa.web.route.Routes;
 
 /** One task: its state, its robots, what happened, and what people want of it. */
 public final class TaskServlet extends PageServlet {
   /** The road of a task that goes well. */
-  private static final List<TaskState> ROAD =
+  private static final List<TaskState> TIMELINE =
       List.of(
           TaskState.QUEUED,
           TaskState.ASSIGNED,
@@ -32,17 +33,17 @@ public final class TaskServlet extends PageServlet {
           TaskState.DONE);
 
   /** Those that have a name. */
-  private static final Set<Integer> USUAL_PRIORITIES = Set.of(10, 0, -10);
+  private static final Set<Integer> NAMED_PRIORITIES = Set.of(10, 0, -10);
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     Optional<TaskView> task = task(request);
     if (task.isEmpty()) {
-      notFound(request, response, "problem.noSuchTask");
+      sendNotFound(request, response, "problem.noSuchTask");
       return;
     }
-    offer(request, task.get());
+    addAttributes(request, task.get());
     show(request, response, "task");
   }
 
@@ -51,30 +52,31 @@ public final class TaskServlet extends PageServlet {
       throws ServletException, IOException {
     Optional<TaskView> task = task(request);
     if (task.isEmpty()) {
-      notFound(request, response, "problem.noSuchTask");
+      sendNotFound(request, response, "problem.noSuchTask");
       return;
     }
-    if (!TaskWishes.isAllowed(Caller.of(request), task.get())) {
-      ErrorServlet.send(request, response, 403, Texts.of(request).get("problem.notYourTask"));
+    if (!TaskCommandReader.canChange(Caller.of(request), task.get())) {
+      ErrorResponse.send(request, response, 403, Texts.of(request).get("problem.notYourTask"));
       return;
     }
     FieldErrors differences = differences(task.get(), request);
     if (!differences.isEmpty()) {
-      offer(request, task.get());
+      addAttributes(request, task.get());
       showConflict(request, response, "task", differences);
       return;
     }
     FieldErrors errors = new FieldErrors();
-    MissionEvent.Wish wish = wish(request, errors);
+    MissionEvent.OperatorCommand command = command(request, errors);
     long id = task.get().id();
     Optional<TaskView> changed =
         errors.isEmpty()
-            ? accepted(request, FleetAnswers.await(services().fleet().wish(id, wish)), errors)
+            ? acceptedValue(
+                request, FleetAnswers.await(services().fleet().commandTask(id, command)), errors)
             : Optional.empty();
     if (changed.isPresent()) {
-      goTo(request, response, "/tasks/" + id);
+      redirect(request, response, "/tasks/" + id);
     } else {
-      offer(request, task(request).orElse(task.get()));
+      addAttributes(request, task(request).orElse(task.get()));
       showAgain(request, response, "task", errors);
     }
   }
@@ -82,35 +84,38 @@ public final class TaskServlet extends PageServlet {
   private static FieldErrors differences(TaskView task, HttpServletRequest request) {
     int priority = task.task().priority();
     String shown =
-        USUAL_PRIORITIES.contains(priority)
+        NAMED_PRIORITIES.contains(priority)
             ? Texts.of(request).get("newTask.priority." + priority)
             : String.valueOf(priority);
-    return new Rivals(request, Version.of(task)).number("priority", priority, shown).differences();
+    return new EditConflict(request, Version.of(task))
+        .compareNumber("priority", priority, shown)
+        .differences();
   }
 
-  private static MissionEvent.Wish wish(HttpServletRequest request, FieldErrors errors) {
+  private static MissionEvent.OperatorCommand command(
+      HttpServletRequest request, FieldErrors errors) {
     Caller caller = Caller.of(request);
     FormFields fields = new FormFields(request, errors);
-    TaskWishes wishes = new TaskWishes(Texts.of(request), errors);
-    return switch (Doors.lastSegment(request)) {
+    TaskCommandReader reader = new TaskCommandReader(Texts.of(request), errors);
+    return switch (Routes.lastSegment(request)) {
       case "hold" -> new MissionEvent.Hold(caller.name());
       case "resume" -> new MissionEvent.Resume(caller.name());
-      case "priority" -> wishes.prioritise(caller, fields.number("priority"));
-      case "cancel" -> wishes.cancel(caller, fields.text("load"));
-      default -> wishes.answer(caller, fields.text("answer"));
+      case "priority" -> reader.readPriority(caller, fields.number("priority"));
+      case "cancel" -> reader.readCancel(caller, fields.text("load"));
+      default -> reader.readAnswer(caller, fields.text("answer"));
     };
   }
 
   private Optional<TaskView> task(HttpServletRequest request) {
-    return new Tasks(services()).byId(Doors.number(request, "id"));
+    return new Tasks(services()).task(Routes.number(request, "id"));
   }
 
-  private void offer(HttpServletRequest request, TaskView task) {
+  private void addAttributes(HttpServletRequest request, TaskView task) {
     request.setAttribute("task", task);
     request.setAttribute("version", Version.of(task));
-    request.setAttribute("mayChange", TaskWishes.isAllowed(Caller.of(request), task));
+    request.setAttribute("mayChange", TaskCommandReader.canChange(Caller.of(request), task));
     request.setAttribute("history", services().archive().history(task.id()));
-    request.setAttribute("road", ROAD);
-    request.setAttribute("reached", ROAD.indexOf(task.state()));
+    request.setAttribute("road", TIMELINE);
+    request.setAttribute("reached", TIMELINE.indexOf(task.state()));
   }
 }

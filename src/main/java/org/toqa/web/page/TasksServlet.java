@@ -8,39 +8,39 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskArchive.Filter;
 import org.toqa.fleet.TaskArchive.Sort;
 import org.toqa.mission.TaskState;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.TaskListing;
 import org.toqa.web.Tasks;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.TaskQueryReader;
 
 /** The tasks, all of them or some, page by page. */
 public final class TasksServlet extends PageServlet {
-  private static final int ON_A_PAGE = 25;
+  private static final int PAGE_SIZE = 25;
 
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
-    TaskListing wanted = new TaskListing(request, errors);
-    Filter filter = wanted.filter();
-    Sort sort = wanted.sort();
-    request.setAttribute("robots", services().fleet().feed().latest().robots());
+    TaskQueryReader query = new TaskQueryReader(request, errors);
+    Filter filter = query.filter();
+    Sort sort = query.sort();
+    request.setAttribute("robots", services().fleet().snapshots().latest().robots());
     request.setAttribute("states", TaskState.values());
-    request.setAttribute("columns", TaskListing.columns());
+    request.setAttribute("columns", TaskQueryReader.sortColumns());
     request.setAttribute("isFiltered", !filter.equals(Filter.ANY));
     if (errors.isEmpty()) {
-      list(request, filter, sort);
+      addTaskAttributes(request, filter, sort);
       show(request, response, "tasks");
     } else {
       showAgain(request, response, "tasks", errors);
     }
   }
 
-  private void list(HttpServletRequest request, Filter filter, Sort sort) {
+  private void addTaskAttributes(HttpServletRequest request, Filter filter, Sort sort) {
     Tasks tasks = new Tasks(services());
     long count = tasks.count(filter);
-    int pages = (int) Math.max(1, (count + ON_A_PAGE - 1) / ON_A_PAGE);
+    int pages = (int) Math.max(1, (count + PAGE_SIZE - 1) / PAGE_SIZE);
     int page = Math.min(pages, pageNumber(request.getParameter("page")));
-    request.setAttribute("tasks", tasks.list(filter, sort, (page - 1) * ON_A_PAGE, ON_A_PAGE));
+    request.setAttribute("tasks", tasks.page(filter, sort, (page - 1) * PAGE_SIZE, PAGE_SIZE));
     request.setAttribute("count", count);
     request.setAttribute("imported", imported(request.getParameter("imported")));
     request.setAttribute("page", page);

@@ -5,19 +5,20 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
-import org.toqa.store.Account;
-import org.toqa.store.Accounts;
-import org.toqa.store.Role;
-import org.toqa.web.Doors;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.InputRules;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Role;
+import org.toqa.store.JdbiAccountStore;
+import org.toqa.web.ErrorResponse;
+import org.toqa.web.PasswordLinks;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
-import org.toqa.web.UserWishes;
-import org.toqa.web.Version;
 import org.toqa.web.access.Caller;
-import org.toqa.web.access.PasswordLinks;
 import org.toqa.web.access.SessionCookie;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
+import org.toqa.web.input.UserCommands;
+import org.toqa.web.input.Version;
+import org.toqa.web.route.Routes;
 
 /** One user: his sessions and tokens, password and e-mail address, what he may do, and the end. */
 public final class UserServlet extends PageServlet {
@@ -28,7 +29,7 @@ public final class UserServlet extends PageServlet {
     if (user.isEmpty()) {
       return;
     }
-    offer(user.get(), request, services());
+    addAttributes(user.get(), request, services());
     show(request, response, "user");
   }
 
@@ -42,120 +43,121 @@ public final class UserServlet extends PageServlet {
     Account user = found.get();
     FieldErrors differences = differences(user, request);
     if (!differences.isEmpty()) {
-      offer(user, request, services());
+      addAttributes(user, request, services());
       showConflict(request, response, "user", differences);
       return;
     }
     FieldErrors errors = new FieldErrors();
-    UserWishes wishes = new UserWishes(services(), Texts.of(request), errors);
+    UserCommands commands = new UserCommands(services(), Texts.of(request), errors);
     String next =
-        switch (Doors.lastSegment(request)) {
-          case "delete" -> delete(user, wishes, errors, request);
-          case "change" -> change(user, wishes, errors, request);
-          case "email" -> changeEmail(user, wishes, errors, request);
+        switch (Routes.lastSegment(request)) {
+          case "delete" -> delete(user, commands, errors, request);
+          case "change" -> change(user, commands, errors, request);
+          case "email" -> changeEmail(user, commands, errors, request);
           case "end" -> endSession(user, errors, request);
-          case "tokens" -> makeToken(user, wishes, errors, request);
-          case "reset-link" -> makeLink(user, request);
-          default -> changePassword(user, wishes, errors, request, response);
+          case "tokens" -> createToken(user, commands, errors, request);
+          case "reset-link" -> createLink(user, request);
+          default -> changePassword(user, commands, errors, request, response);
         };
     if (!errors.isEmpty()) {
-      offer(user, request, services());
+      addAttributes(user, request, services());
       showAgain(request, response, "user", errors);
     } else if (next.isEmpty()) {
-      offer(user, request, services());
+      addAttributes(user, request, services());
       show(request, response, "user");
     } else {
-      goTo(request, response, next);
+      redirect(request, response, next);
     }
   }
 
   /** The user in the path; empty when the answer is given: there is none, or he is not seen. */
   private Optional<Account> user(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Optional<Account> user = services().accounts().byId(Doors.number(request, "id"));
+    Optional<Account> user = services().accounts().account(Routes.number(request, "id"));
     if (user.isEmpty()) {
-      notFound(request, response, "problem.noSuchUser");
-    } else if (!UserWishes.maySee(Caller.of(request), user.get())) {
-      ErrorServlet.send(request, response, 403, Texts.of(request).get("problem.managersOnly"));
+      sendNotFound(request, response, "problem.noSuchUser");
+    } else if (!UserCommands.canSee(Caller.of(request), user.get())) {
+      ErrorResponse.send(request, response, 403, Texts.of(request).get("problem.managersOnly"));
       return Optional.empty();
     }
     return user;
   }
 
   /** For the view "user". */
-  static void offer(Account user, HttpServletRequest request, Services services) {
-    Account now = services.accounts().byId(user.id()).orElse(user);
+  static void addAttributes(Account user, HttpServletRequest request, Services services) {
+    Account now = services.accounts().account(user.id()).orElse(user);
     request.setAttribute("user", now);
     request.setAttribute("version", Version.of(now));
-    request.setAttribute("sessions", services.sessions().of(user.id()));
+    request.setAttribute("sessions", services.sessions().sessions(user.id()));
   }
 
   private static FieldErrors differences(Account user, HttpServletRequest request) {
     Texts texts = Texts.of(request);
-    Rivals rivals = new Rivals(request, Version.of(user));
-    switch (Doors.lastSegment(request)) {
+    EditConflict conflict = new EditConflict(request, Version.of(user));
+    switch (Routes.lastSegment(request)) {
       case "change" -> {
         String role = user.role().name();
-        rivals.entry("role", request.getParameter("role"), role, texts.get("users.role." + role));
-        rivals.entry(
+        conflict.compareEntry(
+            "role", request.getParameter("role"), role, texts.get("users.role." + role));
+        conflict.compareEntry(
             "disabled",
             String.valueOf(request.getParameter("disabled") != null),
             String.valueOf(user.disabled()),
             texts.get(user.disabled() ? "users.disabled" : "users.enabled"));
       }
-      case "email" -> rivals.text("email", user.email(), texts.get("common.none"));
+      case "email" -> conflict.compareText("email", user.email(), texts.get("common.none"));
       default -> {}
     }
-    return rivals.differences();
+    return conflict.differences();
   }
 
   private String delete(
-      Account user, UserWishes wishes, FieldErrors errors, HttpServletRequest request) {
+      Account user, UserCommands commands, FieldErrors errors, HttpServletRequest request) {
     refuseUnlessDone(
-        services().accounts().delete(user.id(), Caller.of(request).name()), wishes, errors);
+        services().accounts().delete(user.id(), Caller.of(request).name()), commands, errors);
     return "/users?done=deleted";
   }
 
   private String change(
-      Account user, UserWishes wishes, FieldErrors errors, HttpServletRequest request) {
+      Account user, UserCommands commands, FieldErrors errors, HttpServletRequest request) {
     FormFields fields = new FormFields(request, errors);
     Role role = new InputRules(Texts.of(request), errors).role("role", fields.text("role"));
     boolean disabled = fields.text("disabled") != null;
     if (errors.isEmpty()) {
       refuseUnlessDone(
-          services().accounts().change(user.id(), role, disabled, Caller.of(request).name()),
-          wishes,
+          services().accounts().update(user.id(), role, disabled, Caller.of(request).name()),
+          commands,
           errors);
     }
     return page(user, "changed");
   }
 
   private static void refuseUnlessDone(
-      Accounts.Outcome outcome, UserWishes wishes, FieldErrors errors) {
-    wishes.refusal(outcome).ifPresent(sentence -> errors.add("form", sentence));
+      JdbiAccountStore.Outcome outcome, UserCommands commands, FieldErrors errors) {
+    commands.refusal(outcome).ifPresent(sentence -> errors.add("form", sentence));
   }
 
   /** A user changes his own with the old one; a manager changes others'. */
   private String changePassword(
       Account user,
-      UserWishes wishes,
+      UserCommands commands,
       FieldErrors errors,
       HttpServletRequest request,
       HttpServletResponse response) {
     FormFields fields = new FormFields(request, errors);
     Caller caller = Caller.of(request);
-    wishes.changePassword(caller, user, fields.text("password"), fields.text("old"));
-    if (errors.isEmpty() && UserWishes.isOwn(caller, user)) {
-      SessionCookie.begin(
-          request, response, services(), services().accounts().byId(user.id()).orElseThrow());
+    commands.changePassword(caller, user, fields.text("password"), fields.text("old"));
+    if (errors.isEmpty() && UserCommands.isSelf(caller, user)) {
+      SessionCookie.signIn(
+          request, response, services(), services().accounts().account(user.id()).orElseThrow());
     }
     return page(user, "password");
   }
 
   private String changeEmail(
-      Account user, UserWishes wishes, FieldErrors errors, HttpServletRequest request) {
+      Account user, UserCommands commands, FieldErrors errors, HttpServletRequest request) {
     FormFields fields = new FormFields(request, errors);
-    wishes.changeEmail(
+    commands.changeEmail(
         Caller.of(request), user, fields.text("email"), "emailPassword", fields.text("password"));
     return page(user, "email");
   }
@@ -163,34 +165,36 @@ public final class UserServlet extends PageServlet {
   private String endSession(Account user, FieldErrors errors, HttpServletRequest request) {
     if (!services()
         .sessions()
-        .end(user, Doors.number(request, "session"), Caller.of(request).name())) {
+        .end(user, Routes.number(request, "session"), Caller.of(request).name())) {
       errors.add("form", Texts.of(request).get("problem.noSuchSession"));
     }
     return page(user, "ended");
   }
 
   /** Shown once, on the page that answers. */
-  private String makeToken(
-      Account user, UserWishes wishes, FieldErrors errors, HttpServletRequest request) {
+  private String createToken(
+      Account user, UserCommands commands, FieldErrors errors, HttpServletRequest request) {
     FormFields fields = new FormFields(request, errors);
-    wishes
-        .makeToken(
+    commands
+        .createToken(
             Caller.of(request),
             user,
             "tokenName",
             fields.text("tokenName"),
             fields.number("days"),
             request)
-        .ifPresent(made -> request.setAttribute("token", made.secret()));
+        .ifPresent(created -> request.setAttribute("token", created.secret()));
     return "";
   }
 
   /** Shown once, on the page that answers. */
-  private String makeLink(Account user, HttpServletRequest request) {
+  private String createLink(Account user, HttpServletRequest request) {
     request.setAttribute(
         "link",
-        services().passwordLinks().byHand(user, Doors.site(request), Caller.of(request).name()));
-    request.setAttribute("linkHours", PasswordLinks.lifeByHand().toHours());
+        services()
+            .passwordLinks()
+            .createLink(user, Routes.baseUrl(request), Caller.of(request).name()));
+    request.setAttribute("linkHours", PasswordLinks.createdLinkLifetime().toHours());
     return "";
   }
 

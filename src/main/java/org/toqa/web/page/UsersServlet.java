@@ -4,11 +4,11 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import org.toqa.store.Role;
-import org.toqa.web.FieldErrors;
-import org.toqa.web.InputRules;
+import org.toqa.accounts.Role;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
 
 /** The users: a manager sees all and adds some, a clerk sees himself. */
 public final class UsersServlet extends PageServlet {
@@ -17,10 +17,10 @@ public final class UsersServlet extends PageServlet {
       throws ServletException, IOException {
     Caller caller = Caller.of(request);
     if (caller.isManager()) {
-      request.setAttribute("users", services().accounts().all());
+      request.setAttribute("users", services().accounts().accounts());
       show(request, response, "users");
     } else {
-      UserServlet.offer(caller.account(), request, services());
+      UserServlet.addAttributes(caller.account(), request, services());
       show(request, response, "user");
     }
   }
@@ -37,17 +37,17 @@ public final class UsersServlet extends PageServlet {
     String email = rules.email("email", fields.text("email"));
     Role role = rules.role("role", fields.text("role"));
     if (errors.isEmpty()) {
-      String hash = services().passwords().hash(password);
+      String hash = services().passwordHasher().hash(password);
       if (services()
           .accounts()
           .add(name, email, hash, role, Caller.of(request).name())
           .isPresent()) {
-        goTo(request, response, "/users?done=added");
+        redirect(request, response, "/users?done=added");
         return;
       }
       errors.add("name", texts.get("error.userName.taken"));
     }
-    request.setAttribute("users", services().accounts().all());
+    request.setAttribute("users", services().accounts().accounts());
     showAgain(request, response, "users", errors);
   }
 }

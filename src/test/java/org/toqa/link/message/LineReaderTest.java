@@ -22,7 +22,7 @@ class LineReaderTest {
     assertText("one", lines);
     assertText("", lines);
     assertText("two", lines);
-    assertNull(lines.next());
+    assertNull(lines.readLine());
   }
 
   @Test
@@ -30,7 +30,7 @@ class LineReaderTest {
     LineReader lines = reader("one\n{\"type\":\"dri");
 
     assertText("one", lines);
-    assertNull(lines.next());
+    assertNull(lines.readLine());
   }
 
   @Test
@@ -44,7 +44,7 @@ class LineReaderTest {
   void lineOfAMegabyteIsToldAndTheNextOneRead() throws IOException {
     LineReader lines = reader("x".repeat(1_000_000) + "\nnext\n");
 
-    assertEquals(new TooLong(1_000_001), lines.next());
+    assertEquals(new TooLong(1_000_001), lines.readLine());
     assertText("next", lines);
   }
 
@@ -52,7 +52,7 @@ class LineReaderTest {
   void lineOfOneByteTooManyIsTold() throws IOException {
     assertEquals(
         new TooLong(LinkCodec.MAX_LINE_BYTES + 1),
-        reader("x".repeat(LinkCodec.MAX_LINE_BYTES) + "\n").next());
+        reader("x".repeat(LinkCodec.MAX_LINE_BYTES) + "\n").readLine());
   }
 
   private static LineReader reader(String text) {
@@ -65,7 +65,7 @@ class LineReaderTest {
   }
 
   private static LineReader.Line assertNotNullLine(LineReader lines) throws IOException {
-    LineReader.Line line = lines.next();
+    LineReader.Line line = lines.readLine();
     assertNotNull(line);
     return line;
   }

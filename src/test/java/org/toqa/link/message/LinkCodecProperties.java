@@ -30,7 +30,7 @@ class LinkCodecProperties {
       @ForAll("drives") ServerMessage.Drive drive,
       @ForAll @IntRange(max = 10_000) int place,
       @ForAll byte damage) {
-    byte[] line = withoutLineFeed(LinkCodec.line(drive));
+    byte[] line = withoutLineFeed(LinkCodec.encode(drive));
     line[place % line.length] = damage;
 
     assertAnswered(line);
@@ -39,18 +39,19 @@ class LinkCodecProperties {
   @Property
   void driveCutAnywhereIsRefused(
       @ForAll("drives") ServerMessage.Drive drive, @ForAll @IntRange(max = 10_000) int place) {
-    byte[] line = withoutLineFeed(LinkCodec.line(drive));
+    byte[] line = withoutLineFeed(LinkCodec.encode(drive));
 
     assertTrue(
-        LinkCodec.serverMessage(new LineReader.Text(Arrays.copyOf(line, place % line.length)))
-            instanceof MessageReading.Refused);
+        LinkCodec.decodeServerMessage(new LineReader.Text(Arrays.copyOf(line, place % line.length)))
+            instanceof DecodeResult.Invalid);
   }
 
   @Property
   void driveIsReadAsItWasWritten(@ForAll("drives") ServerMessage.Drive drive) {
     assertEquals(
-        new MessageReading.Understood<ServerMessage>(drive),
-        LinkCodec.serverMessage(new LineReader.Text(withoutLineFeed(LinkCodec.line(drive)))));
+        new DecodeResult.Decoded<ServerMessage>(drive),
+        LinkCodec.decodeServerMessage(
+            new LineReader.Text(withoutLineFeed(LinkCodec.encode(drive)))));
   }
 
   @Property
@@ -130,12 +131,12 @@ class LinkCodecProperties {
   }
 
   private static void assertAnswered(byte[] line) {
-    for (MessageReading<?> reading :
+    for (DecodeResult<?> reading :
         Stream.of(
-                LinkCodec.serverMessage(new LineReader.Text(line)),
-                LinkCodec.agentMessage(new LineReader.Text(line)))
+                LinkCodec.decodeServerMessage(new LineReader.Text(line)),
+                LinkCodec.decodeAgentMessage(new LineReader.Text(line)))
             .toList()) {
-      if (reading instanceof MessageReading.Refused<?>(long _, String reason)) {
+      if (reading instanceof DecodeResult.Invalid<?>(long _, String reason)) {
         assertFalse(reason.isBlank());
         assertTrue(reason.endsWith(".") && reason.length() < 300, reason);
       }

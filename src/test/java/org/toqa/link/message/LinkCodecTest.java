@@ -28,13 +28,15 @@ class LinkCodecTest {
   @ParameterizedTest
   @MethodSource("serverLines")
   void serverLineReadsAndWritesAsItIs(String line) {
-    assertEquals(line, text(LinkCodec.line(understood(LinkCodec.serverMessage(line(line))))));
+    assertEquals(
+        line, text(LinkCodec.encode(understood(LinkCodec.decodeServerMessage(line(line))))));
   }
 
   @ParameterizedTest
   @MethodSource("agentLines")
   void agentLineReadsAndWritesAsItIs(String line) {
-    assertEquals(line, text(LinkCodec.line(understood(LinkCodec.agentMessage(line(line))))));
+    assertEquals(
+        line, text(LinkCodec.encode(understood(LinkCodec.decodeAgentMessage(line(line))))));
   }
 
   @Test
@@ -57,7 +59,7 @@ class LinkCodecTest {
             1,
             true,
             2.5),
-        understood(LinkCodec.serverMessage(line(drive))));
+        understood(LinkCodec.decodeServerMessage(line(drive))));
   }
 
   @Test
@@ -65,7 +67,8 @@ class LinkCodecTest {
     assertEquals(
         new ServerMessage.Ping(3),
         understood(
-            LinkCodec.serverMessage(line("{\"type\":\"ping\",\"seq\":3,\"mood\":{\"x\":[1]}}"))));
+            LinkCodec.decodeServerMessage(
+                line("{\"type\":\"ping\",\"seq\":3,\"mood\":{\"x\":[1]}}"))));
   }
 
   @ParameterizedTest
@@ -103,8 +106,8 @@ class LinkCodecTest {
   void wrongLineIsRefusedWithASentence(String line, long seq, String start) {
     var refused =
         assertInstanceOf(
-            MessageReading.Refused.class,
-            LinkCodec.serverMessage(line(Objects.requireNonNullElse(line, ""))));
+            DecodeResult.Invalid.class,
+            LinkCodec.decodeServerMessage(line(Objects.requireNonNullElse(line, ""))));
 
     assertEquals(seq, refused.seq(), refused.reason());
     assertTrue(refused.reason().startsWith(start), refused.reason());
@@ -115,14 +118,15 @@ class LinkCodecTest {
     LineReader.Text line = line("{\"type\":\"hold\",\"seq\":4,\"x\":\"??\"}");
     line.utf8()[line.utf8().length - 3] = (byte) 0xff;
 
-    assertInstanceOf(MessageReading.Refused.class, LinkCodec.serverMessage(line));
+    assertInstanceOf(DecodeResult.Invalid.class, LinkCodec.decodeServerMessage(line));
   }
 
   @Test
   void deepNestingIsRefused() {
     assertInstanceOf(
-        MessageReading.Refused.class,
-        LinkCodec.serverMessage(line("{\"type\":\"hold\",\"seq\":4,\"x\":" + "[".repeat(30_000))));
+        DecodeResult.Invalid.class,
+        LinkCodec.decodeServerMessage(
+            line("{\"type\":\"hold\",\"seq\":4,\"x\":" + "[".repeat(30_000))));
   }
 
   @Test
@@ -139,7 +143,7 @@ class LinkCodecTest {
             false,
             0);
 
-    assertTrue(LinkCodec.line(drive).length <= LinkCodec.MAX_LINE_BYTES);
+    assertTrue(LinkCodec.encode(drive).length <= LinkCodec.MAX_LINE_BYTES);
   }
 
   @Test
@@ -155,7 +159,7 @@ class LinkCodecTest {
             true,
             0);
 
-    assertThrows(IllegalArgumentException.class, () -> LinkCodec.line(drive));
+    assertThrows(IllegalArgumentException.class, () -> LinkCodec.encode(drive));
   }
 
   private static Stream<String> serverLines() {
@@ -184,10 +188,10 @@ class LinkCodecTest {
     return lines.map(line -> line.split("\"", -1)[3]).collect(Collectors.toSet());
   }
 
-  private static <M> M understood(MessageReading<M> reading) {
+  private static <M> M understood(DecodeResult<M> reading) {
     return switch (reading) {
-      case MessageReading.Understood<M>(M message) -> message;
-      case MessageReading.Refused<M>(long seq, String reason) ->
+      case DecodeResult.Decoded<M>(M message) -> message;
+      case DecodeResult.Invalid<M>(long seq, String reason) ->
           throw new AssertionError(seq + ": " + reason);
     };
   }

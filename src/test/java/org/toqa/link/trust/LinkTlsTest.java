@@ -37,7 +37,7 @@ class LinkTlsTest {
   private static final Duration LIMIT = Duration.ofSeconds(5);
 
   @TempDir private Path folder;
-  private ServerSocket door;
+  private ServerSocket listener;
   private Identity robotKey;
   private Identity serverKey;
   private Identity outsiderKey;
@@ -47,7 +47,7 @@ class LinkTlsTest {
 
   @BeforeEach
   void open() throws IOException {
-    door = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
+    listener = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
     robotKey = identity("robot");
     serverKey = identity("server");
     outsiderKey = identity("outsider");
@@ -58,7 +58,7 @@ class LinkTlsTest {
 
   @AfterEach
   void close() throws IOException {
-    door.close();
+    listener.close();
   }
 
   private Identity identity(String name) throws IOException {
@@ -82,9 +82,9 @@ class LinkTlsTest {
     CompletableFuture<LinkSocket> taken = accepted(LIMIT);
     try (LinkSocket made = connected(outsider, robot.fingerprint())) {
       IOException e = assertThrows(IOException.class, () -> made.in().read());
-      assertEquals(Reason.REFUSED, LinkTls.reasonOf(e));
+      assertEquals(Reason.REJECTED_BY_PEER, LinkTls.reasonOf(e));
     }
-    assertEquals(Reason.STRANGER, failure(taken));
+    assertEquals(Reason.UNTRUSTED_PEER, failure(taken));
   }
 
   @Test
@@ -94,8 +94,8 @@ class LinkTlsTest {
         assertThrows(
             HandshakeException.class, () -> connected(server, outsider.fingerprint()).close());
 
-    assertEquals(Reason.STRANGER, e.reason());
-    assertEquals(Reason.REFUSED, failure(taken));
+    assertEquals(Reason.UNTRUSTED_PEER, e.reason());
+    assertEquals(Reason.REJECTED_BY_PEER, failure(taken));
   }
 
   @Test
@@ -132,7 +132,7 @@ class LinkTlsTest {
     CompletableFuture<Void> plain =
         CompletableFuture.runAsync(
             () -> {
-              try (Socket taken = door.accept()) {
+              try (Socket taken = listener.accept()) {
                 taken
                     .getOutputStream()
                     .write("{\"type\":\"hello\"}\n".getBytes(StandardCharsets.UTF_8));
@@ -164,7 +164,7 @@ class LinkTlsTest {
     try (Socket slow = tcp()) {
       slow.getOutputStream()
           .write(new byte[] {22, 3, 1}); // a handshake begins, and goes no further
-      assertEquals(Reason.LATE, failure(taken));
+      assertEquals(Reason.TIMED_OUT, failure(taken));
       assertEquals(-1, slow.getInputStream().read());
     }
   }
@@ -221,7 +221,7 @@ class LinkTlsTest {
   }
 
   private Socket tcp() throws IOException {
-    return new Socket(door.getInetAddress(), door.getLocalPort());
+    return new Socket(listener.getInetAddress(), listener.getLocalPort());
   }
 
   private LinkSocket connected(LinkTls who, Fingerprint pinned) throws IOException {
@@ -234,7 +234,7 @@ class LinkTlsTest {
         () -> {
           try {
             return robot.accept(
-                door.accept(), (peer, _) -> peer.equals(server.fingerprint()), limit);
+                listener.accept(), (peer, _) -> peer.equals(server.fingerprint()), limit);
           } catch (IOException e) {
             throw new CompletionException(e);
           }
@@ -253,11 +253,13 @@ class LinkTlsTest {
     SSLContext context = SSLContext.getInstance("TLS");
     context.init(
         identity == null ? null : identity.keyManagers(),
-        new TrustManager[] {new PinnedTrust((_, _) -> true)},
+        new TrustManager[] {new PinnedTrustManager((_, _) -> true)},
         null);
     SSLSocket socket =
         (SSLSocket)
-            context.getSocketFactory().createSocket(door.getInetAddress(), door.getLocalPort());
+            context
+                .getSocketFactory()
+                .createSocket(listener.getInetAddress(), listener.getLocalPort());
     socket.setEnabledProtocols(new String[] {version});
     return socket;
   }

@@ -19,9 +19,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.link.message.DecodeResult.Decoded;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
-import org.toqa.link.message.MessageReading.Understood;
 import org.toqa.link.message.PairingMessage;
 import org.toqa.link.message.PairingMessage.Pair;
 import org.toqa.link.message.PairingMessage.Paired;
@@ -54,14 +54,14 @@ class PairingGoldenTest {
   void codeNamesTheRobotAndNobodyElse() {
     assertTrue(code().isOf(fingerprint("robot")));
     assertFalse(code().isOf(fingerprint("server")));
-    assertEquals(GOLDEN.getProperty("code"), code().shown());
+    assertEquals(GOLDEN.getProperty("code"), code().text());
   }
 
   @Test
   void newCodesDifferInTheirSecretsOnly() {
     SecureRandom random = new SecureRandom();
-    String first = PairingCode.of(fingerprint("robot"), random).shown();
-    String second = PairingCode.of(fingerprint("robot"), random).shown();
+    String first = PairingCode.of(fingerprint("robot"), random).text();
+    String second = PairingCode.of(fingerprint("robot"), random).text();
 
     String robotsPart = GOLDEN.getProperty("code").substring(0, "AAAA-BBBB-CCCC-DDDD-".length());
     assertTrue(first.startsWith(robotsPart), first);
@@ -73,7 +73,7 @@ class PairingGoldenTest {
   void codeIsReadHoweverItIsTyped() {
     String typed = GOLDEN.getProperty("code").toLowerCase(Locale.ROOT).replace("-", "  ");
 
-    assertEquals(GOLDEN.getProperty("code"), PairingCode.parse(typed).orElseThrow().shown());
+    assertEquals(GOLDEN.getProperty("code"), PairingCode.parse(typed).orElseThrow().text());
   }
 
   @ParameterizedTest
@@ -105,9 +105,9 @@ class PairingGoldenTest {
 
     assertEquals(pair.proof(), PairingProof.SERVER.of(code(), robot, server));
     assertEquals(paired.proof(), PairingProof.ROBOT.of(code(), robot, server));
-    assertTrue(PairingProof.SERVER.isShownBy(pair.proof(), code(), robot, server));
-    assertFalse(PairingProof.ROBOT.isShownBy(pair.proof(), code(), robot, server));
-    assertFalse(PairingProof.SERVER.isShownBy(pair.proof(), code(), robot, robot));
+    assertTrue(PairingProof.SERVER.isValid(pair.proof(), code(), robot, server));
+    assertFalse(PairingProof.ROBOT.isValid(pair.proof(), code(), robot, server));
+    assertFalse(PairingProof.SERVER.isValid(pair.proof(), code(), robot, robot));
   }
 
   @Test
@@ -116,14 +116,14 @@ class PairingGoldenTest {
     for (String type : new String[] {"pair", "paired", "unpaired"}) {
       assertEquals(
           GOLDEN.getProperty(type) + "\n",
-          new String(LinkCodec.line(message(type)), StandardCharsets.UTF_8));
+          new String(LinkCodec.encode(message(type)), StandardCharsets.UTF_8));
     }
   }
 
   private static PairingMessage message(String key) {
     byte[] line = GOLDEN.getProperty(key).getBytes(StandardCharsets.UTF_8);
-    Understood<?> read =
-        assertInstanceOf(Understood.class, LinkCodec.pairingMessage(new LineReader.Text(line)));
+    Decoded<?> read =
+        assertInstanceOf(Decoded.class, LinkCodec.decodePairingMessage(new LineReader.Text(line)));
     return (PairingMessage) read.message();
   }
 }

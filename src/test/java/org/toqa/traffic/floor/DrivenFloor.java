@@ -19,7 +19,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
-import org.toqa.traffic.oneshot.LacamFloorPlanner;
+import org.toqa.traffic.mapf.LacamJointPlanner;
 
 /**
  * Drives discs, and groups of them, over a floor exactly as they are told, each as late as chance
@@ -53,15 +53,17 @@ final class DrivenFloor {
     @Nullable Vec2 goal;
 
     /** Who drives with it. */
-    @Nullable Group group;
+    @Nullable FormationFootprint group;
 
     Body(Pose pose, double diameter) {
       this.pose = pose;
       this.diameter = diameter;
     }
 
-    List<Round> discs() {
-      return group == null ? List.of(new Round(pose.position(), diameter / 2)) : group.discs(pose);
+    List<PlacedDisc> discs() {
+      return group == null
+          ? List.of(new PlacedDisc(pose.position(), diameter / 2))
+          : group.discs(pose);
     }
 
     /** Where what it carries is. */
@@ -70,7 +72,7 @@ final class DrivenFloor {
     }
 
     double arrived(OccupancyGrid grid) {
-      return group == null ? ARRIVED : GroupWays.nearness(grid) + ARRIVED;
+      return group == null ? ARRIVED : FormationPlanner.goalTolerance(grid) + ARRIVED;
     }
   }
 
@@ -80,7 +82,7 @@ final class DrivenFloor {
     this.traffic =
         new FloorTraffic(
             grid,
-            new LacamFloorPlanner(),
+            new LacamJointPlanner(),
             () -> Deadline.in(Duration.ofSeconds(2), System::nanoTime));
   }
 
@@ -113,14 +115,14 @@ final class DrivenFloor {
   void putAt(String robot, Pose pose, double diameter) {
     Body body = new Body(pose, diameter);
     bodies.put(robot, body);
-    traffic.stands(robot, body.pose, diameter, now);
-    traffic.isFixed(robot, false);
+    traffic.reportStanding(robot, body.pose, diameter, now);
+    traffic.setMovable(robot, true);
   }
 
   /** It leads a group from now on; its goals are where the load shall come. */
-  void lead(String robot, Group group) {
+  void lead(String robot, FormationFootprint group) {
     body(robot).group = group;
-    traffic.leads(robot, group);
+    traffic.setFormation(robot, group);
   }
 
   void send(String robot, @Nullable Cell goal) {
@@ -129,12 +131,12 @@ final class DrivenFloor {
 
   void sendTo(String robot, @Nullable Vec2 to) {
     body(robot).goal = to;
-    traffic.wants(robot, to, now);
+    traffic.setGoal(robot, to, now);
   }
 
   void remove(String robot) {
     bodies.remove(robot);
-    traffic.leaves(robot);
+    traffic.removeRobot(robot);
   }
 
   /** It stops where it is and wants nothing any more, as after a cancel or a restart. */
@@ -146,12 +148,12 @@ final class DrivenFloor {
   /** It cannot be told anything; it drives to the end of what it was told. */
   void lose(String robot) {
     lost.add(robot);
-    traffic.isFixed(robot, true);
+    traffic.setMovable(robot, false);
   }
 
   void find(String robot) {
     lost.remove(robot);
-    traffic.isFixed(robot, false);
+    traffic.setMovable(robot, true);
   }
 
   boolean isAt(String robot, Cell cell) {
@@ -199,27 +201,27 @@ final class DrivenFloor {
 
   private void report(String name, Body body) {
     if (body.way == null) {
-      traffic.stands(name, body.pose, body.diameter, now);
+      traffic.reportStanding(name, body.pose, body.diameter, now);
     } else {
-      traffic.moved(name, body.pose, body.completed, now);
+      traffic.reportProgress(name, body.pose, body.completed, now);
     }
   }
 
-  private void obey(Decision decision) {
+  private void obey(DriveCommand decision) {
     Body body = body(decision.robot());
     switch (decision) {
-      case Decision.Begin begin -> {
+      case DriveCommand.Begin begin -> {
         require(body.way == null, decision.robot() + " was told to begin while it drives");
         require(
-            begin.way().start().distanceTo(body.pose) < 1e-6,
+            begin.trajectory().start().distanceTo(body.pose) < 1e-6,
             decision.robot() + " was told to begin elsewhere");
-        body.way = begin.way();
+        body.way = begin.trajectory();
         body.released = begin.released();
         body.completed = 0;
         body.inSegment = 0;
-        body.last = begin.last();
+        body.last = begin.endsAtGoal();
       }
-      case Decision.Extend extend -> {
+      case DriveCommand.Extend extend -> {
         Trajectory way =
             Objects.requireNonNull(
                 body.way, () -> decision.robot() + " was told to go on while it stands");
@@ -228,9 +230,9 @@ final class DrivenFloor {
         segments.addAll(extend.segments());
         body.way = new Trajectory(way.start(), segments);
         body.released = extend.released();
-        body.last = extend.last();
+        body.last = extend.endsAtGoal();
       }
-      case Decision.Release release -> {
+      case DriveCommand.Release release -> {
         require(release.released() > body.released, decision.robot() + ": released less");
         body.released = release.released();
       }
@@ -284,20 +286,20 @@ final class DrivenFloor {
             one ->
                 b.discs().stream()
                     .mapToDouble(
-                        two -> one.middle().distanceTo(two.middle()) - one.radius() - two.radius()))
+                        two -> one.centre().distanceTo(two.centre()) - one.radius() - two.radius()))
         .min()
         .orElseThrow();
   }
 
-  boolean isOffTheWalls(Round disc) {
+  boolean isOffTheWalls(PlacedDisc disc) {
     double r = disc.radius() - 1e-6;
-    Cell middle = grid.cellAt(disc.middle());
+    Cell middle = grid.cellAt(disc.centre());
     int reach = (int) Math.ceil(r / grid.resolution());
     for (int row = middle.row() - reach; row <= middle.row() + reach; row++) {
       for (int column = middle.column() - reach; column <= middle.column() + reach; column++) {
         Cell cell = new Cell(column, row);
         if (!grid.isFree(cell)) {
-          Vec2 d = disc.middle().minus(grid.centre(cell));
+          Vec2 d = disc.centre().minus(grid.centre(cell));
           double dx = Math.max(0, Math.abs(d.x()) - grid.resolution() / 2);
           double dy = Math.max(0, Math.abs(d.y()) - grid.resolution() / 2);
           if (Math.hypot(dx, dy) < r) {
@@ -311,7 +313,7 @@ final class DrivenFloor {
 
   /** What a robot says that has not arrived. */
   String reason(String robot) {
-    return String.valueOf(traffic.reason(robot));
+    return String.valueOf(traffic.waitReason(robot));
   }
 
   /** What each robot that has not arrived says. */

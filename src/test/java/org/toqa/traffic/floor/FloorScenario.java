@@ -137,8 +137,8 @@ final class FloorScenario {
       }
       case "leaves" -> floor.remove(robot);
       case "joins" -> join(floor, robot, words[3]);
-      case "at" -> floor.traffic.isObstructed(cells(words[2], floor.grid));
-      case "" -> floor.traffic.isObstructed(new BitSet());
+      case "at" -> floor.traffic.setObstacles(cells(words[2], floor.grid));
+      case "" -> floor.traffic.setObstacles(new BitSet());
       default -> throw new IllegalArgumentException("What is " + String.join(" ", words) + "?");
     }
   }

@@ -108,7 +108,7 @@ class FloorTrafficPropertyTest {
     for (int row = here.row() - reach; row <= here.row() + reach; row++) {
       for (int column = here.column() - reach; column <= here.column() + reach; column++) {
         if (!grid.isFree(column, row)
-            && Disc.gap(grid, point, new Cell(column, row)) < radius + 1e-6) {
+            && Disc.distanceToCell(grid, point, new Cell(column, row)) < radius + 1e-6) {
           return false;
         }
       }
@@ -250,7 +250,7 @@ class FloorTrafficPropertyTest {
   static List<Cell> largestPart(OccupancyGrid grid) {
     RoadGraph roads = new RoadGraph(grid);
     List<Cell> cells = new ArrayList<>();
-    for (int v = 0; v < roads.vertices(); v++) {
+    for (int v = 0; v < roads.vertexCount(); v++) {
       if (roads.isInLargestPart(v)) {
         cells.add(roads.cell(v));
       }

@@ -15,7 +15,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.traffic.Deadline;
-import org.toqa.traffic.oneshot.LacamFloorPlanner;
+import org.toqa.traffic.mapf.LacamJointPlanner;
 
 class FloorTrafficTest {
   private static final Duration LIMIT = Duration.ofMinutes(5);
@@ -99,17 +99,17 @@ class FloorTrafficTest {
     FloorTraffic traffic =
         new FloorTraffic(
             DrivenFloor.draw("#####", "....."),
-            new LacamFloorPlanner(),
+            new LacamJointPlanner(),
             () -> Deadline.in(Duration.ofSeconds(1), System::nanoTime));
     Instant now = Instant.EPOCH;
     // the wall begins at y = 0.3 m; 0.1735 + 0.255 / 2 = 0.301
-    traffic.stands("a", new Pose(0.15, 0.1735, 0), 0.255, now);
-    traffic.isFixed("a", false);
-    traffic.wants("a", new Vec2(1.35, 0.15), now);
+    traffic.reportStanding("a", new Pose(0.15, 0.1735, 0), 0.255, now);
+    traffic.setMovable("a", true);
+    traffic.setGoal("a", new Vec2(1.35, 0.15), now);
 
     assertTrue(
-        traffic.decide(now).stream().anyMatch(Decision.Begin.class::isInstance),
-        () -> String.valueOf(traffic.reason("a")));
+        traffic.decide(now).stream().anyMatch(DriveCommand.Begin.class::isInstance),
+        () -> String.valueOf(traffic.waitReason("a")));
   }
 
   @Test
@@ -219,7 +219,7 @@ class FloorTrafficTest {
       floor.step();
     }
 
-    floor.traffic.isFixed("a", true);
+    floor.traffic.setMovable("a", false);
 
     for (int i = 0; i < 1500 && !floor.isArrived("b"); i++) {
       floor.step();
@@ -267,7 +267,7 @@ class FloorTrafficTest {
     floor.send("r", new Cell(3, 2));
     while (!floor.isArrived("r")) {
       floor.step();
-      List<Vec2> way = floor.traffic.route("r").points();
+      List<Vec2> way = floor.traffic.remainingPath("r").points();
       for (int i = 2; i < way.size(); i++) {
         double along = way.get(i - 1).distanceTo(way.get(i));
         double round = way.get(i - 2).distanceTo(way.get(i));

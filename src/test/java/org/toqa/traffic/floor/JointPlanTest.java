@@ -17,7 +17,7 @@ class JointPlanTest {
   private static final double DIAMETER = 0.255;
 
   private final OccupancyGrid floor = DrivenFloor.draw("....", "....", "....");
-  private final Lanes lanes = Lanes.of(floor, DIAMETER);
+  private final LaneGrid lanes = LaneGrid.of(floor, DIAMETER);
   private final RoadGraph roads = lanes.roads(new BitSet());
 
   /**
@@ -26,7 +26,7 @@ class JointPlanTest {
    */
   @Test
   void aLoopEndsInTheLaterVisitOfItsCell() {
-    Course course =
+    ReservedPath course =
         course(
             new Cell(0, 1),
             new Cell(1, 1),
@@ -35,28 +35,29 @@ class JointPlanTest {
             new Cell(2, 1),
             new Cell(1, 1),
             new Cell(0, 1));
-    assertEquals(List.of(5, 6), course.visitAfter());
+    assertEquals(List.of(5, 6), course.visitAtEnd());
   }
 
   @Test
   void aStraightIsCutInTheMiddleOfEachCell() {
-    Course course = course(new Cell(0, 1), new Cell(1, 1), new Cell(2, 1), new Cell(3, 1));
-    assertEquals(List.of(1, 2, 3), course.visitAfter());
+    ReservedPath course = course(new Cell(0, 1), new Cell(1, 1), new Cell(2, 1), new Cell(3, 1));
+    assertEquals(List.of(1, 2, 3), course.visitAtEnd());
   }
 
   @Test
   void backTheWayItCameIsAVisitOfEachCellAgain() {
-    Course course = course(new Cell(0, 1), new Cell(1, 1), new Cell(0, 1));
-    assertEquals(List.of(1, 1, 2), course.visitAfter());
+    ReservedPath course = course(new Cell(0, 1), new Cell(1, 1), new Cell(0, 1));
+    assertEquals(List.of(1, 1, 2), course.visitAtEnd());
   }
 
   /** The course of one robot that has the floor for itself and faces east. */
-  private Course course(Cell... visits) {
+  private ReservedPath course(Cell... visits) {
     Vec2 start = floor.centre(visits[0]);
-    Mover mover =
-        new Mover("r", 1, floor, new Pose(start.x(), start.y(), 0), DIAMETER / 2, Instant.EPOCH);
+    TrafficRobot mover =
+        new TrafficRobot(
+            "r", 1, floor, new Pose(start.x(), start.y(), 0), DIAMETER / 2, Instant.EPOCH);
     List<int[]> steps = List.of(visits).stream().map(c -> new int[] {roads.vertex(c)}).toList();
-    new JointPlan(lanes, new BitSet(), roads, List.of(mover), steps).adopt(new CourseFitter());
-    return Objects.requireNonNull(mover.course);
+    new JointPlan(lanes, new BitSet(), roads, List.of(mover), steps).adopt(new SectionFitter());
+    return Objects.requireNonNull(mover.path);
   }
 }

@@ -15,8 +15,8 @@ import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RandomFloors;
 import org.toqa.traffic.RandomFloors.Floor;
 import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.route.StateDistances;
-import org.toqa.traffic.route.StateGraph;
+import org.toqa.traffic.mapf.StateDistances;
+import org.toqa.traffic.mapf.StateGraph;
 
 class GuidancePropertyTest {
 
@@ -35,7 +35,7 @@ class GuidancePropertyTest {
     char[] costs = new Guidance(graph).distances(start, goal);
 
     char[] steps = StateDistances.to(graph, goal);
-    for (int state = 0; state < graph.states(); state++) {
+    for (int state = 0; state < graph.stateCount(); state++) {
       int expected =
           steps[state] == DistanceTables.UNREACHABLE
               ? DistanceTables.UNREACHABLE

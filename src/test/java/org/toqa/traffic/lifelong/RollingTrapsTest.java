@@ -11,7 +11,6 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.MotionModel;
-import org.toqa.traffic.Prospect;
 
 /** The classic traps, driven step by step in both models. */
 class RollingTrapsTest {
@@ -41,14 +40,14 @@ class RollingTrapsTest {
   void aFullRingStaysWhereACellMustBeLeftBeforeItIsEntered(MotionModel model) {
     List<Cell> byOne = IntStream.range(0, 8).mapToObj(k -> RING.get((k + 1) % 8)).toList();
     Drive drive =
-        new Drive(AROUND_A_PILLAR, model, new RollingPlanner(model, false, 1), RING, byOne);
+        new Drive(AROUND_A_PILLAR, model, new RollingHorizonPlanner(model, false, 1), RING, byOne);
 
     for (int step = 0; step < 50; step++) {
       drive.step();
     }
 
     assertEquals(RING, IntStream.range(0, 8).mapToObj(r -> drive.stance(r).cell()).toList());
-    assertEquals(Prospect.ON_ITS_WAY, drive.prospect(0));
+    assertEquals(PlanStatus.DRIVING, drive.prospect(0));
   }
 
   @ParameterizedTest
@@ -57,7 +56,11 @@ class RollingTrapsTest {
     List<Cell> byOne = IntStream.range(0, 7).mapToObj(k -> RING.get(k + 1)).toList();
 
     new Drive(
-            AROUND_A_PILLAR, model, new RollingPlanner(model, false, 1), RING.subList(0, 7), byOne)
+            AROUND_A_PILLAR,
+            model,
+            new RollingHorizonPlanner(model, false, 1),
+            RING.subList(0, 7),
+            byOne)
         .untilArrived(500);
   }
 
@@ -95,9 +98,9 @@ class RollingTrapsTest {
 
     drive.step();
 
-    assertEquals(Prospect.GOAL_BLOCKED, drive.prospect(0));
-    assertEquals(Prospect.NO_WAY, drive.prospect(1));
-    assertEquals(Prospect.ARRIVED, drive.prospect(2));
+    assertEquals(PlanStatus.GOAL_BLOCKED, drive.prospect(0));
+    assertEquals(PlanStatus.NO_PATH, drive.prospect(1));
+    assertEquals(PlanStatus.ARRIVED, drive.prospect(2));
     assertEquals(at(0, 0), drive.stance(0).cell());
   }
 
@@ -121,14 +124,14 @@ class RollingTrapsTest {
     Drive drive = drive(grid, model, List.of(at(0, 0), at(2, 0)), List.of(at(2, 0), at(0, 0)));
     drive.driveOn(OccupancyGrid.parse("..##"));
 
-    assertEquals(Prospect.START_BLOCKED, drive.prospect(1));
-    assertEquals(Prospect.GOAL_BLOCKED, drive.prospect(0));
+    assertEquals(PlanStatus.START_BLOCKED, drive.prospect(1));
+    assertEquals(PlanStatus.GOAL_BLOCKED, drive.prospect(0));
     assertFalse(drive.areAllArrived());
   }
 
   private static Drive drive(
       OccupancyGrid grid, MotionModel model, List<Cell> starts, List<Cell> goals) {
-    return new Drive(grid, model, new RollingPlanner(model, true, 1), starts, goals);
+    return new Drive(grid, model, new RollingHorizonPlanner(model, true, 1), starts, goals);
   }
 
   private static Cell at(int column, int row) {

@@ -1,5 +1,6 @@
 package org.toqa.agent.chassis;
 
+import java.time.Duration;
 import org.toqa.geometry.Twist;
 
 /**
@@ -11,6 +12,8 @@ import org.toqa.geometry.Twist;
  * thread; the answer is the body as it is now, at the end of what the previous command did.
  */
 public interface Chassis extends AutoCloseable {
+  /** How often the daemon asks and commands. */
+  Duration TICK = Duration.ofMillis(20);
 
   /** A command older than this stops the wheels. */
   long COMMAND_LIFE_NANOS = 200_000_000;
@@ -26,7 +29,7 @@ public interface Chassis extends AutoCloseable {
    *
    * @param kilograms 0 for nothing
    */
-  default void carries(double kilograms) {}
+  default void setLoad(double kilograms) {}
 
   /**
    * A person says that the robot may drive again: faults that wait for that, and whose cause has

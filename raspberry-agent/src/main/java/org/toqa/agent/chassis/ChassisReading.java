@@ -11,7 +11,7 @@ import org.toqa.link.message.AgentMessage.Fault;
  *
  * @param powerCycle another number after every power-up: odometry of two power cycles has nothing
  *     to do with each other
- * @param placedAt where the body stood at its power-up, map frame, if that is known for sure
+ * @param startPose where the body stood at its power-up, map frame, if that is known for sure
  * @param odometry moved since power-up, in the frame of the place where it stood then
  * @param twist in the robot's frame
  * @param battery 0 to 1
@@ -20,7 +20,7 @@ import org.toqa.link.message.AgentMessage.Fault;
  */
 public record ChassisReading(
     long powerCycle,
-    @Nullable Pose placedAt,
+    @Nullable Pose startPose,
     Pose odometry,
     Twist twist,
     double battery,
@@ -33,7 +33,7 @@ public record ChassisReading(
   }
 
   /** Within what its encoders can tell. */
-  public boolean stands() {
+  public boolean isStanding() {
     return Math.hypot(twist.vx(), twist.vy()) < 0.01 && Math.abs(twist.w()) < 0.05;
   }
 }

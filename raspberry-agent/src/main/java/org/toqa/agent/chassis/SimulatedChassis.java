@@ -16,15 +16,15 @@ import org.toqa.motion.WheelKinematics;
  * The body of a robot on two or three wheels, simulated: motors that follow a command with a lag
  * and a limited acceleration, wheels that slip a little (seeded noise between what turns and what
  * moves), odometry from encoder counts alone but for marks on the floor, a battery (see {@link
- * SimulatedPower}), range sensors (see {@link SimulatedRanges}). Its state is kept in a file, see
- * {@link SimulatedBodyFile}.
+ * SimulatedBattery}), range sensors (see {@link SimulatedRangeSensors}). Its state is kept in a
+ * file, see {@link SimulatedChassisFile}.
  */
 public final class SimulatedChassis implements Chassis {
 
   private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
 
   /** 220 turns a minute, as rated. */
-  private static final double FASTEST_RATE = 220 / 60.0 * 2 * Math.PI;
+  private static final double MAX_WHEEL_RATE = 220 / 60.0 * 2 * Math.PI;
 
   /** Radians a second squared: 1.5 m/s2 at the rim of a wheel of 0.04 m. */
   private static final double WHEEL_ACCELERATION = 1.5 / 0.04;
@@ -34,24 +34,24 @@ public final class SimulatedChassis implements Chassis {
   private static final double MOTOR_LAG_SECONDS = 0.04;
 
   /** Radians a second; wheels that turn no faster stand. */
-  private static final double STANDS = 1e-3;
+  private static final double STANDING_RATE = 1e-3;
 
   private static final double LONGEST_STEP_SECONDS = 0.02;
 
   /** The sensors of a robot that nobody asks what it sees. */
-  private static final RangeSensors UNSEEING = new RangeSensors(0.1275);
+  private static final RangeSensors DEFAULT_SENSORS = new RangeSensors(0.1275);
 
-  private final SimulatedBodyFile file;
-  private final SimulatedPower power;
+  private final SimulatedChassisFile file;
+  private final SimulatedBattery battery;
   private final Surroundings surroundings;
-  private final SimulatedRanges ranges;
+  private final SimulatedRangeSensors ranges;
   private final WheelKinematics kinematics;
   private final double noise;
-  private final ThreeWheels sizes;
+  private final ThreeWheels wheelSizes;
   private final SplittableRandom random;
   private ThreeWheels grip = NO_SLIP;
   private boolean frozen;
-  private SimulatedBody body;
+  private SimulatedChassisState state;
   private Odometry odometry;
   private boolean started;
   private long lastNanos;
@@ -69,25 +69,25 @@ public final class SimulatedChassis implements Chassis {
    * @param start where a new body is put, map frame
    * @param noise standard deviation of a wheel's slip, as a share of what it turns
    */
-  public SimulatedChassis(Path file, Pose start, SimulatedPower power, double noise, long seed)
+  public SimulatedChassis(Path file, Pose start, SimulatedBattery battery, double noise, long seed)
       throws IOException {
-    this(file, start, power, noise, seed, UNSEEING, Surroundings.EMPTY);
+    this(file, start, battery, noise, seed, DEFAULT_SENSORS, Surroundings.EMPTY);
   }
 
   /** The same, among other things. */
   public SimulatedChassis(
       Path file,
       Pose start,
-      SimulatedPower power,
+      SimulatedBattery battery,
       double noise,
       long seed,
       RangeSensors sensors,
       Surroundings surroundings)
       throws IOException {
     this(
-        new SimulatedBodyFile(file),
+        new SimulatedChassisFile(file),
         start,
-        power,
+        battery,
         SimulatedWheels.omni(noise, 0),
         seed,
         sensors,
@@ -97,55 +97,58 @@ public final class SimulatedChassis implements Chassis {
   /** A new body that nothing is kept of, with a full battery. */
   public SimulatedChassis(Pose start, SimulatedWheels wheels, long seed) {
     this(
-        new SimulatedBodyFile(),
+        new SimulatedChassisFile(),
         start,
-        SimulatedPower.FULL,
+        SimulatedBattery.FULL,
         wheels,
         seed,
-        UNSEEING,
+        DEFAULT_SENSORS,
         Surroundings.EMPTY);
   }
 
   private SimulatedChassis(
-      SimulatedBodyFile file,
+      SimulatedChassisFile file,
       Pose start,
-      SimulatedPower power,
+      SimulatedBattery battery,
       SimulatedWheels wheels,
       long seed,
       RangeSensors sensors,
       Surroundings surroundings) {
     this.file = file;
-    this.power = power;
+    this.battery = battery;
     this.surroundings = surroundings;
-    this.ranges = new SimulatedRanges(sensors, surroundings, seed);
+    this.ranges = new SimulatedRangeSensors(sensors, surroundings, seed);
     this.kinematics = wheels.kinematics();
     this.noise = wheels.slip();
-    this.sizes = sizes(wheels.sizeError(), seed);
-    body = this.file.read().orElseGet(() -> SimulatedBody.placed(start, power.first()));
-    random = new SplittableRandom(seed + body.steps());
-    odometry = odometryOf(body);
-    rollOut();
-    this.file.write(body);
+    this.wheelSizes = wheelSizes(wheels.sizeError(), seed);
+    state =
+        this.file
+            .read()
+            .orElseGet(() -> SimulatedChassisState.atStart(start, battery.initialLevel()));
+    random = new SplittableRandom(seed + state.steps());
+    odometry = odometryOf(state);
+    stopWheels();
+    this.file.write(state);
   }
 
   @Override
-  public void carries(double kilograms) {
+  public void setLoad(double kilograms) {
     load = kilograms;
   }
 
   @Override
   public ChassisReading exchange(Twist command, long nanos) {
     if (started) {
-      live(nanos - lastNanos);
+      simulate(nanos - lastNanos);
     }
     started = true;
     lastNanos = nanos;
     boolean isLost = framesToLose > 0;
     framesToLose -= isLost ? 1 : 0;
-    body = isLost ? body : body.commanded(command);
+    state = isLost ? state : state.withCommand(command);
     commandNanos = isLost ? commandNanos : nanos;
-    file.write(body);
-    surroundings.isAt(body.truth());
+    file.write(state);
+    surroundings.setTruePose(state.truePose());
     if (!isLost || reading == null) {
       reading = reading(nanos);
     }
@@ -154,25 +157,25 @@ public final class SimulatedChassis implements Chassis {
 
   private ChassisReading reading(long nanos) {
     return new ChassisReading(
-        body.powerCycle(),
-        body.powerCycle() == 1 ? body.start() : null,
-        body.odometry(),
-        kinematics.twist(body.rates().values(kinematics.wheels())),
-        body.battery(),
-        ranges.read(body.truth(), nanos),
+        state.powerCycle(),
+        state.powerCycle() == 1 ? state.start() : null,
+        state.odometry(),
+        kinematics.twist(state.wheelRates().values(kinematics.wheelCount())),
+        state.battery(),
+        ranges.update(state.truePose(), nanos),
         List.of());
   }
 
   /** Where the body really is, map frame: what no robot knows of itself. */
-  public Pose truth() {
-    return body.truth();
+  public Pose truePose() {
+    return state.truePose();
   }
 
   /** Takes the power away and gives it back: the robot no longer knows where it is. */
   public void cyclePower() {
-    body = body.powerCycled();
-    odometry = odometryOf(body);
-    file.write(body);
+    state = state.withPowerCycle();
+    odometry = odometryOf(state);
+    file.write(state);
   }
 
   /** Fault switch: so many exchanges to come do not reach the body, and it is not heard in them. */
@@ -181,8 +184,8 @@ public final class SimulatedChassis implements Chassis {
   }
 
   /** Fault switch: the wheels stand and obey nothing, and the body does not know why. */
-  public void freeze(boolean freezes) {
-    frozen = freezes;
+  public void setFrozen(boolean isFrozen) {
+    frozen = isFrozen;
   }
 
   /**
@@ -191,8 +194,8 @@ public final class SimulatedChassis implements Chassis {
    * @param wheel from 0
    * @param share of its turning that is lost, 0 to 1
    */
-  public void slipWheel(int wheel, double share) {
-    double[] grips = NO_SLIP.values(kinematics.wheels());
+  public void setWheelSlip(int wheel, double share) {
+    double[] grips = NO_SLIP.values(kinematics.wheelCount());
     grips[wheel] = 1 - share;
     grip = ThreeWheels.of(grips);
   }
@@ -202,8 +205,8 @@ public final class SimulatedChassis implements Chassis {
    *
    * @param sensor from 0, from right to left
    */
-  public void blind(int sensor, boolean isBlind) {
-    ranges.blind(sensor, isBlind);
+  public void setBlind(int sensor, boolean isBlind) {
+    ranges.setBlind(sensor, isBlind);
   }
 
   @Override
@@ -211,17 +214,17 @@ public final class SimulatedChassis implements Chassis {
     file.close();
   }
 
-  private void live(long nanos) {
+  private void simulate(long nanos) {
     long left = Math.max(0, commandNanos + COMMAND_LIFE_NANOS - lastNanos);
     double commanded = Math.min(nanos, left) / 1e9;
-    move(body.command(), commanded);
+    move(state.command(), commanded);
     move(Twist.ZERO, nanos / 1e9 - commanded);
   }
 
   /** The body of a daemon that died: its last command ran out, then it came to a stand. */
-  private void rollOut() {
-    move(body.command(), COMMAND_LIFE_NANOS / 1e9);
-    while (body.rates().largest() > STANDS) {
+  private void stopWheels() {
+    move(state.command(), COMMAND_LIFE_NANOS / 1e9);
+    while (state.wheelRates().largest() > STANDING_RATE) {
       move(Twist.ZERO, LONGEST_STEP_SECONDS);
     }
   }
@@ -230,7 +233,7 @@ public final class SimulatedChassis implements Chassis {
     double left = seconds;
     while (left > 1e-9) {
       double step = Math.min(left, LONGEST_STEP_SECONDS);
-      move(ThreeWheels.of(kinematics.rates(command)).limited(FASTEST_RATE), step);
+      move(ThreeWheels.of(kinematics.rates(command)).limited(MAX_WHEEL_RATE), step);
       left -= step;
     }
   }
@@ -239,35 +242,35 @@ public final class SimulatedChassis implements Chassis {
     // first-order lag; the acceleration limited alike for all wheels, so that its direction stays
     ThreeWheels change =
         wanted
-            .minus(body.rates())
+            .minus(state.wheelRates())
             .times(1 - Math.exp(-dt / MOTOR_LAG_SECONDS))
             .limited(WHEEL_ACCELERATION * dt);
-    ThreeWheels rates = frozen ? ThreeWheels.ZERO : body.rates().plus(change);
-    ThreeWheels turns = frozen ? ThreeWheels.ZERO : body.rates().plus(rates).times(dt / 2);
-    ThreeWheels turned = body.turned().plus(turns);
+    ThreeWheels rates = frozen ? ThreeWheels.ZERO : state.wheelRates().plus(change);
+    ThreeWheels turns = frozen ? ThreeWheels.ZERO : state.wheelRates().plus(rates).times(dt / 2);
+    ThreeWheels turned = state.wheelTurns().plus(turns);
     ThreeWheels rolled =
         new ThreeWheels(slip(turns.one()), slip(turns.two()), slip(turns.three()))
-            .times(sizes)
+            .times(wheelSizes)
             .times(grip);
-    Twist moves = kinematics.twist(rolled.values(kinematics.wheels()));
+    Twist moves = kinematics.twist(rolled.values(kinematics.wheelCount()));
     double metres = Math.hypot(moves.vx(), moves.vy());
-    boolean isCharged = rates.largest() < STANDS && power.isDocked(body.truth());
-    body =
-        new SimulatedBody(
-            body.powerCycle(),
-            body.start(),
-            body.truth().advanced(moves, 1),
+    boolean isCharged = rates.largest() < STANDING_RATE && battery.isDocked(state.truePose());
+    state =
+        new SimulatedChassisState(
+            state.powerCycle(),
+            state.start(),
+            state.truePose().advanced(moves, 1),
             turned,
             rates,
             odometry.update(counts(turned)),
-            body.command(),
+            state.command(),
             isCharged
-                ? power.charged(body.battery(), dt)
-                : power.drained(body.battery(), dt, metres, load),
-            body.steps() + 1);
-    if (body.powerCycle() == 1 && surroundings.isMarked(body.truth().position())) {
-      body = body.corrected(body.start().relative(body.truth()));
-      odometry = odometryOf(body);
+                ? battery.levelAfterCharging(state.battery(), dt)
+                : battery.levelAfterDriving(state.battery(), dt, metres, load),
+            state.steps() + 1);
+    if (state.powerCycle() == 1 && surroundings.isMarked(state.truePose().position())) {
+      state = state.withOdometry(state.start().relative(state.truePose()));
+      odometry = odometryOf(state);
     }
   }
 
@@ -275,7 +278,7 @@ public final class SimulatedChassis implements Chassis {
     return turns * (1 + noise * random.nextGaussian());
   }
 
-  private static ThreeWheels sizes(double error, long seed) {
+  private static ThreeWheels wheelSizes(double error, long seed) {
     SplittableRandom random = new SplittableRandom(~seed);
     return new ThreeWheels(
         1 + error * random.nextGaussian(),
@@ -283,14 +286,17 @@ public final class SimulatedChassis implements Chassis {
         1 + error * random.nextGaussian());
   }
 
-  private Odometry odometryOf(SimulatedBody body) {
+  private Odometry odometryOf(SimulatedChassisState ofState) {
     return new Odometry(
-        kinematics, Odometry.COUNTS_PER_WHEEL_TURN, body.odometry(), counts(body.turned()));
+        kinematics,
+        Odometry.COUNTS_PER_WHEEL_TURN,
+        ofState.odometry(),
+        counts(ofState.wheelTurns()));
   }
 
   /** Whole counts; the counters wrap around like the 32-bit registers that they stand for. */
   private int[] counts(ThreeWheels turned) {
-    return Arrays.stream(turned.values(kinematics.wheels()))
+    return Arrays.stream(turned.values(kinematics.wheelCount()))
         .mapToInt(SimulatedChassis::count)
         .toArray();
   }

@@ -13,7 +13,7 @@ public interface Surroundings {
   Surroundings EMPTY =
       new Surroundings() {
         @Override
-        public void isAt(Pose truth) {}
+        public void setTruePose(Pose truth) {}
 
         @Override
         public double distance(Pose ray, double farthest) {
@@ -31,7 +31,7 @@ public interface Surroundings {
    *
    * @param truth map frame
    */
-  void isAt(Pose truth);
+  void setTruePose(Pose truth);
 
   /**
    * Metres from a point to the first thing in a direction.

@@ -49,7 +49,7 @@ class SimulatedChassisTest {
       ChassisReading now = run(body, new Twist(0.25, 0.05, 0.6), 20 * SECOND);
 
       // 5 m with 0.09 mm a count
-      assertEquals(0, START.compose(now.odometry()).distanceTo(body.truth()), 0.005);
+      assertEquals(0, START.compose(now.odometry()).distanceTo(body.truePose()), 0.005);
     }
   }
 
@@ -99,7 +99,7 @@ class SimulatedChassisTest {
       // 0.2 s at 0.25 m/s, and the way to a stand
       double rolled = before.distanceTo(later.odometry());
       assertTrue(rolled > 0.05 && rolled < 0.09, "rolled " + rolled);
-      assertTrue(later.stands());
+      assertTrue(later.isStanding());
     }
   }
 
@@ -114,9 +114,9 @@ class SimulatedChassisTest {
 
       double rolled = before.distanceTo(found.odometry());
       assertTrue(rolled > 0.05 && rolled < 0.09, "rolled " + rolled);
-      assertTrue(found.stands());
+      assertTrue(found.isStanding());
       assertEquals(1, found.powerCycle());
-      assertEquals(0, START.compose(found.odometry()).distanceTo(body.truth()), 0.001);
+      assertEquals(0, START.compose(found.odometry()).distanceTo(body.truePose()), 0.001);
     }
   }
 
@@ -124,15 +124,15 @@ class SimulatedChassisTest {
   void powerCycleTakesTheKnowledgeOfThePlaceAndNotThePlace() throws IOException {
     try (SimulatedChassis body = body(0)) {
       ChassisReading before = run(body, new Twist(0.25, 0, 0), SECOND);
-      Pose truth = body.truth();
+      Pose truth = body.truePose();
       body.cyclePower();
       ChassisReading after = body.exchange(Twist.ZERO, nanos);
 
-      assertEquals(START, before.placedAt());
-      assertNull(after.placedAt());
+      assertEquals(START, before.startPose());
+      assertNull(after.startPose());
       assertNotEquals(before.powerCycle(), after.powerCycle());
       assertEquals(new Pose(0, 0, 0), after.odometry());
-      assertEquals(truth, body.truth());
+      assertEquals(truth, body.truePose());
     }
   }
 
@@ -152,7 +152,7 @@ class SimulatedChassisTest {
       run(body, new Twist(0.25, 0, 0), SECOND);
       double before = body.exchange(new Twist(0.25, 0, 0), nanos).battery();
       double empty = before - run(body, new Twist(0.25, 0, 0), 60 * SECOND).battery();
-      body.carries(5);
+      body.setLoad(5);
       double loaded = before - empty - run(body, new Twist(0.25, 0, 0), 60 * SECOND).battery();
 
       assertEquals(15 * 5 * 9 / 106_560.0, loaded - empty, 1e-5); // 15 m, 5 kg, 9 J/m/kg
@@ -169,13 +169,13 @@ class SimulatedChassisTest {
       ChassisReading now = run(body, arc, 5 * SECOND);
 
       assertEquals(0, then.odometry().advanced(arc, 5).distanceTo(now.odometry()), 0.002);
-      assertEquals(0, START.compose(now.odometry()).distanceTo(body.truth()), 0.002);
+      assertEquals(0, START.compose(now.odometry()).distanceTo(body.truePose()), 0.002);
     }
   }
 
   @Test
   void aBodyThatStandsAtAChargerIsCharged() throws IOException {
-    SimulatedPower power = new SimulatedPower(0.5, List.of(START.position()));
+    SimulatedBattery power = new SimulatedBattery(0.5, List.of(START.position()));
     Path file = folder.resolve("docked");
     try (SimulatedChassis body = new SimulatedChassis(file, START, power, 0.01, 1)) {
       double after = run(body, Twist.ZERO, 60 * SECOND).battery();
@@ -192,7 +192,7 @@ class SimulatedChassisTest {
       ChassisReading now = run(body, new Twist(0.25, 0, 0), 40 * SECOND);
 
       // 10 m on wheels that are about 1 % too large or too small
-      double away = START.compose(now.odometry()).distanceTo(body.truth());
+      double away = START.compose(now.odometry()).distanceTo(body.truePose());
       assertTrue(away > 0.01 && away < 2, "away by " + away);
     }
   }
@@ -202,11 +202,11 @@ class SimulatedChassisTest {
     try (SimulatedChassis body = new SimulatedChassis(START, SimulatedWheels.omni(0, 0), 1)) {
       Twist ahead = new Twist(0.25, 0, 0);
       run(body, ahead, SECOND);
-      body.freeze(true);
+      body.setFrozen(true);
       Pose frozen = run(body, ahead, 1).odometry();
       assertEquals(frozen, run(body, ahead, SECOND).odometry());
 
-      body.freeze(false);
+      body.setFrozen(false);
       assertTrue(frozen.distanceTo(run(body, ahead, SECOND).odometry()) > 0.1);
     }
   }
@@ -220,9 +220,9 @@ class SimulatedChassisTest {
       assertEquals(0.25, run(body, ahead, 6).twist().vx(), 0.01);
 
       body.loseFrames(SECOND + 1);
-      Pose before = body.truth();
+      Pose before = body.truePose();
       Pose heard = run(body, ahead, SECOND).odometry();
-      assertEquals(0.25 * 0.3, before.distanceTo(body.truth()), 0.03); // 0.2 s, and the roll-out
+      assertEquals(0.25 * 0.3, before.distanceTo(body.truePose()), 0.03); // 0.2 s, and the roll-out
       assertEquals(before.distanceTo(START), heard.x(), 0.02); // nothing new was heard
       assertEquals(0.25, run(body, ahead, SECOND).twist().vx(), 0.01);
     }
@@ -231,12 +231,12 @@ class SimulatedChassisTest {
   @Test
   void slippingWheelIsUnseenByTheEncoders() {
     try (SimulatedChassis body = new SimulatedChassis(START, SimulatedWheels.omni(0, 0), 1)) {
-      body.slipWheel(0, 0.5);
+      body.setWheelSlip(0, 0.5);
       ChassisReading now = run(body, new Twist(0.25, 0, 0), 4 * SECOND);
 
       assertEquals(1, now.odometry().x(), 0.05);
       assertEquals(0, now.odometry().theta(), 0.01);
-      assertTrue(START.compose(now.odometry()).distanceTo(body.truth()) > 0.1);
+      assertTrue(START.compose(now.odometry()).distanceTo(body.truePose()) > 0.1);
     }
   }
 
@@ -245,8 +245,8 @@ class SimulatedChassisTest {
     RangeSensors sensors = new RangeSensors(0.2);
     Path file = folder.resolve("seeing");
     try (SimulatedChassis body =
-        new SimulatedChassis(file, START, SimulatedPower.FULL, 0, 1, sensors, wall(0.5))) {
-      body.blind(2, true);
+        new SimulatedChassis(file, START, SimulatedBattery.FULL, 0, 1, sensors, wall(0.5))) {
+      body.setBlind(2, true);
       List<Double> ranges = body.exchange(Twist.ZERO, nanos).ranges();
 
       assertEquals(0.5, ranges.get(0), 0.015); // noise of 0.5 %
@@ -264,10 +264,10 @@ class SimulatedChassisTest {
     RangeSensors sensors = new RangeSensors(0.2);
     Path file = folder.resolve("marked");
     try (SimulatedChassis body =
-        new SimulatedChassis(file, START, SimulatedPower.FULL, 0.05, 3, sensors, wall(9))) {
+        new SimulatedChassis(file, START, SimulatedBattery.FULL, 0.05, 3, sensors, wall(9))) {
       ChassisReading now = run(body, new Twist(0.2, 0, 0.1), 60 * SECOND);
 
-      assertEquals(0, START.compose(now.odometry()).distanceTo(body.truth()), 1e-9);
+      assertEquals(0, START.compose(now.odometry()).distanceTo(body.truePose()), 1e-9);
     }
   }
 
@@ -275,7 +275,7 @@ class SimulatedChassisTest {
   private static Surroundings wall(double metres) {
     return new Surroundings() {
       @Override
-      public void isAt(Pose truth) {}
+      public void setTruePose(Pose truth) {}
 
       @Override
       public double distance(Pose ray, double farthest) {
@@ -291,16 +291,16 @@ class SimulatedChassisTest {
 
   private Pose truthAfterAMinute(Path file, long seed) throws IOException {
     try (SimulatedChassis body =
-        new SimulatedChassis(file, START, SimulatedPower.FULL, 0.05, seed)) {
+        new SimulatedChassis(file, START, SimulatedBattery.FULL, 0.05, seed)) {
       nanos = 0;
       ChassisReading now = run(body, new Twist(0.2, 0, 0.1), 60 * SECOND);
-      assertNotEquals(0, START.compose(now.odometry()).distanceTo(body.truth()), 0.001);
-      return body.truth();
+      assertNotEquals(0, START.compose(now.odometry()).distanceTo(body.truePose()), 0.001);
+      return body.truePose();
     }
   }
 
   private SimulatedChassis body(double noise) throws IOException {
-    return new SimulatedChassis(folder.resolve("body"), START, SimulatedPower.FULL, noise, 1);
+    return new SimulatedChassis(folder.resolve("body"), START, SimulatedBattery.FULL, noise, 1);
   }
 
   private ChassisReading run(SimulatedChassis body, Twist command, int ticks) {

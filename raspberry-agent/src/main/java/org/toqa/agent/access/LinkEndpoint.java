@@ -1,0 +1,134 @@
+package org.toqa.agent.access;
+
+import java.io.IOException;
+import java.security.SecureRandom;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.trust.Fingerprint;
+import org.toqa.link.trust.IdentityFile;
+import org.toqa.link.trust.LinkSocket;
+import org.toqa.link.trust.LinkTls;
+import org.toqa.link.trust.PairingCode;
+
+/**
+ * The way into a daemon, encrypted or not for as long as it is open: not where the robot was never
+ * paired, shows no code, and may do without. A robot that may not do without and was never paired
+ * shows a code by itself. While it is open an encrypted door takes new codes by {@link
+ * PairingRequestFile}.
+ *
+ * <p>Any thread may call it; none waits.
+ */
+public final class LinkEndpoint implements AutoCloseable {
+
+  private final LinkEndpointConfig config;
+  private final RejectedConnections rejected;
+  private final @Nullable LinkTls tls;
+  private final @Nullable PeerPolicy policy;
+  private final @Nullable PairingOffer pairingOffer;
+  private final @Nullable PairingRequestWatcher requestWatcher;
+  private final TcpListener listener;
+
+  /**
+   * Opens it.
+   *
+   * @param onAccepted is given each connection whose other end may speak, by a thread of the door's
+   * @throws IOException with a sentence for people
+   */
+  public LinkEndpoint(LinkEndpointConfig config, Consumer<LinkSocket> onAccepted)
+      throws IOException {
+    this.config = config;
+    rejected = new RejectedConnections(config.robot(), config.nanos());
+    ServerPin pin = new ServerPin(config.folder());
+    boolean paired = pin.server().isPresent();
+    ConnectionAcceptor acceptor;
+    if (!paired && !config.showCode() && config.canBePlain()) {
+      tls = null;
+      policy = null;
+      pairingOffer = null;
+      requestWatcher = null;
+      acceptor = new PlainConnectionAcceptor(onAccepted);
+    } else {
+      LinkTls own = new LinkTls(IdentityFile.open(config.folder()));
+      PeerPolicy peers = new PeerPolicy(pin);
+      Fingerprint robot = own.fingerprint();
+      PairingOffer code = config.showCode() || !paired ? newOffer(robot) : null;
+      PairingHandler pairing = new PairingHandler(config.robot(), peers, rejected, code);
+      tls = own;
+      policy = peers;
+      pairingOffer = code;
+      acceptor = new TlsConnectionAcceptor(own, peers, pairing, rejected, onAccepted);
+      requestWatcher =
+          new PairingRequestWatcher(
+              config.robot(),
+              new PairingRequestFile(config.folder()),
+              asked -> pairing.setOffer(new PairingOffer(asked, robot, config.nanos())));
+    }
+    try {
+      listener = new TcpListener(config.robot(), config.address(), config.port(), acceptor);
+    } catch (IOException e) {
+      closeRequestWatcher();
+      throw e;
+    }
+  }
+
+  private PairingOffer newOffer(Fingerprint robot) {
+    return new PairingOffer(PairingCode.of(robot, new SecureRandom()), robot, config.nanos());
+  }
+
+  private void closeRequestWatcher() {
+    if (requestWatcher != null) {
+      requestWatcher.close();
+    }
+  }
+
+  public int port() {
+    return listener.port();
+  }
+
+  /** Empty where the link is not encrypted. */
+  public Optional<LinkTls> tls() {
+    return Optional.ofNullable(tls);
+  }
+
+  /** The code that is shown from the beginning, as people read it. */
+  public Optional<String> pairingCode() {
+    return Optional.ofNullable(pairingOffer).map(PairingOffer::text);
+  }
+
+  /**
+   * As what a peer may speak now.
+   *
+   * @param peer null where the link is not encrypted
+   */
+  public PeerRole roleOf(@Nullable Fingerprint peer) {
+    if (policy == null) {
+      return PeerRole.ANONYMOUS;
+    }
+    return peer == null ? PeerRole.UNTRUSTED : policy.roleOf(peer);
+  }
+
+  /** The server has named a leader: it may come in from now on. */
+  public void setLeader(Fingerprint leader) {
+    if (policy != null) {
+      policy.setLeader(leader);
+    }
+  }
+
+  /** Whom it did not let in of late. */
+  public Optional<Fault> rejection() {
+    return rejected.fault();
+  }
+
+  @Override
+  public void close() {
+    closeRequestWatcher();
+    listener.close();
+  }
+
+  @Override
+  public String toString() {
+    return "%s port %d".formatted(config.address(), port());
+  }
+}

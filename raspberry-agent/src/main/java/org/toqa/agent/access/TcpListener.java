@@ -1,0 +1,66 @@
+package org.toqa.agent.access;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Waits for servers that connect; its thread does nothing else. */
+final class TcpListener implements AutoCloseable {
+
+  private static final Logger log = LoggerFactory.getLogger(TcpListener.class);
+
+  private final String robot;
+  private final ServerSocket socket;
+  private final ConnectionAcceptor acceptor;
+
+  TcpListener(String robot, InetAddress address, int port, ConnectionAcceptor acceptor)
+      throws IOException {
+    this.robot = robot;
+    this.acceptor = acceptor;
+    socket = new ServerSocket();
+    try {
+      socket.setReuseAddress(true);
+      socket.bind(new InetSocketAddress(address, port));
+    } catch (IOException e) {
+      socket.close();
+      throw new IOException(
+          "Port %d on %s cannot be listened on (%s); is another daemon running there?"
+              .formatted(port, address.getHostAddress(), e.getMessage()),
+          e);
+    }
+    Thread.ofVirtual().name(robot + "-door").start(this::acceptConnections);
+  }
+
+  int port() {
+    return socket.getLocalPort();
+  }
+
+  @Override
+  public void close() {
+    try {
+      socket.close();
+    } catch (IOException e) {
+      log.debug("{}: closing the door failed.", robot, e);
+    }
+    acceptor.close();
+  }
+
+  private void acceptConnections() {
+    while (!socket.isClosed()) {
+      try {
+        Socket client = socket.accept();
+        client.setTcpNoDelay(true);
+        client.setKeepAlive(true);
+        acceptor.accept(client);
+      } catch (IOException e) {
+        if (!socket.isClosed()) {
+          log.warn("{}: a connection could not be taken: {}", robot, e.getMessage());
+        }
+      }
+    }
+  }
+}

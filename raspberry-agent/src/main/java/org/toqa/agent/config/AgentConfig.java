@@ -1,0 +1,156 @@
+package org.toqa.agent.config;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.charset.MalformedInputException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.regex.Pattern;
+import org.toqa.formation.FollowerLaw;
+import org.toqa.formation.Gains;
+import org.toqa.formation.NonHolonomicLaw;
+import org.toqa.formation.SingleIntegratorLaw;
+import org.yaml.snakeyaml.LoaderOptions;
+import org.yaml.snakeyaml.Yaml;
+import org.yaml.snakeyaml.constructor.SafeConstructor;
+import org.yaml.snakeyaml.error.MarkedYAMLException;
+import org.yaml.snakeyaml.error.YAMLException;
+
+/**
+ * What a daemon is told before it starts. The keys of the file are explained in {@code
+ * raspberry-agent/agent.yaml}.
+ *
+ * @param name the robot's
+ * @param address to listen on
+ * @param port to listen on; 0 for any free one
+ * @param plainOffLoopback whether the link of a robot that was never paired may do without
+ *     encryption off loopback too
+ * @param dataDir where the journal and a simulated body are kept
+ * @param maxLoad kilograms
+ * @param footprint diameter in metres
+ */
+public record AgentConfig(
+    String name,
+    InetAddress address,
+    int port,
+    boolean plainOffLoopback,
+    Path dataDir,
+    double maxLoad,
+    double footprint,
+    MotionLimits limits,
+    Following following,
+    ChassisConfig chassis) {
+
+  private static final String[] KEYS = {
+    "name",
+    "address",
+    "port",
+    "plainTcpOffLoopback",
+    "dataDir",
+    "maxLoad",
+    "footprint",
+    "maxSpeed",
+    "maxTurnRate",
+    "acceleration",
+    "turnAcceleration",
+    "following",
+    "chassis"
+  };
+
+  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_-]{0,31}");
+
+  /**
+   * How it keeps its place beside a leader.
+   *
+   * @param linkDelay seconds that a leader's pose is usually under way
+   */
+  public record Following(FollowerLaw law, double linkDelay) {
+    public static final Following DEFAULT =
+        new Following(new SingleIntegratorLaw(Gains.DEFAULT), 0.02);
+  }
+
+  /** Reads a file; a relative data folder lies beside it. */
+  public static AgentConfig read(Path file) throws ConfigException {
+    ConfigSection top = new ConfigSection(file.toString(), "", readKeys(file), KEYS);
+    return new AgentConfig(
+        robotName(top),
+        address(top),
+        (int) top.integer("port", 7275, 0, 65_535),
+        top.flag("plainTcpOffLoopback", false),
+        file.toAbsolutePath().resolveSibling(top.text("dataDir")).normalize(),
+        top.number("maxLoad", 5, 0, 10_000),
+        top.number("footprint", 0.255, 0.05, 5),
+        limits(top),
+        following(top.section("following", "law", "placeGain", "headingGain", "linkDelay")),
+        ChassisConfig.read(file, top));
+  }
+
+  private static Map<?, ?> readKeys(Path file) throws ConfigException {
+    try {
+      LoaderOptions options = new LoaderOptions();
+      options.setAllowDuplicateKeys(false);
+      Object content = new Yaml(new SafeConstructor(options)).load(Files.readString(file));
+      if (content instanceof Map<?, ?> map) {
+        return map;
+      }
+      throw new ConfigException(file + ": this is not a list of keys and values.");
+    } catch (NoSuchFileException e) {
+      throw new ConfigException(file + ": there is no such file.");
+    } catch (MalformedInputException e) {
+      throw new ConfigException(file + ": this is not text in UTF-8.");
+    } catch (IOException e) {
+      throw new ConfigException(file + ": cannot be read: " + e.getMessage());
+    } catch (MarkedYAMLException e) {
+      int line = e.getProblemMark() == null ? 1 : e.getProblemMark().getLine() + 1;
+      throw new ConfigException(
+          "%s, line %d: this is not YAML: %s.".formatted(file, line, e.getProblem()));
+    } catch (YAMLException e) {
+      throw new ConfigException(file + ": this is not YAML.");
+    }
+  }
+
+  private static String robotName(ConfigSection top) throws ConfigException {
+    String name = top.text("name");
+    if (!NAME.matcher(name).matches()) {
+      throw top.invalid("name", name, "1 to 32 letters, digits, - and _");
+    }
+    return name;
+  }
+
+  private static InetAddress address(ConfigSection top) throws ConfigException {
+    String text = top.text("address", "127.0.0.1");
+    try {
+      return InetAddress.getByName(text);
+    } catch (UnknownHostException e) {
+      throw top.invalid("address", text, "an address of this machine");
+    }
+  }
+
+  private static MotionLimits limits(ConfigSection top) throws ConfigException {
+    return new MotionLimits(
+        top.number("maxSpeed", 0.5, 0.01, 5),
+        top.number("maxTurnRate", 3.5, 0.01, 20),
+        top.number("acceleration", 0.5, 0.01, 10),
+        top.number("turnAcceleration", 3, 0.01, 50));
+  }
+
+  private static Following following(ConfigSection following) throws ConfigException {
+    Gains usual = Gains.DEFAULT;
+    Gains gains =
+        new Gains(
+            following.number("placeGain", usual.place(), Gains.SMALLEST, Gains.LARGEST),
+            following.number("headingGain", usual.heading(), Gains.SMALLEST, Gains.LARGEST),
+            usual.mostSpeed(),
+            usual.mostTurnRate());
+    double linkDelay = following.number("linkDelay", Following.DEFAULT.linkDelay(), 0, 0.2);
+    String law = following.text("law", "omni");
+    return switch (law) {
+      case "omni" -> new Following(new SingleIntegratorLaw(gains), linkDelay);
+      case "non-holonomic" -> new Following(new NonHolonomicLaw(gains), linkDelay);
+      default -> throw following.invalid("law", law, "omni or non-holonomic");
+    };
+  }
+}

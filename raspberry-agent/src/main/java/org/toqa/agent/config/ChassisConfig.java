@@ -1,0 +1,120 @@
+package org.toqa.agent.config;
+
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.chassis.Surroundings;
+import org.toqa.geometry.Pose;
+
+/** The body under a daemon, as its configuration names it. */
+public sealed interface ChassisConfig {
+
+  /** How many times faster than real time it and its daemon live. */
+  default double timeFactor() {
+    return 1;
+  }
+
+  /**
+   * A body that is simulated as a whole.
+   *
+   * @param start where a new body is put, map frame
+   * @param battery its battery, and where it is charged
+   * @param noise standard deviation of a wheel's slip, as a share of what it turns
+   * @param timeFactor how many times faster than real time it and its daemon live
+   * @param surroundings what is round it
+   */
+  record Simulated(
+      Pose start,
+      SimulatedBattery battery,
+      double noise,
+      long seed,
+      double timeFactor,
+      Surroundings surroundings)
+      implements ChassisConfig {
+
+    /** One on an endless empty floor. */
+    public Simulated(Pose start, SimulatedBattery power, double noise, long seed, double speed) {
+      this(start, power, noise, seed, speed, Surroundings.EMPTY);
+    }
+  }
+
+  /**
+   * The real firmware in a simulated microcontroller.
+   *
+   * @param socket where that one listens
+   * @param start where the body stood when it was switched on for the first time, map frame; null
+   *     where nobody knows
+   */
+  record SimulatedFirmware(Path socket, @Nullable Pose start) implements ChassisConfig {}
+
+  /**
+   * The robot's microcontroller on the SPI bus.
+   *
+   * @param device such as {@code /dev/spidev0.0}
+   * @param hertz of the bus's clock
+   * @param wordDelayMicros pause after each byte
+   */
+  record Spi(Path device, int hertz, int wordDelayMicros) implements ChassisConfig {}
+
+  /**
+   * The robot's microcontroller on a serial port.
+   *
+   * @param device such as {@code /dev/serial0}
+   * @param baud bits a second
+   */
+  record Serial(Path device, int baud) implements ChassisConfig {}
+
+  /**
+   * @param file of the configuration; a relative path in it counts from there
+   * @param top its whole content
+   */
+  static ChassisConfig read(Path file, ConfigSection top) throws ConfigException {
+    ConfigSection body =
+        top.section(
+            "chassis",
+            "type",
+            "start",
+            "battery",
+            "chargers",
+            "noise",
+            "seed",
+            "speed",
+            "socket",
+            "device",
+            "clock",
+            "wordDelay",
+            "baud");
+    String type = body.text("type");
+    return switch (type) {
+      case "simulated" ->
+          new Simulated(
+              start(body),
+              new SimulatedBattery(body.number("battery", 1, 0, 1), body.points("chargers")),
+              body.number("noise", 0.01, 0, 1),
+              body.integer("seed", 1, Long.MIN_VALUE, Long.MAX_VALUE),
+              body.number("speed", 1, 0.1, 100));
+      case "simulated-firmware" ->
+          new SimulatedFirmware(
+              file.toAbsolutePath().resolveSibling(body.text("socket")).normalize(),
+              body.has("start") ? start(body) : null);
+      case "spi" ->
+          new Spi(
+              Path.of(body.text("device", "/dev/spidev0.0")),
+              (int) body.integer("clock", 1_000_000, 100_000, 2_000_000),
+              (int) body.integer("wordDelay", 16, 12, 100));
+      case "serial" ->
+          new Serial(
+              Path.of(body.text("device", "/dev/serial0")),
+              (int) body.integer("baud", 115_200, 115_200, 1_000_000));
+      default -> throw body.invalid("type", type, "simulated, simulated-firmware, spi or serial");
+    };
+  }
+
+  private static Pose start(ConfigSection body) throws ConfigException {
+    ConfigSection start = body.section("start", "x", "y", "heading");
+    return new Pose(
+        start.number("x", 0, -100_000, 100_000),
+        start.number("y", 0, -100_000, 100_000),
+        Math.toRadians(start.number("heading", 0, -360, 360)));
+  }
+}

@@ -1,0 +1,81 @@
+package org.toqa.agent.control;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.toqa.agent.chassis.ChassisReading;
+import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.storage.JournalEntry;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.link.message.AgentMessage.Speed;
+import org.toqa.link.message.AgentMessage.State;
+
+/**
+ * A robot at one instant, as its messages tell it.
+ *
+ * @param pose map frame
+ * @param segment how many segments of the drive are completed
+ * @param released how many may be driven
+ * @param obstacles points where something stands in its way, map frame
+ */
+public record RobotReport(
+    AgentConfig config,
+    JournalEntry entry,
+    ChassisReading reading,
+    boolean isLocalised,
+    Pose pose,
+    Mode mode,
+    Role role,
+    int segment,
+    int released,
+    List<Vec2> obstacles,
+    List<Fault> errors) {
+
+  public Hello hello() {
+    return new Hello(
+        AgentMessage.VERSION,
+        config.name(),
+        config.maxLoad(),
+        config.limits().speed(),
+        config.footprint(),
+        isLocalised,
+        pose,
+        mode,
+        entry.task(),
+        entry.phase(),
+        role,
+        entry.drive(),
+        segment,
+        released,
+        entry.lastSeq(),
+        entry.done());
+  }
+
+  /**
+   * @param stamp milliseconds since 1970
+   * @param notes what else the server is to know
+   */
+  public State state(long stamp, List<Fault> notes) {
+    return new State(
+        stamp,
+        isLocalised,
+        pose,
+        new Speed(reading.twist().vx(), reading.twist().w()),
+        mode,
+        entry.task(),
+        entry.phase(),
+        role,
+        entry.drive(),
+        segment,
+        released,
+        reading.battery(),
+        reading.ranges(),
+        obstacles,
+        Stream.concat(errors.stream(), notes.stream()).toList());
+  }
+}

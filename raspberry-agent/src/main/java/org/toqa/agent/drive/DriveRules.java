@@ -1,0 +1,134 @@
+package org.toqa.agent.drive;
+
+import com.google.errorprone.annotations.FormatMethod;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.toqa.agent.config.MotionLimits;
+import org.toqa.geometry.Angles;
+import org.toqa.geometry.Pose;
+import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.message.ServerMessage.Extend;
+import org.toqa.link.message.ServerMessage.Locate;
+import org.toqa.link.message.ServerMessage.Release;
+import org.toqa.motion.Segment;
+
+/**
+ * What a robot refuses to drive, whoever asks for it. Each rule answers with the sentence that goes
+ * back to the server, or with nothing.
+ */
+public final class DriveRules {
+
+  /** How far from its drive's start a robot may stand. */
+  private static final double START_METRES = 0.10;
+
+  private static final double START_RADIANS = Math.toRadians(10);
+
+  private static final int MOST_SEGMENTS = 100_000;
+  private static final double LONGEST_SEGMENT_SECONDS = 3_600;
+
+  /** No floor is larger than this. */
+  private static final double LARGEST_COORDINATE = 100_000;
+
+  /** A speed that is the limit but for its last digits is no fault. */
+  private static final double ROUNDING = 1 + 1e-9;
+
+  private final MotionLimits limits;
+
+  public DriveRules(MotionLimits limits) {
+    this.limits = limits;
+  }
+
+  public Optional<String> objectionTo(Drive drive, Pose robotPose) {
+    if (drive.phase() < 0 || drive.phase() > 3) {
+      return objection("The phase %d is not one of 0 to 3.", drive.phase());
+    }
+    if ((drive.task() == null) != (drive.phase() == 0)) {
+      return objection(
+          "A drive without a task has phase 0, and one for a task has phase 1, 2 or 3.");
+    }
+    if (drive.released() < 0 || drive.released() > drive.segments().size()) {
+      return objection(
+          "Of %d segments %d cannot be released.", drive.segments().size(), drive.released());
+    }
+    double away = drive.start().distanceTo(robotPose);
+    double turned = Math.abs(Angles.difference(drive.start().theta(), robotPose.theta()));
+    if (!(away <= START_METRES) || !(turned <= START_RADIANS)) {
+      return objection(
+          "The drive starts %.2f m and %.0f degrees away from where the robot stands,"
+              + " (%.2f, %.2f) facing %.0f degrees.",
+          away,
+          Math.toDegrees(turned),
+          robotPose.x(),
+          robotPose.y(),
+          Math.toDegrees(robotPose.theta()));
+    }
+    return objectionTo(drive.segments(), 0);
+  }
+
+  public Optional<String> objectionTo(Extend extend, ReferenceTrajectory trajectory) {
+    if (extend.from() < trajectory.releasedCount() || extend.from() > trajectory.size()) {
+      return objection(
+          "Segments can be replaced from %d (what is released stays) to %d, not from %d.",
+          trajectory.releasedCount(), trajectory.size(), extend.from());
+    }
+    int size = extend.from() + extend.segments().size();
+    if (extend.released() < trajectory.releasedCount() || extend.released() > size) {
+      return objection(
+          "What is released only grows: from %d to at most %d, not %d.",
+          trajectory.releasedCount(), size, extend.released());
+    }
+    return objectionTo(extend.segments(), extend.from());
+  }
+
+  public Optional<String> objectionTo(Release release, ReferenceTrajectory trajectory) {
+    if (release.released() < trajectory.releasedCount() || release.released() > trajectory.size()) {
+      return objection(
+          "What is released only grows: from %d to at most %d, not %d.",
+          trajectory.releasedCount(), trajectory.size(), release.released());
+    }
+    return Optional.empty();
+  }
+
+  public Optional<String> objectionTo(Locate locate) {
+    return isOnAnyMap(locate.pose())
+        ? Optional.empty()
+        : objection("The pose lies more than %.0f m from the map's origin.", LARGEST_COORDINATE);
+  }
+
+  public static boolean isOnAnyMap(Pose pose) {
+    return Math.abs(pose.x()) <= LARGEST_COORDINATE
+        && Math.abs(pose.y()) <= LARGEST_COORDINATE
+        && Double.isFinite(pose.theta());
+  }
+
+  private Optional<String> objectionTo(List<Segment> segments, int from) {
+    if (from + segments.size() > MOST_SEGMENTS) {
+      return objection("A way has at most %d segments.", MOST_SEGMENTS);
+    }
+    for (int i = 0; i < segments.size(); i++) {
+      Segment s = segments.get(i);
+      if (!(s.t() > 0 && s.t() <= LONGEST_SEGMENT_SECONDS)) {
+        return objection(
+            "Segment %d lasts %s s; a segment lasts more than 0 and at most %.0f s.",
+            from + i, s.t(), LONGEST_SEGMENT_SECONDS);
+      }
+      if (!(Math.abs(s.v()) <= limits.speed() * ROUNDING)) {
+        return objection(
+            "Segment %d has %s m/s; this robot drives at most %s m/s.",
+            from + i, s.v(), limits.speed());
+      }
+      if (!(Math.abs(s.w()) <= limits.turnRate() * ROUNDING)) {
+        return objection(
+            "Segment %d turns by %s rad/s; this robot turns by at most %s rad/s.",
+            from + i, s.w(), limits.turnRate());
+      }
+    }
+    return Optional.empty();
+  }
+
+  @FormatMethod
+  private static Optional<String> objection(String sentence, Object... values) {
+    return Optional.of(String.format(Locale.ROOT, sentence, values));
+  }
+}

@@ -1,0 +1,226 @@
+package org.toqa.agent.firmware;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.ChassisReading;
+import org.toqa.agent.firmware.FirmwareCommand.Caption;
+import org.toqa.agent.firmware.FirmwareCommand.Clear;
+import org.toqa.agent.firmware.FirmwareCommand.Poll;
+import org.toqa.agent.firmware.FirmwareCommand.Velocity;
+import org.toqa.agent.firmware.FirmwareStatus.Answer;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.motion.Odometry;
+import org.toqa.motion.ThreeWheelKinematics;
+
+/**
+ * The real body: a microcontroller that is told a velocity at every tick, and seldom while it
+ * stands, which spares the processor of the robot. What may be cleared without a person, a stop by
+ * power-up or by a link that was silent, is cleared by the way.
+ */
+public final class FirmwareChassis implements Chassis {
+
+  private static final Logger log = LoggerFactory.getLogger(FirmwareChassis.class);
+
+  private static final ThreeWheelKinematics WHEELS = ThreeWheelKinematics.DEFAULT;
+  private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
+
+  /** Four lithium cells. */
+  private static final double EMPTY_VOLTS = 13.2;
+
+  private static final double FULL_VOLTS = 16.8;
+
+  /** Exchanges until a microcontroller that was just switched on answers. */
+  private static final int FIRST_EXCHANGES = 100;
+
+  /** Exchanges without an answer, 200 ms, until the daemon says so. */
+  private static final int SILENT_EXCHANGES = 10;
+
+  private static final FirmwareCommand STANDSTILL = new Velocity(Twist.ZERO);
+
+  /** A body that stands is spoken to no oftener; it takes 200 ms of silence. */
+  private static final long STANDSTILL_INTERVAL_NANOS = 60_000_000;
+
+  /** Failures are told in the log no oftener. */
+  private static final long LOG_INTERVAL_NANOS = 60_000_000_000L;
+
+  private static final Fault POOR_LINK =
+      new Fault(
+          "CHASSIS_LINK",
+          "Of the exchanges with the robot's microcontroller one in five fails: check its cable.");
+
+  private static final Fault SILENT =
+      new Fault("CHASSIS_SILENT", "The robot's microcontroller does not answer.");
+
+  private final FrameTransport transport;
+  private final String caption;
+  private final @Nullable Pose start;
+  private FirmwareStatus status;
+  private Twist twist = Twist.ZERO;
+  private FirmwareCommand lastCommand = STANDSTILL;
+  private int sequence;
+  private int unanswered;
+  private final LinkQuality quality = new LinkQuality();
+  private long loggedFailures;
+  private long loggedNanos;
+  private long exchangedNanos;
+  private boolean isCaptionSent;
+  private boolean isClearRequested;
+
+  /**
+   * Finds the microcontroller.
+   *
+   * @param caption what the display shows first
+   * @param start where the body stood when it was switched on for the first time, map frame, if
+   *     somebody has put it there
+   * @throws IOException if no microcontroller answers
+   */
+  public FirmwareChassis(FrameTransport transport, String caption, @Nullable Pose start, long nanos)
+      throws IOException {
+    this.transport = transport;
+    this.caption = caption;
+    this.start = start;
+    status = awaitFirstStatus(nanos);
+    sequence = status.sequence();
+  }
+
+  private FirmwareStatus awaitFirstStatus(long nanos) throws IOException {
+    for (int i = 0; i < FIRST_EXCHANGES; i++) {
+      byte[] answer = transport.exchange(FrameCodec.encode(new Poll(), 0), nanos);
+      Optional<FirmwareStatus> first = FrameCodec.decode(answer);
+      if (first.isPresent()) {
+        return first.get();
+      }
+    }
+    throw new IOException("The robot's microcontroller does not answer.");
+  }
+
+  @Override
+  public ChassisReading exchange(Twist wanted, long nanos) {
+    FirmwareCommand command = nextCommand(wanted);
+    if (isAtRest(command) && nanos - exchangedNanos < STANDSTILL_INTERVAL_NANOS) {
+      return reading();
+    }
+    exchangedNanos = nanos;
+    lastCommand = command;
+    sequence = (sequence + 1) % FrameCodec.SEQUENCES;
+    try {
+      FrameCodec.decode(transport.exchange(FrameCodec.encode(command, sequence), nanos))
+          .ifPresentOrElse(this::update, () -> unanswered++);
+    } catch (IOException e) {
+      if (unanswered++ == 0) {
+        log.warn("The robot's microcontroller cannot be reached: {}", e.getMessage());
+      }
+    }
+    quality.recordExchange(unanswered == 0);
+    logFailures(nanos);
+    return reading();
+  }
+
+  private void logFailures(long nanos) {
+    if (quality.totalFailures() > loggedFailures && nanos - loggedNanos >= LOG_INTERVAL_NANOS) {
+      log.warn(
+          "{} of {} exchanges with the robot's microcontroller have failed; it counts {} bad"
+              + " frames and {} lost bytes.",
+          quality.totalFailures(),
+          quality.exchanges(),
+          status.badFrames(),
+          status.lostBytes());
+      loggedFailures = quality.totalFailures();
+      loggedNanos = nanos;
+    }
+  }
+
+  private boolean isAtRest(FirmwareCommand command) {
+    return command.equals(STANDSTILL)
+        && command.equals(lastCommand)
+        && unanswered == 0
+        && reading().isStanding();
+  }
+
+  @Override
+  public void clearFaults() {
+    isClearRequested = true;
+  }
+
+  @Override
+  public void close() {
+    transport.close();
+  }
+
+  private FirmwareCommand nextCommand(Twist wanted) {
+    Set<StopReason> reasons = status.stopReasons();
+    if (isClearRequested) {
+      isClearRequested = false;
+      return new Clear(reasons, true);
+    }
+    Set<StopReason> own = EnumSet.noneOf(StopReason.class);
+    reasons.stream().filter(StopReason::isClearedByDaemon).forEach(own::add);
+    if (!own.isEmpty()) {
+      return new Clear(own, false);
+    }
+    if (!isCaptionSent) {
+      isCaptionSent = true;
+      return new Caption(caption);
+    }
+    return new Velocity(wanted);
+  }
+
+  private void update(FirmwareStatus now) {
+    unanswered = 0;
+    if (now.powerCycle() != status.powerCycle()) {
+      isCaptionSent = false;
+      twist = Twist.ZERO;
+    } else {
+      twist = twistBetween(status, now).orElse(twist);
+    }
+    if (now.answer() == Answer.OUT_OF_RANGE || now.answer() == Answer.UNKNOWN_KIND) {
+      log.warn("The robot's microcontroller refused a command: {}", now.answer());
+    }
+    status = now;
+  }
+
+  private static Optional<Twist> twistBetween(FirmwareStatus before, FirmwareStatus now) {
+    double seconds = (now.stampMillis() - before.stampMillis()) / 1e3;
+    if (seconds <= 0) {
+      return Optional.empty();
+    }
+    double[] rates = new double[WHEELS.wheelCount()];
+    for (int i = 0; i < rates.length; i++) {
+      int moved = now.counts().get(i) - before.counts().get(i); // as counters wrap around
+      rates[i] = moved * RADIANS_A_COUNT / seconds;
+    }
+    return Optional.of(WHEELS.twist(rates));
+  }
+
+  private ChassisReading reading() {
+    return new ChassisReading(
+        status.powerCycle(),
+        status.powerCycle() == 1 ? start : null,
+        status.odometry(),
+        unanswered == 0 ? twist : Twist.ZERO,
+        Math.clamp((status.batteryVolts() - EMPTY_VOLTS) / (FULL_VOLTS - EMPTY_VOLTS), 0, 1),
+        status.ranges(),
+        faults());
+  }
+
+  private List<Fault> faults() {
+    List<Fault> faults = new ArrayList<>();
+    if (unanswered >= SILENT_EXCHANGES) {
+      faults.add(SILENT);
+    } else if (quality.isPoor()) {
+      faults.add(POOR_LINK);
+    }
+    status.stopReasons().stream().sorted().map(StopReason::fault).forEach(faults::add);
+    return faults;
+  }
+}

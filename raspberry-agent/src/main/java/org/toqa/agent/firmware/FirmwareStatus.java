@@ -1,0 +1,63 @@
+package org.toqa.agent.firmware;
+
+import java.util.List;
+import java.util.Set;
+import org.toqa.geometry.Pose;
+
+/**
+ * What the microcontroller tells of itself.
+ *
+ * @param sequence of the command that is answered
+ * @param powerCycle another number after every start
+ * @param stampMillis since the start; wraps around after 49 days
+ * @param counts of the wheels' encoders; they wrap around
+ * @param odometry moved since the start, in the frame of the place where it was then
+ * @param ranges metres, from right to left; empty while the sensors are silent
+ * @param batteryVolts of the whole battery
+ * @param missingFloor floor sensors that see no floor, one bit each
+ * @param freeSegments places in the queue of segments
+ * @param segmentsDriven since the start; wraps around after 65,536
+ * @param badFrames that it has heard
+ * @param lostBytes that it had no room for
+ */
+public record FirmwareStatus(
+    int sequence,
+    Answer answer,
+    State state,
+    Set<StopReason> stopReasons,
+    int powerCycle,
+    long stampMillis,
+    List<Integer> counts,
+    Pose odometry,
+    List<Double> ranges,
+    double batteryVolts,
+    int missingFloor,
+    int freeSegments,
+    int segmentsDriven,
+    int badFrames,
+    int lostBytes) {
+
+  /** To the last good command, in the order of the codes. */
+  public enum Answer {
+    NONE,
+    DONE,
+    QUEUE_FULL,
+    STOPPED,
+    OUT_OF_RANGE,
+    UNKNOWN_KIND,
+    NOT_CLEARED
+  }
+
+  /** In the order of the codes. */
+  public enum State {
+    STOPPED,
+    STANDING,
+    DRIVING
+  }
+
+  public FirmwareStatus {
+    stopReasons = Set.copyOf(stopReasons);
+    counts = List.copyOf(counts);
+    ranges = List.copyOf(ranges);
+  }
+}

@@ -1,0 +1,141 @@
+package org.toqa.agent.firmware;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.toqa.agent.firmware.FirmwareCommand.Caption;
+import org.toqa.agent.firmware.FirmwareCommand.Clear;
+import org.toqa.agent.firmware.FirmwareCommand.CurveSegment;
+import org.toqa.agent.firmware.FirmwareCommand.Halt;
+import org.toqa.agent.firmware.FirmwareCommand.Poll;
+import org.toqa.agent.firmware.FirmwareCommand.Velocity;
+import org.toqa.agent.firmware.FirmwareStatus.Answer;
+import org.toqa.agent.firmware.FirmwareStatus.State;
+import org.toqa.geometry.Pose;
+
+/** Commands to frames, and frames to statuses, as {@code docs/spi-frame.md} has them. */
+public final class FrameCodec {
+
+  /** Bytes of every frame. */
+  public static final int LENGTH = 64;
+
+  /** Sequences count from 0 to one less than this. */
+  static final int SEQUENCES = 256;
+
+  private static final short SYNC = 0x5AA5;
+  private static final int CRC_OFFSET = 62;
+  private static final int STATUS_KIND = 0x80;
+  private static final int SILENT_MILLIMETRES = 65_535;
+  private static final int CAPTION_LENGTH = 20;
+
+  /** What the microcontroller takes at most. */
+  private static final double MAX_SPEED = 1;
+
+  private static final double MAX_TURN_RATE = 10;
+  private static final double MAX_SEGMENT_SECONDS = 600;
+
+  private FrameCodec() {}
+
+  /**
+   * @param sequence 0 to 255
+   */
+  public static byte[] encode(FirmwareCommand command, int sequence) {
+    ByteBuffer frame = ByteBuffer.allocate(LENGTH).order(ByteOrder.LITTLE_ENDIAN);
+    frame.putShort(SYNC).put(kind(command)).put((byte) sequence);
+    switch (command) {
+      case Poll _, Halt _ -> {}
+      case Velocity(var twist) ->
+          frame
+              .putInt(millionths(twist.vx(), MAX_SPEED))
+              .putInt(millionths(twist.vy(), MAX_SPEED))
+              .putInt(millionths(twist.w(), MAX_TURN_RATE));
+      case CurveSegment(double v, double w, double t) ->
+          frame
+              .putInt(millionths(v, MAX_SPEED))
+              .putInt(millionths(w, MAX_TURN_RATE))
+              .putInt((int) Math.round(Math.clamp(t, 0.001, MAX_SEGMENT_SECONDS) * 1_000));
+      case Clear(var reasons, boolean byPerson) ->
+          frame.putShort((short) StopReason.bits(reasons)).put((byte) (byPerson ? 1 : 0));
+      case Caption(String text) -> frame.put(caption(text));
+    }
+    return frame.putShort(CRC_OFFSET, (short) Crc16.of(frame.array(), CRC_OFFSET)).array();
+  }
+
+  /** Whether the bytes are one frame, with its sync and its check sum. */
+  static boolean isIntact(byte[] bytes) {
+    if (bytes.length != LENGTH) {
+      return false;
+    }
+    ByteBuffer frame = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    return frame.getShort(0) == SYNC
+        && Short.toUnsignedInt(frame.getShort(CRC_OFFSET)) == Crc16.of(bytes, CRC_OFFSET);
+  }
+
+  /** Nothing when the bytes are no good status. */
+  public static Optional<FirmwareStatus> decode(byte[] bytes) {
+    if (!isIntact(bytes)) {
+      return Optional.empty();
+    }
+    ByteBuffer frame = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    int answer = frame.get(4);
+    int state = frame.get(5);
+    if (Byte.toUnsignedInt(frame.get(2)) != STATUS_KIND
+        || !isCode(answer, Answer.values())
+        || !isCode(state, State.values())) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new FirmwareStatus(
+            Byte.toUnsignedInt(frame.get(3)),
+            Answer.values()[answer],
+            State.values()[state],
+            StopReason.ofBits(Short.toUnsignedInt(frame.getShort(6))),
+            Short.toUnsignedInt(frame.getShort(8)),
+            Integer.toUnsignedLong(frame.getInt(10)),
+            List.of(frame.getInt(14), frame.getInt(18), frame.getInt(22)),
+            new Pose(frame.getInt(26) / 1e6, frame.getInt(30) / 1e6, frame.getInt(34) / 1e6),
+            ranges(frame),
+            Short.toUnsignedInt(frame.getShort(44)) / 1e3,
+            Byte.toUnsignedInt(frame.get(46)),
+            Byte.toUnsignedInt(frame.get(47)),
+            Short.toUnsignedInt(frame.getShort(48)),
+            Short.toUnsignedInt(frame.getShort(50)),
+            Short.toUnsignedInt(frame.getShort(52))));
+  }
+
+  private static byte kind(FirmwareCommand command) {
+    return switch (command) {
+      case Poll _ -> 0;
+      case Velocity _ -> 1;
+      case CurveSegment _ -> 2;
+      case Halt _ -> 3;
+      case Clear _ -> 4;
+      case Caption _ -> 5;
+    };
+  }
+
+  private static int millionths(double value, double limit) {
+    return (int) Math.round(Math.clamp(value, -limit, limit) * 1e6);
+  }
+
+  private static byte[] caption(String text) {
+    String printable = text.replaceAll("[^ -~]", "?");
+    String filled = printable + " ".repeat(Math.max(0, CAPTION_LENGTH - printable.length()));
+    return filled.substring(0, CAPTION_LENGTH).getBytes(StandardCharsets.US_ASCII);
+  }
+
+  private static List<Double> ranges(ByteBuffer frame) {
+    List<Integer> millimetres =
+        Stream.of(38, 40, 42).map(at -> Short.toUnsignedInt(frame.getShort(at))).toList();
+    return millimetres.contains(SILENT_MILLIMETRES)
+        ? List.of()
+        : millimetres.stream().map(range -> range / 1e3).toList();
+  }
+
+  private static <E extends Enum<E>> boolean isCode(int code, E[] values) {
+    return code >= 0 && code < values.length;
+  }
+}

@@ -1,0 +1,80 @@
+package org.toqa.agent;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.toqa.agent.chassis.Surroundings;
+import org.toqa.geometry.Angles;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+
+/** A floor with round things; it watches how near the robot really comes to any of them. */
+final class RoundObstacles implements Surroundings {
+  private static final double STEP = 0.001;
+  private static final double TICK = 0.02;
+  private static final double ROBOT = 0.255 / 2;
+
+  private final List<Obstacle> obstacles = new ArrayList<>();
+  private boolean isMiddleBlind;
+  private Pose truth = Rig.START;
+  private double nearest = Double.POSITIVE_INFINITY;
+
+  private record Obstacle(Vec2 middle, double radius, Vec2 velocity) {
+    double gap(Vec2 point) {
+      return middle.distanceTo(point) - radius;
+    }
+
+    Obstacle afterStep() {
+      return new Obstacle(middle.plus(velocity.times(TICK)), radius, velocity);
+    }
+  }
+
+  void put(Vec2 middle, double radius) {
+    putMoving(middle, radius, Vec2.ZERO);
+  }
+
+  /**
+   * @param velocity metres a second of the robot's time
+   */
+  void putMoving(Vec2 middle, double radius, Vec2 velocity) {
+    obstacles.add(new Obstacle(middle, radius, velocity));
+  }
+
+  void clear() {
+    obstacles.clear();
+  }
+
+  void blindMiddle() {
+    isMiddleBlind = true;
+  }
+
+  /** Metres between the robot's rim and a thing at their nearest. */
+  double nearest() {
+    return nearest;
+  }
+
+  @Override
+  public void setTruePose(Pose now) {
+    truth = now;
+    obstacles.replaceAll(Obstacle::afterStep);
+    obstacles.forEach(thing -> nearest = Math.min(nearest, thing.gap(now.position()) - ROBOT));
+  }
+
+  @Override
+  public double distance(Pose ray, double farthest) {
+    if (isMiddleBlind && Math.abs(Angles.difference(ray.theta(), truth.theta())) < 0.01) {
+      return farthest;
+    }
+    for (double metres = 0; metres < farthest; metres += STEP) {
+      Vec2 point = ray.compose(new Pose(metres, 0, 0)).position();
+      if (obstacles.stream().anyMatch(thing -> thing.gap(point) < 0)) {
+        return metres;
+      }
+    }
+    return farthest;
+  }
+
+  @Override
+  public boolean isMarked(Vec2 point) {
+    return false;
+  }
+}

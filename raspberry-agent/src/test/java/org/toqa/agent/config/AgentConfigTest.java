@@ -1,0 +1,163 @@
+package org.toqa.agent.config;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.agent.EndedCommand;
+import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.geometry.Pose;
+
+class AgentConfigTest {
+
+  private static final String LEAST = "{name: r1, dataDir: data, chassis: {type: simulated}}";
+
+  @TempDir Path folder;
+
+  @Test
+  void shippedFileExplainsAWorkingConfiguration() throws ConfigException {
+    AgentConfig config = AgentConfig.read(Path.of("raspberry-agent", "agent.yaml"));
+
+    assertEquals("r1", config.name());
+    assertEquals(7275, config.port());
+    assertEquals(new MotionLimits(0.5, 3.5, 0.5, 3), config.limits());
+    assertEquals(
+        new ChassisConfig.Simulated(new Pose(1, 1, 0), SimulatedBattery.FULL, 0.01, 1, 1),
+        config.chassis());
+  }
+
+  @Test
+  void simulatedMicrocontrollerIsFoundBesideTheFile() throws ConfigException, IOException {
+    AgentConfig config =
+        AgentConfig.read(
+            file("{name: r1, dataDir: d, chassis: {type: simulated-firmware, socket: spi.sock}}"));
+
+    assertEquals(
+        new ChassisConfig.SimulatedFirmware(folder.resolve("spi.sock"), null), config.chassis());
+  }
+
+  @Test
+  void spiBusHasTheClockThatTheFirmwareCanFollow() throws ConfigException, IOException {
+    AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: spi}}"));
+
+    assertEquals(new ChassisConfig.Spi(Path.of("/dev/spidev0.0"), 1_000_000, 16), config.chassis());
+  }
+
+  @Test
+  void serialPortHasTheRateAtWhichTwoFramesFitIntoATick() throws ConfigException, IOException {
+    AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: serial}}"));
+
+    assertEquals(new ChassisConfig.Serial(Path.of("/dev/serial0"), 115_200), config.chassis());
+  }
+
+  @Test
+  void leftOutKeysHaveTheDefaultsOfTheShippedFile() throws ConfigException, IOException {
+    AgentConfig least = AgentConfig.read(file(LEAST));
+    AgentConfig shipped = AgentConfig.read(Path.of("raspberry-agent", "agent.yaml"));
+
+    assertEquals(shipped.limits(), least.limits());
+    assertEquals(shipped.following(), least.following());
+    assertEquals(AgentConfig.Following.DEFAULT, least.following());
+    assertEquals(shipped.port(), least.port());
+    assertEquals(shipped.address(), least.address());
+    assertEquals(shipped.maxLoad(), least.maxLoad());
+    assertEquals(shipped.footprint(), least.footprint());
+    assertEquals(folder.resolve("data"), least.dataDir(), "it lies beside the file");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          {name: r1, dataDir: d, maxSped: 1}  | there is no key "maxSped"; did you mean "maxSpeed"?
+          {name: r1, dataDir: d, chassis: {type: simulated, nois: 0}} | there is no key "chassis.nois"; did you mean "chassis.noise"?
+          {name: r1, dataDir: d, chassis: {type: simulated, start: {X: 1}}} | there is no key "chassis.start.X"; did you mean "chassis.start.x"?
+          {name: r1, dataDir: d, chassis: {type: wheels}} | "chassis.type" is wheels; it must be simulated, simulated-firmware, spi or serial.
+          {name: r1, dataDir: d, chassis: {type: spi, clock: 4000000}} | "chassis.clock" is 4000000; it must be a whole number from 100000 to 2000000.
+          {name: r1, dataDir: d, chassis: {type: spi, wordDelay: 8}} | "chassis.wordDelay" is 8; it must be a whole number from 12 to 100.
+          {name: r1, dataDir: d, chassis: {type: serial, baud: 9600}} | "chassis.baud" is 9600; it must be a whole number from 115200 to 1000000.
+          {name: r1, dataDir: d, chassis: {type: simulated-firmware}} | the key "chassis.socket" is missing.
+          {name: r1, dataDir: d, following: {law: fly}} | "following.law" is fly; it must be omni or non-holonomic.
+          {name: r1, dataDir: d, following: {placeGain: 50}} | "following.placeGain" is 50; it must be a number from 0.1 to 5.
+          {name: r1, dataDir: d}              | the key "chassis.type" is missing.
+          {dataDir: d}                        | the key "name" is missing.
+          {name: a b, dataDir: d}             | "name" is a b; it must be 1 to 32 letters, digits, - and _.
+          {name: 7, dataDir: d}               | "name" is 7; it must be a text.
+          {name: r1, dataDir: d, port: 70000} | "port" is 70000; it must be a whole number from 0 to 65535.
+          {name: r1, dataDir: d, port: 1.5}   | "port" is 1.5; it must be a whole number from 0 to 65535.
+          {name: r1, dataDir: d, maxSpeed: 9} | "maxSpeed" is 9; it must be a number from 0.01 to 5.
+          {name: r1, dataDir: d, maxSpeed: .nan} | "maxSpeed" is NaN; it must be a number from 0.01 to 5.
+          {name: r1, dataDir: d, maxSpeed: fast} | "maxSpeed" is fast; it must be a number from 0.01 to 5.
+          {name: r1, dataDir: d, plainTcpOffLoopback: maybe} | "plainTcpOffLoopback" is maybe; it must be true or false.
+          {name: r1, dataDir: d, chassis: 3}  | "chassis" is 3; it must be keys of its own, indented below it.
+          just words                          | this is not a list of keys and values.
+          """)
+  void wrongFileIsToldInOneLine(String yaml, String line) throws IOException {
+    Path file = file(yaml);
+
+    ConfigException e = assertThrows(ConfigException.class, () -> AgentConfig.read(file));
+    assertEquals(file + ": " + line, e.getMessage());
+  }
+
+  @Test
+  void brokenYamlIsToldWithItsLine() throws IOException {
+    Path file = file("name: r1\nport: [1\n");
+
+    ConfigException e = assertThrows(ConfigException.class, () -> AgentConfig.read(file));
+    assertTrue(String.valueOf(e.getMessage()).startsWith(file + ", line 3: this is not YAML: "));
+  }
+
+  @Test
+  void keyThatStandsTwiceIsRefused() throws IOException {
+    Path file = file("name: r1\nname: r2\n");
+
+    assertThrows(ConfigException.class, () -> AgentConfig.read(file));
+  }
+
+  @Test
+  void namedPermissionOpensTheLink() throws IOException, ConfigException {
+    Path file = file(LEAST.replace("}}", "}, address: 0.0.0.0, plainTcpOffLoopback: true}"));
+
+    assertEquals(InetAddress.getByName("0.0.0.0"), AgentConfig.read(file).address());
+  }
+
+  @Test
+  void commandLineEndsWithTwoAfterAWrongConfiguration() throws IOException {
+    Path wrong = file("{name: r1, dataDir: d, prot: 1, chassis: {type: simulated}}");
+
+    assertEquals(
+        new EndedCommand(2, wrong + ": there is no key \"prot\"; did you mean \"port\"?\n"),
+        EndedCommand.of("--config", wrong.toString()));
+    assertEquals(
+        new EndedCommand(2, folder.resolve("none") + ": there is no such file.\n"),
+        EndedCommand.of("--config", folder.resolve("none").toString()));
+    assertEquals(2, EndedCommand.of().exitCode());
+    assertEquals(2, EndedCommand.of("--confg", "x").exitCode());
+    assertEquals(0, EndedCommand.of("--help").exitCode());
+  }
+
+  @Test
+  void commandLineEndsWithOneWhereThePortIsTaken() throws IOException {
+    try (ServerSocket taken = new ServerSocket(0)) {
+      Path file = file(LEAST.replace("}}", "}, port: " + taken.getLocalPort() + "}"));
+
+      EndedCommand ended = EndedCommand.of("--config", file.toString());
+      assertEquals(1, ended.exitCode());
+      assertEquals(1, ended.errors().lines().count(), ended.errors());
+    }
+  }
+
+  private Path file(String yaml) throws IOException {
+    return Files.writeString(folder.resolve("agent.yaml"), yaml);
+  }
+}

@@ -1,0 +1,124 @@
+package org.toqa.agent.firmware;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.toqa.agent.firmware.FirmwareCommand.Caption;
+import org.toqa.agent.firmware.FirmwareCommand.Clear;
+import org.toqa.agent.firmware.FirmwareCommand.CurveSegment;
+import org.toqa.agent.firmware.FirmwareCommand.Halt;
+import org.toqa.agent.firmware.FirmwareCommand.Poll;
+import org.toqa.agent.firmware.FirmwareCommand.Velocity;
+import org.toqa.geometry.Twist;
+
+/** The golden frames, which the firmware's own tests read too. */
+class FrameCodecTest {
+
+  static Stream<GoldenFrame> commands() throws IOException {
+    return GoldenFrame.all().filter(g -> !g.kind().equals("status") && !g.kind().equals("bad"));
+  }
+
+  static Stream<GoldenFrame> statuses() throws IOException {
+    return GoldenFrame.all().filter(g -> g.kind().equals("status"));
+  }
+
+  static Stream<GoldenFrame> bad() throws IOException {
+    return GoldenFrame.all().filter(g -> g.kind().equals("bad"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("commands")
+  void commandBecomesItsGoldenFrame(GoldenFrame golden) {
+    FirmwareCommand command =
+        switch (golden.kind()) {
+          case "poll" -> new Poll();
+          case "velocity" ->
+              new Velocity(
+                  new Twist(
+                      golden.millionths("vx_um_s"),
+                      golden.millionths("vy_um_s"),
+                      golden.millionths("w_urad_s")));
+          case "segment" ->
+              new CurveSegment(
+                  golden.millionths("v_um_s"),
+                  golden.millionths("w_urad_s"),
+                  golden.number("duration_ms") / 1e3);
+          case "halt" -> new Halt();
+          case "clear" ->
+              new Clear(
+                  StopReason.ofBits((int) golden.number("reasons")), golden.number("by") == 1);
+          case "caption" -> new Caption(golden.text("text"));
+          default -> throw new IllegalArgumentException("What is a " + golden.kind() + "?");
+        };
+
+    assertArrayEquals(golden.frame(), FrameCodec.encode(command, (int) golden.number("sequence")));
+  }
+
+  @ParameterizedTest
+  @MethodSource("statuses")
+  void goldenFrameBecomesItsStatus(GoldenFrame golden) {
+    FirmwareStatus status = FrameCodec.decode(golden.frame()).orElseThrow();
+
+    assertEquals(golden.number("sequence"), status.sequence());
+    assertEquals(golden.number("answer"), status.answer().ordinal());
+    assertEquals(golden.number("state"), status.state().ordinal());
+    assertEquals(golden.number("reasons"), StopReason.bits(status.stopReasons()));
+    assertEquals(golden.number("power_cycle"), status.powerCycle());
+    assertEquals(golden.number("stamp_ms"), status.stampMillis());
+    for (int wheel = 1; wheel <= 3; wheel++) {
+      assertEquals(golden.number("count" + wheel), status.counts().get(wheel - 1).longValue());
+    }
+    assertEquals(golden.millionths("x_um"), status.odometry().x(), 1e-9);
+    assertEquals(golden.millionths("y_um"), status.odometry().y(), 1e-9);
+    assertEquals(0, Math.sin(golden.millionths("heading_urad") - status.odometry().theta()), 1e-9);
+    assertEquals(golden.number("battery_mv") / 1e3, status.batteryVolts(), 1e-9);
+    assertEquals(golden.number("floor"), status.missingFloor());
+    assertEquals(golden.number("queue_free"), status.freeSegments());
+    assertEquals(golden.number("segments"), status.segmentsDriven());
+    assertEquals(golden.number("bad"), status.badFrames());
+    assertEquals(golden.number("lost"), status.lostBytes());
+  }
+
+  @Test
+  void rangesAreThereAllOrNone() throws IOException {
+    List<List<Double>> ranges =
+        statuses().map(g -> FrameCodec.decode(g.frame()).orElseThrow().ranges()).toList();
+
+    assertEquals(List.of(List.of(), List.of(0.1, 0.345, 0.8), List.of()), ranges);
+  }
+
+  @ParameterizedTest
+  @MethodSource("bad")
+  void badFrameIsNoStatus(GoldenFrame golden) {
+    assertTrue(FrameCodec.decode(golden.frame()).isEmpty());
+  }
+
+  @Test
+  void everyFlippedBitOfAStatusIsNoticed() throws IOException {
+    byte[] frame = statuses().findFirst().orElseThrow().frame();
+    for (int bit = 0; bit < 8 * FrameCodec.LENGTH; bit++) {
+      byte[] damaged = frame.clone();
+      damaged[bit / 8] ^= (byte) (1 << bit % 8);
+      assertTrue(FrameCodec.decode(damaged).isEmpty(), "bit " + bit);
+    }
+  }
+
+  @Test
+  void whatTheMicrocontrollerDoesNotTakeIsCut() {
+    assertArrayEquals(
+        FrameCodec.encode(new Velocity(new Twist(1, -1, 10)), 3),
+        FrameCodec.encode(new Velocity(new Twist(7, -7, 70)), 3));
+    assertArrayEquals(
+        FrameCodec.encode(new Caption("r1 10.0.0.1         "), 3),
+        FrameCodec.encode(new Caption("r1 10.0.0.1"), 3));
+    assertArrayEquals(
+        FrameCodec.encode(new Caption("a?b"), 3), FrameCodec.encode(new Caption("a\nb"), 3));
+  }
+}

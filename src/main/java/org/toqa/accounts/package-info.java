@@ -1,0 +1,8 @@
+/**
+ * Users and their rights: accounts, roles, sessions, tokens, password rules; and the ports they
+ * need.
+ */
+@NullMarked
+package org.toqa.accounts;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,45 @@
+package org.toqa.allocation;
+
+import java.time.Instant;
+import java.util.List;
+import org.toqa.geometry.Vec2;
+
+/**
+ * What an allocator knows of a floor.
+ *
+ * @param low the floor's lower left corner, metres, map frame
+ * @param high the floor's upper right corner, metres, map frame
+ * @param pathLengths the lengths of ways on the floor
+ * @param chargers the floor's charging points, metres, map frame
+ * @param waiting tasks that no robot has, the most urgent ones at least
+ * @param givenTasks tasks that robots have but whose loads are not picked up, as far as they may
+ *     still go to other robots; no two of one robot
+ * @param robots all of the floor
+ * @param placesInUse places where tasks that have robots are being fetched or set down
+ */
+public record AllocationProblem(
+    Instant now,
+    Vec2 low,
+    Vec2 high,
+    PathLengths pathLengths,
+    List<Vec2> chargers,
+    List<AllocationTask> waiting,
+    List<GivenTask> givenTasks,
+    List<Candidate> robots,
+    List<PlaceUse> placesInUse) {
+
+  /** A task that a robot has and that another one may still take over. */
+  public record GivenTask(AllocationTask task, String robot) {}
+
+  public AllocationProblem {
+    chargers = List.copyOf(chargers);
+    waiting = waiting.stream().sorted(AllocationTask.BY_PRECEDENCE).toList();
+    givenTasks = List.copyOf(givenTasks);
+    robots = List.copyOf(robots);
+    placesInUse = List.copyOf(placesInUse);
+  }
+
+  List<Candidate> freeRobots() {
+    return robots.stream().filter(Candidate::isFree).toList();
+  }
+}

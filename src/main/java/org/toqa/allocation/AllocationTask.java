@@ -1,0 +1,51 @@
+package org.toqa.allocation;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Comparator;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Vec2;
+
+/**
+ * A transport task as an allocator sees it.
+ *
+ * @param load kilograms
+ * @param start where the load is, metres, map frame
+ * @param goal where it is to go, metres, map frame
+ * @param waitsFrom the moment from which its waiting counts; see {@link #waitingSince(Instant, int,
+ *     Instant)}
+ */
+public record AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instant waitsFrom) {
+
+  /** What has waited longest, as it counts, comes first. */
+  public static final Comparator<AllocationTask> BY_PRECEDENCE =
+      Comparator.comparing(AllocationTask::waitsFrom).thenComparingLong(AllocationTask::id);
+
+  /** How much earlier each level of priority lets a task come. */
+  private static final Duration PRIORITY_LEVEL = Duration.ofMinutes(1);
+
+  /** At its deadline a task comes before whatever has waited less than this. */
+  private static final Duration DEADLINE_LEAD = Duration.ofHours(1);
+
+  /**
+   * The moment from which a task's waiting counts. Priority and deadline move it back, but by a
+   * bounded time: whatever waits comes before all newcomers some day, so nothing waits for ever.
+   */
+  public static Instant waitingSince(Instant createdAt, int priority, @Nullable Instant deadline) {
+    Instant usual = createdAt.minus(PRIORITY_LEVEL.multipliedBy(priority));
+    if (deadline == null) {
+      return usual;
+    }
+    Instant due = later(deadline, createdAt).minus(DEADLINE_LEAD);
+    return due.isBefore(usual) ? due : usual;
+  }
+
+  private static Instant later(Instant a, Instant b) {
+    return a.isAfter(b) ? a : b;
+  }
+
+  /** Seconds, at least 0. */
+  double waitedSeconds(Instant now) {
+    return Math.max(0, Duration.between(waitsFrom, now).toMillis() / 1000.0);
+  }
+}

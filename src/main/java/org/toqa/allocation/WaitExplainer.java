@@ -1,0 +1,121 @@
+package org.toqa.allocation;
+
+import static java.util.stream.Collectors.counting;
+import static java.util.stream.Collectors.groupingBy;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import org.toqa.allocation.Costs.Impediment;
+import org.toqa.geometry.Vec2;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** Why a task waits. */
+public final class WaitExplainer {
+  /** Of so many robots each is named; of more, they are counted. */
+  private static final int NAMED = 3;
+
+  private final List<Candidate> robots;
+  private final Costs costs;
+
+  /**
+   * @param pathLengths {@link PathLengths#STRAIGHT} where nobody has looked for ways yet
+   * @param chargers the floor's charging points, metres, map frame
+   */
+  public WaitExplainer(List<Candidate> robots, PathLengths pathLengths, List<Vec2> chargers) {
+    this.robots = List.copyOf(robots);
+    this.costs = new Costs(pathLengths, chargers);
+  }
+
+  WaitExplainer(AllocationProblem problem) {
+    this(problem.robots(), problem.pathLengths(), problem.chargers());
+  }
+
+  Decision.Unassigned unassigned(AllocationTask task) {
+    List<Candidate> free = robots.stream().filter(Candidate::isFree).toList();
+    List<Costs.Cost> prices = free.isEmpty() ? List.of() : costs.of(task, free);
+    List<String> drained =
+        IntStream.range(0, free.size())
+            .filter(i -> prices.get(i).impediment() == Impediment.BATTERY)
+            .mapToObj(i -> free.get(i).robot())
+            .toList();
+    return new Decision.Unassigned(task.id(), reason(task), drained);
+  }
+
+  /** The reason of a task that no robot was given. */
+  public Sentence reason(AllocationTask task) {
+    if (robots.isEmpty()) {
+      return Phrase.NO_ROBOT_ADDED.with();
+    }
+    List<Candidate> strong = robots.stream().filter(r -> r.isStrongEnough(task)).toList();
+    if (strong.isEmpty()) {
+      return tooHeavyForOne(task);
+    }
+    if (strong.size() == 1) {
+      Candidate only = strong.getFirst();
+      Phrase phrase = robots.size() == 1 ? Phrase.ONLY_ROBOT : Phrase.ONLY_STRONG_ROBOT;
+      return phrase.with(only.robot(), whatKeeps(task, only));
+    }
+    return Phrase.NONE_OF_STRONG_ROBOTS.with(
+        strong.size(),
+        Sentence.joined(
+            Phrase.LISTED, strong.size() <= NAMED ? named(task, strong) : counted(strong)));
+  }
+
+  /** Says the true number of robots that the load needs, and how many are there. */
+  private Sentence tooHeavyForOne(AllocationTask task) {
+    Optional<Integer> needed = TeamSize.smallest(task.load(), robots);
+    double together = robots.stream().mapToDouble(Candidate::maxLoad).sum();
+    if (task.load() > together) {
+      return Phrase.TOO_HEAVY_FOR_ALL.with(task.load(), robots.size(), together);
+    }
+    if (needed.isEmpty()) {
+      return Phrase.NO_EVEN_SHARES.with(task.load());
+    }
+    long free = robots.stream().filter(Candidate::isFree).count();
+    return Phrase.NEEDS_TEAM.with(needed.get(), free, robots.size());
+  }
+
+  private List<Sentence> named(AllocationTask task, List<Candidate> strong) {
+    return strong.stream()
+        .map(robot -> Phrase.ROBOT_AND_CLAUSE.with(robot.robot(), whatKeeps(task, robot)))
+        .toList();
+  }
+
+  private Sentence whatKeeps(AllocationTask task, Candidate robot) {
+    Long currentTask = robot.task();
+    return switch (robot.availability()) {
+      case FREE -> whatKeepsFree(task, robot);
+      case BUSY ->
+          currentTask == null
+              ? robot.availability().ofOne()
+              : Phrase.WORKS_ON_TASK.with(currentTask);
+      default -> robot.availability().ofOne();
+    };
+  }
+
+  private Sentence whatKeepsFree(AllocationTask task, Candidate robot) {
+    Double battery = robot.battery();
+    return switch (costs.of(task, robot).impediment()) {
+      case null -> robot.availability().ofOne();
+      case TOO_WEAK -> Phrase.IS_TOO_WEAK.with();
+      case NO_PATH -> Phrase.FINDS_NO_WAY.with(robot.diameter());
+      case BATTERY ->
+          battery == null
+              ? Phrase.WOULD_NOT_REACH_CHARGER.with()
+              : Phrase.WOULD_NOT_REACH_CHARGER_WITH.with(Math.round(100 * battery));
+    };
+  }
+
+  private static List<Sentence> counted(List<Candidate> strong) {
+    Map<Availability, Long> numbers =
+        strong.stream()
+            .collect(
+                groupingBy(
+                    Candidate::availability, () -> new EnumMap<>(Availability.class), counting()));
+    return numbers.entrySet().stream().map(e -> e.getKey().ofSeveral(e.getValue())).toList();
+  }
+}

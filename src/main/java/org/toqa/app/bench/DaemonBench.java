@@ -1,0 +1,125 @@
+package org.toqa.app.bench;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.toqa.app.command.Arguments;
+import org.toqa.app.command.TemporaryFolder;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+import tools.jackson.databind.json.JsonMapper;
+
+/** {@code ./toqa bench daemon}: how light a robot's daemon is, and how punctual a leading one. */
+@Command(
+    name = "daemon",
+    description = {
+      "Starts a robot's daemon with a simulated body, lets it stand and then lead a follower, and "
+          + "measures both.",
+      "JSON: startMs (until it listens), megabytes (in memory at the end), standingCore and "
+          + "drivingCore (share of a processor core), and offBeat (how far "
+          + "each of the leader's poses came off the 200 ms after the one before)."
+    })
+public final class DaemonBench implements Callable<Integer> {
+  /** Set by the launcher, which builds it. */
+  private static final String AGENT_JAR_PROPERTY = "toqa.agent";
+
+  private static final Duration SETTLING_TIME = Duration.ofSeconds(5);
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Option(
+      names = "--seconds",
+      defaultValue = "60",
+      paramLabel = "S",
+      description = "How long it stands, and how long it drives, 1 to 3600 (${DEFAULT-VALUE}).")
+  private int seconds;
+
+  @Option(
+      names = "--busy",
+      defaultValue = "0",
+      paramLabel = "N",
+      description = "How many threads that never sleep are beside it, 0 to 64 (${DEFAULT-VALUE}).")
+  private int busyThreads;
+
+  private record Report(
+      double startMs,
+      @Nullable Double megabytes,
+      double standingCore,
+      double drivingCore,
+      LatencySummary offBeat) {}
+
+  @Override
+  public Integer call() throws Exception {
+    Arguments arguments = new Arguments(spec);
+    arguments.requireBetween("--seconds", seconds, 1, 3600);
+    arguments.requireBetween("--busy", busyThreads, 0, 64);
+    List<Thread> others = startBusyThreads();
+    try (TemporaryFolder folder = TemporaryFolder.create("toqa-bench");
+        MeasuredDaemon daemon = MeasuredDaemon.start(agentJar(arguments), folder.path());
+        DaemonPeers peers = DaemonPeers.of(daemon)) {
+      Report report = measure(daemon, peers);
+      spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+      return ExitCode.OK;
+    } finally {
+      others.forEach(Thread::interrupt);
+    }
+  }
+
+  private static Path agentJar(Arguments arguments) {
+    String jar = System.getProperty(AGENT_JAR_PROPERTY);
+    if (jar == null || !Files.isReadable(Path.of(jar))) {
+      throw arguments.invalid("The daemon is missing: run ./toqa bench daemon, which builds it");
+    }
+    return Path.of(jar);
+  }
+
+  private List<Thread> startBusyThreads() {
+    List<Thread> threads = new ArrayList<>();
+    for (int i = 0; i < busyThreads; i++) {
+      threads.add(
+          Thread.ofPlatform()
+              .daemon()
+              .start(
+                  () -> {
+                    while (!Thread.currentThread().isInterrupted()) {
+                      Thread.onSpinWait();
+                    }
+                  }));
+    }
+    return threads;
+  }
+
+  private Report measure(MeasuredDaemon daemon, DaemonPeers peers)
+      throws IOException, InterruptedException {
+    Thread.sleep(SETTLING_TIME);
+    double standing = processorShare(daemon);
+    peers.startDriving();
+    Thread.sleep(SETTLING_TIME);
+    peers.reset();
+    double driving = processorShare(daemon);
+    peers.requireNoRefusals();
+    return new Report(
+        daemon.startMillis(),
+        daemon.megabytes().orElse(null),
+        standing,
+        driving,
+        LatencySummary.of(peers.poseJitterMillis()));
+  }
+
+  /** Processor seconds a second, over the time to measure. */
+  private double processorShare(MeasuredDaemon daemon) throws InterruptedException {
+    Duration before = daemon.processorTime();
+    long began = System.nanoTime();
+    Thread.sleep(Duration.ofSeconds(seconds));
+    double taken = daemon.processorTime().minus(before).toNanos();
+    return taken / (System.nanoTime() - began);
+  }
+}

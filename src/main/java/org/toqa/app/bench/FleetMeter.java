@@ -1,0 +1,95 @@
+package org.toqa.app.bench;
+
+import java.time.InstantSource;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TaskState;
+
+/** Measures the fleet of this process, from when it is made until it reports. */
+final class FleetMeter {
+  private final ProcessMeter meter;
+  private final double heapBefore = HeapMemory.usedMegabytes();
+
+  /** Those that had ended before. */
+  private final Set<Long> doneBefore = new HashSet<>();
+
+  private final Set<Long> done = new HashSet<>();
+  private final Map<String, Vec2> positions = new HashMap<>();
+  private boolean isFirst = true;
+  private double metres;
+  private double smallestGap = Double.POSITIVE_INFINITY;
+
+  /** The floor under a robot that was heard of; metres. */
+  private record Disc(String robot, Vec2 centre, double radius) {
+    static Stream<Disc> of(RobotView robot) {
+      return Stream.ofNullable(robot.pose())
+          .map(pose -> new Disc(robot.name(), pose.position(), robot.footprint() / 2));
+    }
+
+    double gap(Disc other) {
+      return centre.distanceTo(other.centre) - radius - other.radius;
+    }
+  }
+
+  /**
+   * @param seconds that it took
+   * @param pace as in {@link ProcessMeter.Reading}
+   * @param cores as there
+   * @param metresDriven by all robots together
+   * @param nearestMetres the least that two robots' edges were apart
+   * @param heapBeforeMb megabytes in use at the begin, after the garbage was collected
+   * @param heapAfterMb the same at the end
+   */
+  record Report(
+      int robots,
+      double seconds,
+      double pace,
+      double cores,
+      double metresDriven,
+      int tasksDone,
+      double nearestMetres,
+      double heapBeforeMb,
+      double heapAfterMb) {}
+
+  FleetMeter(InstantSource fleetTime) {
+    meter = new ProcessMeter(fleetTime);
+  }
+
+  void observe(FleetSnapshot snapshot) {
+    Set<Long> ended = isFirst ? doneBefore : done;
+    isFirst = false;
+    snapshot.tasks().stream()
+        .filter(task -> task.state() == TaskState.DONE && !doneBefore.contains(task.id()))
+        .forEach(task -> ended.add(task.id()));
+    List<Disc> discs = snapshot.robots().stream().flatMap(Disc::of).toList();
+    for (int i = 0; i < discs.size(); i++) {
+      Disc disc = discs.get(i);
+      Vec2 before = positions.put(disc.robot(), disc.centre());
+      metres += before == null ? 0 : before.distanceTo(disc.centre());
+      for (int j = 0; j < i; j++) {
+        smallestGap = Math.min(smallestGap, disc.gap(discs.get(j)));
+      }
+    }
+  }
+
+  Report report() {
+    ProcessMeter.Reading reading = meter.read();
+    return new Report(
+        positions.size(),
+        reading.seconds(),
+        reading.pace(),
+        reading.cores(),
+        metres,
+        done.size(),
+        smallestGap,
+        heapBefore,
+        HeapMemory.usedMegabytes());
+  }
+}

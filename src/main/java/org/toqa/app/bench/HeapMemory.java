@@ -1,0 +1,14 @@
+package org.toqa.app.bench;
+
+import java.lang.management.ManagementFactory;
+
+/** The memory of this process. */
+final class HeapMemory {
+  private HeapMemory() {}
+
+  /** What is still in use after the garbage is collected, in 10^6 bytes. */
+  static double usedMegabytes() {
+    System.gc();
+    return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed() / 1e6;
+  }
+}

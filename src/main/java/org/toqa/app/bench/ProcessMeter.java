@@ -1,0 +1,37 @@
+package org.toqa.app.bench;
+
+import com.sun.management.OperatingSystemMXBean;
+import java.lang.management.ManagementFactory;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+
+/** Measures how this process keeps up, from when it is made until it is read. */
+final class ProcessMeter {
+  private final OperatingSystemMXBean system =
+      ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+  private final InstantSource fleetClock;
+  private final long processorTimeBefore = system.getProcessCpuTime();
+  private final long startNanos = System.nanoTime();
+  private final Instant fleetStart;
+
+  /**
+   * @param seconds that it took
+   * @param pace the fleet's seconds a second; below 1 where the machine cannot keep up
+   * @param cores processor seconds a second
+   */
+  record Reading(double seconds, double pace, double cores) {}
+
+  ProcessMeter(InstantSource fleetTime) {
+    this.fleetClock = fleetTime;
+    this.fleetStart = fleetTime.instant();
+  }
+
+  Reading read() {
+    double nanos = System.nanoTime() - startNanos;
+    return new Reading(
+        nanos / 1e9,
+        Duration.between(fleetStart, fleetClock.instant()).toNanos() / nanos,
+        (system.getProcessCpuTime() - processorTimeBefore) / nanos);
+  }
+}

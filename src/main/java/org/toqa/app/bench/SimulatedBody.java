@@ -1,0 +1,54 @@
+package org.toqa.app.bench;
+
+import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.ChassisReading;
+import org.toqa.agent.chassis.SimulatedChassis;
+import org.toqa.agent.chassis.SimulatedWheels;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+
+/** A simulated body, tick by tick: where it takes itself to be, and where it is. */
+final class SimulatedBody implements AutoCloseable {
+  static final double TICK = Chassis.TICK.toNanos() / 1e9;
+
+  private final Pose start;
+  private final SimulatedChassis body;
+  private Twist command = Twist.ZERO;
+  private Pose pose;
+  private long nanos;
+
+  SimulatedBody(Pose start, SimulatedWheels wheels, long seed) {
+    this.start = start;
+    this.pose = start;
+    body = new SimulatedChassis(start, wheels, seed);
+  }
+
+  /** Lets one tick pass. */
+  void advance() {
+    ChassisReading reading = body.exchange(command, nanos);
+    nanos += Chassis.TICK.toNanos();
+    pose = start.compose(reading.odometry());
+  }
+
+  /**
+   * @param twist wanted from now on, robot frame
+   */
+  void setCommand(Twist twist) {
+    command = twist;
+  }
+
+  /** By odometry, map frame. */
+  Pose pose() {
+    return pose;
+  }
+
+  /** Map frame. */
+  Pose truePose() {
+    return body.truePose();
+  }
+
+  @Override
+  public void close() {
+    body.close();
+  }
+}

@@ -1,0 +1,72 @@
+package org.toqa.app.bench;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.toqa.app.command.StopSignal;
+import org.toqa.app.server.FreeCells;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.grid.Place;
+
+/** Random tasks all over a fleet's first floor, always more than it has robots. */
+final class TaskLoadGenerator {
+  private static final double TASKS_PER_ROBOT = 1.5;
+  private static final double LOAD_KG = 2; // kilograms
+
+  private static final Duration POLL_PERIOD = Duration.ofMillis(250);
+
+  private final Fleet fleet;
+  private final List<Place> places;
+  private final int openTasks;
+  private final Random random;
+
+  private TaskLoadGenerator(Fleet fleet, List<Place> places, int openTasks, Random random) {
+    this.fleet = fleet;
+    this.places = places;
+    this.openTasks = openTasks;
+    this.random = random;
+  }
+
+  static TaskLoadGenerator on(Fleet fleet, int robots, long seed) {
+    List<Place> places = FreeCells.of(fleet.floors().getFirst()).toList();
+    return new TaskLoadGenerator(
+        fleet, places, (int) Math.ceil(TASKS_PER_ROBOT * robots), new Random(seed));
+  }
+
+  /**
+   * Keeps the robots busy for so long, or until the wish to end.
+   *
+   * @param watcher gets each new snapshot
+   */
+  void run(int seconds, StopSignal stop, Consumer<FleetSnapshot> watcher) throws Exception {
+    long end = System.nanoTime() + Duration.ofSeconds(seconds).toNanos();
+    long version = -1;
+    while (System.nanoTime() < end && !stop.isRequested()) {
+      FleetSnapshot snapshot = fleet.snapshots().awaitNewer(version, POLL_PERIOD);
+      if (snapshot.version() > version) {
+        version = snapshot.version();
+        watcher.accept(snapshot);
+        submitMissing(snapshot);
+      }
+    }
+  }
+
+  /** Orders what is missing. Where there is no way, the fleet refuses; there will be others. */
+  private void submitMissing(FleetSnapshot snapshot) throws Exception {
+    long missing = openTasks - snapshot.tasks().stream().filter(t -> !t.state().isEnded()).count();
+    for (long i = 0; i < missing; i++) {
+      TaskOrder order =
+          new TaskOrder("Load", LOAD_KG, randomPlace(), randomPlace(), null, 0, null, null);
+      fleet.submit(order, "bench").toCompletableFuture().get(30, TimeUnit.SECONDS);
+    }
+  }
+
+  private Where randomPlace() {
+    return new Where.Point(places.get(random.nextInt(places.size())).position());
+  }
+}

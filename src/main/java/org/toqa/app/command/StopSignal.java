@@ -1,0 +1,45 @@
+package org.toqa.app.command;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * The wish to end, from Ctrl-C or a system that shuts down. The process lives on until the work is
+ * closed, but no longer than ten seconds.
+ */
+public final class StopSignal implements AutoCloseable {
+  private static final int CLOSE_TIMEOUT_SECONDS = 10;
+
+  private final CountDownLatch requested = new CountDownLatch(1);
+  private final CountDownLatch closed = new CountDownLatch(1);
+
+  public StopSignal() {
+    Runtime.getRuntime().addShutdownHook(new Thread(this::requestStop, "stop"));
+  }
+
+  private void requestStop() {
+    requested.countDown();
+    try {
+      if (!closed.await(CLOSE_TIMEOUT_SECONDS, TimeUnit.SECONDS)) {
+        System.err.println(
+            "toqa: did not end within " + CLOSE_TIMEOUT_SECONDS + " s; stopped anyway.");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  public boolean isRequested() {
+    return requested.getCount() == 0;
+  }
+
+  public void await() throws InterruptedException {
+    requested.await();
+  }
+
+  /** Everything is closed: the process may end. */
+  @Override
+  public void close() {
+    closed.countDown();
+  }
+}

@@ -1,0 +1,149 @@
+package org.toqa.app.demo;
+
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.toqa.app.command.StopSignal;
+import org.toqa.app.command.TemporaryFolder;
+import org.toqa.app.config.Configuration;
+import org.toqa.app.config.ConfigurationException;
+import org.toqa.app.config.Setting;
+import org.toqa.app.config.SettingSource;
+import org.toqa.app.server.FleetServer;
+import org.toqa.app.server.ServerOperation;
+import org.toqa.app.server.WebappFolder;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Option;
+
+/** {@code toqa demo}: the main job on embedded defaults. */
+@Command(
+    name = "demo",
+    description = "Shows simulated robots at work, on nothing but this machine.")
+public final class DemoCommand implements Callable<Integer> {
+  private static final String USER = "demo";
+
+  /** The third robot has to charge soon. */
+  private static final String BATTERIES = "100,100,22,100";
+
+  private static final String PASSWORD = "demo-robots";
+
+  /** Set by the launcher, which builds the firmware. */
+  private static final String FIRMWARE_FOLDER = "toqa.firmware";
+
+  @Option(names = "--once", description = "Runs the demo tasks, prints a table, and ends.")
+  private boolean once;
+
+  @Option(
+      names = "--robots",
+      defaultValue = "3",
+      paramLabel = "N",
+      description = "How many, 1 to " + DemoTasks.MAX_ROBOTS + " (default: ${DEFAULT-VALUE}).")
+  private int robots;
+
+  @Option(
+      names = "--firmware",
+      description = "Drives the first robot by the real firmware in a simulated microcontroller.")
+  private boolean firmware;
+
+  @Option(
+      names = "--speed",
+      paramLabel = "N",
+      description = "Lets simulated time run N times faster.")
+  private @Nullable String speed;
+
+  @Option(
+      names = "--port",
+      paramLabel = "P",
+      description = "Where the web pages are served, 0 for any free port (default: 8080).")
+  private @Nullable String port;
+
+  @Option(
+      names = "--report",
+      paramLabel = "FILE",
+      description = "Writes what became of the demo tasks, as JSON.")
+  private @Nullable Path report;
+
+  @Override
+  public Integer call() throws Exception {
+    checkRobots();
+    checkReport();
+    checkFirmware();
+    Path webapp = WebappFolder.path();
+    try (StopSignal stop = new StopSignal();
+        TemporaryFolder data = TemporaryFolder.create("toqa-demo")) {
+      Configuration configuration = Configuration.of(webapp, List.of(settings(data.path())));
+      ServerOperation show = this::runDemo;
+      return show.runWith(configuration, webapp, stop);
+    }
+  }
+
+  private int runDemo(FleetServer toqa, URI address, StopSignal stop) throws Exception {
+    System.err.println();
+    System.err.println("  Toqa is at " + address);
+    System.err.println("  Log in as " + USER + " with the password " + PASSWORD);
+    System.err.println("  Ctrl-C ends everything; nothing is kept.");
+    System.err.println();
+    DemoTasks tasks = new DemoTasks(toqa.fleet(), toqa.fleetClock());
+    tasks.submit(DemoTasks.orders(robots), USER);
+    if (once) {
+      boolean isDone = tasks.awaitEnd(stop, System.err::println);
+      System.err.println();
+      System.err.print(tasks.table());
+      if (report != null) {
+        Files.writeString(report, tasks.json());
+      }
+      return isDone ? ExitCode.OK : ExitCode.SOFTWARE;
+    }
+    tasks.awaitEnd(stop, System.err::println);
+    stop.await();
+    return 0;
+  }
+
+  private SettingSource settings(Path data) {
+    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    options.put(Setting.SIMULATE, String.valueOf(robots));
+    options.put(Setting.SIMULATE_BATTERIES, BATTERIES);
+    options.put(Setting.MANAGER, USER + ":" + PASSWORD);
+    options.put(Setting.LOG_LEVEL, "WARN");
+    options.put(Setting.DATA, data.toString());
+    options.put(Setting.FIRMWARE, firmware ? System.getProperty(FIRMWARE_FOLDER) : null);
+    options.put(Setting.SPEED, speed);
+    options.put(Setting.PORT, port);
+    return SettingSource.fromCommandLine(options);
+  }
+
+  private void checkRobots() throws ConfigurationException {
+    if (robots < 1 || robots > DemoTasks.MAX_ROBOTS) {
+      throw new ConfigurationException(
+          "--robots \""
+              + robots
+              + "\": it must be a whole number from 1 to "
+              + DemoTasks.MAX_ROBOTS
+              + ".");
+    }
+  }
+
+  private void checkFirmware() throws ConfigurationException {
+    if (firmware && System.getProperty(FIRMWARE_FOLDER) == null) {
+      throw new ConfigurationException(
+          "--firmware needs the firmware built: start the demo by ./toqa demo --firmware.");
+    }
+  }
+
+  private void checkReport() throws ConfigurationException {
+    if (report == null) {
+      return;
+    }
+    Path folder = report.toAbsolutePath().getParent();
+    if (folder == null || !Files.isWritable(folder) || Files.isDirectory(report)) {
+      throw new ConfigurationException(
+          "--report \"" + report + "\": it must be a file in a folder that can be written.");
+    }
+  }
+}

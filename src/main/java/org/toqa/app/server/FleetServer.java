@@ -1,0 +1,305 @@
+package org.toqa.app.server;
+
+import com.github.benmanes.caffeine.cache.Ticker;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.stream.Stream;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.accounts.PasswordHasher;
+import org.toqa.app.config.Configuration;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetRules;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.PeriodicWork;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.history.TrackRecorder;
+import org.toqa.fleet.history.UtilisationRecorder;
+import org.toqa.fleet.manager.AgentFleet;
+import org.toqa.fleet.schedule.Scheduler;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.FloorReader;
+import org.toqa.grid.Place;
+import org.toqa.link.TcpRobotLinkFactory;
+import org.toqa.link.trust.IdentityFile;
+import org.toqa.link.trust.LinkTls;
+import org.toqa.sim.SimulatedFleet;
+import org.toqa.sim.SimulatedFloor;
+import org.toqa.sim.SimulatedRobot;
+import org.toqa.sim.VirtualClock;
+import org.toqa.store.Database;
+import org.toqa.store.HistoryPruner;
+import org.toqa.store.JdbiAccountStore;
+import org.toqa.store.JdbiEventArchive;
+import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiPasswordResetStore;
+import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.JdbiSessionStore;
+import org.toqa.store.JdbiStatisticsArchive;
+import org.toqa.store.JdbiTrackStore;
+import org.toqa.store.JdbiUtilisationStore;
+import org.toqa.web.Metrics;
+import org.toqa.web.PasswordLinks;
+import org.toqa.web.RequestLimit;
+import org.toqa.web.Services;
+
+/**
+ * The product behind its web pages: store, fleet and simulated robots. It has one owner, the
+ * command that started it or, on a stock Tomcat, {@link ToqaContextListener}.
+ *
+ * <p>Started in order: map, database, first manager, simulated robots, fleet, time, records. Closed
+ * in the reverse order.
+ */
+public final class FleetServer implements AutoCloseable {
+  private static final Logger log = LoggerFactory.getLogger(FleetServer.class);
+  private static final Duration FLEET_TICK = Duration.ofMillis(100);
+  private static final Duration SCHEDULE_PERIOD = Duration.ofSeconds(1);
+  private static final double SIMULATED_MAX_LOAD = 5;
+
+  private final Configuration configuration;
+  private final InstantSource fleetClock;
+  private final Services services;
+
+  /** What is to be closed, the last one first. */
+  private final Deque<AutoCloseable> parts;
+
+  private FleetServer(
+      Configuration configuration,
+      InstantSource fleetTime,
+      Services services,
+      Deque<AutoCloseable> parts) {
+    this.configuration = configuration;
+    this.fleetClock = fleetTime;
+    this.services = services;
+    this.parts = parts;
+  }
+
+  /**
+   * @throws IOException the map or the database cannot be used, or a robot cannot be simulated; the
+   *     message says what to do
+   */
+  static FleetServer start(Configuration configuration) throws IOException {
+    Deque<AutoCloseable> parts = new ArrayDeque<>();
+    try {
+      return start(configuration, parts);
+    } catch (IOException | RuntimeException e) {
+      close(parts);
+      throw e;
+    }
+  }
+
+  private static FleetServer start(Configuration configuration, Deque<AutoCloseable> parts)
+      throws IOException {
+    FloorMap floor = FloorReader.read(configuration.map());
+    Files.createDirectories(configuration.data());
+    Database database = openDatabase(configuration.database());
+    parts.push(database);
+    JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+    InstantSource wallClock = InstantSource.system();
+    JdbiAccountStore accounts = new JdbiAccountStore(database.jdbi(), wallClock);
+    PasswordHasher passwords = new PasswordHasher();
+    addFirstManager(configuration, accounts, passwords);
+
+    VirtualClock clock = new VirtualClock(wallClock.instant(), configuration.simulationSpeed());
+    SimulatedFleet simulated =
+        configuration.simulatedRobots() > 0
+            ? startSimulatedRobots(configuration, floor, store, clock)
+            : null;
+    if (simulated != null) {
+      parts.push(simulated);
+    }
+    AgentFleet fleet =
+        new AgentFleet(
+            List.of(floor),
+            store,
+            new TcpRobotLinkFactory(
+                new LinkTls(IdentityFile.open(configuration.data())), configuration.plainLinks()),
+            configuration.allocationPolicy().allocator(),
+            new FleetRules(
+                configuration.reassignAfter(),
+                configuration.charging(),
+                configuration.simulationSpeed()),
+            wallClock,
+            clock.instant());
+    parts.push(fleet);
+    clock.add(nanos -> fleet.tick(clock.instant()), FLEET_TICK);
+    if (simulated != null) {
+      SimulatedDocks docks = new SimulatedDocks(simulated, fleet, floor);
+      clock.add(nanos -> docks.locateStandingRobots(), SimulatedDocks.PERIOD);
+    }
+    clock.start();
+    parts.push(clock);
+    JdbiSessionStore sessions = new JdbiSessionStore(database.jdbi(), wallClock);
+    PasswordLinks passwordLinks =
+        new PasswordLinks(
+            accounts,
+            new JdbiPasswordResetStore(database.jdbi(), wallClock),
+            configuration.mailServer() == null ? null : new SmtpMail(configuration.mailServer()),
+            wallClock);
+    Metrics metrics = new Metrics(fleet.snapshots());
+    parts.push(metrics);
+    database.bindMetrics(metrics.registry());
+    JdbiScheduleStore schedules = new JdbiScheduleStore(database.jdbi());
+    Scheduler scheduler = new Scheduler(schedules, store, fleet, wallClock);
+    parts.push(new PeriodicWork("schedules", SCHEDULE_PERIOD, scheduler::runDueSchedules));
+    JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());
+    parts.push(new TrackRecorder(fleet.snapshots(), tracks));
+    parts.push(
+        new UtilisationRecorder(
+            fleet.snapshots(),
+            new JdbiUtilisationStore(database.jdbi()),
+            wallClock,
+            configuration.simulationSpeed()));
+    parts.push(
+        new RetentionJob(
+            new HistoryPruner(database.jdbi()),
+            configuration.trackRetention(),
+            configuration.historyRetention(),
+            wallClock));
+    Services services =
+        Services.of(
+            fleet,
+            store,
+            new JdbiEventArchive(database.jdbi()),
+            tracks,
+            schedules,
+            new JdbiStatisticsArchive(database.jdbi()),
+            accounts,
+            sessions,
+            passwordLinks,
+            passwords,
+            metrics,
+            new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
+            wallClock);
+    return new FleetServer(configuration, clock, services, parts);
+  }
+
+  private static Database openDatabase(Configuration.DatabaseSettings settings) throws IOException {
+    try {
+      String user = settings.user() == null ? "" : settings.user();
+      String password = settings.password() == null ? "" : settings.password();
+      return Database.open(settings.url(), user, password);
+    } catch (RuntimeException e) {
+      throw new IOException(
+          "The database " + settings.url() + " cannot be used: " + Database.rootCauseMessage(e), e);
+    }
+  }
+
+  private static void addFirstManager(
+      Configuration configuration, JdbiAccountStore accounts, PasswordHasher passwords) {
+    Configuration.FirstManager manager = configuration.firstManager();
+    if (manager != null && !accounts.hasManager()) {
+      accounts.addFirstManager(manager.name(), passwords.hash(manager.password()));
+      log.info("The first manager is {}.", manager.name());
+    }
+  }
+
+  /**
+   * Makes the robots r1 to rN, or finds them again with what people have changed, and tells the
+   * store where they listen.
+   */
+  private static SimulatedFleet startSimulatedRobots(
+      Configuration configuration, FloorMap floor, FleetStore store, VirtualClock clock)
+      throws IOException {
+    List<Place> places = startPlaces(floor, configuration.simulatedRobots());
+    List<SimulatedRobot> robots = new ArrayList<>();
+    for (int i = 0; i < configuration.simulatedRobots(); i++) {
+      Pose start = new Pose(places.get(i).position().x(), places.get(i).position().y(), 0);
+      Path firmware = i == 0 ? configuration.firmware() : null;
+      robots.add(
+          new SimulatedRobot(
+              "r" + (i + 1),
+              start,
+              SIMULATED_MAX_LOAD,
+              initialBattery(configuration, i),
+              firmware));
+    }
+    SimulatedFleet simulated =
+        SimulatedFleet.open(
+            configuration.data().resolve("robots"), robots, SimulatedFloor.of(floor), clock);
+    try {
+      List<RobotRecord> known = store.robots();
+      for (int i = 0; i < robots.size(); i++) {
+        String name = robots.get(i).name();
+        int port = simulated.port(name);
+        String parking = i < floor.parking().size() ? places.get(i).name() : null;
+        RobotRecord fresh =
+            new RobotRecord(
+                name, floor.name(), "127.0.0.1", port, SIMULATED_MAX_LOAD, parking, true, null);
+        store.saveRobot(
+            known.stream()
+                .filter(r -> r.simulated() && r.name().equals(name))
+                .filter(r -> r.floor().equals(floor.name()))
+                .map(r -> r.withAddress("127.0.0.1", port))
+                .findFirst()
+                .orElse(fresh));
+      }
+      return simulated;
+    } catch (StoreException e) {
+      simulated.close();
+      throw new IOException("The simulated robots cannot be stored: " + e.getMessage(), e);
+    }
+  }
+
+  private static double initialBattery(Configuration configuration, int robot) {
+    List<Double> batteries = configuration.simulatedBatteries();
+    return batteries.get(Math.min(robot, batteries.size() - 1));
+  }
+
+  /** Where robots begin: the parking points, and where these do not suffice, free cells. */
+  private static List<Place> startPlaces(FloorMap floor, int count) throws IOException {
+    List<Place> places =
+        Stream.concat(floor.parking().stream(), FreeCells.of(floor)).limit(count).toList();
+    if (places.size() < count) {
+      throw new IOException(
+          "The map "
+              + floor.name()
+              + " has room for "
+              + places.size()
+              + " robots: simulate fewer.");
+    }
+    return places;
+  }
+
+  Configuration configuration() {
+    return configuration;
+  }
+
+  /** The fleet's own time: it goes faster than real time where robots are simulated so. */
+  public InstantSource fleetClock() {
+    return fleetClock;
+  }
+
+  public Fleet fleet() {
+    return services.fleet();
+  }
+
+  Services services() {
+    return services;
+  }
+
+  @Override
+  public void close() {
+    close(parts);
+  }
+
+  private static void close(Deque<AutoCloseable> parts) {
+    while (!parts.isEmpty()) {
+      AutoCloseable part = parts.pop();
+      try {
+        part.close();
+      } catch (Exception e) {
+        log.warn("{} did not close cleanly.", part.getClass().getSimpleName(), e);
+      }
+    }
+  }
+}

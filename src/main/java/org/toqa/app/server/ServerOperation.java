@@ -1,0 +1,57 @@
+package org.toqa.app.server;
+
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.toqa.app.command.StopSignal;
+import org.toqa.app.command.TemporaryFolder;
+import org.toqa.app.config.Configuration;
+import org.toqa.app.config.Setting;
+import org.toqa.app.config.SettingSource;
+
+/** What is done while the whole product runs in this process. */
+@FunctionalInterface
+public interface ServerOperation {
+
+  /**
+   * @param address where the web pages are
+   * @param stop the wish to end early
+   * @return the exit code
+   */
+  int run(FleetServer toqa, URI address, StopSignal stop) throws Exception;
+
+  /**
+   * Does this with a product of its own: in a folder that is gone afterwards, on any free port, and
+   * silent but for errors. Its callers may ask as fast as they can.
+   */
+  default int runIsolated(Map<Setting, @Nullable String> settings) throws Exception {
+    Path webapp = WebappFolder.path();
+    try (StopSignal stop = new StopSignal();
+        TemporaryFolder data = TemporaryFolder.create("toqa-bench")) {
+      Map<Setting, @Nullable String> all = new EnumMap<>(settings);
+      all.put(Setting.DATA, data.path().toString());
+      all.put(Setting.PORT, "0");
+      all.put(Setting.REQUESTS_PER_SECOND, "0");
+      all.put(Setting.LOG_LEVEL, "ERROR");
+      return runWith(
+          Configuration.of(webapp, List.of(SettingSource.fromCommandLine(all))), webapp, stop);
+    }
+  }
+
+  /**
+   * Starts the product, does this, and closes everything in order: no request meets a closed fleet,
+   * and no robot is touched by a server whose port is another's.
+   */
+  default int runWith(Configuration configuration, Path webapp, StopSignal stop) throws Exception {
+    Logging.configure(configuration.logLevel(), configuration.logFormat());
+    Logging.redirectTomcatLog();
+    try (WebServer web = WebServer.bind(webapp, configuration);
+        FleetServer toqa = FleetServer.start(configuration);
+        WebServer.RunningWebapp site = web.open(toqa)) {
+      return run(toqa, site.uri(), stop);
+    }
+  }
+}

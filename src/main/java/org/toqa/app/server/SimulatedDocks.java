@@ -1,0 +1,70 @@
+package org.toqa.app.server;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.manager.AgentFleet;
+import org.toqa.geometry.Angles;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.Place;
+import org.toqa.sim.SimulatedFleet;
+
+/**
+ * The docks of a simulated floor: at every parking and charging point one that sees where a robot
+ * which stands there really is, and tells the fleet, as a dock on a real floor does by the API.
+ * Odometry alone drifts for ever.
+ */
+final class SimulatedDocks {
+  static final Duration PERIOD = Duration.ofSeconds(1);
+
+  private static final Logger log = LoggerFactory.getLogger(SimulatedDocks.class);
+
+  /** Metres from its point that a dock sees. */
+  private static final double SENSOR_RANGE = 0.5;
+
+  /** Metres and radians; what is less is no news. */
+  private static final double MIN_DRIFT = 0.01;
+
+  private final SimulatedFleet robots;
+  private final AgentFleet fleet;
+  private final List<Place> docks;
+
+  SimulatedDocks(SimulatedFleet robots, AgentFleet fleet, FloorMap floor) {
+    this.robots = robots;
+    this.fleet = fleet;
+    this.docks = Stream.concat(floor.parking().stream(), floor.charging().stream()).toList();
+  }
+
+  void locateStandingRobots() {
+    for (RobotView robot : fleet.snapshots().latest().robots()) {
+      if (robot.state() == RobotState.IDLE || robot.state() == RobotState.CHARGING) {
+        robots.truePose(robot.name()).ifPresent(truth -> locateIfDrifted(robot, truth));
+      }
+    }
+  }
+
+  private void locateIfDrifted(RobotView robot, Pose truth) {
+    Pose believed = robot.pose();
+    Optional<Place> dock =
+        docks.stream()
+            .filter(d -> d.position().distanceTo(truth.position()) < SENSOR_RANGE)
+            .findFirst();
+    if (believed == null || dock.isEmpty() || !hasDrifted(believed, truth)) {
+      return;
+    }
+    fleet
+        .locateRobot(robot.name(), truth, "The dock " + dock.get().name())
+        .whenComplete((answer, failure) -> log.debug("{}: {}", robot.name(), answer, failure));
+  }
+
+  private static boolean hasDrifted(Pose believed, Pose truth) {
+    return believed.distanceTo(truth) > MIN_DRIFT
+        || Math.abs(Angles.difference(believed.theta(), truth.theta())) > MIN_DRIFT;
+  }
+}

@@ -1,0 +1,85 @@
+package org.toqa.app.server;
+
+import jakarta.mail.Authenticator;
+import jakarta.mail.Message;
+import jakarta.mail.MessagingException;
+import jakarta.mail.PasswordAuthentication;
+import jakarta.mail.Session;
+import jakarta.mail.Transport;
+import jakarta.mail.internet.InternetAddress;
+import jakarta.mail.internet.MimeMessage;
+import java.io.IOException;
+import java.time.OffsetDateTime;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.Properties;
+import org.jspecify.annotations.Nullable;
+import org.toqa.app.config.Configuration;
+import org.toqa.web.MailSender;
+
+/** Hands letters to a mail server. */
+final class SmtpMail implements MailSender {
+  private static final String TIMEOUT_MS = "20000";
+
+  private final Configuration.MailServer server;
+
+  SmtpMail(Configuration.MailServer server) {
+    this.server = server;
+  }
+
+  @Override
+  public String baseUrl() {
+    return server.site();
+  }
+
+  @Override
+  public void send(String to, String subject, String text) throws IOException {
+    try {
+      MimeMessage letter = new MimeMessage(Session.getInstance(properties(), authenticator()));
+      letter.setFrom(new InternetAddress(server.from()));
+      letter.setRecipient(Message.RecipientType.TO, new InternetAddress(to));
+      letter.setSubject(subject, "UTF-8");
+      letter.setText(text, "UTF-8");
+      letter.setHeader(
+          "Date", DateTimeFormatter.RFC_1123_DATE_TIME.format(OffsetDateTime.now(ZoneOffset.UTC)));
+      letter.setHeader("Auto-Submitted", "auto-generated");
+      Transport.send(letter);
+    } catch (MessagingException e) {
+      throw new IOException(server + " did not take it: " + e.getMessage(), e);
+    }
+  }
+
+  private Properties properties() {
+    Properties properties = new Properties();
+    properties.setProperty("mail.smtp.host", server.host());
+    properties.setProperty("mail.smtp.port", Integer.toString(server.port()));
+    properties.setProperty("mail.smtp.auth", Boolean.toString(server.user() != null));
+    properties.setProperty("mail.smtp.connectiontimeout", TIMEOUT_MS);
+    properties.setProperty("mail.smtp.timeout", TIMEOUT_MS);
+    properties.setProperty("mail.smtp.writetimeout", TIMEOUT_MS);
+    properties.setProperty("mail.smtp.ssl.checkserveridentity", "true");
+    switch (server.security()) {
+      case STARTTLS -> {
+        properties.setProperty("mail.smtp.starttls.enable", "true");
+        properties.setProperty("mail.smtp.starttls.required", "true");
+      }
+      case TLS -> properties.setProperty("mail.smtp.ssl.enable", "true");
+      case NONE -> {}
+    }
+    return properties;
+  }
+
+  private @Nullable Authenticator authenticator() {
+    String user = server.user();
+    String password = server.password();
+    if (user == null) {
+      return null;
+    }
+    return new Authenticator() {
+      @Override
+      protected PasswordAuthentication getPasswordAuthentication() {
+        return new PasswordAuthentication(user, password == null ? "" : password);
+      }
+    };
+  }
+}

@@ -1,0 +1,91 @@
+package org.toqa.app.server;
+
+import jakarta.servlet.ServletContext;
+import jakarta.servlet.ServletContextEvent;
+import jakarta.servlet.ServletContextListener;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.app.config.Configuration;
+import org.toqa.app.config.ConfigurationException;
+import org.toqa.app.config.Setting;
+import org.toqa.app.config.SettingSource;
+import org.toqa.web.Services;
+
+/**
+ * Begins and ends the product with its web application. Where a command has started it already, it
+ * is that command's; on a stock Tomcat it is this listener's, configured by the environment and by
+ * the file that {@code TOQA_CONFIG}, the system property or the context parameter {@code
+ * toqa.config} names.
+ */
+public final class ToqaContextListener implements ServletContextListener {
+
+  private static final String FILE_PROPERTY = "toqa.config";
+
+  private @Nullable FleetServer ownServer;
+
+  @Override
+  public void contextInitialized(ServletContextEvent event) {
+    ServletContext context = event.getServletContext();
+    if (context.getAttribute(Services.ATTRIBUTE) != null) {
+      return;
+    }
+    try {
+      Configuration configuration = configuration(context);
+      Logging.configure(configuration.logLevel(), configuration.logFormat());
+      ownServer = FleetServer.start(configuration);
+      context.setAttribute(Services.ATTRIBUTE, ownServer.services());
+    } catch (ConfigurationException | IOException e) {
+      // The container shows the message in its log, and does not serve the application.
+      throw new IllegalStateException(e.getMessage(), e);
+    }
+  }
+
+  @Override
+  public void contextDestroyed(ServletContextEvent event) {
+    if (ownServer != null) {
+      event.getServletContext().removeAttribute(Services.ATTRIBUTE);
+      ownServer.close();
+      ownServer = null;
+    }
+  }
+
+  private static Configuration configuration(ServletContext context) throws ConfigurationException {
+    String folder = context.getRealPath("/");
+    if (folder == null) {
+      throw new ConfigurationException(
+          "The web application must be unpacked: set unpackWARs=\"true\" in server.xml.");
+    }
+    List<SettingSource> layers = new ArrayList<>();
+    layers.add(SettingSource.fromEnvironment(System.getenv()));
+    String file = configurationFile(context);
+    if (file != null) {
+      layers.add(SettingSource.fromFile(Path.of(file)));
+    }
+    layers.add(tomcatDefaults());
+    return Configuration.of(Path.of(folder), layers);
+  }
+
+  private static @Nullable String configurationFile(ServletContext context) {
+    return Stream.of(
+            System.getenv().getOrDefault(SettingSource.FILE_ENVIRONMENT_VARIABLE, ""),
+            System.getProperty(FILE_PROPERTY, ""),
+            String.valueOf(context.getInitParameter(FILE_PROPERTY)))
+        .filter(name -> !name.isEmpty() && !name.equals("null"))
+        .findFirst()
+        .orElse(null);
+  }
+
+  /** A Tomcat's working folder is anybody's guess; its own folder is not. */
+  private static SettingSource tomcatDefaults() {
+    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    String tomcat = System.getProperty("catalina.base");
+    options.put(Setting.DATA, tomcat == null ? null : Path.of(tomcat, "toqa-data").toString());
+    return SettingSource.fromCommandLine(options);
+  }
+}

@@ -1,0 +1,54 @@
+package org.toqa.avoidance;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import org.toqa.geometry.Vec2;
+
+/**
+ * What was seen a short while ago: a thin beam passes a thing at the edge of the corridor long
+ * before the robot does.
+ */
+public final class DetectionMemory {
+
+  /**
+   * Seconds: at 0.25 m/s a robot has passed what it saw 0.8 m ahead, and one that stands has looked
+   * round once more (see {@link ScanTurn}).
+   */
+  public static final double MEMORY_SECONDS = 4.5;
+
+  /** Metres; points so near to each other are one. */
+  private static final double SAME = 0.03;
+
+  private final List<Detection> detections = new ArrayList<>();
+
+  private record Detection(Vec2 point, double seconds) {
+    boolean isSame(Vec2 other) {
+      return point.distanceTo(other) < SAME;
+    }
+  }
+
+  /**
+   * @param points map frame
+   * @param seconds on a monotonic clock
+   */
+  public void remember(Collection<Vec2> points, double seconds) {
+    for (Vec2 point : points) {
+      boolean isKnown = detections.stream().anyMatch(old -> old.isSame(point));
+      detections.replaceAll(old -> old.isSame(point) ? new Detection(old.point, seconds) : old);
+      if (!isKnown) {
+        detections.add(new Detection(point, seconds));
+      }
+    }
+  }
+
+  /** Drops what was not seen for long. */
+  public void forgetOld(double seconds) {
+    detections.removeIf(old -> seconds - old.seconds > MEMORY_SECONDS);
+  }
+
+  /** Map frame. */
+  public List<Vec2> points() {
+    return detections.stream().map(Detection::point).toList();
+  }
+}

@@ -1,0 +1,346 @@
+package org.toqa.fleet.floor;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.Energy;
+import org.toqa.fleet.ChargeRecord;
+import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.fleet.ChargingRules;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.floor.FloorRobot.DriveGoal;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Place;
+import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/**
+ * Lets robots charge (CMCT, "Self-recharging"): one whose battery is low, or that has worked for
+ * long since it last charged, takes a turn at the charging point where it can begin soonest, and
+ * waits for those that were there before. It is never taken from a load on board; before the
+ * pick-up only where its battery would not last. A turn is stored before the robot moves for it.
+ */
+final class ChargingDispatcher {
+  /** Another charging point is worth a change of mind if it saves so much. */
+  private static final double WORTHWHILE_SECONDS = 60;
+
+  /** How often the time that a robot has worked is written down. */
+  private static final Duration WRITE_INTERVAL = Duration.ofMinutes(1);
+
+  private final FloorState state;
+  private final FloorMissions missions;
+  private final ChargingRules rules;
+  private final ChargingQueues queues;
+  private final ActorRef<FloorMessage> self;
+  private Instant lastUpdate;
+
+  ChargingDispatcher(
+      FloorState state, FloorMissions missions, ChargingRules rules, ActorRef<FloorMessage> self) {
+    this.state = state;
+    this.missions = missions;
+    this.rules = rules;
+    this.queues = new ChargingQueues(state, rules);
+    this.self = self;
+    this.lastUpdate = state.now;
+  }
+
+  /** Goes on with what was stored before a restart. */
+  void recover(ChargeRecord record) {
+    FloorRobot robot = state.robots.get(record.robot());
+    if (robot != null) {
+      robot.workedSinceCharge = record.worked();
+      robot.storedWork = record.worked();
+      robot.turn = record.turn();
+      robot.turnStored = true;
+    }
+  }
+
+  /** To be called once a tick. */
+  void update() {
+    Duration passed = Duration.between(lastUpdate, state.now);
+    lastUpdate = state.now;
+    if (state.floor.charging().isEmpty()) {
+      return;
+    }
+    state.chargers.forgetExpired(state.now);
+    for (FloorRobot robot : state.robots.values()) {
+      addWork(robot, passed);
+      if (robot.turn == null) {
+        chargingReason(robot)
+            .ifPresentOrElse(why -> begin(robot, why), () -> setStatus(robot, null));
+      } else if (robot.turnStored) {
+        continueTurn(robot, robot.turn);
+      }
+    }
+  }
+
+  /** No task suits what these robots have left, though they are free. */
+  void requestRecharge(FloorMessage.RechargeRobots m) {
+    for (String name : m.robots()) {
+      FloorRobot robot = state.robots.get(name);
+      if (robot != null && robot.turn == null) {
+        robot.taskBeyondBattery = m.task();
+      }
+    }
+  }
+
+  /** That is safe: now the robot may move for it. */
+  void turnStored(FloorMessage.ChargeStored m) {
+    FloorRobot robot = state.robots.get(m.robot());
+    if (robot != null && Objects.equals(robot.turn, m.turn())) {
+      robot.turnStored = true;
+    }
+  }
+
+  private void addWork(FloorRobot robot, Duration passed) {
+    if (robot.driveGoal == null || robot.turn != null) {
+      return;
+    }
+    robot.workedSinceCharge = robot.workedSinceCharge.plus(passed);
+    if (robot.workedSinceCharge.minus(robot.storedWork).compareTo(WRITE_INTERVAL) >= 0) {
+      robot.storedWork = robot.workedSinceCharge;
+      ChargeRecord record = record(robot);
+      state.writer.write(() -> state.store.saveCharge(record, List.of()), () -> {});
+    }
+  }
+
+  // --- whether ----------------------------------------------------------------------------------
+
+  /** A clause; empty while it need not charge or cannot be taken from its task. */
+  private Optional<Sentence> chargingReason(FloorRobot robot) {
+    Double battery = robot.battery;
+    if (battery == null || !robot.isFit()) {
+      return Optional.empty();
+    }
+    Optional<Mission> mission = state.missions.missionOf(robot.name());
+    return switch (mission.map(m -> phase(m, robot)).orElse(0)) {
+      case 1 ->
+          battery < rules.below() && !isBatteryEnoughFor(mission.orElseThrow(), robot, battery)
+              ? Optional.of(Phrase.NOT_ENOUGH_FOR_ITS_TASK.with(percent(battery)))
+              : Optional.empty();
+      case 2 -> Optional.empty();
+      default -> Optional.ofNullable(dueReason(robot, battery));
+    };
+  }
+
+  private static int phase(Mission mission, FloorRobot robot) {
+    return mission.assignedRobot(robot.name()).map(AssignedRobot::phase).orElse(0);
+  }
+
+  private @Nullable Sentence dueReason(FloorRobot robot, double battery) {
+    if (battery < rules.below()) {
+      return Phrase.BATTERY_HAS.with(percent(battery));
+    }
+    if (robot.workedSinceCharge.compareTo(rules.work()) >= 0) {
+      return Phrase.HAS_WORKED_FOR.with(robot.workedSinceCharge.toSeconds() / 3600.0);
+    }
+    return robot.taskBeyondBattery != null && battery < rules.until()
+        ? Phrase.NOT_ENOUGH_FOR_TASK.with(percent(battery), robot.taskBeyondBattery)
+        : null;
+  }
+
+  private boolean isBatteryEnoughFor(Mission mission, FloorRobot robot, double battery) {
+    if (robot.pose == null) {
+      return true;
+    }
+    Vec2 object = mission.object().position();
+    Vec2 goal = mission.destination().position();
+    double used =
+        Energy.joules(queues.metres(robot, robot.pose.position(), object), 0)
+            + Energy.joules(queues.metres(robot, object, goal), mission.task().load())
+            + Energy.joules(queues.metresToCharger(robot, goal), 0);
+    return used < battery * Energy.BATTERY_JOULES;
+  }
+
+  // --- where ------------------------------------------------------------------------------------
+
+  private void begin(FloorRobot robot, Sentence why) {
+    Optional<Place> point = queues.soonest(robot).map(ChargingQueues.Choice::point);
+    if (point.isEmpty()) {
+      setStatus(robot, Phrase.NO_WAY_TO_CHARGER.with());
+      return;
+    }
+    takeTurn(robot, point.get(), why);
+    state
+        .missions
+        .missionOf(robot.name())
+        .ifPresent(
+            mission ->
+                missions.applyEvent(
+                    mission.id(), new MissionEvent.ChargingRequired(robot.name(), why)));
+  }
+
+  private void takeTurn(FloorRobot robot, Place point, Sentence why) {
+    robot.turn = new Turn(point.name(), state.now);
+    robot.taskBeyondBattery = null;
+    List<FloorRobot> ahead = queues.robotsAhead(robot, point);
+    if (ahead.isEmpty()) {
+      Sentence text = Phrase.ROBOT_DRIVES_TO_CHARGER.with(robot.name(), point.name(), why);
+      saveTurn(robot, "robot.to-charger", text);
+    } else {
+      Sentence text =
+          Phrase.ROBOT_AWAITS_CHARGER.with(robot.name(), chargerSentence(point, ahead), why);
+      saveTurn(robot, "robot.waits-for-charger", text);
+    }
+  }
+
+  // --- on its way, waiting, charging ------------------------------------------------------------
+
+  private void continueTurn(FloorRobot robot, Turn turn) {
+    Optional<Place> point =
+        state.floor.charging().stream().filter(p -> p.name().equals(turn.point())).findFirst();
+    if (point.isEmpty()) {
+      abandonTurn(robot, Phrase.CHARGER_IS_GONE.with(turn.point()));
+    } else if (!robot.inService) {
+      abandonTurn(robot, Phrase.LEFT_SERVICE.with());
+    } else if (robot.isHeard() && !switchFromFaultyCharger(robot, point.get())) {
+      List<FloorRobot> ahead = queues.robotsAhead(robot, point.get());
+      if (ahead.isEmpty()) {
+        continueTurn(robot, point.get());
+      } else {
+        waitForTurn(robot, point.get(), ahead);
+      }
+    }
+  }
+
+  /** Leaves a point that does not charge for one that may. */
+  private boolean switchFromFaultyCharger(FloorRobot robot, Place point) {
+    if (!state.chargers.isFaulty(point) || !robot.isFit()) {
+      return false;
+    }
+    Optional<Place> other =
+        queues
+            .soonest(robot)
+            .map(ChargingQueues.Choice::point)
+            .filter(choice -> !state.chargers.isFaulty(choice));
+    other.ifPresent(
+        choice -> takeTurn(robot, choice, Phrase.CHARGER_DOES_NOT_CHARGE.with(point.name())));
+    return other.isPresent();
+  }
+
+  private void continueTurn(FloorRobot robot, Place point) {
+    boolean isThere = queues.isAt(robot, point) && robot.isStanding();
+    if (!isThere) {
+      setStatus(robot, Phrase.DRIVES_TO_CHARGER.with(point.name()));
+    } else if (!robot.charging) {
+      setStatus(robot, Phrase.CHARGES_AT.with(point.name()));
+      if (robot.driveGoal != null) { // else it stood there when the server started
+        addToHistory(
+            robot, "robot.charging", Phrase.ROBOT_CHARGES.with(robot.name(), point.name()));
+      }
+    }
+    robot.charging = isThere;
+    robot.driveGoal = DriveGoal.toCharger(point.position());
+    if (!isThere || robot.battery == null) {
+      state.chargers.robotLeft(robot.name());
+    } else if (robot.battery >= rules.until()) {
+      finishCharging(robot, point, robot.battery);
+    } else if (robot.battery + ChargerWatch.MIN_RISE < rules.until()) {
+      watchBattery(robot, point, robot.battery);
+    }
+  }
+
+  private void watchBattery(FloorRobot robot, Place point, double battery) {
+    switch (state.chargers.observe(robot.name(), point, battery, state.now)) {
+      case FAILED -> {
+        setStatus(robot, Phrase.STANDS_AT_FAULTY_CHARGER.with(point.name()));
+        addToHistory(
+            robot,
+            "robot.charger-fails",
+            Phrase.CHARGER_FAILS.with(point.name(), robot.name(), percent(battery)));
+      }
+      case RECOVERED -> {
+        setStatus(robot, Phrase.CHARGES_AT.with(point.name()));
+        addToHistory(robot, "robot.charger-works", Phrase.CHARGER_WORKS_AGAIN.with(point.name()));
+      }
+      case UNCHANGED -> {}
+    }
+  }
+
+  private void waitForTurn(FloorRobot robot, Place point, List<FloorRobot> ahead) {
+    robot.charging = false;
+    if (robot.driveGoal != null && robot.driveGoal.task() == null) {
+      robot.driveGoal = null; // it may drive home meanwhile
+    }
+    setStatus(robot, Phrase.AWAITS_CHARGER.with(chargerSentence(point, ahead)));
+    if (!robot.isFit()) {
+      return;
+    }
+    double here = queues.secondsUntilCharging(robot, point);
+    queues
+        .soonest(robot)
+        .filter(choice -> choice.seconds() + WORTHWHILE_SECONDS < here)
+        .ifPresent(choice -> takeTurn(robot, choice.point(), Phrase.IS_SOONER.with()));
+  }
+
+  private Sentence chargerSentence(Place point, List<FloorRobot> ahead) {
+    FloorRobot first = ahead.getFirst();
+    Phrase phrase = queues.isAt(first, point) ? Phrase.OCCUPIED_CHARGER : Phrase.CLAIMED_CHARGER;
+    Sentence charger = phrase.with(point.name(), first.name());
+    return ahead.size() == 1 ? charger : Phrase.AFTER_MORE.with(charger, ahead.size() - 1);
+  }
+
+  private void finishCharging(FloorRobot robot, Place point, double battery) {
+    robot.workedSinceCharge = Duration.ZERO;
+    robot.storedWork = Duration.ZERO;
+    endTurn(
+        robot,
+        "robot.charged",
+        Phrase.ROBOT_HAS_CHARGED.with(robot.name(), point.name(), percent(battery)));
+  }
+
+  private void abandonTurn(FloorRobot robot, Sentence why) {
+    endTurn(robot, "robot.charge-ended", Phrase.ROBOT_CHARGES_NO_MORE.with(robot.name(), why));
+  }
+
+  private void endTurn(FloorRobot robot, String kind, Sentence text) {
+    robot.turn = null;
+    robot.charging = false;
+    state.chargers.robotLeft(robot.name());
+    robot.chargingStatus = null;
+    if (robot.driveGoal != null && robot.driveGoal.task() == null) {
+      robot.driveGoal = null;
+    }
+    saveTurn(robot, kind, text);
+  }
+
+  private void saveTurn(FloorRobot robot, String kind, Sentence text) {
+    robot.turnStored = false;
+    state.changed = true;
+    ChargeRecord record = record(robot);
+    EventRecord event = event(robot, kind, text);
+    state.writer.write(
+        () -> state.store.saveCharge(record, List.of(event)),
+        () -> self.tell(new FloorMessage.ChargeStored(robot.name(), record.turn())));
+  }
+
+  private static ChargeRecord record(FloorRobot robot) {
+    return new ChargeRecord(robot.name(), robot.workedSinceCharge, robot.turn);
+  }
+
+  private void addToHistory(FloorRobot robot, String kind, Sentence text) {
+    state.addToHistory(event(robot, kind, text));
+  }
+
+  private EventRecord event(FloorRobot robot, String kind, Sentence text) {
+    return state.historyEvent(kind, robot.name(), EventRecord.SYSTEM, text);
+  }
+
+  private void setStatus(FloorRobot robot, @Nullable Sentence sentence) {
+    if (!Objects.equals(sentence, robot.chargingStatus)) {
+      robot.chargingStatus = sentence;
+      state.changed = true;
+    }
+  }
+
+  private static long percent(double battery) {
+    return Math.round(100 * battery);
+  }
+}

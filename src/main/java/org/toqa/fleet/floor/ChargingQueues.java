@@ -1,0 +1,113 @@
+package org.toqa.fleet.floor;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.fleet.ChargingRules;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Place;
+
+/** Who charges where, who comes next, and when: an estimate from ways and batteries. */
+final class ChargingQueues {
+  /** What a robot that nobody can move is taken to keep a charging point for. */
+  private static final double BLOCKED_SECONDS = 3600;
+
+  /** Assumed of a robot that has not said what its battery has. */
+  private static final double UNKNOWN_BATTERY = 0.5;
+
+  private final FloorState state;
+  private final ChargingRules rules;
+  private final FloorDistances distances;
+
+  /**
+   * @param seconds until the robot can begin to charge there
+   */
+  record Choice(Place point, double seconds) {}
+
+  ChargingQueues(FloorState state, ChargingRules rules) {
+    this.state = state;
+    this.rules = rules;
+    this.distances = new FloorDistances(state.floor.grid());
+  }
+
+  /**
+   * The point at which the robot can charge soonest; one that does not charge only where there is
+   * no other. Empty where it reaches no charging point.
+   */
+  Optional<Choice> soonest(FloorRobot robot) {
+    return soonest(robot, point -> !state.chargers.isFaulty(point))
+        .or(() -> soonest(robot, state.chargers::isFaulty));
+  }
+
+  private Optional<Choice> soonest(FloorRobot robot, Predicate<Place> isMeant) {
+    return state.floor.charging().stream()
+        .filter(isMeant)
+        .map(point -> new Choice(point, secondsUntilCharging(robot, point)))
+        .filter(choice -> Double.isFinite(choice.seconds()))
+        .min(Comparator.comparingDouble(Choice::seconds));
+  }
+
+  /** Until the robot can begin to charge there, after those that come before it. */
+  double secondsUntilCharging(FloorRobot robot, Place point) {
+    double free = isBlocked(point, robot) ? BLOCKED_SECONDS : 0;
+    for (FloorRobot other : robotsAhead(robot, point)) {
+      free = Math.max(free, driveSeconds(other, point)) + chargeSeconds(other);
+    }
+    return Math.max(free, driveSeconds(robot, point));
+  }
+
+  /** The robots that come before it at the point, the first one first. */
+  List<FloorRobot> robotsAhead(FloorRobot robot, Place point) {
+    return state.robots.values().stream()
+        .filter(other -> hasTurnAt(other, point) && (other.isFit() || isAt(other, point)))
+        .sorted(
+            Comparator.comparing((FloorRobot r) -> !isAt(r, point))
+                .thenComparing(r -> r.turn().map(Turn::since).orElseThrow())
+                .thenComparing(FloorRobot::name))
+        .takeWhile(other -> other != robot)
+        .toList();
+  }
+
+  private static boolean hasTurnAt(FloorRobot robot, Place point) {
+    return robot.turn().filter(turn -> turn.point().equals(point.name())).isPresent();
+  }
+
+  boolean isAt(FloorRobot robot, Place point) {
+    return state.isAt(robot, point.position());
+  }
+
+  private boolean isBlocked(Place point, FloorRobot robot) {
+    return state.robots.values().stream()
+        .anyMatch(other -> other != robot && !other.isFit() && isAt(other, point));
+  }
+
+  private double driveSeconds(FloorRobot robot, Place point) {
+    return isAt(robot, point) ? 0 : metres(robot, point.position()) / robot.speeds.forward();
+  }
+
+  private double chargeSeconds(FloorRobot robot) {
+    double battery = robot.battery == null ? UNKNOWN_BATTERY : robot.battery;
+    return Math.max(0, rules.until() - battery) * rules.toFull().toSeconds();
+  }
+
+  private double metres(FloorRobot robot, Vec2 place) {
+    return robot.pose == null
+        ? Double.POSITIVE_INFINITY
+        : metres(robot, robot.pose.position(), place);
+  }
+
+  /** The length of a robot's way, metres; infinite where there is none. */
+  double metres(FloorRobot robot, Vec2 from, Vec2 to) {
+    return distances.lengthsFrom(to, robot.footprint).applyAsDouble(from);
+  }
+
+  /** From a place to the charging point nearest to it. */
+  double metresToCharger(FloorRobot robot, Vec2 place) {
+    return state.floor.charging().stream()
+        .mapToDouble(point -> metres(robot, place, point.position()))
+        .min()
+        .orElse(Double.POSITIVE_INFINITY);
+  }
+}

@@ -1,0 +1,222 @@
+package org.toqa.fleet.floor;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.floor.FloorRobot.DriveGoal;
+import org.toqa.fleet.robot.RobotMessage;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
+import org.toqa.traffic.floor.DriveCommand;
+import org.toqa.wording.Sentence;
+
+/** Tells the traffic what each robot is to do, and the robots what the traffic decides. */
+final class DriveDispatcher {
+  /** Who walks across a way is gone again after this; and what is not was looked at all round. */
+  private static final Duration OBSTACLE_PATIENCE = Duration.ofSeconds(5);
+
+  /** The robot's word that it stands before something. */
+  private static final String OBSTACLE = "OBSTACLE";
+
+  private final FloorState state;
+  private final FloorMissions missions;
+
+  DriveDispatcher(FloorState state, FloorMissions missions) {
+    this.state = state;
+    this.missions = missions;
+  }
+
+  /** Tells the traffic whether the robot can be moved, and where it wants to go. */
+  void updateRobot(FloorRobot robot) {
+    Optional<Mission> followed = state.formations.followedMission(robot.name());
+    if (followed.isPresent() && robot.activeGoal() != null) {
+      keepInFormation(robot, followed.get());
+      return;
+    }
+    if (!state.traffic.hasRobot(robot.name())) {
+      cancelUnwantedDrive(robot);
+      return;
+    }
+    DriveGoal goal = robot.activeGoal();
+    boolean isOnOtherDrive = !robot.isStanding() && (goal == null || !robot.isDrivingTo(goal));
+    boolean mayEnd =
+        robot.toldDrive != null && robot.toldDrive.task() == null && robot.toldGoal == null;
+    boolean isStray = (isOnOtherDrive && !(robot.inService && mayEnd)) || updateObstructed(robot);
+    if (isStray) {
+      cancelUnwantedDrive(robot);
+    }
+    boolean isWaiting =
+        robot.notBefore.isAfter(state.now)
+            || isAwaitingFollowers(robot)
+            || isGoalOutdated(robot, goal);
+    state.traffic.setMovable(
+        robot.name(), robot.isFit() && robot.holdReason == null && !isStray && !isWaiting);
+    state.traffic.setGoal(
+        robot.name(),
+        goal == null || isOnOtherDrive ? null : goal.goal(),
+        goal == null ? null : goal.heading(),
+        state.now);
+    if (goal != null
+        && !isWaiting
+        && robot.isStanding()
+        && robot.isFit()
+        && state.traffic.isAtGoal(robot.name())) {
+      arrived(robot, goal);
+    }
+    if (!isWaiting) {
+      setWaitReason(robot, goal == null ? null : state.traffic.waitReason(robot.name()));
+    }
+  }
+
+  /**
+   * Whether it has stood for a while before something on a part of its way that it cannot be told
+   * otherwise any more: it is stopped, and begins anew round that.
+   */
+  private boolean updateObstructed(FloorRobot robot) {
+    boolean isStopped =
+        robot.role == Role.ALONE
+            && robot.mode == Mode.DRIVING
+            && robot.errors.stream().anyMatch(fault -> fault.code().equals(OBSTACLE))
+            && state.traffic.isObstacleAhead(robot.name());
+    if (!isStopped) {
+      robot.obstructedSince = null;
+    } else if (robot.obstructedSince == null) {
+      robot.obstructedSince = state.now;
+    }
+    return robot.obstructedSince != null
+        && !robot.obstructedSince.plus(OBSTACLE_PATIENCE).isAfter(state.now);
+  }
+
+  /** Nobody wants its drive any more, as when a returning robot is needed elsewhere. */
+  private void cancelUnwantedDrive(FloorRobot robot) {
+    boolean tearsAtLoad =
+        state
+            .formations
+            .carryingMission(robot.name())
+            .filter(state.formations::isMoving)
+            .isPresent();
+    if (!robot.drivePending && robot.drive != 0 && !tearsAtLoad) {
+      robot.cancelDrive();
+    }
+  }
+
+  /** What followed from the end of this errand is being stored, and brings another one. */
+  private boolean isGoalOutdated(FloorRobot robot, @Nullable DriveGoal goal) {
+    if (goal == null) {
+      return false;
+    }
+    Long task = goal.task();
+    return task != null
+        && state
+            .missions
+            .get(task)
+            .flatMap(mission -> mission.assignedRobot(robot.name()))
+            .filter(c -> !c.unassigned() && c.phase() == goal.phase())
+            .isEmpty();
+  }
+
+  /** A leader that stands and would begin. */
+  private boolean isAwaitingFollowers(FloorRobot robot) {
+    return robot.isStanding()
+        && state
+            .formations
+            .carryingMission(robot.name())
+            .filter(
+                mission ->
+                    !state.formations.isFollowedByAll(mission)
+                        || hasEndedPhase(robot.name(), mission))
+            .isPresent();
+  }
+
+  /** A follower has no way of its own: it is told its place, and its leader does the rest. */
+  private void keepInFormation(FloorRobot robot, Mission mission) {
+    boolean isWaiting = robot.notBefore.isAfter(state.now);
+    if (state.traffic.hasRobot(robot.name())) {
+      state.traffic.setGoal(robot.name(), null, state.now);
+      state.traffic.setMovable(robot.name(), false);
+    }
+    if (hasEndedPhase(robot.name(), mission) || isWaiting || robot.holdReason != null) {
+      return;
+    }
+    if (robot.isStanding() && robot.isFit()) {
+      robot.drivePending = true;
+      robot.toldGoal = null;
+      robot.agent.tell(state.formations.followOrder(mission, robot));
+    }
+    setWaitReason(robot, null);
+  }
+
+  private static boolean hasEndedPhase(String robot, Mission mission) {
+    return mission.assignedRobot(robot).filter(AssignedRobot::isDriving).isEmpty();
+  }
+
+  private void arrived(FloorRobot robot, DriveGoal goal) {
+    if (goal.task() == null) {
+      if (robot.turn == null) { // else it stays while it charges
+        robot.driveGoal = null;
+        state.changed = true;
+      }
+    } else {
+      long task = goal.task();
+      List<String> together =
+          state
+              .formations
+              .carryingMission(robot.name())
+              .map(mission -> mission.assignedRobots().stream().map(AssignedRobot::robot).toList())
+              .orElse(List.of(robot.name()));
+      together.forEach(
+          r -> missions.applyEvent(task, new MissionEvent.PhaseEnded(r, goal.phase())));
+    }
+  }
+
+  private void setWaitReason(FloorRobot robot, @Nullable Sentence reason) {
+    if (!Objects.equals(robot.waitReason, reason)) {
+      robot.waitReason = reason;
+      state.changed = true;
+    }
+  }
+
+  /** Lets the traffic decide. */
+  void applyTrafficDecisions() {
+    for (DriveCommand decision : state.traffic.decide(state.now)) {
+      FloorRobot robot = state.robots.get(decision.robot());
+      if (robot != null) {
+        sendDecision(robot, decision);
+        state.changed = true;
+      }
+    }
+  }
+
+  private void sendDecision(FloorRobot robot, DriveCommand decision) {
+    switch (decision) {
+      case DriveCommand.Begin begin -> {
+        DriveGoal goal = robot.driveGoal;
+        robot.drivePending = true;
+        robot.toldGoal = goal == null ? null : goal.goal();
+        state
+            .formations
+            .carryingMission(robot.name())
+            .ifPresent(mission -> robot.agent.tell(state.formations.leadOrder(mission)));
+        robot.agent.tell(
+            new RobotMessage.Drive(
+                goal == null ? null : goal.task(),
+                goal == null ? 0 : goal.phase(),
+                begin.trajectory(),
+                begin.released(),
+                begin.endsAtGoal(),
+                goal == null ? 0 : goal.load()));
+      }
+      case DriveCommand.Extend extend ->
+          robot.agent.tell(
+              new RobotMessage.Extend(
+                  extend.from(), extend.segments(), extend.released(), extend.endsAtGoal()));
+      case DriveCommand.Release release ->
+          robot.agent.tell(new RobotMessage.Release(release.released()));
+    }
+  }
+}

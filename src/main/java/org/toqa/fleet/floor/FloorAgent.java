@@ -1,0 +1,205 @@
+package org.toqa.fleet.floor;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.actor.typed.Behavior;
+import org.apache.pekko.actor.typed.PostStop;
+import org.apache.pekko.actor.typed.javadsl.AbstractBehavior;
+import org.apache.pekko.actor.typed.javadsl.ActorContext;
+import org.apache.pekko.actor.typed.javadsl.Behaviors;
+import org.apache.pekko.actor.typed.javadsl.Receive;
+import org.apache.pekko.pattern.StatusReply;
+import org.toqa.fleet.FleetRules;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.robot.RobotAgent;
+import org.toqa.fleet.robot.RobotEvent;
+import org.toqa.fleet.robot.RobotMessage;
+import org.toqa.fleet.robot.Supervision;
+import org.toqa.grid.FloorMap;
+import org.toqa.link.RobotLinkFactory;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.traffic.mapf.LacamJointPlanner;
+
+/**
+ * The single writer of one floor: its map, its missions and who may drive where.
+ *
+ * <p>An event goes through {@code mission -> store -> command}: the mission's next state is stored,
+ * and only then its commands become errands of robots. A robot that has an errand and stands is
+ * sent a way for it; that is decided anew at every tick, so that whatever was lost on the road (a
+ * message, a connection, a server) is made up for.
+ */
+public final class FloorAgent extends AbstractBehavior<FloorMessage> {
+  /** For a plan for all robots; a function of the machine's speed, not of the floor's time. */
+  private static final Duration PLANNING_LIMIT = Duration.ofMillis(200);
+
+  private final RobotLinkFactory links;
+  private final ActorRef<FloorEvent> manager;
+  private final FloorState state;
+  private final FloorWatch watch;
+  private final FloorReporter reports;
+  private final FloorMissions missions;
+  private final HoldDispatcher holds;
+  private final HomeDispatcher homing;
+  private final ChargingDispatcher charging;
+  private final OperatorCommandHandler operatorCommands;
+  private final RobotEventHandler robotEventHandler;
+  private final ActorRef<RobotEvent> robotEvents;
+  private final DriveDispatcher drives;
+
+  /** How many robots have come, those included that were removed. */
+  private long joined;
+
+  public static Behavior<FloorMessage> of(
+      FloorMap floor,
+      StoredFloorState memory,
+      FleetStore store,
+      RobotLinkFactory links,
+      FleetRules rules,
+      InstantSource clock,
+      Instant now,
+      ActorRef<FloorEvent> manager) {
+    return Supervision.resuming(
+        Behaviors.setup(
+            context ->
+                new FloorAgent(context, floor, memory, store, links, rules, clock, now, manager)));
+  }
+
+  private FloorAgent(
+      ActorContext<FloorMessage> context,
+      FloorMap floor,
+      StoredFloorState memory,
+      FleetStore store,
+      RobotLinkFactory links,
+      FleetRules rules,
+      InstantSource clock,
+      Instant now,
+      ActorRef<FloorEvent> manager) {
+    super(context);
+    this.links = links;
+    this.manager = manager;
+    FloorTraffic traffic =
+        new FloorTraffic(
+            floor.grid(),
+            new LacamJointPlanner(),
+            () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
+    state =
+        new FloorState(
+            floor, store, clock, traffic, new ChargerWatch(rules.charging().patience()), now);
+    watch = new FloorWatch(floor, traffic);
+    reports = new FloorReporter(state, watch, manager);
+    missions =
+        new FloorMissions(
+            state, reports, new RobotWatch(rules.reassignAfter()), context.getSelf(), manager);
+    state.hold = memory.hold();
+    holds = new HoldDispatcher(state, memory.pause());
+    homing = new HomeDispatcher(state);
+    charging = new ChargingDispatcher(state, missions, rules.charging(), context.getSelf());
+    operatorCommands =
+        new OperatorCommandHandler(state, reports, missions, holds, homing, context.getSelf());
+    robotEventHandler = new RobotEventHandler(state, missions, holds, watch);
+    robotEvents = context.messageAdapter(RobotEvent.class, FloorMessage.FromRobot::new);
+    drives = new DriveDispatcher(state, missions);
+    for (RobotRecord record : memory.robots()) {
+      FloorRobot robot = startRobot(record);
+      robot.inService = !memory.robotsOutOfService().contains(record.name());
+      robot.held = memory.heldRobots().contains(record.name());
+    }
+    memory.charges().forEach(charging::recover);
+    memory.begunTasks().forEach(missions::recover);
+  }
+
+  @Override
+  public Receive<FloorMessage> createReceive() {
+    return newReceiveBuilder()
+        .onAnyMessage(this::handle)
+        .onSignal(PostStop.class, signal -> stopped())
+        .build();
+  }
+
+  private Behavior<FloorMessage> handle(FloorMessage message) {
+    switch (message) {
+      case FloorMessage.BeginTask m -> missions.beginTask(m);
+      case FloorMessage.ExchangeTasks m -> missions.exchangeTasks(m);
+      case FloorMessage.CommandTask m -> missions.commandTask(m);
+      case FloorMessage.StepStored m -> missions.stepStored(m.step());
+      case FloorMessage.SetPause m -> holds.setPause(m.pause());
+      case FloorMessage.HoldFloor m -> holds.setFloorHold(m.hold());
+      case FloorMessage.HoldRobot m -> operatorCommands.holdRobot(m);
+      case FloorMessage.SendHome m -> operatorCommands.sendHome(m);
+      case FloorMessage.LocateRobot m -> operatorCommands.locateRobot(m);
+      case FloorMessage.SetInService m -> operatorCommands.setInService(m);
+      case FloorMessage.ServiceStored m ->
+          operatorCommands.serviceStored(m.command(), m.freesCells());
+      case FloorMessage.RechargeRobots m -> charging.requestRecharge(m);
+      case FloorMessage.ChargeStored m -> charging.turnStored(m);
+      case FloorMessage.AddRobot m -> addRobot(m);
+      case FloorMessage.RobotChanged m -> operatorCommands.robotChanged(m);
+      case FloorMessage.RemoveRobot m -> operatorCommands.removeRobot(m);
+      case FloorMessage.RobotRemoved m -> robotRemoved(m);
+      case FloorMessage.FromRobot m -> robotEventHandler.handle(m.event());
+      case FloorMessage.Tick m -> tick(m.now());
+    }
+    return this;
+  }
+
+  private void addRobot(FloorMessage.AddRobot m) {
+    FloorRobot robot = startRobot(m.robot());
+    reports.send();
+    manager.tell(new FloorEvent.RobotJoined(reports.view(robot), m.replyTo()));
+  }
+
+  private void robotRemoved(FloorMessage.RobotRemoved m) {
+    FloorRobot robot = state.robots.remove(m.command().robot());
+    if (robot == null) {
+      m.command().replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.command().robot())));
+      return;
+    }
+    if (state.traffic.hasRobot(robot.name())) {
+      state.traffic.removeRobot(robot.name());
+    }
+    robot.agent.tell(new RobotMessage.Stop());
+    reports.send();
+    manager.tell(new FloorEvent.RobotRemoved(reports.view(robot), m.command().replyTo()));
+  }
+
+  private FloorRobot startRobot(RobotRecord record) {
+    ActorRef<RobotMessage> agent =
+        getContext()
+            .spawn(
+                RobotAgent.of(record, robotEvents, state.store, links, state.now),
+                "robot-" + ++joined);
+    FloorRobot robot = new FloorRobot(record, agent, state.now);
+    state.robots.put(record.name(), robot);
+    state.changed = true;
+    return robot;
+  }
+
+  private void tick(Instant time) {
+    state.now = time;
+    state.robots.values().forEach(r -> r.agent.tell(new RobotMessage.Tick(time)));
+    charging.update();
+    state.formations.updateTraffic();
+    for (FloorRobot robot : state.robots.values()) {
+      missions.checkRobot(robot);
+      holds.updateHold(robot);
+      homing.sendIdleHome(robot);
+      drives.updateRobot(robot);
+    }
+    state.addToHistory(watch.updateObstacles(time));
+    drives.applyTrafficDecisions();
+    state.addToHistory(watch.updateStandstills(holds::isRecentlyHeld));
+    if (state.changed) {
+      reports.send();
+    }
+    manager.tell(new FloorEvent.Ticked(state.floor.name()));
+  }
+
+  private Behavior<FloorMessage> stopped() {
+    state.writer.close();
+    return this;
+  }
+}

@@ -1,0 +1,239 @@
+package org.toqa.fleet.floor;
+
+import static java.util.stream.Collectors.toSet;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.pattern.StatusReply;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetStore.MissionChange;
+import org.toqa.fleet.FleetStore.OpenTask;
+import org.toqa.fleet.TaskView;
+import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionCommand;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Objection;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+
+/**
+ * Lets a floor's missions go on: an event makes a step, the step is stored, and only then its
+ * commands become errands of robots.
+ */
+final class FloorMissions {
+  private final FloorState state;
+  private final FloorReporter reports;
+  private final RobotWatch robotWatch;
+  private final ActorRef<FloorMessage> self;
+  private final ActorRef<FloorEvent> manager;
+
+  FloorMissions(
+      FloorState state,
+      FloorReporter reports,
+      RobotWatch robotWatch,
+      ActorRef<FloorMessage> self,
+      ActorRef<FloorEvent> manager) {
+    this.state = state;
+    this.reports = reports;
+    this.robotWatch = robotWatch;
+    this.self = self;
+    this.manager = manager;
+  }
+
+  void beginTask(FloorMessage.BeginTask m) {
+    if (m.robots().stream().anyMatch(r -> isBusy(r) || !isFree(r))) {
+      manager.tell(new FloorEvent.TaskNotBegun(m.mission()));
+      return;
+    }
+    m.robots().forEach(this::retask);
+    Mission.Step step = m.mission().assign(m.robots(), m.why());
+    Instant at = state.clock.instant();
+    saveSteps(
+        step,
+        at,
+        step.history().stream()
+            .map(
+                text ->
+                    new EventRecord(
+                        at, "task.assigned", m.mission().id(), null, EventRecord.SYSTEM, text))
+            .toList());
+    reports.send(); // first, so that the task is in every picture
+    manager.tell(new FloorEvent.TaskBegun(m.mission().id()));
+  }
+
+  /** Tasks go to other robots, if all of that is still possible. */
+  void exchangeTasks(FloorMessage.ExchangeTasks m) {
+    Set<String> givers = m.moves().stream().map(FloorMessage.Move::from).collect(toSet());
+    if (!m.moves().stream().allMatch(move -> canMove(move, givers))) {
+      return;
+    }
+    for (FloorMessage.Move move : m.moves()) {
+      if (!givers.contains(move.to())) {
+        retask(move.to());
+      }
+    }
+    Instant at = state.clock.instant();
+    List<Mission.Step> steps = new ArrayList<>();
+    List<MissionChange> changes = new ArrayList<>();
+    for (FloorMessage.Move move : m.moves()) {
+      MissionEvent event = new MissionEvent.Exchanged(move.from(), move.to(), move.why());
+      Mission.Step step = state.missions.get(move.task()).orElseThrow().apply(event);
+      steps.add(step);
+      changes.add(new MissionChange(step.mission(), at, EventRecord.of(step, event, at)));
+    }
+    saveSteps(steps, changes);
+    reports.send();
+  }
+
+  private boolean canMove(FloorMessage.Move move, Set<String> givers) {
+    return isFree(move.to())
+        && (givers.contains(move.to()) || !isBusy(move.to()))
+        && state
+            .missions
+            .get(move.task())
+            .filter(Mission::isExchangeable)
+            .filter(mission -> mission.robots().equals(List.of(move.from())))
+            .isPresent();
+  }
+
+  private void retask(String robot) {
+    state
+        .missions
+        .missionOf(robot)
+        .ifPresent(old -> applyEvent(old, new MissionEvent.Retasked(robot)));
+  }
+
+  /** A mission that was under way when the server stopped goes on in the phase it was stored in. */
+  void recover(OpenTask open) {
+    Mission mission = open.mission();
+    state.missions.put(mission, open.changedAt());
+    for (AssignedRobot c : mission.assignedRobots()) {
+      FloorRobot robot = state.robots.get(c.robot());
+      if (c.isDriving() && robot != null && !mission.isStopping()) {
+        robot.driveGoal = state.formations.driveGoal(mission, c.robot());
+      }
+    }
+  }
+
+  /** Whether it works for a mission that it cannot be taken from: it is not on its way home. */
+  private boolean isBusy(String robot) {
+    return state
+        .missions
+        .missionOf(robot)
+        .flatMap(mission -> mission.assignedRobot(robot))
+        .filter(carrier -> carrier.phase() < 3)
+        .isPresent();
+  }
+
+  private boolean isFree(String robot) {
+    FloorRobot known = state.robots.get(robot);
+    return known != null && known.inService && known.turn == null;
+  }
+
+  void applyEvent(long task, MissionEvent event) {
+    state.missions.get(task).ifPresent(mission -> applyEvent(mission, event));
+  }
+
+  private Mission applyEvent(Mission mission, MissionEvent event) {
+    Mission.Step step = mission.apply(event);
+    Instant at = state.clock.instant();
+    saveSteps(step, at, EventRecord.of(step, event, at));
+    return step.mission();
+  }
+
+  /** Stores the step; its commands are carried out when it is safe. */
+  private void saveSteps(Mission.Step step, Instant at, List<EventRecord> events) {
+    if (step.hasChanges()) {
+      saveSteps(List.of(step), List.of(new MissionChange(step.mission(), at, events)));
+    }
+  }
+
+  /** Stores steps that belong together, so that a crash finds all of them or none. */
+  private void saveSteps(List<Mission.Step> steps, List<MissionChange> changes) {
+    changes.forEach(change -> state.missions.put(change.mission(), change.at()));
+    state.changed = true;
+    state.writer.write(
+        () -> state.store.saveMissions(changes),
+        () -> steps.forEach(step -> self.tell(new FloorMessage.StepStored(step))));
+  }
+
+  void stepStored(Mission.Step step) {
+    step.commands().forEach(command -> carryOut(step, command));
+    Mission mission = step.mission();
+    if (mission.state() == TaskState.QUEUED
+        && state.missions.get(mission.id()).equals(Optional.of(mission))) {
+      state.missions.remove(mission.id());
+      manager.tell(new FloorEvent.TaskReturned(mission));
+      reports.send();
+    }
+  }
+
+  /** What this floor does not have goes back: perhaps it is in the queue by now. */
+  void commandTask(FloorMessage.CommandTask m) {
+    Optional<Mission> known = state.missions.get(m.task());
+    if (known.isEmpty()) {
+      reports.send();
+      manager.tell(new FloorEvent.TaskUnknown(m.task(), m.command(), m.replyTo()));
+      return;
+    }
+    Optional<Objection> objection = known.get().objectionTo(m.command());
+    if (objection.isPresent()) {
+      m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));
+      return;
+    }
+    Mission next = applyEvent(known.get(), m.command());
+    reports.send();
+    TaskView view = reports.view(new OpenMissions.DatedMission(next, state.clock.instant()));
+    state.writer.write(
+        () -> {}, () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+  }
+
+  private void carryOut(Mission.Step step, MissionCommand command) {
+    FloorRobot robot = state.robots.get(command.robot());
+    if (robot == null) {
+      return;
+    }
+    long task = step.mission().id();
+    switch (command) {
+      case MissionCommand.Drive drive -> {
+        robot.driveGoal = state.formations.driveGoal(step.mission(), drive.robot());
+        robot.waitReason = null;
+        robot.notBefore = Instant.MIN;
+      }
+      case MissionCommand.Stop stop -> dropGoal(robot, task);
+      case MissionCommand.Unassign letGo -> dropGoal(robot, task);
+    }
+    state.changed = true;
+  }
+
+  private static void dropGoal(FloorRobot robot, long task) {
+    if (robot.driveGoal != null && Objects.equals(robot.driveGoal.task(), task)) {
+      robot.driveGoal = null;
+      robot.waitReason = null;
+    }
+  }
+
+  /** Tells the robot's mission what it must know of the robot. */
+  void checkRobot(FloorRobot robot) {
+    Optional<Mission> mission = state.missions.missionOf(robot.name());
+    if (mission.isEmpty()) {
+      return;
+    }
+    robotWatch
+        .missionEvent(robot, state.formations.loadPlace(mission.get(), robot), state.now)
+        .ifPresent(event -> applyEvent(mission.get(), event));
+    if (mission.get().isStopping() && robot.driveGoal == null && robot.hasStopped()) {
+      TaskPlace place = state.formations.loadPlace(mission.get(), robot);
+      if (place != null) {
+        applyEvent(mission.get().id(), new MissionEvent.Stopped(robot.name(), place));
+      }
+    }
+  }
+}

@@ -1,0 +1,111 @@
+package org.toqa.fleet.floor;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.Hold;
+import org.toqa.fleet.StoreWriter;
+import org.toqa.fleet.floor.FloorWatch.HistoryLine;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.Place;
+import org.toqa.mission.Mission;
+import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** The floor as it is now, which the parts of its agent share. Confined to that agent. */
+public final class FloorState {
+  /** Metres; whoever is so near to a place is there. */
+  static final double ARRIVAL_DISTANCE = 0.15;
+
+  final FloorMap floor;
+  final FleetStore store;
+  final StoreWriter writer;
+  final InstantSource clock;
+  final FloorTraffic traffic;
+  final ChargerWatch chargers;
+  final Map<String, FloorRobot> robots = new TreeMap<>();
+  final OpenMissions missions = new OpenMissions();
+  final Formations formations;
+
+  /** By a person's word, of all its robots; null: they may drive. */
+  @Nullable Hold hold;
+
+  /** Of the time that ticks bring. */
+  Instant now;
+
+  /** Whether there is something new to report. */
+  boolean changed = true;
+
+  FloorState(
+      FloorMap floor,
+      FleetStore store,
+      InstantSource clock,
+      FloorTraffic traffic,
+      ChargerWatch chargers,
+      Instant now) {
+    this.floor = floor;
+    this.store = store;
+    this.writer = new StoreWriter("floor-" + floor.name());
+    this.clock = clock;
+    this.traffic = traffic;
+    this.chargers = chargers;
+    this.now = now;
+    this.formations = new Formations(this);
+  }
+
+  /** The robot's parking point. */
+  Optional<Vec2> parkingPoint(String robot) {
+    return Optional.ofNullable(robots.get(robot))
+        .map(r -> r.record.parking())
+        .flatMap(floor::place)
+        .map(Place::position);
+  }
+
+  boolean isAt(FloorRobot robot, Vec2 place) {
+    Pose pose = robot.pose;
+    return pose != null
+        && (pose.position().distanceTo(place) < ARRIVAL_DISTANCE
+            || floor.grid().cellAt(pose.position()).equals(floor.grid().cellAt(place)));
+  }
+
+  /** Whether its cells stay reserved though nothing is heard from it. */
+  boolean hasReservedCells(FloorRobot robot) {
+    return !robot.isHeard() && traffic.hasRobot(robot.name());
+  }
+
+  /** A line for the history of the robot and of the task that it works for. */
+  EventRecord historyEvent(String kind, String robot, String who, Sentence text) {
+    Long task = missions.missionOf(robot).map(Mission::id).orElse(null);
+    return new EventRecord(clock.instant(), kind, task, robot, who, text);
+  }
+
+  void addToHistory(EventRecord event) {
+    writer.write(() -> store.addEvents(List.of(event)), () -> {});
+  }
+
+  void addToHistory(List<HistoryLine> remarks) {
+    for (HistoryLine remark : remarks) {
+      changed = true;
+      addToHistory(historyEvent(remark.kind(), remark.robot(), EventRecord.SYSTEM, remark.text()));
+    }
+  }
+
+  public static <T> Answer<T> unknownRobot(String robot) {
+    return new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT_HERE.with(robot));
+  }
+
+  /** Why the store does not answer, or null while it does. */
+  @Nullable String storeTrouble() {
+    return writer.trouble();
+  }
+}

@@ -1,0 +1,130 @@
+package org.toqa.fleet.floor;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.FaultyCharger;
+import org.toqa.fleet.FloorView.StandstillView;
+import org.toqa.fleet.Hold;
+import org.toqa.fleet.floor.ObstacleMap.Obstacle;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.CellRuns;
+import org.toqa.grid.FloorMap;
+import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/**
+ * What a floor learns beside its map: obstacles, which it tells the traffic, and standstills, which
+ * the traffic tells it; and what the history says of them.
+ */
+final class FloorWatch {
+  private final FloorMap floor;
+  private final FloorTraffic traffic;
+  private final ObstacleMap obstacles;
+  private final StandstillTracker standstills;
+
+  /** A line for the history of a robot and of the task that it has. */
+  record HistoryLine(String kind, String robot, Sentence text) {}
+
+  FloorWatch(FloorMap floor, FloorTraffic traffic) {
+    this.floor = floor;
+    this.traffic = traffic;
+    this.obstacles = new ObstacleMap(floor.grid());
+    this.standstills = new StandstillTracker(floor.grid());
+  }
+
+  /**
+   * @param from where the robot is, map frame
+   * @param percepts metres, map frame
+   * @param robots all of the floor
+   */
+  List<HistoryLine> addPercepts(
+      String robot, Vec2 from, List<Vec2> percepts, Collection<String> robots, Instant now) {
+    if (percepts.isEmpty()) {
+      return List.of();
+    }
+    BitSet others = new BitSet();
+    robots.stream()
+        .filter(other -> !other.equals(robot) && traffic.hasRobot(other))
+        .forEach(other -> others.or(traffic.allocatedCells(other)));
+    List<Vec2> seen = percepts.stream().map(percept -> beyondOwnCell(from, percept)).toList();
+    return obstacles.addPercepts(robot, seen, others, now).stream()
+        .map(
+            obstacle ->
+                new HistoryLine(
+                    "floor.obstacle", robot, Phrase.SEES_OBSTACLE.with(robot, sentence(obstacle))))
+        .toList();
+  }
+
+  /** What a robot sees in the cell that it stands in fills the next one: it cannot be there. */
+  private Vec2 beyondOwnCell(Vec2 from, Vec2 percept) {
+    Vec2 away = percept.minus(from);
+    boolean isInOwnCell = floor.grid().cellAt(percept).equals(floor.grid().cellAt(from));
+    double diagonal = Math.sqrt(2) * floor.grid().resolution();
+    return isInOwnCell && away.norm() > 0 ? from.plus(away.times(diagonal / away.norm())) : percept;
+  }
+
+  /** Tells the traffic which obstacles there are; to be called before it decides. */
+  List<HistoryLine> updateObstacles(Instant now) {
+    List<Obstacle> gone = obstacles.forgetExpired(now);
+    traffic.setObstacles(obstacles.cells());
+    return gone.stream()
+        .map(
+            obstacle ->
+                new HistoryLine(
+                    "floor.obstacle-gone",
+                    obstacle.seenBy(),
+                    Phrase.OBSTACLE_GONE.with(sentence(obstacle))))
+        .toList();
+  }
+
+  /**
+   * Asks the traffic who stands still; to be called after it decided.
+   *
+   * @param mayStand whether a robot is not expected to move
+   */
+  List<HistoryLine> updateStandstills(Predicate<String> mayStand) {
+    StandstillTracker.Change change =
+        standstills.update(
+            traffic.standstills().stream()
+                .filter(s -> !s.robots().stream().allMatch(mayStand))
+                .toList());
+    List<HistoryLine> remarks = new ArrayList<>();
+    for (StandstillView begun : change.begun()) {
+      begun
+          .robots()
+          .forEach(r -> remarks.add(new HistoryLine("traffic.standstill", r, begun.text())));
+    }
+    for (StandstillView over : change.ended()) {
+      Sentence text = StandstillTracker.endSentence(over);
+      over.robots().forEach(r -> remarks.add(new HistoryLine("traffic.resolved", r, text)));
+    }
+    return remarks;
+  }
+
+  /**
+   * @param hold as in {@link FloorView}
+   * @param kept as in {@link FloorView}
+   */
+  FloorView view(
+      @Nullable Hold hold, Map<String, CellRuns> kept, List<FaultyCharger> faultyChargers) {
+    return new FloorView(
+        floor.name(),
+        hold,
+        CellRuns.of(obstacles.cells()),
+        kept,
+        standstills.lasting(),
+        faultyChargers);
+  }
+
+  private Sentence sentence(Obstacle obstacle) {
+    return Sentence.of(floor.grid().centre(obstacle.cell()));
+  }
+}

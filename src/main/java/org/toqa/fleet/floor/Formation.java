@@ -1,0 +1,38 @@
+package org.toqa.fleet.floor;
+
+import org.toqa.formation.Shape;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.traffic.floor.FormationFootprint;
+
+/**
+ * Who stands where round a load that several robots pick up.
+ *
+ * @param shape the leader first, as the mission names its robots
+ * @param load where it is picked up, and which way it faces, map frame
+ * @param size of the load
+ * @param group the same, as the traffic knows it
+ */
+record Formation(Shape shape, Pose load, LoadSize size, FormationFootprint group) {
+  /** Metres that a follower may be off its place. */
+  static final double TOLERANCE = 0.05;
+
+  /** What is taken for a load whose size nobody said. */
+  static final LoadSize DEFAULT_LOAD_SIZE = new LoadSize(0.3, 0.3);
+
+  /**
+   * Where each robot stands to pick the load up; all face alike.
+   *
+   * @param index of the robot among the mission's, 0 for the leader
+   */
+  Pose pose(int index) {
+    Vec2 place = index == 0 ? shape.leader() : shape.followers().get(index - 1);
+    return load.compose(new Pose(place.x(), place.y(), 0));
+  }
+
+  /** Where a follower keeps its place, in the leader's frame. */
+  Vec2 offset(int index) {
+    return shape.offsets().get(index - 1);
+  }
+}

@@ -1,0 +1,240 @@
+package org.toqa.fleet.floor;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.floor.FloorRobot.DriveGoal;
+import org.toqa.fleet.robot.RobotMessage;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.link.message.ServerMessage.Follower;
+import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/**
+ * The floor's groups: missions with several robots, the first of which leads. While they carry, the
+ * traffic knows the leader alone, with the whole group's cells; the followers are no robots of it.
+ */
+final class Formations {
+  private final FloorState state;
+  private final FormationPlacement places;
+  private final Map<Key, Optional<Formation>> formations = new HashMap<>();
+
+  /** What a formation is made of. */
+  private record Key(long task, Vec2 object, List<String> robots) {}
+
+  Formations(FloorState state) {
+    this.state = state;
+    this.places = new FormationPlacement(state.floor.grid());
+  }
+
+  /** Empty for a mission of one robot, and where there is no room round the load. */
+  Optional<Formation> of(Mission mission) {
+    if (mission.assignedRobots().size() < 2) {
+      return Optional.empty();
+    }
+    List<String> robots = mission.assignedRobots().stream().map(AssignedRobot::robot).toList();
+    Vec2 object = mission.object().position();
+    return formations.computeIfAbsent(
+        new Key(mission.id(), object, robots),
+        key ->
+            places.find(
+                object,
+                mission.task().goal().position(),
+                robots.size(),
+                mission.task().size(),
+                largestRadius(mission)));
+  }
+
+  private double largestRadius(Mission mission) {
+    return mission.assignedRobots().stream()
+            .map(c -> state.robots.get(c.robot()))
+            .filter(Objects::nonNull)
+            .mapToDouble(r -> r.footprint)
+            .max()
+            .orElse(FloorRobot.UNKNOWN_FOOTPRINT)
+        / 2;
+  }
+
+  /** What the robot's phase of the mission asks. */
+  DriveGoal driveGoal(Mission mission, String robot) {
+    DriveGoal goal = DriveGoal.of(mission, robot, state.parkingPoint(robot));
+    Optional<Formation> formation = of(mission);
+    if (goal.phase() != 1 || formation.isEmpty()) {
+      return goal;
+    }
+    Pose place = formation.get().pose(index(mission, robot));
+    return new DriveGoal(goal.task(), 1, place.position(), place.theta(), 0);
+  }
+
+  private static int index(Mission mission, String robot) {
+    return mission.assignedRobots().stream().map(AssignedRobot::robot).toList().indexOf(robot);
+  }
+
+  static boolean isGroup(Mission mission) {
+    return mission.assignedRobots().size() > 1;
+  }
+
+  static String leader(Mission mission) {
+    return mission.assignedRobots().getFirst().robot();
+  }
+
+  /** The mission that the robot carries a load for, together with others. */
+  Optional<Mission> carryingMission(String robot) {
+    return state
+        .missions
+        .missionOf(robot)
+        .filter(m -> isGroup(m) && m.state() == TaskState.CARRYING && of(m).isPresent());
+  }
+
+  /** The mission in which the robot follows another one now. */
+  Optional<Mission> followedMission(String robot) {
+    return carryingMission(robot).filter(m -> !leader(m).equals(robot));
+  }
+
+  /** The formation that this robot leads now, its followers at their places or on the way. */
+  Optional<Formation> ledFormation(String robot) {
+    return carryingMission(robot)
+        .filter(m -> leader(m).equals(robot) && isTogether(m))
+        .flatMap(this::of);
+  }
+
+  /** Whether the group's cells are its leader's, so that this one has none of its own. */
+  boolean isCoveredByLeader(String robot) {
+    return followedMission(robot)
+        .filter(this::isTogether)
+        .map(m -> state.robots.get(leader(m)))
+        .filter(leader -> leader.pose != null)
+        .isPresent();
+  }
+
+  private boolean isTogether(Mission mission) {
+    FloorRobot leader = state.robots.get(leader(mission));
+    return leader != null
+        && leader.localised
+        && leader.lastSeen != null
+        && (leader.role == Role.LEADER || isFollowedByAll(mission));
+  }
+
+  /** Whether every follower was told its place and says that it keeps it. */
+  boolean isFollowedByAll(Mission mission) {
+    return mission.assignedRobots().stream()
+        .skip(1)
+        .map(c -> state.robots.get(c.robot()))
+        .allMatch(r -> r != null && isFollowing(r, mission));
+  }
+
+  static boolean isFollowing(FloorRobot robot, Mission mission) {
+    return robot.role == Role.FOLLOWER
+        && Objects.equals(robot.reportedTask, mission.id())
+        && robot.drive != 0;
+  }
+
+  /** Lets the traffic know groups that carry, and again each robot of those that do not. */
+  void updateTraffic() {
+    formations.keySet().removeIf(key -> state.missions.get(key.task()).isEmpty());
+    for (FloorRobot robot : state.robots.values()) {
+      Pose pose = robot.pose;
+      if (pose == null || robot.lastSeen == null) {
+        continue;
+      }
+      if (isCoveredByLeader(robot.name())) {
+        if (state.traffic.hasRobot(robot.name())) {
+          state.traffic.removeRobot(robot.name());
+        }
+      } else if (!state.traffic.hasRobot(robot.name()) && robot.role == Role.FOLLOWER) {
+        state.traffic.reportStanding(robot.name(), pose, robot.footprint, state.now);
+      }
+      if (state.traffic.hasRobot(robot.name())) {
+        state.traffic.setFormation(
+            robot.name(), ledFormation(robot.name()).map(Formation::group).orElse(null));
+      }
+    }
+  }
+
+  /** The order for a follower. */
+  RobotMessage.Follow followOrder(Mission mission, FloorRobot robot) {
+    Formation formation = of(mission).orElseThrow();
+    FloorRobot leader = state.robots.get(leader(mission));
+    return new RobotMessage.Follow(
+        mission.id(),
+        leader(mission),
+        leader == null ? null : leader.fingerprint(),
+        formation.offset(index(mission, robot.name())),
+        Formation.TOLERANCE,
+        Objects.requireNonNull(robot.pose));
+  }
+
+  /** The order for the leader. */
+  RobotMessage.Lead leadOrder(Mission mission) {
+    List<Follower> followers =
+        mission.assignedRobots().stream()
+            .skip(1)
+            .map(c -> state.robots.get(c.robot()))
+            .filter(Objects::nonNull)
+            .map(r -> new Follower(r.name(), r.record.host(), r.record.port(), r.fingerprint()))
+            .toList();
+    return new RobotMessage.Lead(mission.id(), Formation.TOLERANCE, followers);
+  }
+
+  /** Where the load of a group is while it is on board; null where nobody knows. */
+  @Nullable Pose loadPose(Mission mission) {
+    FloorRobot leader = state.robots.get(leader(mission));
+    Pose pose = leader == null ? null : leader.pose;
+    return pose == null ? null : of(mission).map(f -> f.shape().loadAt(pose)).orElse(null);
+  }
+
+  /** Where a robot's load is: under it, or in the midst of its group. */
+  @Nullable TaskPlace loadPlace(Mission mission, FloorRobot robot) {
+    Pose load =
+        isGroup(mission) && mission.state() == TaskState.CARRYING ? loadPose(mission) : robot.pose;
+    return load == null ? null : new TaskPlace(load.position(), null);
+  }
+
+  /** Whether the robot, which says so, has ended its phase where that ends. */
+  boolean isAtGoal(Mission mission, FloorRobot robot) {
+    if (isGroup(mission) && mission.state() == TaskState.CARRYING) {
+      Pose load = loadPose(mission);
+      return load != null
+          && load.position().distanceTo(mission.destination().position())
+              < FloorState.ARRIVAL_DISTANCE;
+    }
+    return state.isAt(robot, driveGoal(mission, robot.name()).goal());
+  }
+
+  /** Whether some robot of the mission still moves. */
+  boolean isMoving(Mission mission) {
+    return mission.assignedRobots().stream()
+        .map(c -> state.robots.get(c.robot()))
+        .anyMatch(r -> r != null && r.isHeard() && r.moving);
+  }
+
+  /**
+   * Why the whole group shall come to a stand before it is told otherwise; null: it need not.
+   * Robots that are stopped one by one would tear at the load.
+   */
+  @Nullable Sentence stopReason(Mission mission) {
+    if (!isGroup(mission) || mission.state() != TaskState.CARRYING) {
+      return null;
+    }
+    if (mission.isStopping()) {
+      return Phrase.STOPS_TO_SET_DOWN.with(mission.id());
+    }
+    FloorRobot leader = state.robots.get(leader(mission));
+    boolean goesElsewhere =
+        leader != null
+            && leader.drive != 0
+            && leader.toldGoal != null
+            && Objects.equals(leader.reportedTask, mission.id())
+            && !leader.toldGoal.equals(mission.destination().position());
+    return goesElsewhere ? Phrase.STOPS_TO_GO_ELSEWHERE.with() : null;
+  }
+}

@@ -1,0 +1,84 @@
+package org.toqa.fleet.floor;
+
+import java.time.Duration;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Hold;
+import org.toqa.fleet.robot.RobotMessage;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.mission.Mission;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** Lets robots hold that shall stand where they are, and go on when nothing keeps them. */
+final class HoldDispatcher {
+  private static final Duration RESEND_AFTER = Duration.ofSeconds(1);
+  private static final Duration STARTS_WITHIN = Duration.ofSeconds(30);
+
+  private final FloorState state;
+  private @Nullable Hold pause;
+
+  HoldDispatcher(FloorState state, @Nullable Hold pause) {
+    this.state = state;
+    this.pause = pause;
+  }
+
+  void setPause(@Nullable Hold next) {
+    pause = next;
+    updateAll();
+  }
+
+  void setFloorHold(@Nullable Hold next) {
+    state.hold = next;
+    updateAll();
+  }
+
+  private void updateAll() {
+    state.changed = true;
+    state.robots.values().forEach(this::updateHold);
+  }
+
+  /** Tells the robot to hold or to go on, until it says that it does. */
+  void updateHold(FloorRobot robot) {
+    Sentence reason = holdReason(robot);
+    state.changed |= !Objects.equals(reason, robot.holdReason);
+    robot.holdReason = reason;
+    boolean shouldHold = reason != null;
+    if (shouldHold) {
+      robot.lastHeld = state.now;
+    }
+    boolean isHolding = robot.mode == Mode.ERROR ? robot.toldToHold : robot.mode == Mode.HOLDING;
+    boolean isToldAlready =
+        robot.toldToHold == shouldHold && robot.toldToHoldAt.plus(RESEND_AFTER).isAfter(state.now);
+    if (robot.isHeard() && shouldHold != isHolding && !isToldAlready) {
+      robot.toldToHold = shouldHold;
+      robot.toldToHoldAt = state.now;
+      robot.agent.tell(new RobotMessage.Hold(shouldHold));
+    }
+  }
+
+  private @Nullable Sentence holdReason(FloorRobot robot) {
+    if (pause != null) {
+      return Phrase.ALL_PAUSED_BY.with(pause.user());
+    }
+    if (state.hold != null) {
+      return Phrase.FLOOR_HELD_BY.with(state.floor.name(), state.hold.user());
+    }
+    if (robot.held) {
+      return Phrase.HELD_BY_A_PERSON.with();
+    }
+    return state.missions.missionOf(robot.name()).map(this::holdReason).orElse(null);
+  }
+
+  private @Nullable Sentence holdReason(Mission mission) {
+    return mission.held()
+        ? Phrase.TASK_ON_HOLD.with(mission.id())
+        : state.formations.stopReason(mission);
+  }
+
+  /** A robot on hold does not get on, and needs a while when it goes on. */
+  boolean isRecentlyHeld(String name) {
+    FloorRobot robot = state.robots.get(name);
+    return robot != null && robot.lastHeld.plus(STARTS_WITHIN).isAfter(state.now);
+  }
+}

@@ -1,0 +1,65 @@
+package org.toqa.fleet.floor;
+
+import java.time.Duration;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.floor.FloorRobot.DriveGoal;
+import org.toqa.mission.Mission;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** Sends robots that have nothing to do to their parking points. */
+final class HomeDispatcher {
+  /** A robot that is needed again at once need not turn round. */
+  private static final Duration HOME_AFTER = Duration.ofSeconds(3);
+
+  private final FloorState state;
+
+  HomeDispatcher(FloorState state) {
+    this.state = state;
+  }
+
+  void sendHome(FloorRobot robot) {
+    state
+        .parkingPoint(robot.name())
+        .ifPresent(parking -> robot.driveGoal = DriveGoal.toParking(parking));
+  }
+
+  /** Why a person cannot send the robot home now; null if it can be. */
+  @Nullable Sentence objection(FloorRobot robot) {
+    Optional<Mission> mission = state.missions.missionOf(robot.name());
+    if (mission.isPresent()) {
+      return Phrase.HOME_AFTER_TASK.with(robot.name(), mission.get().id());
+    }
+    if (robot.turn != null) {
+      return Phrase.HOME_AFTER_CHARGING.with(robot.name());
+    }
+    if (state.parkingPoint(robot.name()).isEmpty()) {
+      return Phrase.HAS_NO_HOME.with(robot.name());
+    }
+    if (robot.holdReason != null) {
+      return Phrase.LET_IT_GO_ON_FIRST.with(robot.name());
+    }
+    return robot.isFit() ? null : Phrase.CANNOT_DRIVE_NOW.with(robot.name());
+  }
+
+  /** Parking when idle. */
+  void sendIdleHome(FloorRobot robot) {
+    boolean isIdle =
+        robot.driveGoal == null
+            && robot.isStanding()
+            && robot.isFit()
+            && robot.holdReason == null
+            && state.missions.missionOf(robot.name()).isEmpty();
+    if (!isIdle) {
+      robot.idleSince = null;
+    } else if (robot.idleSince == null) {
+      robot.idleSince = state.now;
+    } else if (!robot.idleSince.plus(HOME_AFTER).isAfter(state.now)) {
+      state
+          .parkingPoint(robot.name())
+          .filter(parking -> !state.isAt(robot, parking))
+          .ifPresent(parking -> robot.driveGoal = DriveGoal.toParking(parking));
+    }
+  }
+}

@@ -1,0 +1,210 @@
+package org.toqa.fleet.floor;
+
+import java.util.List;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.robot.RobotMessage;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** What people want of a floor's robots: to stand, to go home, to be out of service, to be told. */
+final class OperatorCommandHandler {
+  private final FloorState state;
+  private final FloorReporter reports;
+  private final FloorMissions missions;
+  private final HoldDispatcher holds;
+  private final HomeDispatcher homing;
+  private final ActorRef<FloorMessage> self;
+
+  OperatorCommandHandler(
+      FloorState state,
+      FloorReporter reports,
+      FloorMissions missions,
+      HoldDispatcher holding,
+      HomeDispatcher homing,
+      ActorRef<FloorMessage> self) {
+    this.state = state;
+    this.reports = reports;
+    this.missions = missions;
+    this.holds = holding;
+    this.homing = homing;
+    this.self = self;
+  }
+
+  /** From now on it is spoken to at its new address, and by its new certificate. */
+  void robotChanged(FloorMessage.RobotChanged m) {
+    FloorRobot robot = state.robots.get(m.robot().name());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot().name())));
+      return;
+    }
+    boolean isElsewhere = !m.robot().address().equals(robot.record.address());
+    robot.setRecord(m.robot());
+    if (isElsewhere || robot.alert != null) {
+      robot.alert = null;
+      robot.agent.tell(new RobotMessage.Reconnect(m.robot()));
+    }
+    reports.send();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));
+  }
+
+  void removeRobot(FloorMessage.RemoveRobot m) {
+    FloorRobot robot = state.robots.get(m.robot());
+    Sentence objection = robot == null ? null : objectionToRemoval(robot);
+    if (robot == null || objection != null) {
+      m.replyTo()
+          .tell(
+              StatusReply.success(
+                  objection == null
+                      ? FloorState.unknownRobot(m.robot())
+                      : new Answer.Conflict<>(objection, null)));
+      return;
+    }
+    EventRecord event =
+        state.historyEvent(
+            "robot.removed", m.robot(), m.user(), Phrase.ROBOT_REMOVED.with(m.user(), m.robot()));
+    state.writer.tryOnce(
+        () -> state.store.removeRobot(m.robot(), List.of(event)),
+        () -> self.tell(new FloorMessage.RobotRemoved(m)),
+        failure -> m.replyTo().tell(StatusReply.error(failure)));
+  }
+
+  private @Nullable Sentence objectionToRemoval(FloorRobot robot) {
+    if (robot.record.simulated()) {
+      return Phrase.SIMULATED_CANNOT_BE_REMOVED.with(robot.name());
+    }
+    if (robot.inService) {
+      return Phrase.TAKE_OUT_FIRST.with(robot.name());
+    }
+    return state
+        .missions
+        .missionOf(robot.name())
+        .map(mission -> Phrase.REMOVE_AFTER_TASK.with(robot.name(), mission.id()))
+        .orElse(null);
+  }
+
+  void locateRobot(FloorMessage.LocateRobot m) {
+    m.replyTo().tell(StatusReply.success(tryLocate(m)));
+  }
+
+  private Answer<RobotView> tryLocate(FloorMessage.LocateRobot m) {
+    FloorRobot robot = state.robots.get(m.robot());
+    if (robot == null) {
+      return FloorState.unknownRobot(m.robot());
+    }
+    if (!robot.connected) {
+      return new Answer.Rejected<>(null, Phrase.LOCATE_WHEN_CONNECTED.with(m.robot()));
+    }
+    if (robot.drive != 0 || robot.drivePending) {
+      return new Answer.Rejected<>(null, Phrase.LOCATE_WHEN_ARRIVED.with(m.robot()));
+    }
+    if (!state.floor.grid().isFree(m.pose().position())) {
+      return new Answer.Rejected<>("x", Phrase.CANNOT_STAND_THERE.with());
+    }
+    robot.agent.tell(new RobotMessage.Locate(m.pose()));
+    Sentence text = Phrase.ROBOT_LOCATED.with(m.user(), m.robot());
+    state.addToHistory(
+        new EventRecord(state.clock.instant(), "robot.located", null, m.robot(), m.user(), text));
+    return new Answer.Accepted<>(reports.view(robot));
+  }
+
+  void holdRobot(FloorMessage.HoldRobot m) {
+    FloorRobot robot = state.robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
+      return;
+    }
+    List<EventRecord> events = robot.held == m.hold() ? List.of() : List.of(holdEvent(m));
+    robot.held = m.hold();
+    holds.updateHold(robot);
+    reports.send();
+    RobotView view = reports.view(robot);
+    state.writer.write(
+        () -> state.store.saveHold(m.robot(), m.hold(), events),
+        () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+  }
+
+  private EventRecord holdEvent(FloorMessage.HoldRobot m) {
+    return m.hold()
+        ? state.historyEvent(
+            "robot.held", m.robot(), m.user(), Phrase.ROBOT_PUT_ON_HOLD.with(m.user(), m.robot()))
+        : state.historyEvent(
+            "robot.resumed", m.robot(), m.user(), Phrase.ROBOT_LET_GO_ON.with(m.user(), m.robot()));
+  }
+
+  void sendHome(FloorMessage.SendHome m) {
+    FloorRobot robot = state.robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
+      return;
+    }
+    Sentence objection = homing.objection(robot);
+    if (objection != null) {
+      m.replyTo().tell(StatusReply.success(new Answer.Conflict<>(objection, null)));
+      return;
+    }
+    homing.sendHome(robot);
+    EventRecord event =
+        state.historyEvent(
+            "robot.sent-home",
+            m.robot(),
+            m.user(),
+            Phrase.ROBOT_SENT_HOME.with(m.user(), m.robot()));
+    reports.send();
+    RobotView view = reports.view(robot);
+    state.writer.write(
+        () -> state.store.addEvents(List.of(event)),
+        () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+  }
+
+  void setInService(FloorMessage.SetInService m) {
+    FloorRobot robot = state.robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
+      return;
+    }
+    boolean clears = !m.inService() && state.hasReservedCells(robot);
+    if (robot.inService == m.inService() && !clears) {
+      m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));
+      return;
+    }
+    EventRecord event =
+        state.historyEvent(
+            m.inService() ? "robot.in-service" : "robot.out-of-service",
+            m.robot(),
+            m.user(),
+            servicePhrase(m, clears).with(m.user(), m.robot()));
+    state.writer.tryOnce(
+        () -> state.store.saveService(m.robot(), m.inService(), List.of(event)),
+        () -> self.tell(new FloorMessage.ServiceStored(m, clears)),
+        failure -> m.replyTo().tell(StatusReply.error(failure)));
+  }
+
+  private static Phrase servicePhrase(FloorMessage.SetInService m, boolean clears) {
+    if (m.inService()) {
+      return Phrase.ROBOT_PUT_BACK;
+    }
+    return clears ? Phrase.LOST_ROBOT_TAKEN_OUT : Phrase.ROBOT_TAKEN_OUT;
+  }
+
+  void serviceStored(FloorMessage.SetInService m, boolean clears) {
+    FloorRobot robot = state.robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
+      return;
+    }
+    robot.inService = m.inService();
+    missions.checkRobot(robot); // while its place is known
+    if (clears && state.hasReservedCells(robot)) {
+      state.traffic.removeRobot(robot.name());
+      robot.pose = null;
+      robot.drivePending = false;
+    }
+    reports.send();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));
+  }
+}

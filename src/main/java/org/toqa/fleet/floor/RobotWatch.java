@@ -1,0 +1,76 @@
+package org.toqa.fleet.floor;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.MissionEvent.OfRobot;
+import org.toqa.mission.TaskPlace;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** Tells from a robot's condition what the mission that it works for must know. */
+final class RobotWatch {
+  /** A shorter loss is nothing to bother a person with. */
+  private static final Duration ASK_AFTER = Duration.ofSeconds(5);
+
+  private static final int LONGEST_CODE = 60;
+
+  private final Duration reassignAfter;
+
+  /**
+   * @param reassignAfter a robot that is silent for so long has failed
+   */
+  RobotWatch(Duration reassignAfter) {
+    this.reassignAfter = reassignAfter;
+  }
+
+  /**
+   * The same condition may be told again and again.
+   *
+   * @param place where the robot is, or the load that it carries with others; null where nobody
+   *     knows
+   */
+  Optional<OfRobot> missionEvent(FloorRobot robot, @Nullable TaskPlace place, Instant now) {
+    if (!robot.inService) {
+      if (robot.isHeard() && !robot.hasStopped()) {
+        return Optional.empty(); // where it will stand is not known yet
+      }
+      return Optional.of(new MissionEvent.RobotWithdrawn(robot.name(), place));
+    }
+    if (!robot.isHeard()) {
+      return lostEvent(robot, place, now);
+    }
+    if (robot.mode == Mode.ERROR) {
+      if (robot.moving) {
+        return Optional.empty();
+      }
+      return Optional.of(new MissionEvent.RobotFailed(robot.name(), errorClause(robot), place));
+    }
+    return robot.isFit()
+        ? Optional.of(new MissionEvent.RobotRecovered(robot.name()))
+        : Optional.empty();
+  }
+
+  private Optional<OfRobot> lostEvent(FloorRobot robot, @Nullable TaskPlace place, Instant now) {
+    Duration silence = Duration.between(robot.silentSince, now);
+    if (silence.compareTo(reassignAfter) >= 0) {
+      return Optional.of(
+          new MissionEvent.RobotFailed(robot.name(), Phrase.IS_NOT_HEARD_OF.with(), place));
+    }
+    return silence.compareTo(ASK_AFTER) >= 0
+        ? Optional.of(new MissionEvent.RobotLost(robot.name(), place))
+        : Optional.empty();
+  }
+
+  private static Sentence errorClause(FloorRobot robot) {
+    if (robot.errors.isEmpty()) {
+      return Phrase.REPORTS_ERROR.with();
+    }
+    String code = robot.errors.getFirst().code();
+    return Phrase.REPORTS_CODE.with(
+        code.length() > LONGEST_CODE ? code.substring(0, LONGEST_CODE) : code);
+  }
+}

@@ -1,0 +1,35 @@
+package org.toqa.fleet.floor;
+
+import java.util.Optional;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.mission.Mission;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** Whether a floor has room for robots that carry a load together, all the way. */
+public final class TeamRoomCheck {
+  private final FormationPlacement places;
+
+  public TeamRoomCheck(OccupancyGrid grid) {
+    this.places = new FormationPlacement(grid);
+  }
+
+  /** Why so many robots cannot carry it; empty if they can, or one does. */
+  public Optional<Sentence> objection(Mission mission, int robots) {
+    boolean isPossible =
+        robots < 2
+            || places
+                .find(
+                    mission.object().position(),
+                    mission.task().goal().position(),
+                    robots,
+                    mission.task().size(),
+                    FloorRobot.UNKNOWN_FOOTPRINT / 2)
+                .isPresent();
+    return isPossible
+        ? Optional.empty()
+        : Optional.of(
+            Phrase.NO_ROOM_FOR_TEAM.with(
+                robots, mission.object().sentence(), mission.task().goal().sentence()));
+  }
+}

@@ -1,0 +1,34 @@
+package org.toqa.fleet.history;
+
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventRecord;
+
+/** Reads everything that has happened. Called by threads that may wait. */
+public interface EventArchive {
+
+  /** Events that come before the one with that id, newest first. */
+  List<Entry> events(Filter filter, long before, int limit);
+
+  /** One line of the history and its place in it. */
+  record Entry(long id, EventRecord event) {}
+
+  /**
+   * Which events are wanted; null: any.
+   *
+   * @param kind a kind such as {@code task.carrying}, or a family of them such as {@code task}
+   * @param user who did it, or {@code toqa}
+   * @param from the first moment
+   * @param until the first moment after it
+   * @param users whether what managers did with users is wanted too
+   */
+  record Filter(
+      @Nullable Long task,
+      @Nullable String robot,
+      @Nullable String user,
+      @Nullable String kind,
+      @Nullable Instant from,
+      @Nullable Instant until,
+      boolean users) {}
+}

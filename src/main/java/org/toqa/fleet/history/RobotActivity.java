@@ -1,0 +1,42 @@
+package org.toqa.fleet.history;
+
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+
+/** What a robot spends its time with. */
+public enum RobotActivity {
+  /** Fetches a load or carries it, also while it makes way for others. */
+  WORKING,
+  /** Drives without a load to fetch or carry: home, to a charging point, out of the way. */
+  TRAVELLING,
+  CHARGING,
+  /** Stands, and could be given a task. */
+  IDLE,
+  /** A person has it stand: by itself, with its task, its floor or the whole fleet. */
+  HELD,
+  /** Reports an error, or does not know where it is. */
+  TROUBLED,
+  /** Is not heard of. */
+  LOST,
+  OUT_OF_SERVICE;
+
+  static RobotActivity of(RobotView robot) {
+    return switch (robot.state()) {
+      case OUT_OF_SERVICE -> OUT_OF_SERVICE;
+      case CONNECTING, LOST -> LOST;
+      case NOT_LOCALISED, ERROR -> TROUBLED;
+      case CHARGING -> CHARGING;
+      case IDLE, DRIVING, HOLDING -> ofOperational(robot);
+    };
+  }
+
+  private static RobotActivity ofOperational(RobotView robot) {
+    if (robot.held()) {
+      return HELD;
+    }
+    if (robot.phase() == 1 || robot.phase() == 2) {
+      return WORKING;
+    }
+    return robot.state() == RobotState.IDLE ? IDLE : TRAVELLING;
+  }
+}

@@ -1,0 +1,75 @@
+package org.toqa.fleet.history;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.PeriodicWork;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.SnapshotFeed;
+
+/**
+ * Writes down where robots were, on a thread of its own. A killed server loses the last ten seconds
+ * of it; while the store does not answer, the newest points wait.
+ */
+public final class TrackRecorder implements AutoCloseable {
+  private static final Logger log = LoggerFactory.getLogger(TrackRecorder.class);
+  private static final Duration OBSERVE_INTERVAL = Duration.ofMillis(200);
+  private static final Duration WRITE_INTERVAL = Duration.ofSeconds(10);
+  private static final int MAX_WAITING = 100_000;
+
+  private final SnapshotFeed feed;
+  private final TrackStore store;
+  private final Map<String, TrackThinner> thinners = new HashMap<>();
+  private final List<TrackPoint> waiting = new ArrayList<>();
+  private final PeriodicWork work;
+  private long written = System.nanoTime();
+
+  public TrackRecorder(SnapshotFeed feed, TrackStore store) {
+    this.feed = feed;
+    this.store = store;
+    work = new PeriodicWork("tracks", OBSERVE_INTERVAL, this::observe);
+  }
+
+  private void observe() {
+    feed.latest().robots().forEach(this::observe);
+    if (System.nanoTime() - written > WRITE_INTERVAL.toNanos()) {
+      write();
+      written = System.nanoTime();
+    }
+  }
+
+  private void observe(RobotView robot) {
+    if (robot.pose() != null && robot.lastSeen() != null && robot.state() != RobotState.LOST) {
+      thinners
+          .computeIfAbsent(robot.name(), TrackThinner::new)
+          .add(robot.lastSeen(), robot.pose().position())
+          .ifPresent(waiting::add);
+    }
+  }
+
+  private void write() {
+    if (waiting.isEmpty()) {
+      return;
+    }
+    try {
+      store.add(List.copyOf(waiting));
+      waiting.clear();
+    } catch (StoreException e) {
+      log.warn("Tracks could not be stored; they wait.", e);
+      if (waiting.size() > MAX_WAITING) {
+        waiting.subList(0, waiting.size() - MAX_WAITING).clear();
+      }
+    }
+  }
+
+  @Override
+  public void close() {
+    work.close();
+  }
+}

@@ -1,0 +1,31 @@
+package org.toqa.fleet.history;
+
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What happened in some time, in numbers.
+ *
+ * @param waiting from order to the first robots, over the tasks that got them then; null: none did
+ * @param delivery from order to delivery, over the tasks that were delivered then
+ * @param completion from order to the end, over the tasks that were done then
+ * @param metres that all robots drove
+ * @param battery how much all batteries fell; 1 is a full one
+ * @param failures how often; every kind is there
+ */
+public record WorkStatistics(
+    long ordered,
+    long done,
+    long failed,
+    long cancelled,
+    @Nullable DurationStatistics waiting,
+    @Nullable DurationStatistics delivery,
+    @Nullable DurationStatistics completion,
+    double metres,
+    double battery,
+    Map<FailureKind, Long> failures) {
+
+  public long failureCount() {
+    return failures.values().stream().mapToLong(Long::longValue).sum();
+  }
+}

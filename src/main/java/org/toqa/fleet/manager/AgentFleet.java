@@ -1,0 +1,238 @@
+package org.toqa.fleet.manager;
+
+import com.typesafe.config.Config;
+import com.typesafe.config.ConfigFactory;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Function;
+import org.apache.pekko.actor.BootstrapSetup;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.actor.typed.ActorSystem;
+import org.apache.pekko.actor.typed.javadsl.AskPattern;
+import org.apache.pekko.pattern.StatusReply;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.allocation.Allocator;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetRules;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.Hold;
+import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.SnapshotFeed;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskPreview;
+import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.FloorMap;
+import org.toqa.link.RobotLinkFactory;
+import org.toqa.mission.MissionEvent;
+
+/**
+ * The fleet as a system of agents: one manager, one agent a floor, one a robot.
+ *
+ * <p>It reads no clock for its decisions: whoever started it calls {@link #tick} about ten times a
+ * second, with real or with simulated time.
+ */
+public final class AgentFleet implements Fleet, AutoCloseable {
+  private static final Logger log = LoggerFactory.getLogger(AgentFleet.class);
+  private static final Duration ANSWER_LIMIT = Duration.ofSeconds(10);
+  private static final Config CONFIG =
+      ConfigFactory.parseString(
+          """
+          pekko {
+            loggers = ["org.apache.pekko.event.slf4j.Slf4jLogger"]
+            logging-filter = "org.apache.pekko.event.slf4j.Slf4jLoggingFilter"
+            loglevel = "WARNING"
+            stdout-loglevel = "OFF"
+            log-dead-letters = off
+            log-dead-letters-during-shutdown = off
+            jvm-exit-on-fatal-error = off
+            coordinated-shutdown.run-by-jvm-shutdown-hook = off
+          }
+          """);
+
+  private final List<FloorMap> floors;
+  private final LatestSnapshot latestSnapshot;
+  private final ActorSystem<ManagerMessage> system;
+
+  /**
+   * Reads the store and goes on with what is in it.
+   *
+   * @param floors at least one; the first is the default
+   * @param clock for the times in the history
+   * @param now of the time that {@link #tick} brings
+   */
+  public AgentFleet(
+      List<FloorMap> floors,
+      FleetStore store,
+      RobotLinkFactory links,
+      Allocator allocator,
+      FleetRules rules,
+      InstantSource clock,
+      Instant now) {
+    this.floors = List.copyOf(floors);
+    this.latestSnapshot =
+        new LatestSnapshot(
+            new FleetSnapshot(
+                0,
+                clock.instant(),
+                List.of(),
+                List.of(),
+                0,
+                List.of(),
+                store.pause().orElse(null),
+                List.of()));
+    ClassLoader loader = AgentFleet.class.getClassLoader();
+    this.system =
+        ActorSystem.create(
+            ManagerAgent.of(floors, store, links, allocator, rules, clock, now, latestSnapshot),
+            "toqa",
+            BootstrapSetup.create(CONFIG.withFallback(ConfigFactory.load(loader)))
+                .withClassloader(loader));
+  }
+
+  /** Time goes on: timers fire, robots are pinged, waiting tasks are looked at. */
+  public void tick(Instant now) {
+    system.tell(new ManagerMessage.Tick(now));
+  }
+
+  @Override
+  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
+    return ask(replyTo -> new ManagerMessage.SubmitTask(order, user, key, replyTo));
+  }
+
+  @Override
+  public CompletionStage<BatchAnswer> submitAll(
+      List<TaskOrder> orders, String user, List<UUID> keys) {
+    return ask(replyTo -> new ManagerMessage.SubmitTasks(orders, user, keys, replyTo));
+  }
+
+  @Override
+  public CompletionStage<List<BatchAnswer.Rejection>> rejections(
+      List<TaskOrder> orders, String user) {
+    return ask(replyTo -> new ManagerMessage.ValidateOrders(orders, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
+    return ask(replyTo -> new ManagerMessage.PreviewTask(order, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> addRobot(RobotOrder order, String user) {
+    return ask(replyTo -> new ManagerMessage.AddRobot(order, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> pairRobot(
+      String robot, PairingOrder order, String user) {
+    return ask(replyTo -> new ManagerMessage.PairRobot(robot, order, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> changeRobot(
+      String robot, RobotChange change, String user) {
+    return ask(replyTo -> new ManagerMessage.ChangeRobot(robot, change, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> removeRobot(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.RemoveRobot(robot, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> locateRobot(String robot, Pose pose, String user) {
+    return ask(replyTo -> new ManagerMessage.LocateRobot(robot, pose, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> takeOutOfService(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.SetInService(robot, false, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> putInService(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.SetInService(robot, true, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> holdRobot(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.HoldRobot(robot, true, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> resumeRobot(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.HoldRobot(robot, false, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> sendHome(String robot, String user) {
+    return ask(replyTo -> new ManagerMessage.SendHome(robot, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<TaskView>> commandTask(
+      long task, MissionEvent.OperatorCommand command) {
+    return ask(replyTo -> new ManagerMessage.CommandTask(task, command, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<Hold>>> pauseAll(String user) {
+    return ask(replyTo -> new ManagerMessage.SetPause(true, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<Hold>>> resumeAll(String user) {
+    return ask(replyTo -> new ManagerMessage.SetPause(false, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<Hold>>> holdFloor(String floor, String user) {
+    return ask(replyTo -> new ManagerMessage.HoldFloor(floor, true, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user) {
+    return ask(replyTo -> new ManagerMessage.HoldFloor(floor, false, user, replyTo));
+  }
+
+  private <T> CompletionStage<T> ask(Function<ActorRef<StatusReply<T>>, ManagerMessage> message) {
+    return AskPattern.askWithStatus(system, message::apply, ANSWER_LIMIT, system.scheduler());
+  }
+
+  @Override
+  public List<FloorMap> floors() {
+    return floors;
+  }
+
+  @Override
+  public SnapshotFeed snapshots() {
+    return latestSnapshot;
+  }
+
+  /** Ends the agents: links are closed, what was handed to the store is written. */
+  @Override
+  public void close() {
+    system.terminate();
+    try {
+      system.getWhenTerminated().toCompletableFuture().get(10, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (TimeoutException | java.util.concurrent.ExecutionException e) {
+      log.warn("The agents did not end in time.", e);
+    }
+  }
+}

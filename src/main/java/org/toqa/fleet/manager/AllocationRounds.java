@@ -1,0 +1,250 @@
+package org.toqa.fleet.manager;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.Collectors;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.allocation.AllocationProblem;
+import org.toqa.allocation.AllocationProblem.GivenTask;
+import org.toqa.allocation.AllocationTask;
+import org.toqa.allocation.Allocator;
+import org.toqa.allocation.Availability;
+import org.toqa.allocation.Candidate;
+import org.toqa.allocation.Decision;
+import org.toqa.allocation.PlaceUse;
+import org.toqa.allocation.WaitExplainer;
+import org.toqa.fleet.TaskView;
+import org.toqa.fleet.floor.FloorMessage;
+import org.toqa.fleet.floor.TeamRoomCheck;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.mission.Mission;
+import org.toqa.wording.Sentence;
+
+/** Lets the allocator decide who carries what, floor by floor, and hands tasks over. */
+final class AllocationRounds {
+  private static final Logger log = LoggerFactory.getLogger(AllocationRounds.class);
+
+  private final FleetState fleet;
+  private final Allocator allocator;
+  private final ActorRef<ManagerMessage> self;
+  private final TaskExchanges exchanges = new TaskExchanges();
+
+  /** By floor: what its robots were last seen to be kept by. */
+  private final Map<String, Map<String, Availability>> availabilities = new HashMap<>();
+
+  /** By floor: which of its places were last seen to be in use. */
+  private final Map<String, List<PlaceUse>> placesSeen = new HashMap<>();
+
+  /** By floor and task: what the last round said of those that wait. */
+  private final Map<String, Map<Long, Sentence>> reasons = new HashMap<>();
+
+  /** Tasks for several robots that have no room round the load, and why. */
+  private final Map<Long, Sentence> tasksWithoutRoom = new HashMap<>();
+
+  /** Floors with a round under way. */
+  private final Set<String> deciding = new HashSet<>();
+
+  AllocationRounds(FleetState fleet, Allocator allocator, ActorRef<ManagerMessage> self) {
+    this.fleet = fleet;
+    this.allocator = allocator;
+    this.self = self;
+  }
+
+  /** A floor has told how it is: it is time for a round where robots or places became free. */
+  void floorReported(String floor) {
+    Map<String, Availability> now =
+        fleet.candidates(floor).stream()
+            .collect(Collectors.toMap(Candidate::robot, Candidate::availability));
+    List<PlaceUse> inUse = fleet.placesInUse(floor);
+    boolean isNews = !now.equals(availabilities.put(floor, now));
+    if (!inUse.equals(placesSeen.put(floor, inUse)) || isNews) {
+      fleet.dueFloors.add(floor);
+    }
+  }
+
+  /** Lets the allocator decide, on a thread of its own, on each floor where it is time. */
+  void beginDueRounds() {
+    for (String floor : List.copyOf(fleet.dueFloors)) {
+      if (fleet.reports.containsKey(floor) && !deciding.contains(floor)) {
+        fleet.dueFloors.remove(floor);
+        beginRound(requireNonNull(fleet.floorMaps.get(floor)));
+      }
+    }
+  }
+
+  private void beginRound(FloorMap floor) {
+    List<Candidate> robotsHere = fleet.candidates(floor.name());
+    List<GivenTask> given =
+        exchanges.exchangeableTasks(
+            fleet.assignedTasks(floor.name()), fleet.robotsOn(floor.name()), fleet.clock.instant());
+    double strongest = maxFreeLoad(robotsHere, given);
+    double strongestOfAll = robotsHere.stream().mapToDouble(Candidate::maxLoad).max().orElse(0);
+    boolean isAnyFree = strongest > 0;
+    List<AllocationTask> jobs =
+        fleet.queue.firstJobs(
+            floor.name(),
+            job ->
+                job.load() <= strongest
+                    || (isAnyFree
+                        && job.load() > strongestOfAll
+                        && !tasksWithoutRoom.containsKey(job.id())),
+            FleetState.TASKS_CONSIDERED);
+    if (jobs.isEmpty()) {
+      reasons.remove(floor.name());
+      fleet.changed = true;
+    }
+    if (jobs.isEmpty() && given.isEmpty()) {
+      return;
+    }
+    deciding.add(floor.name());
+    AllocationProblem problem = problem(floor, jobs, given, robotsHere);
+    var _ =
+        CompletableFuture.supplyAsync(
+                () -> allocator.allocate(problem),
+                round -> Thread.ofVirtual().name("allocation-" + floor.name()).start(round))
+            .whenComplete(
+                (decisions, failure) ->
+                    self.tell(decisionMessage(floor.name(), decisions, failure)));
+  }
+
+  /** What a robot that is free, or may be by an exchange, carries; nothing while none is free. */
+  private static double maxFreeLoad(List<Candidate> robotsHere, List<GivenTask> given) {
+    Set<String> holders = given.stream().map(GivenTask::robot).collect(Collectors.toSet());
+    return robotsHere.stream().noneMatch(r -> r.availability() == Availability.FREE)
+        ? Double.NEGATIVE_INFINITY
+        : robotsHere.stream()
+            .filter(r -> r.availability() == Availability.FREE || holders.contains(r.robot()))
+            .mapToDouble(Candidate::maxLoad)
+            .max()
+            .orElse(Double.NEGATIVE_INFINITY);
+  }
+
+  AllocationProblem problem(
+      FloorMap floor,
+      List<AllocationTask> jobs,
+      List<GivenTask> given,
+      List<Candidate> robotsHere) {
+    OccupancyGrid grid = floor.grid();
+    Vec2 size = new Vec2(grid.width(), grid.height()).times(grid.resolution());
+    return new AllocationProblem(
+        fleet.clock.instant(),
+        grid.origin(),
+        grid.origin().plus(size),
+        requireNonNull(fleet.distances.get(floor.name())),
+        FleetState.chargerPositions(floor),
+        jobs,
+        given,
+        robotsHere,
+        fleet.placesInUse(floor.name()));
+  }
+
+  private static ManagerMessage decisionMessage(
+      String floor, @Nullable List<Decision> decisions, @Nullable Throwable failure) {
+    if (failure != null) {
+      log.error("{}: a round of allocation failed.", floor, failure);
+    }
+    return new ManagerMessage.AllocationDecided(floor, decisions == null ? List.of() : decisions);
+  }
+
+  /** Gives the tasks to robots that are still free; the rest is for the next round. */
+  void allocationDecided(ManagerMessage.AllocationDecided m) {
+    deciding.remove(m.floor());
+    fleet.changed = true;
+    ActorRef<FloorMessage> floor = requireNonNull(fleet.floors.get(m.floor()));
+    Set<String> free = exchangeTasks(floor, m);
+    Map<Long, Sentence> waiting = new HashMap<>();
+    for (Decision decision : m.decisions()) {
+      switch (decision) {
+        case Decision.Assigned(long id, List<String> chosen, Sentence why) -> {
+          Optional<Sentence> objection = objectionToTeam(id, chosen.size(), m.floor());
+          if (objection.isPresent()) {
+            tasksWithoutRoom.put(id, objection.get());
+            fleet.dueFloors.add(m.floor());
+          } else if (free.containsAll(chosen)) {
+            takeFromQueue(id).ifPresent(mission -> handOver(mission, chosen, why));
+          } else if (fleet.queue.get(id).isPresent()) {
+            fleet.dueFloors.add(m.floor());
+          }
+        }
+        case Decision.Unassigned(long id, Sentence why, List<String> drained) -> {
+          waiting.put(id, why);
+          if (!drained.isEmpty()) {
+            floor.tell(new FloorMessage.RechargeRobots(drained, id));
+          }
+        }
+      }
+    }
+    tasksWithoutRoom.keySet().removeIf(task -> fleet.queue.get(task).isEmpty());
+    reasons.put(m.floor(), waiting);
+  }
+
+  private Optional<Sentence> objectionToTeam(long task, int team, String floor) {
+    TeamRoomCheck room = new TeamRoomCheck(requireNonNull(fleet.floorMaps.get(floor)).grid());
+    return fleet.queue.get(task).flatMap(queued -> room.objection(queued.mission(), team));
+  }
+
+  /**
+   * Lets robots change tasks that are not begun.
+   *
+   * @return who is free for another task then
+   */
+  private Set<String> exchangeTasks(
+      ActorRef<FloorMessage> floor, ManagerMessage.AllocationDecided m) {
+    Set<String> free =
+        fleet.candidates(m.floor()).stream()
+            .filter(r -> r.availability() == Availability.FREE)
+            .map(Candidate::robot)
+            .collect(Collectors.toCollection(HashSet::new));
+    List<FloorMessage.Move> moves =
+        exchanges.moves(m.decisions(), fleet.assignedTasks(m.floor()), free, fleet.clock.instant());
+    if (!moves.isEmpty()) {
+      floor.tell(new FloorMessage.ExchangeTasks(moves));
+      moves.forEach(move -> free.add(move.from()));
+      moves.forEach(move -> free.remove(move.to()));
+    }
+    return free;
+  }
+
+  /** Takes it out of the queue, unless it was cancelled or held meanwhile. */
+  private Optional<Mission> takeFromQueue(long task) {
+    return fleet
+        .queue
+        .get(task)
+        .filter(TaskQueue.Queued::canBegin)
+        .flatMap(q -> fleet.queue.remove(task));
+  }
+
+  private void handOver(Mission mission, List<String> chosen, Sentence why) {
+    fleet.handedOver.put(
+        mission.id(),
+        TaskView.of(mission.assign(chosen, why).mission(), null, fleet.clock.instant()));
+    requireNonNull(fleet.floors.get(mission.task().floor()))
+        .tell(new FloorMessage.BeginTask(mission, chosen, why));
+    fleet.changed = true;
+  }
+
+  /** What the last round said; of a task that it did not look at, what is plain without one. */
+  Sentence waitReason(TaskQueue.Queued queued, @Nullable WaitExplainer plain) {
+    Sentence noRoom = tasksWithoutRoom.get(queued.task().id());
+    if (noRoom != null) {
+      return noRoom;
+    }
+    Sentence said = reasons.getOrDefault(queued.task().floor(), Map.of()).get(queued.task().id());
+    if (said != null) {
+      return said;
+    }
+    return plain == null ? FleetState.LOOKING_FOR_ROBOT : plain.reason(queued.job());
+  }
+}

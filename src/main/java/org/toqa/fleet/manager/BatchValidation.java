@@ -1,0 +1,48 @@
+package org.toqa.fleet.manager;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer.Rejection;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.mission.TransportTask;
+import org.toqa.wording.Sentence;
+
+/**
+ * Checks many orders at once. Their ways take time, so that is done on a thread of its own.
+ *
+ * @param validator that no other thread uses
+ * @param totalCapacity what all robots carry together, kilograms
+ */
+record BatchValidation(
+    OrderValidator validator,
+    List<TaskOrder> orders,
+    String user,
+    Instant now,
+    double totalCapacity) {
+
+  /**
+   * @param tasks of the orders that are good; their ids are not known yet
+   */
+  record Result(List<TransportTask> tasks, List<Rejection> rejections) {}
+
+  Result run() {
+    List<TransportTask> tasks = new ArrayList<>();
+    List<Rejection> refusals = new ArrayList<>();
+    for (int place = 0; place < orders.size(); place++) {
+      Answer<TransportTask> checked =
+          validator.checkTask(orders.get(place), user, now, totalCapacity);
+      switch (checked) {
+        case Answer.Accepted<TransportTask>(TransportTask task) -> tasks.add(task);
+        case Answer.Rejected<TransportTask>(String field, Sentence sentence) ->
+            refusals.add(new Rejection(place, field, sentence));
+        case Answer.Conflict<TransportTask>(Sentence sentence, var needs) ->
+            refusals.add(new Rejection(place, null, sentence));
+        case Answer.Unknown<TransportTask>(Sentence sentence) ->
+            refusals.add(new Rejection(place, null, sentence));
+      }
+    }
+    return new Result(tasks, refusals);
+  }
+}

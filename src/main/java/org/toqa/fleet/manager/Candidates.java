@@ -1,0 +1,61 @@
+package org.toqa.fleet.manager;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.toqa.allocation.Availability;
+import org.toqa.allocation.Candidate;
+import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.Place;
+
+/** A floor's robots, as its reports tell of them, in the eyes of an allocator. */
+final class Candidates {
+  private Candidates() {}
+
+  /**
+   * @param promised robots that are being given a task which no report tells of yet
+   */
+  static List<Candidate> of(FloorMap floor, List<RobotView> robots, Set<String> promised) {
+    return robots.stream().map(r -> of(floor, r, availability(r, promised))).toList();
+  }
+
+  private static Candidate of(FloorMap floor, RobotView robot, Availability availability) {
+    Vec2 position = robot.pose() == null ? floor.grid().origin() : robot.pose().position();
+    Vec2 parking =
+        Optional.ofNullable(robot.parking())
+            .flatMap(floor::place)
+            .map(Place::position)
+            .orElse(position);
+    return new Candidate(
+        robot.name(),
+        robot.maxLoad(),
+        robot.footprint(),
+        robot.speed(),
+        position,
+        parking,
+        robot.battery(),
+        availability,
+        availability == Availability.BUSY ? robot.task() : null);
+  }
+
+  private static Availability availability(RobotView robot, Set<String> promised) {
+    return switch (robot.state()) {
+      case CONNECTING -> Availability.CONNECTING;
+      case LOST -> Availability.LOST;
+      case NOT_LOCALISED -> Availability.NOT_LOCALISED;
+      case ERROR -> Availability.ERROR;
+      case OUT_OF_SERVICE -> Availability.OUT_OF_SERVICE;
+      case HOLDING -> robot.task() == null ? Availability.HELD : Availability.BUSY;
+      case CHARGING -> Availability.CHARGING;
+      case IDLE, DRIVING ->
+          robot.charger() != null ? Availability.CHARGING : workingAvailability(robot, promised);
+    };
+  }
+
+  private static Availability workingAvailability(RobotView robot, Set<String> promised) {
+    boolean isBusy = promised.contains(robot.name()) || (robot.task() != null && robot.phase() < 3);
+    return isBusy ? Availability.BUSY : Availability.FREE;
+  }
+}

@@ -1,0 +1,96 @@
+package org.toqa.fleet.manager;
+
+import java.time.Duration;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.PathLengths;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TaskState;
+
+/**
+ * When a task can be delivered at the earliest: by the robot that has it, or else by the one that
+ * could be there first, after what it carries now. A bound, not a plan: nobody is in its way, and
+ * no other task comes before it.
+ */
+final class DeliveryForecast {
+  private final PathLengths travel;
+
+  /**
+   * @param left until it is delivered, of the fleet's time
+   */
+  record Delivery(String robot, Duration left) {}
+
+  DeliveryForecast(PathLengths travel) {
+    this.travel = travel;
+  }
+
+  /**
+   * @param robots of the task's floor
+   * @param tasks those that robots have, by id
+   * @return empty where no robot can carry it alone now
+   */
+  Optional<Delivery> earliestDelivery(
+      TaskView task, List<RobotView> robots, Map<Long, TaskView> tasks) {
+    Stream<RobotView> able =
+        task.robots().isEmpty()
+            ? robots.stream().filter(r -> r.maxLoad() >= task.task().load())
+            : robots.stream().filter(r -> task.robots().contains(r.name()));
+    return able.flatMap(
+            robot -> metres(task, robot, tasks).stream().map(m -> deliveryAfter(robot, m)))
+        .min(Comparator.comparing(Delivery::left));
+  }
+
+  private static Delivery deliveryAfter(RobotView robot, double metres) {
+    return new Delivery(robot.name(), Duration.ofMillis(Math.round(1000 * metres / robot.speed())));
+  }
+
+  private Optional<Double> metres(TaskView task, RobotView robot, Map<Long, TaskView> tasks) {
+    Pose pose = robot.pose();
+    if (pose == null || !canWork(robot)) {
+      return Optional.empty();
+    }
+    TaskView current = robot.task() == null ? null : tasks.get(robot.task());
+    double metres = remainingMetres(robot, pose.position(), task, current);
+    return Double.isFinite(metres) ? Optional.of(metres) : Optional.empty();
+  }
+
+  private double remainingMetres(
+      RobotView robot, Vec2 position, TaskView task, @Nullable TaskView current) {
+    if (current != null && current.id() == task.id()) {
+      return metresToDelivery(robot, position, task);
+    }
+    if (current == null || current.state() == TaskState.RETURNING) {
+      return metresToDelivery(robot, position, task);
+    }
+    return metresToDelivery(robot, position, current)
+        + metresToDelivery(robot, current.task().goal().position(), task);
+  }
+
+  /** With the load on board, or by way of where it is. */
+  private double metresToDelivery(RobotView robot, Vec2 from, TaskView task) {
+    Vec2 goal = task.task().goal().position();
+    if (task.state() == TaskState.CARRYING) {
+      return metres(robot, from, goal);
+    }
+    Vec2 object = task.object().position();
+    return metres(robot, from, object) + metres(robot, object, goal);
+  }
+
+  private double metres(RobotView robot, Vec2 from, Vec2 to) {
+    return travel.lengthsFrom(to, robot.footprint()).applyAsDouble(from);
+  }
+
+  private static boolean canWork(RobotView robot) {
+    return switch (robot.state()) {
+      case IDLE, DRIVING, CHARGING, HOLDING -> true;
+      case CONNECTING, NOT_LOCALISED, ERROR, LOST, OUT_OF_SERVICE -> false;
+    };
+  }
+}

@@ -1,0 +1,122 @@
+package org.toqa.fleet.manager;
+
+import static java.util.Objects.requireNonNull;
+
+import java.time.InstantSource;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.toqa.allocation.Candidate;
+import org.toqa.allocation.PlaceUse;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.StoreWriter;
+import org.toqa.fleet.TaskView;
+import org.toqa.fleet.floor.FloorDistances;
+import org.toqa.fleet.floor.FloorEvent;
+import org.toqa.fleet.floor.FloorMessage;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.Place;
+import org.toqa.mission.Mission;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** The fleet as it is now, which the parts of its manager share. Confined to that agent. */
+final class FleetState {
+  private static final int ENDED_SHOWN = 50;
+
+  /** So many of the queue's first tasks are looked at. */
+  static final int TASKS_CONSIDERED = 200;
+
+  static final Sentence LOOKING_FOR_ROBOT = Phrase.LOOKING_FOR_ROBOT.with();
+
+  final FleetStore store;
+  final StoreWriter writer = new StoreWriter("manager");
+  final InstantSource clock;
+  final Map<String, ActorRef<FloorMessage>> floors = new LinkedHashMap<>();
+  final Map<String, FloorMap> floorMaps = new HashMap<>();
+  final Map<String, FloorDistances> distances = new HashMap<>();
+  final TaskQueue queue = new TaskQueue();
+  final Map<String, RobotRecord> robots = new TreeMap<>();
+  final Map<String, FloorEvent.FloorReport> reports = new HashMap<>();
+
+  /** Tasks on their way from the queue to their floors. */
+  final Map<Long, TaskView> handedOver = new HashMap<>();
+
+  final Deque<TaskView> ended = new ArrayDeque<>();
+
+  /** Floors whose robots or tasks have changed since their last round of allocation began. */
+  final Set<String> dueFloors = new HashSet<>();
+
+  /** Whether there is something new to show. */
+  boolean changed = true;
+
+  FleetState(FleetStore store, InstantSource clock) {
+    this.store = store;
+    this.clock = clock;
+  }
+
+  void addEnded(TaskView task) {
+    ended.addFirst(task);
+    if (ended.size() > ENDED_SHOWN) {
+      ended.removeLast();
+    }
+  }
+
+  List<RobotView> robotsOn(String floor) {
+    FloorEvent.FloorReport report = reports.get(floor);
+    return report == null ? List.of() : report.robots();
+  }
+
+  List<TaskView> assignedTasks(String floor) {
+    FloorEvent.FloorReport report = reports.get(floor);
+    return report == null ? List.of() : report.missions();
+  }
+
+  List<Candidate> candidates(String floor) {
+    FloorEvent.FloorReport report = reports.get(floor);
+    if (report == null) {
+      return List.of();
+    }
+    Set<String> promised =
+        handedOver.values().stream().flatMap(t -> t.robots().stream()).collect(Collectors.toSet());
+    return Candidates.of(requireNonNull(floorMaps.get(floor)), report.robots(), promised);
+  }
+
+  List<PlaceUse> placesInUse(String floor) {
+    Map<Long, TaskView> begun = new TreeMap<>();
+    handedOver.values().stream()
+        .filter(t -> t.task().floor().equals(floor))
+        .forEach(t -> begun.put(t.id(), t));
+    assignedTasks(floor).forEach(t -> begun.put(t.id(), t));
+    return PlacesInUse.of(begun.values().stream(), robotsOn(floor));
+  }
+
+  static List<Vec2> chargerPositions(FloorMap floor) {
+    return floor.charging().stream().map(Place::position).toList();
+  }
+
+  TaskView view(long queued, Sentence why) {
+    return view(queue.get(queued).orElseThrow(), why);
+  }
+
+  static TaskView view(TaskQueue.Queued queued, Sentence why) {
+    Mission mission = queued.mission();
+    return TaskView.of(mission, mission.held() ? Phrase.ON_HOLD.with() : why, queued.since());
+  }
+
+  Optional<ActorRef<FloorMessage>> floorAgent(String name) {
+    return Optional.ofNullable(floors.get(name));
+  }
+}

@@ -1,0 +1,270 @@
+package org.toqa.fleet.manager;
+
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.actor.typed.Behavior;
+import org.apache.pekko.actor.typed.PostStop;
+import org.apache.pekko.actor.typed.javadsl.AbstractBehavior;
+import org.apache.pekko.actor.typed.javadsl.ActorContext;
+import org.apache.pekko.actor.typed.javadsl.Behaviors;
+import org.apache.pekko.actor.typed.javadsl.Receive;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.allocation.Allocator;
+import org.toqa.fleet.ChargeRecord;
+import org.toqa.fleet.FleetRules;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.FleetStore.OpenTask;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.floor.FloorAgent;
+import org.toqa.fleet.floor.FloorDistances;
+import org.toqa.fleet.floor.FloorEvent;
+import org.toqa.fleet.floor.FloorMessage;
+import org.toqa.fleet.floor.StoredFloorState;
+import org.toqa.fleet.robot.Supervision;
+import org.toqa.grid.FloorMap;
+import org.toqa.link.RobotLinkFactory;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskState;
+
+/**
+ * Takes tasks, keeps their queue, decides who carries what, and hangs up the picture of the whole
+ * fleet. An accepted task is stored before its asker is answered; robots are given it by its floor.
+ */
+final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
+  private static final Logger log = LoggerFactory.getLogger(ManagerAgent.class);
+
+  private final FleetState fleet;
+  private final StoreHealthCheck storeHealth;
+  private final HoldCommandHandler holdCommands;
+  private final LateTaskReporter lateTasks;
+  private final AllocationRounds rounds;
+  private final SnapshotPublisher snapshotPublisher;
+  private final TaskCommandHandler taskCommands;
+  private final RobotCommandHandler robotCommands;
+
+  /** Floors whose tick is under way. */
+  private final Set<String> ticking = new HashSet<>();
+
+  static Behavior<ManagerMessage> of(
+      List<FloorMap> floors,
+      FleetStore store,
+      RobotLinkFactory links,
+      Allocator allocator,
+      FleetRules rules,
+      InstantSource clock,
+      Instant now,
+      LatestSnapshot board) {
+    return Supervision.resuming(
+        Behaviors.setup(
+            context ->
+                new ManagerAgent(
+                    context, floors, store, links, allocator, rules, clock, now, board)));
+  }
+
+  private ManagerAgent(
+      ActorContext<ManagerMessage> context,
+      List<FloorMap> floorMaps,
+      FleetStore store,
+      RobotLinkFactory links,
+      Allocator allocator,
+      FleetRules rules,
+      InstantSource clock,
+      Instant now,
+      LatestSnapshot board) {
+    super(context);
+    this.fleet = new FleetState(store, clock);
+    ActorRef<ManagerMessage> self = context.getSelf();
+    this.storeHealth =
+        new StoreHealthCheck(
+            store, answers -> self.tell(new ManagerMessage.StoreHealthChanged(answers)));
+    this.holdCommands = new HoldCommandHandler(store, fleet.writer, clock, self, fleet.floors);
+    List<OpenTask> open = store.openTasks();
+    Set<Long> toldBefore = open.stream().map(t -> t.mission().id()).collect(Collectors.toSet());
+    OrderValidator check = new OrderValidator(floorMaps);
+    this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore));
+    this.rounds = new AllocationRounds(fleet, allocator, self);
+    this.snapshotPublisher =
+        new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, board);
+    this.taskCommands =
+        new TaskCommandHandler(fleet, rounds, lateTasks, storeHealth, check, allocator, self);
+    this.robotCommands =
+        new RobotCommandHandler(
+            fleet,
+            snapshotPublisher,
+            check,
+            new RobotRegistrar(links, store, fleet.writer, clock),
+            self);
+    recover(floorMaps, open, links, rules, now);
+    log.info(
+        "{} robots, {} tasks not ended, {} of them queued.",
+        fleet.robots.size(),
+        open.size(),
+        fleet.queue.size());
+  }
+
+  private void recover(
+      List<FloorMap> floorMaps,
+      List<OpenTask> open,
+      RobotLinkFactory links,
+      FleetRules rules,
+      Instant now) {
+    FleetStore store = fleet.store;
+    List<RobotRecord> stored = store.robots();
+    Set<String> outOfService = store.robotsOutOfService();
+    Set<String> held = store.heldRobots();
+    List<ChargeRecord> charges = store.chargeRecords();
+    stored.forEach(r -> fleet.robots.put(r.name(), r));
+    open.stream()
+        .filter(t -> t.mission().state() == TaskState.QUEUED)
+        .forEach(t -> fleet.queue.add(t.mission(), t.changedAt(), true));
+    ActorRef<FloorEvent> floorEvents =
+        getContext().messageAdapter(FloorEvent.class, ManagerMessage.FromFloor::new);
+    for (FloorMap floor : floorMaps) {
+      StoredFloorState memory =
+          new StoredFloorState(
+              stored.stream().filter(r -> r.floor().equals(floor.name())).toList(),
+              outOfService,
+              held,
+              charges,
+              holdCommands.pause(),
+              holdCommands.floorHold(floor.name()),
+              open.stream()
+                  .filter(t -> t.mission().state() != TaskState.QUEUED)
+                  .filter(t -> t.mission().task().floor().equals(floor.name()))
+                  .toList());
+      ActorRef<FloorMessage> agent =
+          getContext()
+              .spawn(
+                  FloorAgent.of(floor, memory, store, links, rules, fleet.clock, now, floorEvents),
+                  "floor-" + fleet.floors.size());
+      fleet.floors.put(floor.name(), agent);
+      fleet.floorMaps.put(floor.name(), floor);
+      fleet.distances.put(floor.name(), new FloorDistances(floor.grid()));
+      fleet.dueFloors.add(floor.name());
+    }
+  }
+
+  @Override
+  public Receive<ManagerMessage> createReceive() {
+    return newReceiveBuilder()
+        .onAnyMessage(this::handle)
+        .onSignal(PostStop.class, signal -> stopped())
+        .build();
+  }
+
+  private Behavior<ManagerMessage> handle(ManagerMessage message) {
+    switch (message) {
+      case ManagerMessage.SubmitTask m -> taskCommands.submitTask(m);
+      case ManagerMessage.SubmitTasks m -> taskCommands.submitTasks(m);
+      case ManagerMessage.ValidateOrders m -> taskCommands.validateOrders(m);
+      case ManagerMessage.TasksStored m -> taskCommands.tasksStored(m);
+      case ManagerMessage.PreviewTask m -> taskCommands.previewTask(m);
+      case ManagerMessage.TaskStored m -> taskCommands.taskStored(m);
+      case ManagerMessage.AddRobot m -> robotCommands.addRobot(m);
+      case ManagerMessage.RobotStored m -> robotCommands.robotStored(m);
+      case ManagerMessage.RobotNotStored m -> fleet.robots.remove(m.robot());
+      case ManagerMessage.RobotNotChanged m -> fleet.robots.put(m.robot().name(), m.robot());
+      case ManagerMessage.PairRobot m -> robotCommands.pairRobot(m);
+      case ManagerMessage.ChangeRobot m -> robotCommands.changeRobot(m);
+      case ManagerMessage.RobotChanged m -> robotCommands.robotChanged(m);
+      case ManagerMessage.RemoveRobot m ->
+          robotCommands.forwardToFloor(
+              m.robot(),
+              m.replyTo(),
+              new FloorMessage.RemoveRobot(m.robot(), m.user(), m.replyTo()));
+      case ManagerMessage.LocateRobot m -> robotCommands.locateRobot(m);
+      case ManagerMessage.SetInService m -> robotCommands.setInService(m);
+      case ManagerMessage.HoldRobot m ->
+          robotCommands.forwardToFloor(
+              m.robot(),
+              m.replyTo(),
+              new FloorMessage.HoldRobot(m.robot(), m.hold(), m.user(), m.replyTo()));
+      case ManagerMessage.SendHome m ->
+          robotCommands.forwardToFloor(
+              m.robot(), m.replyTo(), new FloorMessage.SendHome(m.robot(), m.user(), m.replyTo()));
+      case ManagerMessage.CommandTask m -> taskCommands.commandTask(m);
+      case ManagerMessage.TaskCommandStored m -> taskCommands.taskCommandStored(m.mission());
+      case ManagerMessage.SetPause m -> {
+        holdCommands.setPause(m);
+        fleet.changed = true;
+      }
+      case ManagerMessage.PauseEnded m -> {
+        holdCommands.pauseEnded();
+        fleet.changed = true;
+      }
+      case ManagerMessage.HoldFloor m -> holdCommands.setFloorHold(m);
+      case ManagerMessage.FloorHoldEnded m -> holdCommands.floorHoldEnded(m.floor());
+      case ManagerMessage.FromFloor m -> handle(m.event());
+      case ManagerMessage.AllocationDecided m -> rounds.allocationDecided(m);
+      case ManagerMessage.StoreHealthChanged m ->
+          snapshotPublisher.publish(); // also where simulated time stands still
+      case ManagerMessage.Tick m -> tick(m.now());
+    }
+    return this;
+  }
+
+  private void handle(FloorEvent event) {
+    switch (event) {
+      case FloorEvent.RobotJoined e -> robotCommands.robotJoined(e);
+      case FloorEvent.RobotRemoved e -> robotCommands.robotRemoved(e);
+      case FloorEvent.TaskReturned e -> requeue(e.mission());
+      case FloorEvent.TaskBegun e -> fleet.handedOver.remove(e.task());
+      case FloorEvent.TaskNotBegun e -> requeue(e.mission());
+      case FloorEvent.TaskUnknown e ->
+          taskCommands.commandTask(
+              new ManagerMessage.CommandTask(e.task(), e.command(), e.replyTo()));
+      case FloorEvent.FloorReport e -> floorReported(e);
+      case FloorEvent.Ticked e -> floorTicked(e.floor());
+    }
+  }
+
+  private void floorReported(FloorEvent.FloorReport m) {
+    fleet.reports.put(m.floor().name(), m);
+    m.ended().forEach(fleet::addEnded);
+    fleet.changed = true;
+    rounds.floorReported(m.floor().name());
+  }
+
+  private void requeue(Mission mission) {
+    fleet.handedOver.remove(mission.id());
+    fleet.queue.add(mission, fleet.clock.instant(), true);
+    fleet.changed = true;
+    fleet.dueFloors.add(mission.task().floor());
+  }
+
+  /** What changes is in the picture when every floor has done its tick, or at the next tick. */
+  private void tick(Instant now) {
+    if (!ticking.isEmpty() || fleet.floors.isEmpty()) {
+      publishIfChanged();
+    }
+    fleet.floors.values().forEach(f -> f.tell(new FloorMessage.Tick(now)));
+    ticking.addAll(fleet.floors.keySet());
+    rounds.beginDueRounds();
+    lateTasks.check(now);
+  }
+
+  private void floorTicked(String floor) {
+    ticking.remove(floor);
+    if (ticking.isEmpty()) {
+      publishIfChanged();
+    }
+  }
+
+  private void publishIfChanged() {
+    if (fleet.changed) {
+      snapshotPublisher.publish();
+    }
+  }
+
+  private Behavior<ManagerMessage> stopped() {
+    storeHealth.close();
+    fleet.writer.close();
+    return this;
+  }
+}

@@ -1,0 +1,153 @@
+package org.toqa.fleet.manager;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.pattern.StatusReply;
+import org.toqa.allocation.Decision;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.Hold;
+import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskPreview;
+import org.toqa.fleet.TaskView;
+import org.toqa.fleet.floor.FloorEvent;
+import org.toqa.geometry.Pose;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TransportTask;
+
+/** What the manager agent is told: by users, by floors, by its store, by the clock. */
+public sealed interface ManagerMessage {
+
+  record SubmitTask(
+      TaskOrder order,
+      String user,
+      UUID idempotencyKey,
+      ActorRef<StatusReply<Answer<TaskView>>> replyTo)
+      implements ManagerMessage {}
+
+  record SubmitTasks(
+      List<TaskOrder> orders,
+      String user,
+      List<UUID> idempotencyKeys,
+      ActorRef<StatusReply<BatchAnswer>> replyTo)
+      implements ManagerMessage {}
+
+  record ValidateOrders(
+      List<TaskOrder> orders,
+      String user,
+      ActorRef<StatusReply<List<BatchAnswer.Rejection>>> replyTo)
+      implements ManagerMessage {}
+
+  record TasksStored(List<TransportTask> tasks, ActorRef<StatusReply<BatchAnswer>> replyTo)
+      implements ManagerMessage {}
+
+  record PreviewTask(
+      TaskOrder order, String user, ActorRef<StatusReply<Answer<TaskPreview>>> replyTo)
+      implements ManagerMessage {}
+
+  record TaskStored(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
+      implements ManagerMessage {}
+
+  record AddRobot(RobotOrder order, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  record RobotStored(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** A robot was not added after all. */
+  record RobotNotStored(String robot) implements ManagerMessage {}
+
+  /** A robot stays as it was. */
+  record RobotNotChanged(RobotRecord robot) implements ManagerMessage {}
+
+  record PairRobot(
+      String robot,
+      PairingOrder order,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  record ChangeRobot(
+      String robot,
+      RobotChange change,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  record RemoveRobot(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** What a robot has become is safe: it is paired, or has another address or strength. */
+  record RobotChanged(RobotRecord robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  record LocateRobot(
+      String robot, Pose pose, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  record SetInService(
+      String robot,
+      boolean inService,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** A person wants something of a task. */
+  record CommandTask(
+      long task,
+      MissionEvent.OperatorCommand command,
+      ActorRef<StatusReply<Answer<TaskView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** What a queued task has become is safe. */
+  record TaskCommandStored(Mission mission) implements ManagerMessage {}
+
+  record HoldRobot(
+      String robot, boolean hold, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  /** A person pauses all robots, or lets them go on. */
+  record SetPause(boolean pause, String user, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
+      implements ManagerMessage {}
+
+  /** That they go on is safe. */
+  record PauseEnded() implements ManagerMessage {}
+
+  /** A person puts a floor's robots on hold, or lets them go on. */
+  record HoldFloor(
+      String floor,
+      boolean hold,
+      String user,
+      ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
+      implements ManagerMessage {}
+
+  /** That the floor's robots go on is safe. */
+  record FloorHoldEnded(String floor) implements ManagerMessage {}
+
+  /** What a floor tells. */
+  record FromFloor(FloorEvent event) implements ManagerMessage {}
+
+  /**
+   * A round of allocation is over.
+   *
+   * @param decisions none where it failed
+   */
+  record AllocationDecided(String floor, List<Decision> decisions) implements ManagerMessage {}
+
+  /** The store has stopped or begun to answer. */
+  record StoreHealthChanged(boolean available) implements ManagerMessage {}
+
+  record Tick(Instant now) implements ManagerMessage {}
+}

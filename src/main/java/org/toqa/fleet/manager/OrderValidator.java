@@ -1,0 +1,259 @@
+package org.toqa.fleet.manager;
+
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.Disc;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.Inflation;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
+import org.toqa.planning.HeadingAStar;
+import org.toqa.planning.PlanResult;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.traffic.mapf.LacamJointPlanner;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** Checks wishes against the floors before anything of them is stored. */
+final class OrderValidator {
+  /** Half the diameter of the smallest robot there is, metres: where it cannot stand, none can. */
+  static final double SMALLEST_RADIUS = 0.1275;
+
+  private final List<FloorMap> floors;
+  private final Map<String, OccupancyGrid> standable = new HashMap<>();
+  private final Map<String, FloorTraffic> emptyFloors = new HashMap<>();
+
+  OrderValidator(List<FloorMap> floors) {
+    this.floors = List.copyOf(floors);
+    floors.forEach(f -> standable.put(f.name(), Inflation.inflate(f.grid(), SMALLEST_RADIUS)));
+  }
+
+  /** The same check for another thread. */
+  OrderValidator copy() {
+    return new OrderValidator(floors);
+  }
+
+  /**
+   * @param totalCapacity what all robots carry together, kilograms
+   */
+  Answer<TransportTask> checkTask(TaskOrder order, String user, Instant now, double totalCapacity) {
+    Optional<FloorMap> floor = floor(order.floor());
+    if (floor.isEmpty()) {
+      return new Answer.Rejected<>(
+          "floor", Phrase.NO_SUCH_FLOOR_BUT.with(String.valueOf(order.floor()), floorNames()));
+    }
+    if (order.load() > totalCapacity) {
+      return new Answer.Rejected<>(
+          "load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), totalCapacity));
+    }
+    Answer<TaskPlace> start = resolvePlace(floor.get(), Phrase.START, order.start());
+    if (!(start instanceof Answer.Accepted<TaskPlace>(TaskPlace from))) {
+      return start.asRejection();
+    }
+    Answer<TaskPlace> goal = resolvePlace(floor.get(), Phrase.GOAL, order.goal());
+    if (!(goal instanceof Answer.Accepted<TaskPlace>(TaskPlace to))) {
+      return goal.asRejection();
+    }
+    Sentence obstacle = objectionToPath(floor.get(), from, to);
+    if (obstacle != null) {
+      return new Answer.Rejected<>("goal", obstacle);
+    }
+    return new Answer.Accepted<>(
+        new TransportTask(
+            0,
+            order.name(),
+            order.load(),
+            from,
+            to,
+            floor.get().name(),
+            order.priority(),
+            order.deadline(),
+            order.size(),
+            user,
+            now));
+  }
+
+  Answer<RobotRecord> checkRobot(RobotOrder order, List<RobotRecord> existing) {
+    if (existing.stream().anyMatch(r -> r.name().equalsIgnoreCase(order.name()))) {
+      return new Answer.Rejected<>("name", Phrase.ROBOT_NAME_TAKEN.with(order.name()));
+    }
+    FloorMap floor = floors.getFirst();
+    Set<String> taken = takenParking(existing.stream());
+    String parking = order.parking();
+    if (parking == null) {
+      parking =
+          floor.parking().stream()
+              .map(Place::name)
+              .filter(p -> !taken.contains(p))
+              .findFirst()
+              .orElse(null);
+    } else {
+      Optional<Sentence> objection = objectionToParking(parking, floor, taken);
+      if (objection.isPresent()) {
+        return new Answer.Rejected<>("parking", objection.get());
+      }
+    }
+    return new Answer.Accepted<>(
+        new RobotRecord(
+            order.name(),
+            floor.name(),
+            order.host(),
+            order.port(),
+            order.maxLoad(),
+            parking,
+            false,
+            null));
+  }
+
+  Answer<RobotRecord> checkChange(
+      RobotRecord robot, RobotChange change, List<RobotRecord> existing) {
+    RobotRecord changed = robot.withChange(change);
+    if (robot.simulated() && !changed.address().equals(robot.address())) {
+      return new Answer.Rejected<>("host", Phrase.SIMULATED_HAS_NO_ADDRESS.with(robot.name()));
+    }
+    Set<String> taken =
+        takenParking(existing.stream().filter(other -> !other.name().equals(robot.name())));
+    Optional<Sentence> objection =
+        Optional.ofNullable(change.parking())
+            .flatMap(
+                parking ->
+                    floor(robot.floor())
+                        .flatMap(floor -> objectionToParking(parking, floor, taken)));
+    return objection.isPresent()
+        ? new Answer.Rejected<>("parking", objection.get())
+        : new Answer.Accepted<>(changed);
+  }
+
+  private static Set<String> takenParking(Stream<RobotRecord> robots) {
+    return robots.map(RobotRecord::parking).filter(p -> p != null).collect(Collectors.toSet());
+  }
+
+  private static Optional<Sentence> objectionToParking(
+      String parking, FloorMap floor, Set<String> taken) {
+    if (floor.parking().stream().map(Place::name).noneMatch(parking::equals)) {
+      return Optional.of(Phrase.NO_SUCH_PARKING.with(parking, names(floor.parking())));
+    }
+    return taken.contains(parking)
+        ? Optional.of(Phrase.PARKING_TAKEN.with(parking))
+        : Optional.empty();
+  }
+
+  private Optional<FloorMap> floor(@Nullable String name) {
+    return name == null
+        ? Optional.of(floors.getFirst())
+        : floors.stream().filter(f -> f.name().equals(name)).findFirst();
+  }
+
+  private Answer<TaskPlace> resolvePlace(FloorMap floor, Phrase end, Where where) {
+    return switch (where) {
+      case Where.Station(String name) ->
+          floor.stations().stream()
+              .filter(s -> s.name().equals(name))
+              .findFirst()
+              .map(s -> checkStandable(floor, end, new TaskPlace(s.position(), s.name())))
+              .orElseGet(
+                  () ->
+                      new Answer.Rejected<>(
+                          fieldOf(end),
+                          Phrase.NO_SUCH_STATION.with(name, names(floor.stations()))));
+      case Where.Point(Vec2 position) -> checkStandable(floor, end, new TaskPlace(position, null));
+    };
+  }
+
+  private Answer<TaskPlace> checkStandable(FloorMap floor, Phrase end, TaskPlace place) {
+    OccupancyGrid grid = floor.grid();
+    Cell cell = grid.cellAt(place.position());
+    if (!grid.contains(cell)) {
+      Vec2 low = grid.origin();
+      Vec2 high = low.plus(new Vec2(grid.width(), grid.height()).times(grid.resolution()));
+      return new Answer.Rejected<>(
+          fieldOf(end),
+          Phrase.LIES_OFF_MAP.with(
+              end.with(), place.sentence(), Sentence.of(low), Sentence.of(high)));
+    }
+    if (!canStand(floor, place.position())) {
+      return new Answer.Rejected<>(
+          fieldOf(end), Phrase.LIES_IN_WALL.with(end.with(), place.sentence()));
+    }
+    return new Answer.Accepted<>(place);
+  }
+
+  private static String fieldOf(Phrase end) {
+    return end == Phrase.START ? "start" : "goal";
+  }
+
+  /** Why nothing can be carried from the one to the other; null if it can. */
+  private @Nullable Sentence objectionToPath(FloorMap floor, TaskPlace from, TaskPlace to) {
+    OccupancyGrid grid = standable(floor);
+    Cell start = grid.cellAt(from.position());
+    Cell goal = grid.cellAt(to.position());
+    if (start.equals(goal)) {
+      return Phrase.SAME_PLACE.with();
+    }
+    boolean hasPath =
+        new HeadingAStar().plan(grid, start, goal) instanceof PlanResult.Found
+            || hasPathInTraffic(floor, from.position(), to.position());
+    return hasPath ? null : Phrase.NO_WAY_BETWEEN.with(from.sentence(), to.sentence());
+  }
+
+  /** Whether the smallest robot can stand on the point itself, or in the middle of its cell. */
+  private boolean canStand(FloorMap floor, Vec2 point) {
+    OccupancyGrid grid = floor.grid();
+    return standable(floor).isFree(grid.cellAt(point))
+        || new Disc(SMALLEST_RADIUS).isFreeAt(grid, point);
+  }
+
+  /**
+   * Whether the traffic would find a way for a robot alone: between the middles of cells too, as in
+   * an aisle hardly wider than the robot.
+   */
+  private boolean hasPathInTraffic(FloorMap floor, Vec2 from, Vec2 to) {
+    FloorTraffic traffic =
+        emptyFloors.computeIfAbsent(
+            floor.name(),
+            name -> new FloorTraffic(floor.grid(), new LacamJointPlanner(), Deadline::none));
+    String robot = "robot";
+    traffic.reportStanding(
+        robot, new Pose(from.x(), from.y(), 0), 2 * SMALLEST_RADIUS, Instant.EPOCH);
+    traffic.setMovable(robot, true);
+    traffic.setGoal(robot, to, Instant.EPOCH);
+    traffic.decide(Instant.EPOCH);
+    boolean hasPath = traffic.waitReason(robot) == null;
+    traffic.removeRobot(robot);
+    return hasPath;
+  }
+
+  private OccupancyGrid standable(FloorMap floor) {
+    return standable.computeIfAbsent(
+        floor.name(), name -> Inflation.inflate(floor.grid(), SMALLEST_RADIUS));
+  }
+
+  private Sentence floorNames() {
+    return Sentence.names(floors.stream().map(FloorMap::name).toList());
+  }
+
+  private static Sentence names(List<Place> places) {
+    return places.isEmpty()
+        ? Phrase.NONE_ON_FLOOR.with()
+        : Sentence.names(places.stream().map(Place::name).toList());
+  }
+}

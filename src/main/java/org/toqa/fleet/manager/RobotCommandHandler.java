@@ -1,0 +1,160 @@
+package org.toqa.fleet.manager;
+
+import java.util.List;
+import java.util.Optional;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.pattern.StatusReply;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.floor.FloorEvent;
+import org.toqa.fleet.floor.FloorMessage;
+import org.toqa.fleet.floor.FloorState;
+import org.toqa.wording.Phrase;
+
+/** Takes what people want of robots: checks it, stores it, and tells their floors. */
+final class RobotCommandHandler {
+  private final FleetState fleet;
+  private final SnapshotPublisher snapshotPublisher;
+  private final OrderValidator validator;
+  private final RobotRegistrar registrar;
+  private final ActorRef<ManagerMessage> self;
+
+  RobotCommandHandler(
+      FleetState fleet,
+      SnapshotPublisher snapshotPublisher,
+      OrderValidator check,
+      RobotRegistrar intake,
+      ActorRef<ManagerMessage> self) {
+    this.fleet = fleet;
+    this.snapshotPublisher = snapshotPublisher;
+    this.validator = check;
+    this.registrar = intake;
+    this.self = self;
+  }
+
+  void addRobot(ManagerMessage.AddRobot m) {
+    Answer<RobotRecord> checked =
+        validator.checkRobot(m.order(), List.copyOf(fleet.robots.values()));
+    if (checked instanceof Answer.Accepted<RobotRecord>(RobotRecord robot)) {
+      register(robot, m);
+    } else {
+      m.replyTo().tell(StatusReply.success(checked.asRejection()));
+    }
+  }
+
+  private void register(RobotRecord robot, ManagerMessage.AddRobot m) {
+    fleet.robots.put(robot.name(), robot); // the name and its parking point are taken from now on
+    registrar.register(
+        robot,
+        m.order().code(),
+        new RobotRegistrar.Request(
+            m.user(),
+            "robot.added",
+            Phrase.ROBOT_ADDED.with(m.user(), robot.name()),
+            new RegistrationReply(
+                m.replyTo(),
+                stored -> self.tell(new ManagerMessage.RobotStored(stored, m.replyTo())),
+                () -> self.tell(new ManagerMessage.RobotNotStored(robot.name())))));
+  }
+
+  void pairRobot(ManagerMessage.PairRobot m) {
+    RobotRecord robot = fleet.robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
+      return;
+    }
+    PairingOrder order = m.order();
+    registrar.register(
+        robot.withAddress(order.host(), order.port()),
+        order.code(),
+        new RobotRegistrar.Request(
+            m.user(),
+            "robot.paired",
+            Phrase.ROBOT_PAIRED.with(m.user(), robot.name()),
+            new RegistrationReply(
+                m.replyTo(),
+                stored -> self.tell(new ManagerMessage.RobotChanged(stored, m.replyTo())),
+                () -> {})));
+  }
+
+  void changeRobot(ManagerMessage.ChangeRobot m) {
+    RobotRecord robot = fleet.robots.get(m.robot());
+    if (robot == null) {
+      m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
+      return;
+    }
+    Answer<RobotRecord> checked =
+        validator.checkChange(robot, m.change(), List.copyOf(fleet.robots.values()));
+    if (!(checked instanceof Answer.Accepted<RobotRecord>(RobotRecord changed))) {
+      m.replyTo().tell(StatusReply.success(checked.asRejection()));
+      return;
+    }
+    fleet.robots.put(changed.name(), changed); // its parking point is taken from now on
+    registrar.register(
+        changed,
+        null,
+        new RobotRegistrar.Request(
+            m.user(),
+            "robot.changed",
+            Phrase.ROBOT_CHANGED.with(m.user(), robot.name()),
+            new RegistrationReply(
+                m.replyTo(),
+                stored -> self.tell(new ManagerMessage.RobotChanged(stored, m.replyTo())),
+                () -> self.tell(new ManagerMessage.RobotNotChanged(robot)))));
+  }
+
+  void robotChanged(ManagerMessage.RobotChanged m) {
+    fleet.robots.put(m.robot().name(), m.robot());
+    fleet.dueFloors.add(m.robot().floor()); // who was too weak or too far away may not be any more
+    forwardToFloor(
+        m.robot().name(), m.replyTo(), new FloorMessage.RobotChanged(m.robot(), m.replyTo()));
+  }
+
+  /** Whoever removed the robot does not find it in the picture. */
+  void robotRemoved(FloorEvent.RobotRemoved m) {
+    fleet.robots.remove(m.robot().name());
+    snapshotPublisher.publish();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(m.robot())));
+  }
+
+  void robotStored(ManagerMessage.RobotStored m) {
+    fleet.robots.put(m.robot().name(), m.robot());
+    fleet
+        .floorAgent(m.robot().floor())
+        .ifPresent(f -> f.tell(new FloorMessage.AddRobot(m.robot(), m.replyTo())));
+  }
+
+  /** Whoever asked for the robot finds it in the picture. */
+  void robotJoined(FloorEvent.RobotJoined m) {
+    snapshotPublisher.publish();
+    m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(m.robot())));
+  }
+
+  void locateRobot(ManagerMessage.LocateRobot m) {
+    forwardToFloor(
+        m.robot(),
+        m.replyTo(),
+        new FloorMessage.LocateRobot(m.robot(), m.pose(), m.user(), m.replyTo()));
+  }
+
+  void setInService(ManagerMessage.SetInService m) {
+    forwardToFloor(
+        m.robot(),
+        m.replyTo(),
+        new FloorMessage.SetInService(m.robot(), m.inService(), m.user(), m.replyTo()));
+  }
+
+  void forwardToFloor(
+      String robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo, FloorMessage message) {
+    Optional.ofNullable(fleet.robots.get(robot))
+        .map(RobotRecord::floor)
+        .flatMap(fleet::floorAgent)
+        .ifPresentOrElse(
+            floor -> floor.tell(message),
+            () ->
+                replyTo.tell(
+                    StatusReply.success(new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT.with(robot)))));
+  }
+}

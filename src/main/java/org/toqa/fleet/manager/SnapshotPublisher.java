@@ -1,0 +1,108 @@
+package org.toqa.fleet.manager;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.toqa.allocation.PathLengths;
+import org.toqa.allocation.WaitExplainer;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.FloorView;
+import org.toqa.fleet.RobotView;
+import org.toqa.fleet.TaskView;
+import org.toqa.fleet.floor.FloorEvent;
+import org.toqa.wording.Sentence;
+
+/** Hangs up what is to be seen of the whole fleet. */
+final class SnapshotPublisher {
+  private static final int QUEUED_SHOWN = 100;
+
+  private final FleetState fleet;
+  private final AllocationRounds rounds;
+  private final LateTaskReporter lateTasks;
+  private final HoldCommandHandler holds;
+  private final StoreHealthCheck storeWatch;
+  private final LatestSnapshot board;
+
+  SnapshotPublisher(
+      FleetState fleet,
+      AllocationRounds rounds,
+      LateTaskReporter late,
+      HoldCommandHandler holds,
+      StoreHealthCheck storeWatch,
+      LatestSnapshot board) {
+    this.fleet = fleet;
+    this.rounds = rounds;
+    this.lateTasks = late;
+    this.holds = holds;
+    this.storeWatch = storeWatch;
+    this.board = board;
+  }
+
+  void publish() {
+    fleet.changed = false;
+    List<RobotView> views = new ArrayList<>();
+    Map<Long, TaskView> tasks = new HashMap<>();
+    Set<Sentence> alerts = new LinkedHashSet<>();
+    if (!storeWatch.isAvailable()) {
+      alerts.add(StoreHealthCheck.DATABASE_AWAY);
+    }
+    fleet.ended.forEach(t -> tasks.put(t.id(), t));
+    firstQueuedTasks().forEach(t -> tasks.put(t.id(), t));
+    for (FloorEvent.FloorReport report : fleet.reports.values()) {
+      views.addAll(report.robots());
+      report.missions().forEach(t -> tasks.put(t.id(), t));
+      alerts.addAll(report.alerts());
+    }
+    fleet.handedOver.values().forEach(t -> tasks.putIfAbsent(t.id(), t));
+    views.sort(Comparator.comparing(RobotView::name));
+    List<TaskView> newestFirst =
+        tasks.values().stream()
+            .map(lateTasks::withLateness)
+            .sorted(Comparator.comparingLong(TaskView::id).reversed())
+            .toList();
+    board.publish(
+        new FleetSnapshot(
+            board.latest().version() + 1,
+            fleet.clock.instant(),
+            views,
+            newestFirst,
+            fleet.queue.size(),
+            floorViews(),
+            holds.pause(),
+            List.copyOf(alerts)));
+  }
+
+  private List<TaskView> firstQueuedTasks() {
+    Map<String, WaitExplainer> byFloor = new HashMap<>();
+    fleet
+        .reports
+        .keySet()
+        .forEach(
+            f ->
+                byFloor.put(
+                    f,
+                    new WaitExplainer(
+                        fleet.candidates(f),
+                        PathLengths.STRAIGHT,
+                        FleetState.chargerPositions(requireNonNull(fleet.floorMaps.get(f))))));
+    return fleet
+        .queue
+        .first(QUEUED_SHOWN)
+        .map(q -> FleetState.view(q, rounds.waitReason(q, byFloor.get(q.task().floor()))))
+        .toList();
+  }
+
+  private List<FloorView> floorViews() {
+    return fleet.floors.keySet().stream()
+        .flatMap(floor -> Stream.ofNullable(fleet.reports.get(floor)))
+        .map(FloorEvent.FloorReport::floor)
+        .toList();
+  }
+}

@@ -1,0 +1,281 @@
+package org.toqa.fleet.manager;
+
+import static java.util.Objects.requireNonNull;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.pattern.StatusReply;
+import org.toqa.allocation.AllocationProblem;
+import org.toqa.allocation.Allocator;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.FleetStore.Submission;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskView;
+import org.toqa.fleet.floor.FloorMessage;
+import org.toqa.grid.FloorMap;
+import org.toqa.mission.Mission;
+import org.toqa.mission.Objection;
+import org.toqa.mission.TransportTask;
+import org.toqa.wording.Phrase;
+
+/** Takes what people want of tasks: checks it, stores it, and puts it into the queue. */
+final class TaskCommandHandler {
+  private final FleetState fleet;
+  private final AllocationRounds rounds;
+  private final LateTaskReporter lateTasks;
+  private final StoreHealthCheck storeHealth;
+  private final OrderValidator validator;
+  private final Allocator allocator;
+  private final ActorRef<ManagerMessage> self;
+  private final TaskSubmitter submitter;
+
+  TaskCommandHandler(
+      FleetState fleet,
+      AllocationRounds rounds,
+      LateTaskReporter late,
+      StoreHealthCheck storeWatch,
+      OrderValidator check,
+      Allocator allocator,
+      ActorRef<ManagerMessage> self) {
+    this.fleet = fleet;
+    this.rounds = rounds;
+    this.lateTasks = late;
+    this.storeHealth = storeWatch;
+    this.validator = check;
+    this.allocator = allocator;
+    this.self = self;
+    this.submitter = new TaskSubmitter(fleet.store, fleet.writer);
+  }
+
+  void submitTask(ManagerMessage.SubmitTask m) {
+    Answer<TransportTask> checked = checkOrder(m.order(), m.user());
+    if (checked instanceof Answer.Accepted<TransportTask>(TransportTask task)) {
+      store(task, m.idempotencyKey(), m.replyTo());
+    } else {
+      m.replyTo().tell(StatusReply.success(checked.asRejection()));
+    }
+  }
+
+  private Answer<TransportTask> checkOrder(TaskOrder order, String user) {
+    return validator.checkTask(order, user, fleet.clock.instant(), totalCapacity());
+  }
+
+  /** What all robots carry together, kilograms. */
+  private double totalCapacity() {
+    return fleet.robots.isEmpty()
+        ? Double.MAX_VALUE
+        : fleet.robots.values().stream().mapToDouble(RobotRecord::maxLoad).sum();
+  }
+
+  void submitTasks(ManagerMessage.SubmitTasks m) {
+    if (!storeHealth.isAvailable()) {
+      reject(m.replyTo());
+      return;
+    }
+    long deadline = TaskSubmitter.deadline();
+    var _ =
+        checkConcurrently(m.orders(), m.user())
+            .whenComplete(
+                (checked, failure) -> {
+                  if (failure != null) {
+                    m.replyTo().tell(StatusReply.error(failure));
+                  } else if (!checked.rejections().isEmpty()) {
+                    m.replyTo()
+                        .tell(StatusReply.success(new BatchAnswer.Rejected(checked.rejections())));
+                  } else {
+                    submitter.submit(
+                        submissions(checked.tasks(), m.idempotencyKeys()),
+                        deadline,
+                        stored -> self.tell(new ManagerMessage.TasksStored(stored, m.replyTo())),
+                        () -> reject(m.replyTo()));
+                  }
+                });
+  }
+
+  void validateOrders(ManagerMessage.ValidateOrders m) {
+    var _ =
+        checkConcurrently(m.orders(), m.user())
+            .whenComplete(
+                (checked, failure) ->
+                    m.replyTo()
+                        .tell(
+                            failure == null
+                                ? StatusReply.success(checked.rejections())
+                                : StatusReply.error(failure)));
+  }
+
+  private CompletableFuture<BatchValidation.Result> checkConcurrently(
+      List<TaskOrder> orders, String user) {
+    BatchValidation batch =
+        new BatchValidation(validator.copy(), orders, user, fleet.clock.instant(), totalCapacity());
+    return CompletableFuture.supplyAsync(
+        batch::run, work -> Thread.ofVirtual().name("batch").start(work));
+  }
+
+  private static List<Submission> submissions(List<TransportTask> tasks, List<UUID> keys) {
+    return IntStream.range(0, tasks.size())
+        .mapToObj(i -> new Submission(tasks.get(i), keys.get(i)))
+        .toList();
+  }
+
+  void previewTask(ManagerMessage.PreviewTask m) {
+    Answer<TransportTask> checked = checkOrder(m.order(), m.user());
+    if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
+      m.replyTo().tell(StatusReply.success(checked.asRejection()));
+      return;
+    }
+    FloorMap floor = requireNonNull(fleet.floorMaps.get(task.floor()));
+    AllocationProblem problem =
+        rounds.problem(
+            floor,
+            List.of(TaskQueue.job(task, task.start())),
+            List.of(),
+            fleet.candidates(floor.name()));
+    var _ =
+        CompletableFuture.supplyAsync(
+                () -> new TaskPreviewer(allocator, floor).preview(task, problem),
+                work -> Thread.ofVirtual().name("preview").start(work))
+            .whenComplete(
+                (preview, failure) ->
+                    m.replyTo()
+                        .tell(
+                            failure == null
+                                ? StatusReply.success(new Answer.Accepted<>(preview))
+                                : StatusReply.error(failure)));
+  }
+
+  private void store(
+      TransportTask task, UUID key, ActorRef<StatusReply<Answer<TaskView>>> replyTo) {
+    if (!storeHealth.isAvailable()) {
+      reject(replyTo);
+      return;
+    }
+    submitter.submit(
+        List.of(new Submission(task, key)),
+        TaskSubmitter.deadline(),
+        stored -> self.tell(new ManagerMessage.TaskStored(stored.getFirst(), replyTo)),
+        () -> reject(replyTo));
+  }
+
+  private static <T> void reject(ActorRef<StatusReply<T>> replyTo) {
+    replyTo.tell(
+        StatusReply.error(
+            new StoreException(
+                "The database does not answer, so nothing was accepted; try again.", null)));
+  }
+
+  void taskStored(ManagerMessage.TaskStored m) {
+    Enqueued queued = enqueue(List.of(m.task()));
+    answer(queued, m.replyTo(), new Answer.Accepted<>(queued.tasks().getFirst()));
+  }
+
+  void tasksStored(ManagerMessage.TasksStored m) {
+    Enqueued queued = enqueue(m.tasks());
+    answer(queued, m.replyTo(), new BatchAnswer.Accepted(queued.tasks()));
+  }
+
+  /**
+   * New tasks have come into the queue.
+   *
+   * @param late lines for the history of those that will be late
+   */
+  private record Enqueued(List<TaskView> tasks, List<EventRecord> late) {}
+
+  private Enqueued enqueue(List<TransportTask> tasks) {
+    List<TaskView> views = new ArrayList<>();
+    List<EventRecord> told = new ArrayList<>();
+    for (TransportTask task : tasks) {
+      fleet.queue.add(Mission.queued(task), task.createdAt(), true);
+      fleet.dueFloors.add(task.floor());
+      TaskView queued = fleet.view(task.id(), FleetState.LOOKING_FOR_ROBOT);
+      lateTasks.check(queued).ifPresent(told::add);
+      views.add(lateTasks.withLateness(queued));
+    }
+    fleet.changed = true;
+    return new Enqueued(views, told);
+  }
+
+  private <T> void answer(Enqueued queued, ActorRef<StatusReply<T>> replyTo, T answer) {
+    if (queued.late().isEmpty()) {
+      replyTo.tell(StatusReply.success(answer));
+    } else {
+      fleet.writer.write(
+          () -> fleet.store.addEvents(queued.late()),
+          () -> replyTo.tell(StatusReply.success(answer)));
+    }
+  }
+
+  /** A task that has robots is its floor's; the floor hands back what it does not have. */
+  void commandTask(ManagerMessage.CommandTask m) {
+    Optional<TaskQueue.Queued> queued = fleet.queue.get(m.task());
+    if (queued.isPresent()) {
+      commandTask(queued.get(), m);
+      return;
+    }
+    floorOf(m.task())
+        .ifPresentOrElse(
+            floor -> floor.tell(new FloorMessage.CommandTask(m.task(), m.command(), m.replyTo())),
+            () ->
+                m.replyTo()
+                    .tell(
+                        StatusReply.success(
+                            new Answer.Conflict<>(Phrase.TASK_HAS_ENDED.with(m.task()), null))));
+  }
+
+  private void commandTask(TaskQueue.Queued queued, ManagerMessage.CommandTask m) {
+    Optional<Objection> objection = queued.mission().objectionTo(m.command());
+    if (objection.isPresent()) {
+      m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));
+      return;
+    }
+    Mission.Step step = queued.mission().apply(m.command());
+    Instant at = fleet.clock.instant();
+    Mission mission = step.mission();
+    TaskView next;
+    if (mission.state().isEnded()) {
+      fleet.queue.remove(m.task());
+      next = TaskView.of(mission, null, at);
+      fleet.addEnded(next);
+    } else {
+      fleet.queue.add(mission, queued.since(), !step.hasChanges() && queued.stored());
+      next = fleet.view(m.task(), FleetState.LOOKING_FOR_ROBOT);
+    }
+    fleet.changed = true;
+    if (step.hasChanges()) {
+      fleet.writer.write(
+          () -> fleet.store.saveMission(mission, at, EventRecord.of(step, m.command(), at)),
+          () -> self.tell(new ManagerMessage.TaskCommandStored(mission)));
+    }
+    fleet.writer.write(
+        () -> {}, () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(next))));
+  }
+
+  void taskCommandStored(Mission mission) {
+    fleet
+        .queue
+        .get(mission.id())
+        .filter(queued -> queued.mission().equals(mission))
+        .ifPresent(queued -> fleet.queue.add(mission, queued.since(), true));
+    fleet.dueFloors.add(mission.task().floor());
+  }
+
+  private Optional<ActorRef<FloorMessage>> floorOf(long task) {
+    return Stream.concat(
+            fleet.handedOver.values().stream(),
+            fleet.reports.values().stream().flatMap(r -> r.missions().stream()))
+        .filter(t -> t.id() == task)
+        .findFirst()
+        .flatMap(t -> fleet.floorAgent(t.task().floor()));
+  }
+}

@@ -1,0 +1,361 @@
+package org.toqa.fleet.robot;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.actor.typed.Behavior;
+import org.apache.pekko.actor.typed.PostStop;
+import org.apache.pekko.actor.typed.javadsl.AbstractBehavior;
+import org.apache.pekko.actor.typed.javadsl.ActorContext;
+import org.apache.pekko.actor.typed.javadsl.Behaviors;
+import org.apache.pekko.actor.typed.javadsl.Receive;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoreWriter;
+import org.toqa.link.RobotLink;
+import org.toqa.link.RobotLinkFactory;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.ServerMessage;
+import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+import org.toqa.wording.Sentence;
+
+/**
+ * The server's side of one robot: it owns the link, the sequence numbers and the record of the last
+ * drive, pings every 500 ms, and notices silence.
+ *
+ * <p>A drive is stored before it is sent. What is told while the link is down is dropped: the next
+ * hello says what the robot knows, and the floor decides anew.
+ */
+public final class RobotAgent extends AbstractBehavior<RobotMessage> {
+  private static final Logger log = LoggerFactory.getLogger(RobotAgent.class);
+  private static final Duration PING_INTERVAL = Duration.ofMillis(500);
+  private static final Duration SILENT_AFTER = Duration.ofSeconds(2);
+
+  private RobotRecord robot;
+  private final ActorRef<RobotEvent> floor;
+  private final FleetStore store;
+  private final StoreWriter writer;
+  private final RobotLinkFactory links;
+  private RobotLink link;
+
+  private long seq;
+  private Optional<StoredDrive> drive = Optional.empty();
+  private boolean driveKnown;
+  private @Nullable Hello hello;
+
+  /** Counts the connections: what was meant for an old one is not sent on the next. */
+  private long connection;
+
+  /** The number of the last message that was sent. */
+  private long sent;
+
+  /** Messages that wait for the store. */
+  private int unsent;
+
+  private boolean silent;
+  private Instant now;
+
+  /** The drives that commands on their way are to change, by the commands' numbers. */
+  private final Map<Long, Long> changing = new HashMap<>();
+
+  private Instant lastHeard;
+  private Instant lastPing = Instant.MIN;
+
+  public static Behavior<RobotMessage> of(
+      RobotRecord robot,
+      ActorRef<RobotEvent> floor,
+      FleetStore store,
+      RobotLinkFactory links,
+      Instant now) {
+    return Supervision.resuming(
+        Behaviors.setup(context -> new RobotAgent(context, robot, floor, store, links, now)));
+  }
+
+  private RobotAgent(
+      ActorContext<RobotMessage> context,
+      RobotRecord robot,
+      ActorRef<RobotEvent> floor,
+      FleetStore store,
+      RobotLinkFactory links,
+      Instant now) {
+    super(context);
+    this.robot = robot;
+    this.floor = floor;
+    this.store = store;
+    this.now = now;
+    this.lastHeard = now;
+    this.writer = new StoreWriter(robot.name());
+    ActorRef<RobotMessage> self = context.getSelf();
+    writer.write(
+        () -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot.name()))), () -> {});
+    this.links = links;
+    this.link = openLink();
+  }
+
+  private RobotLink openLink() {
+    return links.open(robot.address(), new LinkListener(getContext().getSelf()));
+  }
+
+  @Override
+  public Receive<RobotMessage> createReceive() {
+    return newReceiveBuilder()
+        .onAnyMessage(this::handle)
+        .onSignal(PostStop.class, signal -> stopped())
+        .build();
+  }
+
+  private Behavior<RobotMessage> handle(RobotMessage message) {
+    switch (message) {
+      case RobotMessage.Drive m -> startDrive(m);
+      case RobotMessage.Lead m ->
+          sendInOrder(new ServerMessage.Lead(++seq, m.task(), m.tolerance(), m.followers()));
+      case RobotMessage.Follow m -> follow(m);
+      case RobotMessage.Extend m -> extend(m);
+      case RobotMessage.Release m -> release(m.released());
+      case RobotMessage.CommandStored m -> commandStored(m);
+      case RobotMessage.Cancel m -> sendInOrder(new ServerMessage.Cancel(++seq, m.task()));
+      case RobotMessage.Hold m ->
+          sendInOrder(m.hold() ? new ServerMessage.Hold(++seq) : new ServerMessage.Resume(++seq));
+      case RobotMessage.Locate m -> sendInOrder(new ServerMessage.Locate(++seq, m.pose()));
+      case RobotMessage.Acknowledge m -> send(new ServerMessage.AckDone(m.drive()));
+      case RobotMessage.LinkOpened m -> connected(m.hello());
+      case RobotMessage.MessageReceived m -> messageReceived(m.message());
+      case RobotMessage.LinkClosed m -> {
+        disconnected(m.why());
+        floor.tell(new RobotEvent.Disconnected(robot.name(), m.why()));
+      }
+      case RobotMessage.LinkRefused m -> {
+        disconnected(m.why().english());
+        floor.tell(new RobotEvent.LinkRefused(robot.name(), m.why()));
+      }
+      case RobotMessage.Reconnect m -> reconnect(m.robot());
+      case RobotMessage.DriveLoaded m -> driveLoaded(m.drive());
+      case RobotMessage.Tick m -> tick(m.now());
+      case RobotMessage.Stop m -> {
+        return Behaviors.stopped();
+      }
+    }
+    return this;
+  }
+
+  private void startDrive(RobotMessage.Drive m) {
+    StoredDrive next = new StoredDrive(++seq, m.task(), m.phase(), m.trajectory());
+    storeThenSend(
+        next,
+        new ServerMessage.Drive(
+            next.seq(),
+            m.task(),
+            m.phase(),
+            m.trajectory().start(),
+            m.trajectory().segments(),
+            m.released(),
+            m.last(),
+            m.load()));
+    floor.tell(new RobotEvent.DriveBegun(robot.name(), next));
+  }
+
+  /** What it drives then is its leader's affair, so its own way is empty. */
+  private void follow(RobotMessage.Follow m) {
+    StoredDrive next = new StoredDrive(++seq, m.task(), 2, new Trajectory(m.pose(), List.of()));
+    storeThenSend(
+        next,
+        new ServerMessage.Follow(
+            next.seq(), m.task(), m.leader(), m.fingerprint(), m.offset(), m.tolerance()));
+    floor.tell(new RobotEvent.DriveBegun(robot.name(), next));
+  }
+
+  private void extend(RobotMessage.Extend m) {
+    if (drive.isEmpty()) {
+      return;
+    }
+    StoredDrive old = drive.get();
+    List<Segment> segments = new ArrayList<>(old.trajectory().segments().subList(0, m.from()));
+    segments.addAll(m.segments());
+    Trajectory trajectory = new Trajectory(old.trajectory().start(), segments);
+    storeThenSend(
+        new StoredDrive(old.seq(), old.task(), old.phase(), trajectory),
+        new ServerMessage.Extend(++seq, old.seq(), m.from(), m.segments(), m.released(), m.last()));
+  }
+
+  private void release(int released) {
+    drive.ifPresent(d -> sendInOrder(new ServerMessage.Release(++seq, d.seq(), released)));
+  }
+
+  private void storeThenSend(StoredDrive next, Command message) {
+    drive = Optional.of(next);
+    unsent++;
+    long asked = connection;
+    ActorRef<RobotMessage> self = getContext().getSelf();
+    writer.write(
+        () -> store.saveDrive(robot.name(), next),
+        () -> self.tell(new RobotMessage.CommandStored(asked, message)));
+  }
+
+  /** Behind everything that still waits for the store, since sequence numbers must rise. */
+  private void sendInOrder(Command message) {
+    if (unsent == 0) {
+      send(message);
+      return;
+    }
+    unsent++;
+    long asked = connection;
+    ActorRef<RobotMessage> self = getContext().getSelf();
+    writer.write(() -> {}, () -> self.tell(new RobotMessage.CommandStored(asked, message)));
+  }
+
+  private void commandStored(RobotMessage.CommandStored m) {
+    unsent--;
+    if (m.connection() == connection) {
+      send(m.message());
+    } // else the hello of the new connection made the floor decide anew
+  }
+
+  private void connected(Hello said) {
+    log.info(
+        "{}: connected; mode {}, task {}, phase {}.",
+        robot.name(),
+        said.mode(),
+        said.task(),
+        said.phase());
+    hello = said;
+    connection++;
+    changing.clear();
+    lastHeard = now;
+    silent = false;
+    seq = Math.max(seq, said.lastSeq());
+    ping();
+    tellConnected();
+  }
+
+  private void driveLoaded(Optional<StoredDrive> stored) {
+    driveKnown = true;
+    if (drive.isEmpty()) {
+      drive = stored;
+      seq = Math.max(seq, stored.map(StoredDrive::seq).orElse(0L));
+    }
+    tellConnected();
+  }
+
+  private void tellConnected() {
+    if (hello != null && driveKnown) {
+      floor.tell(new RobotEvent.Connected(robot.name(), hello, drive));
+    }
+  }
+
+  private void messageReceived(AgentMessage message) {
+    lastHeard = now;
+    if (silent && hello != null && driveKnown) {
+      silent = false;
+      log.info("{}: heard again.", robot.name());
+      floor.tell(new RobotEvent.HeardAgain(robot.name()));
+    }
+    switch (message) {
+      case AgentMessage.State state ->
+          floor.tell(new RobotEvent.StateReported(robot.name(), state));
+      case AgentMessage.Done done ->
+          floor.tell(
+              new RobotEvent.PhaseEnded(
+                  robot.name(),
+                  new AgentMessage.PhaseEnd(done.task(), done.phase(), done.drive())));
+      case AgentMessage.Reject reject -> {
+        log.info("{}: refused command {}: {}", robot.name(), reject.seq(), reject.reason());
+        floor.tell(
+            new RobotEvent.CommandRejected(
+                robot.name(), changing.remove(reject.seq()), reject.reason()));
+      }
+      case AgentMessage.Hello ignored -> {}
+      case AgentMessage.FollowerReport ignored -> {}
+      case AgentMessage.Ack(long acknowledged) -> {
+        changing.remove(acknowledged);
+        if (drive.isPresent() && drive.get().seq() == acknowledged) {
+          floor.tell(new RobotEvent.DriveAccepted(robot.name(), acknowledged));
+        }
+      }
+    }
+  }
+
+  private void disconnected(String why) {
+    if (hello != null) {
+      log.warn("{}: connection lost: {}", robot.name(), why);
+    }
+    hello = null;
+  }
+
+  private void reconnect(RobotRecord paired) {
+    link.close();
+    disconnected("it was paired anew");
+    floor.tell(new RobotEvent.Disconnected(robot.name(), "it was paired anew"));
+    robot = paired;
+    link = openLink();
+  }
+
+  private void tick(Instant time) {
+    now = time;
+    if (hello != null && !lastPing.plus(PING_INTERVAL).isAfter(now)) {
+      ping();
+    }
+    if (!silent && lastHeard.plus(SILENT_AFTER).isBefore(now)) {
+      silent = true;
+      floor.tell(new RobotEvent.FellSilent(robot.name(), lastHeard));
+    }
+  }
+
+  private void ping() {
+    lastPing = now;
+    // a number of the past where others wait for the store: theirs must not be old when they come
+    send(new ServerMessage.Ping(unsent == 0 ? ++seq : sent));
+  }
+
+  private void send(ServerMessage message) {
+    if (hello != null) {
+      switch (message) {
+        case ServerMessage.Extend extend -> changing.put(extend.seq(), extend.drive());
+        case ServerMessage.Release release -> changing.put(release.seq(), release.drive());
+        default -> {}
+      }
+      link.send(message);
+      sent = message instanceof Command command ? command.seq() : sent;
+    }
+  }
+
+  private Behavior<RobotMessage> stopped() {
+    link.close();
+    writer.close();
+    return this;
+  }
+
+  /** Turns the link's calls into messages. */
+  private record LinkListener(ActorRef<RobotMessage> self) implements RobotLink.Listener {
+    @Override
+    public void connected(Hello said) {
+      self.tell(new RobotMessage.LinkOpened(said));
+    }
+
+    @Override
+    public void received(AgentMessage message) {
+      self.tell(new RobotMessage.MessageReceived(message));
+    }
+
+    @Override
+    public void disconnected(String sentence) {
+      self.tell(new RobotMessage.LinkClosed(sentence));
+    }
+
+    @Override
+    public void refused(Sentence sentence) {
+      self.tell(new RobotMessage.LinkRefused(sentence));
+    }
+  }
+}

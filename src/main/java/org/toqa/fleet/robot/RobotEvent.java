@@ -1,0 +1,46 @@
+package org.toqa.fleet.robot;
+
+import java.time.Instant;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.PhaseEnd;
+import org.toqa.wording.Sentence;
+
+/** What a robot's agent tells its floor. */
+public sealed interface RobotEvent {
+  /** The name of the robot. */
+  String robot();
+
+  /**
+   * @param drive the last drive that was stored for it
+   */
+  record Connected(String robot, Hello hello, Optional<StoredDrive> drive) implements RobotEvent {}
+
+  record Disconnected(String robot, String why) implements RobotEvent {}
+
+  /** It is not connected, for one end does not trust the other. */
+  record LinkRefused(String robot, Sentence why) implements RobotEvent {}
+
+  record FellSilent(String robot, Instant since) implements RobotEvent {}
+
+  record HeardAgain(String robot) implements RobotEvent {}
+
+  record StateReported(String robot, AgentMessage.State state) implements RobotEvent {}
+
+  record PhaseEnded(String robot, PhaseEnd end) implements RobotEvent {}
+
+  /** The robot is being sent this drive. */
+  record DriveBegun(String robot, StoredDrive drive) implements RobotEvent {}
+
+  /** The robot has taken this drive: what it says from now on, it says with it or after it. */
+  record DriveAccepted(String robot, long drive) implements RobotEvent {}
+
+  /**
+   * @param changing the drive that the refused command was to change, if it was such a one
+   */
+  record CommandRejected(String robot, @Nullable Long changing, String reason)
+      implements RobotEvent {}
+}

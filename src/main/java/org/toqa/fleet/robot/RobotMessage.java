@@ -1,0 +1,98 @@
+package org.toqa.fleet.robot;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.link.message.ServerMessage.Follower;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+import org.toqa.wording.Sentence;
+
+/** What a robot agent is told: by its floor, by its link, by its store, by the clock. */
+public sealed interface RobotMessage {
+
+  /**
+   * Drive this way.
+   *
+   * @param released so many segments of it for now
+   * @param last whether it ends the phase
+   * @param load kilograms that it has on board
+   */
+  record Drive(
+      @Nullable Long task,
+      int phase,
+      Trajectory trajectory,
+      int released,
+      boolean last,
+      double load)
+      implements RobotMessage {}
+
+  /** Drive other segments from {@code from} on. */
+  record Extend(int from, List<Segment> segments, int released, boolean last)
+      implements RobotMessage {}
+
+  /** Lead these robots with the drive that comes next. */
+  record Lead(long task, double tolerance, List<Follower> followers) implements RobotMessage {}
+
+  /**
+   * Keep a place beside a leader.
+   *
+   * @param fingerprint of the leader's certificate; null: it was never paired
+   * @param offset in the leader's frame, metres
+   * @param tolerance metres
+   * @param pose where the robot is now, map frame
+   */
+  record Follow(
+      long task,
+      String leader,
+      @Nullable String fingerprint,
+      Vec2 offset,
+      double tolerance,
+      Pose pose)
+      implements RobotMessage {}
+
+  record Release(int released) implements RobotMessage {}
+
+  record Cancel(@Nullable Long task) implements RobotMessage {}
+
+  /** Hold, or go on. */
+  record Hold(boolean hold) implements RobotMessage {}
+
+  record Locate(Pose pose) implements RobotMessage {}
+
+  /** What followed from the end of this drive is stored. */
+  record Acknowledge(long drive) implements RobotMessage {}
+
+  record LinkOpened(Hello hello) implements RobotMessage {}
+
+  record MessageReceived(AgentMessage message) implements RobotMessage {}
+
+  record LinkClosed(String why) implements RobotMessage {}
+
+  /** The link is down, for one end does not trust the other. */
+  record LinkRefused(Sentence why) implements RobotMessage {}
+
+  /** The robot has another certificate, and perhaps another address. */
+  record Reconnect(RobotRecord robot) implements RobotMessage {}
+
+  record DriveLoaded(Optional<StoredDrive> drive) implements RobotMessage {}
+
+  /**
+   * What this message is about is safe: it may be sent.
+   *
+   * @param connection the one it was meant for
+   */
+  record CommandStored(long connection, Command message) implements RobotMessage {}
+
+  record Tick(Instant now) implements RobotMessage {}
+
+  record Stop() implements RobotMessage {}
+}

@@ -1,0 +1,43 @@
+package org.toqa.fleet.schedule;
+
+import java.time.Instant;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder;
+
+/**
+ * A task that is to be put in by itself, once or again and again.
+ *
+ * @param order has no deadline
+ * @param until the last moment at which it can be due; null: it has no end
+ * @param user in whose name its tasks are put in
+ * @param due when its next task is put in; null: never again
+ * @param lastTask the one that it put in last, if any
+ */
+public record Schedule(
+    long id,
+    TaskOrder order,
+    Recurrence recurrence,
+    @Nullable Instant until,
+    boolean paused,
+    String user,
+    Instant createdAt,
+    @Nullable Instant due,
+    @Nullable Long lastTask) {
+
+  /** One that is not stored yet. */
+  public static Schedule of(
+      TaskOrder order, Recurrence recurrence, @Nullable Instant until, String user, Instant now) {
+    Schedule fresh = new Schedule(0, order, recurrence, until, false, user, now, null, null);
+    return fresh.withDue(fresh.nextDueAfter(now).orElse(null));
+  }
+
+  private Schedule withDue(@Nullable Instant moment) {
+    return new Schedule(id, order, recurrence, until, paused, user, createdAt, moment, lastTask);
+  }
+
+  /** The first moment after that one at which it is due, if there is one. */
+  public Optional<Instant> nextDueAfter(Instant moment) {
+    return recurrence.nextAfter(moment).filter(next -> until == null || !next.isAfter(until));
+  }
+}

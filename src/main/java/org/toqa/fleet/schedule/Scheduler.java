@@ -1,0 +1,141 @@
+package org.toqa.fleet.schedule;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.TaskArchive;
+import org.toqa.fleet.TaskView;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/**
+ * Puts in the tasks of schedules when they are due: one task for one due time, also where the
+ * server ends between the task and the note that it is there, since the due time is the task's key.
+ *
+ * <ul>
+ *   <li>While the last task of a schedule has not ended, what is due is skipped.
+ *   <li>Of what was due while no server ran one task is made up for.
+ * </ul>
+ */
+public final class Scheduler {
+  private static final Logger log = LoggerFactory.getLogger(Scheduler.class);
+  private static final Duration LIMIT = Duration.ofSeconds(12);
+
+  private final ScheduleStore store;
+  private final TaskArchive archive;
+  private final Fleet fleet;
+  private final InstantSource clock;
+
+  public Scheduler(ScheduleStore store, TaskArchive archive, Fleet fleet, InstantSource clock) {
+    this.store = store;
+    this.archive = archive;
+    this.fleet = fleet;
+    this.clock = clock;
+  }
+
+  /** Does what is due now. To be called about every second, by one thread. */
+  public void runDueSchedules() {
+    Instant now = clock.instant();
+    try {
+      for (Schedule schedule : store.due(now)) {
+        run(schedule, now);
+      }
+    } catch (StoreException e) { // of which people are told elsewhere, once
+      log.debug("The schedules wait for the database: {}", e.getMessage());
+    }
+  }
+
+  private void run(Schedule schedule, Instant now) {
+    UUID key = key(schedule);
+    Optional<TaskView> before = archive.taskByKey(key);
+    Optional<TaskView> open = lastTask(schedule).filter(task -> !task.state().isEnded());
+    if (before.isPresent()) {
+      began(schedule, before.get().id(), now);
+    } else if (open.isPresent()) {
+      long task = open.get().id();
+      advance(
+          schedule,
+          now,
+          "schedule.skipped",
+          task,
+          Phrase.SCHEDULE_SKIPPED.with(schedule.id(), schedule.user(), task));
+    } else {
+      begin(schedule, key, now);
+    }
+  }
+
+  private Optional<TaskView> lastTask(Schedule schedule) {
+    return Optional.ofNullable(schedule.lastTask()).flatMap(archive::task);
+  }
+
+  private void begin(Schedule schedule, UUID key, Instant now) {
+    try {
+      switch (fleet
+          .submit(schedule.order(), schedule.user(), key)
+          .toCompletableFuture()
+          .get(LIMIT.toMillis(), TimeUnit.MILLISECONDS)) {
+        case Answer.Accepted<TaskView>(TaskView task) -> began(schedule, task.id(), now);
+        case Answer.Rejected<TaskView>(String field, Sentence sentence) ->
+            refused(schedule, sentence, now);
+        case Answer.Conflict<TaskView>(Sentence sentence, var needs) ->
+            refused(schedule, sentence, now);
+        case Answer.Unknown<TaskView>(Sentence sentence) -> refused(schedule, sentence, now);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (ExecutionException | TimeoutException e) {
+      log.warn(
+          "{} is tried again, since the fleet did not answer: {}", name(schedule), e.toString());
+    }
+  }
+
+  private void began(Schedule schedule, long task, Instant now) {
+    advance(
+        schedule,
+        now,
+        "schedule.began",
+        task,
+        Phrase.SCHEDULE_BEGAN.with(schedule.id(), schedule.user()));
+  }
+
+  private void refused(Schedule schedule, Sentence sentence, Instant now) {
+    advance(
+        schedule,
+        now,
+        "schedule.refused",
+        null,
+        Phrase.SCHEDULE_REFUSED.with(schedule.id(), schedule.user(), sentence));
+  }
+
+  private void advance(
+      Schedule schedule, Instant now, String kind, @Nullable Long task, Sentence text) {
+    store.advance(
+        schedule,
+        schedule.nextDueAfter(now).orElse(null),
+        task == null ? schedule.lastTask() : task,
+        List.of(new EventRecord(now, kind, task, null, EventRecord.SYSTEM, text)));
+  }
+
+  private static String name(Schedule schedule) {
+    return "Schedule %d of %s".formatted(schedule.id(), schedule.user());
+  }
+
+  private static UUID key(Schedule schedule) {
+    return UUID.nameUUIDFromBytes(
+        "schedule %d %s".formatted(schedule.id(), schedule.due()).getBytes(StandardCharsets.UTF_8));
+  }
+}

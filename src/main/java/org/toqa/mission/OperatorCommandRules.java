@@ -1,0 +1,121 @@
+package org.toqa.mission;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** What people may want of a mission, and what follows. */
+final class OperatorCommandRules {
+  private OperatorCommandRules() {}
+
+  static Optional<Objection> objection(Mission mission, MissionEvent.OperatorCommand command) {
+    return switch (command) {
+      case MissionEvent.Cancel cancel -> objectionToCancel(mission, cancel);
+      case MissionEvent.Hold ignored -> objectionToChange(mission);
+      case MissionEvent.Resume ignored -> objectionToChange(mission);
+      case MissionEvent.Prioritise ignored -> objectionToChange(mission);
+      case MissionEvent.Answer answer -> objectionToAnswer(mission, answer);
+    };
+  }
+
+  private static Optional<Objection> objectionToCancel(
+      Mission mission, MissionEvent.Cancel cancel) {
+    return switch (mission.state()) {
+      case CANCELLED -> Optional.empty();
+      case DONE, FAILED -> objectionToChange(mission);
+      case RETURNING -> Optional.of(Objection.of(Phrase.DELIVERED_ALREADY.with()));
+      case CARRYING ->
+          cancel.choice() == null && mission.ending() == null
+              ? Optional.of(setDownObjection(mission))
+              : Optional.empty();
+      case QUEUED, ASSIGNED, TO_OBJECT -> Optional.empty();
+    };
+  }
+
+  private static Objection setDownObjection(Mission mission) {
+    Sentence question = Phrase.ASK_WHERE_TO.with(mission.task().start().sentence());
+    return new Objection(
+        question,
+        new Question(Question.Kind.SET_DOWN, question, List.of("here", "back"), null, null, null));
+  }
+
+  private static Optional<Objection> objectionToChange(Mission mission) {
+    return mission.state().isEnded()
+        ? Optional.of(Objection.of(Phrase.TASK_HAS_ENDED.with(mission.id())))
+        : Optional.empty();
+  }
+
+  private static Optional<Objection> objectionToAnswer(
+      Mission mission, MissionEvent.Answer answer) {
+    Optional<Question> question = mission.question();
+    if (question.isEmpty()) {
+      return Optional.of(Objection.of(Phrase.TASK_ASKS_NOTHING.with(mission.id())));
+    }
+    return question.get().answers().contains(answer.reply().word())
+        ? Optional.empty()
+        : Optional.of(
+            new Objection(
+                Phrase.ANSWER_WITH_ONE_OF.with(String.join(", ", question.get().answers())),
+                question.get()));
+  }
+
+  static Mission.Step cancel(Mission mission, MissionEvent.Cancel event) {
+    if (mission.state().isEnded()) {
+      return mission.unchangedStep();
+    }
+    if (mission.state() != TaskState.CARRYING) {
+      return mission.unassignAll(TaskState.CANCELLED, Phrase.CANCELLED_BY.with(event.user()));
+    }
+    LoadChoice choice = event.choice();
+    if (choice == null || choice == mission.ending()) {
+      return mission.unchangedStep();
+    }
+    Mission ending = withRobotsDriving(mission).withEnding(choice);
+    return switch (choice) {
+      case HERE -> ending.step(stopCommands(ending), Phrase.CANCELLED_LOAD_HERE.with(event.user()));
+      case BACK ->
+          ending.step(
+              ending.driveCommands(2),
+              Phrase.CANCELLED_LOAD_BACK.with(event.user(), mission.task().start().sentence()));
+    };
+  }
+
+  static Mission.Step hold(Mission mission, MissionEvent.Hold event) {
+    return mission.held()
+        ? mission.unchangedStep()
+        : mission.withHeld(true).step(List.of(), Phrase.TASK_PUT_ON_HOLD.with(event.user()));
+  }
+
+  static Mission.Step resume(Mission mission, MissionEvent.Resume event) {
+    return mission.held()
+        ? mission.withHeld(false).step(List.of(), Phrase.TASK_LET_GO_ON.with(event.user()))
+        : mission.unchangedStep();
+  }
+
+  static Mission.Step prioritise(Mission mission, MissionEvent.Prioritise event) {
+    int before = mission.task().priority();
+    return before == event.priority()
+        ? mission.unchangedStep()
+        : mission
+            .withPriority(event.priority())
+            .step(List.of(), Phrase.PRIORITY_CHANGED.with(event.user(), before, event.priority()));
+  }
+
+  /** Robots that had arrived somewhere drive anew. */
+  private static Mission withRobotsDriving(Mission mission) {
+    return mission.withAssignedRobots(
+        mission.assignedRobots().stream().map(c -> c.unassigned() ? c : c.withPhase(2)).toList());
+  }
+
+  private static List<MissionCommand> stopCommands(Mission mission) {
+    List<MissionCommand> commands = new ArrayList<>();
+    for (AssignedRobot c : mission.assignedRobots()) {
+      if (!c.unassigned()) {
+        commands.add(new MissionCommand.Stop(c.robot()));
+      }
+    }
+    return commands;
+  }
+}

@@ -1,0 +1,88 @@
+package org.toqa.store;
+
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.time.Instant;
+import java.util.List;
+import java.util.Objects;
+import org.jdbi.v3.core.Handle;
+import org.jdbi.v3.core.statement.PreparedBatch;
+import org.jdbi.v3.core.statement.StatementContext;
+import org.toqa.fleet.EventRecord;
+import org.toqa.wording.Sentence;
+
+/** The table of events, within a transaction of somebody else. */
+final class EventTable {
+  static final String COLUMNS = "at, kind, task_id, robot, who, text, said";
+
+  private EventTable() {}
+
+  /**
+   * Adds what is not there yet: a change is tried again when nobody knows whether it was stored,
+   * and must not be told twice.
+   */
+  static void addMissing(Handle h, List<EventRecord> events) {
+    addAll(h, events.stream().filter(e -> !isStored(h, e)).toList());
+  }
+
+  /** Adds what cannot be there yet. */
+  static void addAll(Handle h, List<EventRecord> events) {
+    PreparedBatch batch =
+        h.prepareBatch(
+            "insert into events ("
+                + COLUMNS
+                + ") values (:at, :kind, :task, :robot, :who, :text, :said)");
+    for (EventRecord e : events) {
+      batch
+          .bind("at", SqlExecutor.utc(e.at()))
+          .bind("kind", e.kind())
+          .bind("task", e.task())
+          .bind("robot", e.robot())
+          .bind("who", e.who())
+          .bind("text", e.text())
+          .bind("said", SentenceJson.write(e.sentence()))
+          .add();
+    }
+    if (batch.size() > 0) {
+      batch.execute();
+    }
+  }
+
+  /** What somebody did with a user. */
+  static void addAccountEvent(Handle h, Instant at, String kind, String by, Sentence said) {
+    addAll(h, List.of(new EventRecord(at, kind, null, null, by, said)));
+  }
+
+  private static boolean isStored(Handle h, EventRecord e) {
+    return h
+        .createQuery("select " + COLUMNS + " from events where at = :at and kind = :kind")
+        .bind("at", SqlExecutor.utc(e.at()))
+        .bind("kind", e.kind())
+        .map(EventTable::mapEvent)
+        .stream()
+        .anyMatch(
+            stored ->
+                Objects.equals(stored.task(), e.task())
+                    && Objects.equals(stored.robot(), e.robot())
+                    && stored.who().equals(e.who())
+                    && stored.text().equals(e.text()));
+  }
+
+  /** Oldest first. */
+  static List<EventRecord> ofTask(Handle h, long task) {
+    return h.createQuery("select " + COLUMNS + " from events where task_id = :task order by id")
+        .bind("task", task)
+        .map(EventTable::mapEvent)
+        .list();
+  }
+
+  static EventRecord mapEvent(ResultSet rs, StatementContext context) throws SQLException {
+    return new EventRecord(
+        Rows.instant(rs, "at"),
+        rs.getString("kind"),
+        Rows.nullableLong(rs, "task_id"),
+        rs.getString("robot"),
+        rs.getString("who"),
+        SentenceJson.read(rs.getString("said"), rs.getString("text")));
+  }
+}

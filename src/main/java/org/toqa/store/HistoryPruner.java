@@ -1,0 +1,92 @@
+package org.toqa.store;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.function.IntSupplier;
+import org.jdbi.v3.core.Jdbi;
+import org.toqa.fleet.FleetStore.StoreException;
+
+/** Removes what is too old to keep, a little at a time, so that nobody waits for it. */
+public final class HistoryPruner {
+  private static final int BATCH_SIZE = 1000;
+
+  /** An event of a task stays as long as its task. */
+  private static final String OLD_EVENTS =
+      "delete from events where at < :before and task_id is null limit " + BATCH_SIZE;
+
+  private static final String OLD_UTILISATION =
+      "delete from robot_use where at < :before limit " + BATCH_SIZE;
+
+  private static final String OLD_TASKS =
+      """
+      select id from tasks where changed_at < :before and state in ('DONE', 'FAILED', 'CANCELLED')
+      order by changed_at limit
+      """
+          + BATCH_SIZE;
+
+  private final SqlExecutor sql;
+
+  public HistoryPruner(Jdbi jdbi) {
+    this.sql = new SqlExecutor(jdbi);
+  }
+
+  /**
+   * How many points were removed that are older than this.
+   *
+   * @throws StoreException when the database does not answer
+   */
+  public long pruneTracks(Instant before) {
+    return deleteInBatches(
+        () ->
+            sql.withHandle(
+                h ->
+                    h.createUpdate("delete from tracks where at < :before limit " + BATCH_SIZE)
+                        .bind("before", before.toEpochMilli())
+                        .execute()));
+  }
+
+  /**
+   * How many tasks were removed, with their events, that ended before this; other events and what
+   * robots did go too, where they are older.
+   *
+   * @throws StoreException when the database does not answer
+   */
+  public long pruneHistory(Instant before) {
+    deleteInBatches(() -> deleteOlder(OLD_EVENTS, before));
+    deleteInBatches(() -> deleteOlder(OLD_UTILISATION, before));
+    return deleteInBatches(() -> deleteEndedTasks(before));
+  }
+
+  private static long deleteInBatches(IntSupplier removeSome) {
+    long removed = 0;
+    int now;
+    do {
+      now = removeSome.getAsInt();
+      removed += now;
+    } while (now == BATCH_SIZE);
+    return removed;
+  }
+
+  private int deleteOlder(String statement, Instant before) {
+    return sql.withHandle(
+        h -> h.createUpdate(statement).bind("before", SqlExecutor.utc(before)).execute());
+  }
+
+  private int deleteEndedTasks(Instant before) {
+    return sql.inTransaction(
+        h -> {
+          List<Long> ids =
+              h.createQuery(OLD_TASKS)
+                  .bind("before", SqlExecutor.utc(before))
+                  .mapTo(Long.class)
+                  .list();
+          if (!ids.isEmpty()) {
+            h.createUpdate("delete from events where task_id in (<ids>)")
+                .bindList("ids", ids)
+                .execute();
+            h.createUpdate("delete from tasks where id in (<ids>)").bindList("ids", ids).execute();
+          }
+          return ids.size();
+        });
+  }
+}

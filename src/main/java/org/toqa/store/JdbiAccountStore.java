@@ -1,0 +1,298 @@
+package org.toqa.store;
+
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.SQLIntegrityConstraintViolationException;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.Optional;
+import org.jdbi.v3.core.Handle;
+import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.JdbiException;
+import org.jdbi.v3.core.statement.StatementContext;
+import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Role;
+import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/**
+ * The users of the web application. There is always at least one manager who can log in once there
+ * has been one. Every change is told in the history, by whom too.
+ *
+ * <p>One server writes to a database, so the two rules that span rows (the first manager, the last
+ * manager) are kept by this object's lock rather than by the database's.
+ */
+public final class JdbiAccountStore {
+
+  /** What became of the wish to change or delete a user. */
+  public enum Outcome {
+    DONE,
+    UNKNOWN,
+    /** Refused: nobody would be left to manage the others. */
+    LAST_MANAGER
+  }
+
+  private static final String COLUMNS =
+      "u.id as user_id, u.name, u.email, u.password_hash, u.role, u.disabled, u.created_at";
+
+  private final SqlExecutor sql;
+  private final InstantSource clock;
+
+  private final FallbackCache<Long, Account> lastKnown = new FallbackCache<>();
+
+  /** There was a manager, so there always is one. */
+  private volatile boolean managerExists;
+
+  public JdbiAccountStore(Jdbi jdbi, InstantSource clock) {
+    this.sql = new SqlExecutor(jdbi);
+    this.clock = clock;
+  }
+
+  public boolean hasManager() {
+    if (!managerExists) {
+      managerExists = sql.withHandle(handle -> managerCount(handle) > 0);
+    }
+    return managerExists;
+  }
+
+  /** All users by name. */
+  public List<Account> accounts() {
+    return sql.withHandle(
+        handle ->
+            handle
+                .createQuery("select " + COLUMNS + " from users u order by u.name_key")
+                .map(JdbiAccountStore::mapAccount)
+                .list());
+  }
+
+  /** While the database does not answer, what it said last. */
+  public Optional<Account> account(long id) {
+    return lastKnown.get(id, () -> sql.withHandle(handle -> find(handle, id)));
+  }
+
+  /** The user of that name in any case. */
+  public Optional<Account> accountByName(String name) {
+    return sql.withHandle(
+        handle ->
+            handle
+                .createQuery("select " + COLUMNS + " from users u where u.name_key = :key")
+                .bind("key", nameKey(name))
+                .map(JdbiAccountStore::mapAccount)
+                .findOne());
+  }
+
+  /** The user of that name, or else all of that e-mail address, in any case. */
+  public List<Account> accountsByNameOrEmail(String given) {
+    return accountByName(given).map(List::of).orElseGet(() -> accountsByEmail(given));
+  }
+
+  private List<Account> accountsByEmail(String email) {
+    return sql.withHandle(
+        handle ->
+            handle
+                .createQuery("select " + COLUMNS + " from users u where lower(u.email) = :email")
+                .bind("email", nameKey(email))
+                .map(JdbiAccountStore::mapAccount)
+                .list());
+  }
+
+  /**
+   * Empty when the name is taken.
+   *
+   * @param by who does it
+   */
+  public Optional<Account> add(String name, String passwordHash, Role role, String by) {
+    return add(name, null, passwordHash, role, by);
+  }
+
+  /**
+   * The same with an e-mail address.
+   *
+   * @param email where a link goes when the password is forgotten; null: nowhere
+   */
+  public Optional<Account> add(
+      String name, @Nullable String email, String passwordHash, Role role, String by) {
+    try {
+      return Optional.of(
+          sql.inTransaction(
+              handle -> {
+                Account account = insert(handle, name, email, passwordHash, role);
+                recordEvent(handle, "user.added", by, Phrase.USER_ADDED.with(by, name));
+                return account;
+              }));
+    } catch (StoreException e) {
+      if (e.getCause() instanceof JdbiException refused
+          && refused.getCause() instanceof SQLIntegrityConstraintViolationException) {
+        return Optional.empty();
+      }
+      throw e;
+    }
+  }
+
+  private void recordEvent(Handle handle, String kind, String by, Sentence said) {
+    EventTable.addAccountEvent(handle, clock.instant(), kind, by, said);
+  }
+
+  /** Empty when there is a manager already, or a user of that name. */
+  public synchronized Optional<Account> addFirstManager(String name, String passwordHash) {
+    return hasManager() ? Optional.empty() : add(name, passwordHash, Role.MANAGER, name);
+  }
+
+  public synchronized Outcome delete(long id, String by) {
+    return sql.inTransaction(
+        handle -> {
+          Optional<Account> account = find(handle, id);
+          if (account.isEmpty()) {
+            return Outcome.UNKNOWN;
+          }
+          if (isLastManager(handle, account.get())) {
+            return Outcome.LAST_MANAGER;
+          }
+          handle.execute("delete from users where id = ?", id);
+          recordEvent(
+              handle, "user.deleted", by, Phrase.USER_DELETED.with(by, account.get().name()));
+          return Outcome.DONE;
+        });
+  }
+
+  /**
+   * Who is disabled, or has another role, finds so at his next request. A name stays: tasks and
+   * history go by it.
+   */
+  public synchronized Outcome update(long id, Role role, boolean disabled, String by) {
+    return sql.inTransaction(
+        handle -> {
+          Optional<Account> found = find(handle, id);
+          if (found.isEmpty()) {
+            return Outcome.UNKNOWN;
+          }
+          Account old = found.get();
+          if ((disabled || role != Role.MANAGER) && isLastManager(handle, old)) {
+            return Outcome.LAST_MANAGER;
+          }
+          handle.execute(
+              "update users set role = ?, disabled = ? where id = ?", role.name(), disabled, id);
+          if (role != old.role() || disabled != old.disabled()) {
+            recordEvent(handle, "user.changed", by, changeSentence(old, role, disabled, by));
+          }
+          return Outcome.DONE;
+        });
+  }
+
+  private static Sentence changeSentence(Account old, Role role, boolean disabled, String by) {
+    Phrase phrase = role == Role.MANAGER ? Phrase.USER_MADE_MANAGER : Phrase.USER_MADE_CLERK;
+    Sentence made = phrase.with(by, old.name());
+    return disabled ? Phrase.WHO_MAY_NOT_LOG_IN.with(made) : made;
+  }
+
+  private static boolean isLastManager(Handle handle, Account account) {
+    return account.isManager() && !account.disabled() && managerCount(handle) == 1;
+  }
+
+  /** Also ends the user's sessions and tokens. False when there is no such user. */
+  public boolean changePassword(long id, String passwordHash, String by) {
+    return sql.inTransaction(
+        handle -> {
+          Optional<Account> account = find(handle, id);
+          if (account.isEmpty()) {
+            return false;
+          }
+          setPassword(handle, id, passwordHash);
+          recordEvent(
+              handle, "user.password", by, Phrase.PASSWORD_CHANGED.with(by, account.get().name()));
+          return true;
+        });
+  }
+
+  /** Ends what the old password, or a link to replace it, opened. */
+  static void setPassword(Handle handle, long id, String passwordHash) {
+    JdbiSessionStore.endAll(handle, id);
+    handle.execute("delete from password_resets where user_id = ?", id);
+    handle.execute("update users set password_hash = ? where id = ?", passwordHash, id);
+  }
+
+  /**
+   * Where a link goes when the password is forgotten.
+   *
+   * @param email null: nowhere
+   * @return false when there is no such user
+   */
+  public boolean changeEmail(long id, @Nullable String email, String by) {
+    return sql.inTransaction(
+        handle -> {
+          Optional<Account> found = find(handle, id);
+          found
+              .filter(old -> !Objects.equals(old.email(), email))
+              .ifPresent(
+                  old -> {
+                    handle.execute("update users set email = ? where id = ?", email, id);
+                    handle.execute("delete from password_resets where user_id = ?", id);
+                    recordEvent(
+                        handle, "user.changed", by, Phrase.EMAIL_CHANGED.with(by, old.name()));
+                  });
+          return found.isPresent();
+        });
+  }
+
+  static Account mapAccount(ResultSet row, StatementContext context) throws SQLException {
+    return new Account(
+        row.getLong("user_id"),
+        row.getString("name"),
+        row.getString("email"),
+        row.getString("password_hash"),
+        Role.valueOf(row.getString("role")),
+        row.getBoolean("disabled"),
+        Rows.instant(row, "created_at"));
+  }
+
+  static String columns() {
+    return COLUMNS;
+  }
+
+  private static Optional<Account> find(Handle handle, long id) {
+    return handle
+        .createQuery("select " + COLUMNS + " from users u where u.id = :id")
+        .bind("id", id)
+        .map(JdbiAccountStore::mapAccount)
+        .findOne();
+  }
+
+  private Account insert(
+      Handle handle, String name, @Nullable String email, String passwordHash, Role role) {
+    Instant now = clock.instant().truncatedTo(ChronoUnit.MILLIS);
+    long id =
+        handle
+            .createUpdate(
+                """
+                insert into users (name, name_key, email, password_hash, role, created_at)
+                values (:name, :key, :email, :hash, :role, :now)
+                """)
+            .bind("name", name)
+            .bind("key", nameKey(name))
+            .bind("email", email)
+            .bind("hash", passwordHash)
+            .bind("role", role.name())
+            .bind("now", SqlExecutor.utc(now))
+            .executeAndReturnGeneratedKeys("id")
+            .mapTo(Long.class)
+            .one();
+    return new Account(id, name, email, passwordHash, role, false, now);
+  }
+
+  private static int managerCount(Handle handle) {
+    return handle
+        .createQuery("select count(*) from users where role = 'MANAGER' and not disabled")
+        .mapTo(Integer.class)
+        .one();
+  }
+
+  private static String nameKey(String name) {
+    return name.toLowerCase(Locale.ROOT);
+  }
+}

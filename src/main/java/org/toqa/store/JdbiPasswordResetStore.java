@@ -1,0 +1,87 @@
+package org.toqa.store;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.Optional;
+import org.jdbi.v3.core.Handle;
+import org.jdbi.v3.core.Jdbi;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Secret;
+import org.toqa.wording.Phrase;
+
+/**
+ * Secrets by which a forgotten password is replaced, each once and for a while. A user has at most
+ * one: a new one ends the one before.
+ */
+public final class JdbiPasswordResetStore {
+  private final SqlExecutor sql;
+  private final InstantSource clock;
+
+  public JdbiPasswordResetStore(Jdbi jdbi, InstantSource clock) {
+    this.sql = new SqlExecutor(jdbi);
+    this.clock = clock;
+  }
+
+  /**
+   * A new secret for that user.
+   *
+   * @param by who asked for it, as the history tells
+   */
+  public String issue(Account user, Duration life, String by) {
+    String secret = Secret.random();
+    Instant now = clock.instant();
+    return sql.inTransaction(
+        handle -> {
+          handle.execute("delete from password_resets where user_id = ?", user.id());
+          handle.execute(
+              "insert into password_resets (user_id, secret_hash, expires_at) values (?, ?, ?)",
+              user.id(),
+              Secret.hash(secret),
+              SqlExecutor.utc(now.plus(life)));
+          EventTable.addAccountEvent(
+              handle, now, "user.reset", by, Phrase.PASSWORD_LINK_MADE.with(user.name()));
+          return secret;
+        });
+  }
+
+  /** The user whose password the secret replaces, while it is good. */
+  public Optional<Account> account(String secret) {
+    return sql.withHandle(handle -> findAccount(handle, secret));
+  }
+
+  /** False when the secret is not good, or not any more: then nothing changes. */
+  public boolean replacePassword(String secret, String passwordHash) {
+    return sql.inTransaction(
+        handle -> {
+          Optional<Account> user = findAccount(handle, secret);
+          boolean isFirst =
+              handle.execute(
+                      "delete from password_resets where secret_hash = ?", Secret.hash(secret))
+                  > 0;
+          if (user.isEmpty() || !isFirst) {
+            return false;
+          }
+          String name = user.get().name();
+          JdbiAccountStore.setPassword(handle, user.get().id(), passwordHash);
+          EventTable.addAccountEvent(
+              handle, clock.instant(), "user.password", name, Phrase.PASSWORD_REPLACED.with(name));
+          return true;
+        });
+  }
+
+  private Optional<Account> findAccount(Handle handle, String secret) {
+    return handle
+        .createQuery(
+            "select "
+                + JdbiAccountStore.columns()
+                + """
+                   from users u join password_resets p on p.user_id = u.id
+                  where p.secret_hash = :hash and p.expires_at > :now
+                  """)
+        .bind("hash", Secret.hash(secret))
+        .bind("now", SqlExecutor.utc(clock.instant()))
+        .map(JdbiAccountStore::mapAccount)
+        .findOne();
+  }
+}

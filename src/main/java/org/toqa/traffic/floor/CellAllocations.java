@@ -1,0 +1,62 @@
+package org.toqa.traffic.floor;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import org.toqa.grid.OccupancyGrid;
+
+/**
+ * Which cells are allocated to whom now. Read anew from the robots with {@link #refresh}; a cell of
+ * two, as under robots that were put side by side, counts as allocated to each for the other.
+ */
+final class CellAllocations {
+  private static final int NOBODY = 0;
+  private static final int SEVERAL = -1;
+
+  /** By cell: a mover's number, nobody or several. */
+  private final int[] holders;
+
+  private final Collection<TrafficRobot> robots;
+
+  CellAllocations(OccupancyGrid grid, Collection<TrafficRobot> robots) {
+    this.holders = new int[grid.width() * grid.height()];
+    this.robots = robots;
+  }
+
+  void refresh() {
+    Arrays.fill(holders, NOBODY);
+    robots.forEach(m -> m.forEachAllocated(cells -> allocate(m, cells)));
+  }
+
+  void allocate(TrafficRobot robot, CellSet cells) {
+    cells.forEach(
+        cell -> {
+          int before = holders[cell];
+          holders[cell] = before == NOBODY || before == robot.number ? robot.number : SEVERAL;
+        });
+  }
+
+  /** The other movers that hold some of the cells. */
+  List<TrafficRobot> otherHolders(TrafficRobot robot, CellSet cells) {
+    List<TrafficRobot> others = new ArrayList<>();
+    cells.forEach(
+        cell -> {
+          int number = holders[cell];
+          if (number == SEVERAL) {
+            robots.stream()
+                .filter(m -> m.allocatedCells().get(cell))
+                .forEach(m -> addTo(others, robot, m));
+          } else if (number != NOBODY && number != robot.number) {
+            robots.stream().filter(m -> m.number == number).forEach(m -> addTo(others, robot, m));
+          }
+        });
+    return others;
+  }
+
+  private static void addTo(List<TrafficRobot> others, TrafficRobot robot, TrafficRobot found) {
+    if (found != robot && !others.contains(found)) {
+      others.add(found);
+    }
+  }
+}

@@ -1,0 +1,26 @@
+package org.toqa.traffic.floor;
+
+import java.util.List;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/** What a robot is to be told; counts and indices are of segments. */
+public sealed interface DriveCommand {
+
+  String robot();
+
+  /**
+   * Begin a way; the robot stands.
+   *
+   * @param endsAtGoal whether the way ends at its goal
+   */
+  record Begin(String robot, Trajectory trajectory, int released, boolean endsAtGoal)
+      implements DriveCommand {}
+
+  /** Drive another way from segment {@code from} on; all before it has been released. */
+  record Extend(String robot, int from, List<Segment> segments, int released, boolean endsAtGoal)
+      implements DriveCommand {}
+
+  /** So many segments may be driven now. */
+  record Release(String robot, int released) implements DriveCommand {}
+}

@@ -1,0 +1,136 @@
+package org.toqa.traffic.floor;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import org.toqa.formation.Shape;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.Segment;
+
+/**
+ * Robots that carry a load together, as one that drives: the leader, and with it the followers and
+ * the load as discs in the leader's frame.
+ */
+public final class FormationFootprint {
+  private final Shape shape;
+  private final List<Part> parts = new ArrayList<>();
+
+  /**
+   * @param offset metres, in the leader's frame
+   * @param radius metres
+   */
+  private record Part(Vec2 offset, double radius) {
+    /** Where its middle is and how it moves while the leader does that. */
+    CellSet sweptCells(OccupancyGrid grid, Pose leader, Segment segment) {
+      Pose middle = leader.compose(new Pose(offset.x(), offset.y(), 0));
+      if (segment.w() == 0) {
+        return SweptCells.alongSegment(grid, middle, segment, radius);
+      }
+      // every point of a rigid body goes round the same centre: v of the point is w x r
+      Vec2 velocity = new Vec2(segment.v() - segment.w() * offset.y(), segment.w() * offset.x());
+      Pose along = middle.compose(new Pose(0, 0, velocity.angle()));
+      Segment own = new Segment(velocity.norm(), segment.w(), segment.t());
+      return SweptCells.alongSegment(grid, along, own, radius);
+    }
+  }
+
+  /**
+   * @param robotRadius of the largest robot, metres
+   * @param length of the load, along the shape, metres
+   * @param width of the load, metres
+   */
+  public FormationFootprint(Shape shape, double robotRadius, double length, double width) {
+    this.shape = shape;
+    parts.add(new Part(Vec2.ZERO, robotRadius));
+    shape.offsets().forEach(offset -> parts.add(new Part(offset, robotRadius)));
+    int pieces = (int) Math.ceil(length / width);
+    double piece = length / pieces;
+    for (int i = 0; i < pieces; i++) {
+      Vec2 middle = new Vec2(-length / 2 + (i + 0.5) * piece, 0).minus(shape.leader());
+      parts.add(new Part(middle, Math.hypot(piece, width) / 2));
+    }
+  }
+
+  public Shape shape() {
+    return shape;
+  }
+
+  /** Metres from the leader to the farthest point. */
+  double radius() {
+    return parts.stream().mapToDouble(p -> p.offset().norm() + p.radius()).max().orElseThrow();
+  }
+
+  /** Where its robots and its load are while it stands. */
+  List<PlacedDisc> discs(Pose leader) {
+    return parts.stream()
+        .map(
+            p ->
+                new PlacedDisc(
+                    leader.compose(new Pose(p.offset().x(), p.offset().y(), 0)).position(),
+                    p.radius()))
+        .toList();
+  }
+
+  /** The cells under all of it while it stands. */
+  CellSet cellsAt(OccupancyGrid grid, Pose leader) {
+    CellSet cells = CellSet.NONE;
+    for (PlacedDisc disc : discs(leader)) {
+      cells = cells.union(SweptCells.at(grid, disc.centre(), disc.radius()));
+    }
+    return cells;
+  }
+
+  /** The cells that any of it touches while the leader drives the segment. */
+  CellSet sweptCells(OccupancyGrid grid, Pose leader, Segment segment) {
+    CellSet cells = CellSet.NONE;
+    for (Part part : parts) {
+      cells = cells.union(part.sweptCells(grid, leader, segment));
+    }
+    return cells;
+  }
+
+  /**
+   * Whether all of it is off some cells, and on the grid.
+   *
+   * @param margin metres that it must keep besides
+   */
+  boolean isClearOf(OccupancyGrid grid, Pose leader, double margin, BitSet cells) {
+    double cos = Math.cos(leader.theta());
+    double sin = Math.sin(leader.theta());
+    for (Part part : parts) {
+      double x = leader.x() + part.offset().x() * cos - part.offset().y() * sin;
+      double y = leader.y() + part.offset().x() * sin + part.offset().y() * cos;
+      if (!isClearOf(grid, x, y, part.radius() + margin, cells)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static boolean isClearOf(
+      OccupancyGrid grid, double x, double y, double radius, BitSet cells) {
+    double size = grid.resolution();
+    double column = (x - grid.origin().x()) / size;
+    double row = grid.height() - (y - grid.origin().y()) / size; // rows count southward
+    double reach = radius / size;
+    int firstColumn = (int) Math.floor(column - reach);
+    int lastColumn = (int) Math.floor(column + reach);
+    int firstRow = (int) Math.floor(row - reach);
+    int lastRow = (int) Math.floor(row + reach);
+    if (firstColumn < 0 || firstRow < 0 || lastColumn >= grid.width() || lastRow >= grid.height()) {
+      return false;
+    }
+    for (int r = firstRow; r <= lastRow; r++) {
+      double dy = Math.max(0, Math.max(r - row, row - r - 1));
+      for (int c = firstColumn; c <= lastColumn; c++) {
+        double dx = Math.max(0, Math.max(c - column, column - c - 1));
+        if (dx * dx + dy * dy < reach * reach && cells.get(r * grid.width() + c)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,135 @@
+package org.toqa.traffic.floor;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.Disc;
+import org.toqa.grid.Inflation;
+import org.toqa.grid.OccupancyGrid;
+
+/** What stands fast on the floor, walls and obstacles, and where robots of a size fit. */
+final class FreeSpace {
+  private final OccupancyGrid grid;
+  private final BitSet walls;
+  private BitSet obstacles = new BitSet();
+  private BitSet blocked;
+
+  private final Map<Double, OccupancyGrid> freeOfWalls = new HashMap<>();
+  private final Map<Double, OccupancyGrid> freeCells = new HashMap<>();
+  private final Map<Double, List<Cell>> discOffsets = new HashMap<>();
+  private final Map<Double, LaneGrid> laneGrid = new HashMap<>();
+
+  FreeSpace(OccupancyGrid grid) {
+    this.grid = grid;
+    this.walls = grid.occupied();
+    this.blocked = walls;
+  }
+
+  OccupancyGrid grid() {
+    return grid;
+  }
+
+  /** Whether it differs from what was known. */
+  boolean setObstacles(BitSet cells) {
+    if (cells.equals(obstacles)) {
+      return false;
+    }
+    obstacles = (BitSet) cells.clone();
+    blocked = (BitSet) walls.clone();
+    blocked.or(obstacles);
+    freeCells.clear();
+    return true;
+  }
+
+  BitSet obstacles() {
+    return obstacles;
+  }
+
+  /** Walls and obstacles; not to be changed. */
+  BitSet blocked() {
+    return blocked;
+  }
+
+  /** Where the middle of a robot can be, on a floor without obstacles. */
+  OccupancyGrid freeOfWalls(double radius) {
+    return freeOfWalls.computeIfAbsent(radius, r -> Inflation.inflate(grid, r));
+  }
+
+  /** Where the middle of a robot can be. */
+  OccupancyGrid freeCells(double radius) {
+    return freeCells.computeIfAbsent(
+        radius,
+        r -> {
+          OccupancyGrid free = freeOfWalls(r);
+          return obstacles.isEmpty() ? free : alsoBlocked(free, inflated(obstacles, r));
+        });
+  }
+
+  /**
+   * The same where more is closed.
+   *
+   * @param cells that it must not touch
+   * @param discs of others, that it must not touch
+   * @param standing the cell where it is, which never counts as closed
+   */
+  OccupancyGrid freeCells(double radius, BitSet cells, List<PlacedDisc> discs, Cell standing) {
+    OccupancyGrid free = freeCells(radius);
+    if (cells.isEmpty() && discs.isEmpty() && free.isFree(standing)) {
+      return free;
+    }
+    BitSet more = inflated(cells, radius);
+    for (PlacedDisc disc : discs) {
+      Vec2 middle = disc.centre();
+      double apart = radius + disc.radius();
+      SweptCells.at(grid, middle, apart)
+          .forEach(
+              i ->
+                  more.set(i, grid.centre(grid.cell(i)).distanceTo(middle) < apart || more.get(i)));
+    }
+    more.or(free.occupied());
+    more.clear(grid.index(standing));
+    return grid.withOccupied(more);
+  }
+
+  private OccupancyGrid alsoBlocked(OccupancyGrid free, BitSet more) {
+    more.or(free.occupied());
+    return grid.withOccupied(more);
+  }
+
+  /** The cells on whose middle a disc would touch one of these. */
+  private BitSet inflated(BitSet cells, double radius) {
+    List<Cell> reach = discOffsets.computeIfAbsent(radius, this::touchedOffsets);
+    BitSet grown = new BitSet();
+    for (int i = cells.nextSetBit(0); i >= 0; i = cells.nextSetBit(i + 1)) {
+      int column = i % grid.width();
+      int row = i / grid.width();
+      for (Cell by : reach) {
+        if (grid.contains(column + by.column(), row + by.row())) {
+          grown.set(i + by.row() * grid.width() + by.column());
+        }
+      }
+    }
+    return grown;
+  }
+
+  /** The cells round one whose middle is the disc's that the disc touches, as columns and rows. */
+  private List<Cell> touchedOffsets(double radius) {
+    int side = 2 * (int) Math.ceil(radius / grid.resolution()) + 1;
+    OccupancyGrid cells = new OccupancyGrid(side, side, grid.resolution(), Vec2.ZERO, new BitSet());
+    Cell middle = new Cell(side / 2, side / 2);
+    List<Cell> reach = new ArrayList<>();
+    for (Cell cell : new Disc(radius).cellsAt(cells, cells.centre(middle))) {
+      reach.add(new Cell(cell.column() - middle.column(), cell.row() - middle.row()));
+    }
+    return List.copyOf(reach);
+  }
+
+  /** The floor in cells that are large enough for robots of that size. */
+  LaneGrid laneGrid(double diameter) {
+    return laneGrid.computeIfAbsent(diameter, d -> LaneGrid.of(grid, d));
+  }
+}

@@ -1,0 +1,237 @@
+package org.toqa.traffic.floor;
+
+import static java.util.Comparator.comparing;
+import static java.util.Comparator.nullsLast;
+
+import java.time.Instant;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.IntStream;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.DistanceTables;
+import org.toqa.traffic.RoadGraph;
+
+/**
+ * A goal for each robot that is planned, all different: the lane cell of its own goal if it can
+ * have that, else a place near to it; and for a robot that wants nothing the place where it stands,
+ * unless another wants that. Whoever has a place or a way to it keeps it, then whoever waits
+ * longest chooses.
+ */
+final class GoalAssignment {
+  /** A robot that waits for its place this many lane cells from it is near enough. */
+  private static final int NEAR = 4;
+
+  private final FreeSpace freeSpace;
+
+  /** Cells of the floor where none of them must be. */
+  private final BitSet blocked;
+
+  private final LaneGrid lanes;
+  private final RoadGraph roads;
+  private final List<TrafficRobot> planned;
+  private final int[] starts;
+
+  /** Cells of the floor where nobody shall stay. */
+  private final BitSet wantedCells;
+
+  /** Cells of the floor that robots will need to get from their lane cells to their goals. */
+  private final BitSet lastLegs = new BitSet();
+
+  private final int[] assigned;
+  private final Map<Integer, String> taken = new HashMap<>();
+
+  /** Where nobody else shall stay, on the way of the only one that gets its goal; else empty. */
+  private final Set<Integer> keptFree;
+
+  /** How many that want to go somewhere have no way there, whoever made room. */
+  private int unreachableCount;
+
+  GoalAssignment(
+      FreeSpace freeSpace,
+      BitSet blocked,
+      LaneGrid lanes,
+      RoadGraph roads,
+      List<TrafficRobot> planned,
+      int[] starts,
+      BitSet wantedCells) {
+    this(freeSpace, blocked, lanes, roads, planned, starts, wantedCells, Set.of());
+    order(planned).forEach(i -> assign(i, goal(i)));
+  }
+
+  private GoalAssignment(
+      FreeSpace freeSpace,
+      BitSet blocked,
+      LaneGrid lanes,
+      RoadGraph roads,
+      List<TrafficRobot> planned,
+      int[] starts,
+      BitSet wantedCells,
+      Set<Integer> keptFree) {
+    this.freeSpace = freeSpace;
+    this.blocked = blocked;
+    this.lanes = lanes;
+    this.roads = roads;
+    this.planned = planned;
+    this.starts = starts;
+    this.wantedCells = wantedCells;
+    this.keptFree = keptFree;
+    this.assigned = new int[planned.size()];
+  }
+
+  /**
+   * The goal of the one that waits longest; for each other robot the nearest place that is not on
+   * the shortest way there.
+   */
+  GoalAssignment forLongestWaiting() {
+    List<Integer> order = new ArrayList<>(order(planned));
+    order.sort(comparing(i -> !planned.get(i).needsPath()));
+    int first = order.getFirst();
+    int goal = assigned[first];
+    GoalAssignment one =
+        new GoalAssignment(
+            freeSpace,
+            blocked,
+            lanes,
+            roads,
+            planned,
+            starts,
+            wantedCells,
+            shortestPath(starts[first], goal));
+    one.assign(first, goal);
+    order.stream().skip(1).forEach(i -> one.assign(i, one.nearestOpen(starts[i], starts[i])));
+    return one;
+  }
+
+  /** Those that have a place or a way to it, then who waits longest, then who wants nothing. */
+  private static List<Integer> order(List<TrafficRobot> planned) {
+    return IntStream.range(0, planned.size())
+        .boxed()
+        .sorted(
+            Comparator.<Integer, Boolean>comparing(i -> planned.get(i).goal == null)
+                .thenComparing(i -> planned.get(i).needsPath())
+                .thenComparing(
+                    i -> planned.get(i).waitingSince,
+                    nullsLast(Comparator.<Instant>naturalOrder())))
+        .toList();
+  }
+
+  private void assign(int i, int vertex) {
+    assigned[i] = vertex;
+    taken.put(vertex, planned.get(i).name);
+  }
+
+  /** The vertices of a shortest way. */
+  private Set<Integer> shortestPath(int from, int to) {
+    char[] distances = DistanceTables.of(roads, new int[] {to}, Deadline.none())[0];
+    Set<Integer> path = new HashSet<>(Set.of(from));
+    int at = from;
+    while (at != to) {
+      int best = at;
+      for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
+        int next = roads.neighbour(at, d);
+        best = next != RoadGraph.NONE && distances[next] < distances[best] ? next : best;
+      }
+      if (best == at) {
+        return path;
+      }
+      at = best;
+      path.add(at);
+    }
+    return path;
+  }
+
+  int[] assigned() {
+    return assigned;
+  }
+
+  int unreachableCount() {
+    return unreachableCount;
+  }
+
+  private int goal(int i) {
+    TrafficRobot m = planned.get(i);
+    m.goalTakenBy = null;
+    if (m.goal == null) {
+      return nearestOpen(starts[i], starts[i]);
+    }
+    int vertex = approach(m, m.goal, starts[i]);
+    if (vertex == RoadGraph.NONE) {
+      unreachableCount++;
+      return nearestOpen(starts[i], starts[i]);
+    }
+    m.goalTakenBy = taken.get(vertex);
+    if (!isOpen(vertex)) {
+      return nearestOpen(vertex, starts[i]);
+    }
+    lastLeg(roads.cell(vertex), m, m.goal).addTo(lastLegs);
+    return vertex;
+  }
+
+  /** What a robot touches between the middle of a lane cell and its goal, or that of its cell. */
+  private CellSet lastLeg(Cell from, TrafficRobot m, Vec2 goal) {
+    OccupancyGrid floor = freeSpace.grid();
+    Vec2 end = lanes.isFloorGrid() ? floor.centre(floor.cellAt(goal)) : goal;
+    return SweptCells.alongLine(floor, lanes.lattice().centre(from), end, m.radius);
+  }
+
+  /** The nearest lane cell to its goal from which it can go straight there. */
+  private int approach(TrafficRobot m, Vec2 goal, int start) {
+    for (Cell cell : lanes.near(goal)) {
+      int vertex = roads.vertex(cell);
+      if (vertex != RoadGraph.NONE
+          && roads.isConnected(start, vertex)
+          && !lastLeg(cell, m, goal).intersects(blocked)) {
+        return vertex;
+      }
+    }
+    return RoadGraph.NONE;
+  }
+
+  /**
+   * A vertex near to the wanted one that nobody else goes to. A robot that is near already stays
+   * where it is; otherwise waiting robots would change places for ever.
+   */
+  private int nearestOpen(int to, int start) {
+    Deque<Integer> queue = new ArrayDeque<>(List.of(to));
+    Map<Integer, Integer> steps = new HashMap<>(Map.of(to, 0));
+    int found = RoadGraph.NONE;
+    while (!queue.isEmpty()) {
+      int vertex = queue.poll();
+      int here = steps.getOrDefault(vertex, 0);
+      if (found != RoadGraph.NONE && here > NEAR) {
+        return found;
+      }
+      if (isOpen(vertex)) {
+        if (vertex == start) {
+          return start;
+        }
+        found = found == RoadGraph.NONE ? vertex : found;
+      }
+      for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
+        int next = roads.neighbour(vertex, d);
+        if (next != RoadGraph.NONE && steps.putIfAbsent(next, here + 1) == null) {
+          queue.add(next);
+        }
+      }
+    }
+    return found == RoadGraph.NONE ? start : found;
+  }
+
+  private boolean isOpen(int vertex) {
+    return !taken.containsKey(vertex)
+        && !keptFree.contains(vertex)
+        && !lanes.touches(roads.cell(vertex), wantedCells)
+        && !lanes.touches(roads.cell(vertex), lastLegs);
+  }
+}

@@ -1,0 +1,223 @@
+package org.toqa.traffic.floor;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.List;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.Disc;
+import org.toqa.grid.Inflation;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.traffic.RoadGraph;
+
+/**
+ * A floor in cells that are large enough for a robot each, on which robots are planned together.
+ *
+ * <p>The side of such a lane cell is a whole number of the floor's cells. A robot in the middle of
+ * one touches no other, and one that drives straight to the next touches those two only, so robots
+ * that keep to different lane cells never need the same cell of the floor. A lane cell is open
+ * where the disc fits in its middle, and joined with the next where the disc fits all the way: a
+ * wall in its corner closes nothing. The lattice is laid so that robots on it come near to as much
+ * as can be of where they could be without it; a wider one is taken only where it fits the aisles
+ * better.
+ *
+ * <p>Where the floor's own cells are large enough, they are the lane cells. Immutable.
+ */
+final class LaneGrid {
+  /** A lane cell is wider than the robot by at least so much, metres: nobody stands exactly. */
+  private static final double SLACK = 0.02;
+
+  /** Cells of the floor that are looked at, to find the best lattice. */
+  private static final long MAX_WORK = 20_000_000;
+
+  private final OccupancyGrid floor;
+
+  /** The side of a lane cell, in cells of the floor. */
+  private final int side;
+
+  /** The floor's cell in the upper left corner of the first lane cell. */
+  private final Cell corner;
+
+  /** The lane cells, all open, in the floor's frame. */
+  private final OccupancyGrid lattice;
+
+  // what must be free round a lane cell's upper left corner, as columns and rows
+  private final List<Cell> disc;
+  private final List<Cell> toEast;
+  private final List<Cell> toSouth;
+
+  private LaneGrid(OccupancyGrid floor, int side, double diameter, Cell corner) {
+    this.floor = floor;
+    this.side = side;
+    this.corner = corner;
+    int columns = (floor.width() - corner.column()) / side;
+    int rows = (floor.height() - corner.row()) / side;
+    double resolution = floor.resolution();
+    Vec2 origin =
+        floor
+            .origin()
+            .plus(
+                new Vec2(corner.column(), floor.height() - corner.row() - rows * side)
+                    .times(resolution));
+    this.lattice = new OccupancyGrid(columns, rows, side * resolution, origin, new BitSet());
+    double cells = diameter / resolution;
+    this.disc = touched(side, cells, 0, 0);
+    this.toEast = touched(side, cells, 1, 0);
+    this.toSouth = touched(side, cells, 0, 1);
+  }
+
+  /** How many of the floor's cells a lane cell for such a robot has along its side. */
+  static int side(OccupancyGrid floor, double diameter) {
+    double cells = diameter / floor.resolution();
+    return cells <= 1 + 1e-9 ? 1 : (int) Math.ceil((diameter + SLACK) / floor.resolution() - 1e-9);
+  }
+
+  /** Whether the floor has room for one such lane cell at all. */
+  static boolean hasRoom(OccupancyGrid floor, double diameter) {
+    return side(floor, diameter) <= Math.min(floor.width(), floor.height());
+  }
+
+  /**
+   * @param diameter metres, of the largest robot that shall use them
+   */
+  static LaneGrid of(OccupancyGrid floor, double diameter) {
+    int narrowest = side(floor, diameter);
+    if (narrowest == 1) {
+      return new LaneGrid(floor, 1, diameter, new Cell(0, 0));
+    }
+    // in an aisle hardly wider than the robot, its middle fits between the middles of two cells
+    OccupancyGrid clear = Inflation.inflate(floor, (diameter - floor.resolution()) / 2);
+    long tries = Math.max(4, MAX_WORK / ((long) floor.width() * floor.height()));
+    int sides = Math.max(1, Math.min(narrowest / 2, (int) (tries / 16)));
+    int perSide = (int) Math.max(1, Math.sqrt((double) tries / sides));
+    LaneGrid best = null;
+    int most = -1;
+    for (int side = narrowest; side < narrowest + sides; side++) {
+      int step = Math.max(1, side / perSide);
+      for (int row = 0; row < side && row + side <= floor.height(); row += step) {
+        for (int column = 0; column < side && column + side <= floor.width(); column += step) {
+          LaneGrid lanes = new LaneGrid(floor, side, diameter, new Cell(column, row));
+          int reached = lanes.coverage(clear);
+          if (reached > most + (best == null || best.side == side ? 0 : most / 50)) {
+            best = lanes;
+            most = reached;
+          }
+        }
+      }
+    }
+    if (best == null) {
+      throw new IllegalArgumentException("The floor is smaller than a robot of that size.");
+    }
+    return best;
+  }
+
+  /**
+   * How many cells of the floor lie near to open lane cells; those near to the largest connected
+   * part count twice.
+   *
+   * @param clear the cells in which the middle of a robot can be
+   */
+  private int coverage(OccupancyGrid clear) {
+    RoadGraph roads = roads(floor.occupied());
+    BitSet near = new BitSet();
+    BitSet nearLargest = new BitSet();
+    int half = side * 3 / 4;
+    for (int v = 0; v < roads.vertexCount(); v++) {
+      int column = corner.column() + roads.columnOf(v) * side + side / 2;
+      int row = corner.row() + roads.rowOf(v) * side + side / 2;
+      int first = Math.max(0, column - half);
+      int end = Math.min(floor.width(), column + half + 1);
+      for (int r = Math.max(0, row - half); r < Math.min(floor.height(), row + half + 1); r++) {
+        near.set(r * floor.width() + first, r * floor.width() + end);
+        if (roads.isInLargestPart(v)) {
+          nearLargest.set(r * floor.width() + first, r * floor.width() + end);
+        }
+      }
+    }
+    near.andNot(clear.occupied());
+    nearLargest.andNot(clear.occupied());
+    return near.cardinality() + nearLargest.cardinality();
+  }
+
+  /**
+   * The floor's cells that a disc touches on the way from the middle of a lane cell to the middle
+   * of one beside it, counted from the first one's upper left corner.
+   */
+  private static List<Cell> touched(int side, double diameter, int columns, int rows) {
+    OccupancyGrid cells = new OccupancyGrid(2 * side, 2 * side, 1, Vec2.ZERO, new BitSet());
+    Vec2 from = new Vec2(side / 2.0, 1.5 * side);
+    Vec2 to = from.plus(new Vec2(columns * side, -rows * side));
+    return List.copyOf(new Disc(diameter / 2).cellsAlong(cells, from, to));
+  }
+
+  /** Whether they are the floor's own cells. */
+  boolean isFloorGrid() {
+    return side == 1;
+  }
+
+  /** The lane cells as a grid; its frame is the floor's. */
+  OccupancyGrid lattice() {
+    return lattice;
+  }
+
+  /**
+   * The lane cells that are open, joined where a robot can go from one to the next.
+   *
+   * @param blocked cells of the floor where robots must not be
+   */
+  RoadGraph roads(BitSet blocked) {
+    BitSet occupied = new BitSet();
+    for (int row = 0; row < lattice.height(); row++) {
+      for (int column = 0; column < lattice.width(); column++) {
+        occupied.set(row * lattice.width() + column, !isClear(column, row, disc, blocked));
+      }
+    }
+    OccupancyGrid open = lattice.withOccupied(occupied);
+    if (side == 1) {
+      return new RoadGraph(open);
+    }
+    return new RoadGraph(
+        open,
+        (column, row, direction) ->
+            switch (direction) {
+              case RoadGraph.EAST -> isClear(column, row, toEast, blocked);
+              case RoadGraph.WEST -> isClear(column - 1, row, toEast, blocked);
+              case RoadGraph.SOUTH -> isClear(column, row, toSouth, blocked);
+              default -> isClear(column, row - 1, toSouth, blocked);
+            });
+  }
+
+  private boolean isClear(int column, int row, List<Cell> touched, BitSet blocked) {
+    int firstColumn = corner.column() + column * side;
+    int firstRow = corner.row() + row * side;
+    for (Cell cell : touched) {
+      int index = (firstRow + cell.row()) * floor.width() + firstColumn + cell.column();
+      if (blocked.get(index)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Whether a robot in the middle of a lane cell touches one of the floor's cells. */
+  boolean touches(Cell cell, BitSet cells) {
+    return !isClear(cell.column(), cell.row(), disc, cells);
+  }
+
+  /** The lane cell round a point and those beside it, nearest first. */
+  List<Cell> near(Vec2 point) {
+    Cell here = lattice.cellAt(point);
+    List<Cell> near = new ArrayList<>();
+    for (int row = -1; row <= 1; row++) {
+      for (int column = -1; column <= 1; column++) {
+        Cell cell = new Cell(here.column() + column, here.row() + row);
+        if (lattice.contains(cell)) {
+          near.add(cell);
+        }
+      }
+    }
+    near.sort(Comparator.comparingDouble(c -> lattice.centre(c).distanceTo(point)));
+    return near;
+  }
+}

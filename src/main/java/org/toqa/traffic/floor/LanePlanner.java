@@ -1,0 +1,314 @@
+package org.toqa.traffic.floor;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Supplier;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.geometry.Waypoint;
+import org.toqa.grid.Cell;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.JointPlanner;
+import org.toqa.traffic.RoadGraph;
+
+/**
+ * Plans robots together on lane cells and gives them their courses.
+ *
+ * <p>Tried in this order, until everybody who wants to go somewhere can: with wide lane cells, on
+ * which robots of every size can be planned, then with narrower ones; first without those who drive
+ * ways of their own or stand aside from the lanes, then with them. Who is left out is driven round.
+ */
+final class LanePlanner {
+  /** Of the time left, what each search may take. */
+  private static final double SHARE = 0.5;
+
+  private final FreeSpace freeSpace;
+  private final SingleRobotPlanner singleRobotPlanner;
+  private final SectionFitter fitter;
+  private final JointPlanner planner;
+  private final Supplier<Deadline> planningDeadline;
+
+  LanePlanner(
+      FreeSpace freeSpace,
+      SingleRobotPlanner singleRobotPlanner,
+      SectionFitter fitter,
+      JointPlanner planner,
+      Supplier<Deadline> planningDeadline) {
+    this.freeSpace = freeSpace;
+    this.singleRobotPlanner = singleRobotPlanner;
+    this.fitter = fitter;
+    this.planner = planner;
+    this.planningDeadline = planningDeadline;
+  }
+
+  enum Outcome {
+    /** All have courses by the new plan. */
+    PLANNED,
+    /** Those without a way can only stay, and nobody could make room: no plan would help now. */
+    NOT_NEEDED,
+    NOT_FOUND
+  }
+
+  /**
+   * @param mustPlan whether ways were given up that others wait for
+   */
+  Outcome plan(Collection<TrafficRobot> robots, CellAllocations allocations, boolean mustPlan) {
+    Deadline deadline = planningDeadline.get();
+    List<Attempt> incomplete = new ArrayList<>();
+    for (boolean everybody : List.of(false, true)) {
+      for (double diameter : diameters(robots, everybody)) {
+        Attempt attempt = new Attempt(robots, allocations, diameter, everybody);
+        if (attempt.leftOutCount() > 0) {
+          incomplete.add(attempt);
+        } else {
+          Outcome outcome = tryPlan(attempt, mustPlan, deadline);
+          if (outcome != Outcome.NOT_FOUND) {
+            return outcome;
+          }
+        }
+      }
+    }
+    incomplete.sort(Comparator.comparingInt(Attempt::leftOutCount));
+    for (Attempt attempt : incomplete) {
+      Outcome outcome = tryPlan(attempt, mustPlan, deadline);
+      if (outcome != Outcome.NOT_FOUND) {
+        return outcome;
+      }
+    }
+    return Outcome.NOT_FOUND;
+  }
+
+  /** Plans for all goals at once; where there is no such plan, for whoever waits longest. */
+  private Outcome tryPlan(Attempt attempt, boolean mustPlan, Deadline deadline) {
+    if (!mustPlan && attempt.wantedCells.isEmpty() && attempt.isStandingStill()) {
+      return Outcome.NOT_NEEDED;
+    }
+    Optional<List<int[]>> steps =
+        planner
+            .plan(
+                attempt.roads, attempt.starts, attempt.goals.assigned(), deadline.afterShare(SHARE))
+            .or(
+                () ->
+                    planner.plan(
+                        attempt.roads,
+                        attempt.starts,
+                        attempt.goals.forLongestWaiting().assigned(),
+                        deadline.afterShare(SHARE)));
+    steps.ifPresent(attempt::adopt);
+    return steps.isPresent() ? Outcome.PLANNED : Outcome.NOT_FOUND;
+  }
+
+  /** Of the robots that need a plan, or of everybody; the largest first. */
+  private Set<Double> diameters(Collection<TrafficRobot> robots, boolean everybody) {
+    Set<Double> diameters = new TreeSet<>(Comparator.reverseOrder());
+    for (TrafficRobot m : robots) {
+      boolean needsPlan = everybody || m.needsPath() || m.isOnSharedPath();
+      if (m.movable
+          && m.formation() == null
+          && needsPlan
+          && LaneGrid.hasRoom(freeSpace.grid(), 2 * m.radius)) {
+        diameters.add(2 * m.radius);
+      }
+    }
+    return diameters;
+  }
+
+  /** Some of the robots on lanes of one width. */
+  private final class Attempt {
+    final LaneGrid lanes;
+    final double diameter;
+    final List<TrafficRobot> planned = new ArrayList<>();
+    final BitSet wantedCells;
+    final int[] starts;
+    final GoalAssignment goals;
+    BitSet blocked = new BitSet();
+    RoadGraph roads;
+    private final Collection<TrafficRobot> robots;
+    private final CellAllocations allocations;
+    private Map<TrafficRobot, Cell> places = Map.of();
+    private Map<TrafficRobot, List<Section>> sectionsToPlaces = Map.of();
+
+    Attempt(
+        Collection<TrafficRobot> robots,
+        CellAllocations allocations,
+        double diameter,
+        boolean everybody) {
+      this.robots = robots;
+      this.allocations = allocations;
+      this.diameter = diameter;
+      this.lanes = freeSpace.laneGrid(diameter);
+      this.wantedCells = findWantedCells();
+      robots.stream().filter(m -> isCandidate(m, everybody)).forEach(planned::add);
+      this.roads = buildRoads();
+      while (!assignPlaces()) {
+        roads = buildRoads();
+      }
+      starts = planned.stream().mapToInt(m -> roads.vertex(place(m))).toArray();
+      goals = new GoalAssignment(freeSpace, blocked, lanes, roads, planned, starts, wantedCells);
+    }
+
+    private Cell place(TrafficRobot m) {
+      Cell place = places.get(m);
+      if (place == null) {
+        throw new IllegalStateException(m.name + " has no place on the lanes.");
+      }
+      return place;
+    }
+
+    private boolean isCandidate(TrafficRobot m, boolean everybody) {
+      if (!m.movable || m.stalled || m.formation() != null || m.radius > diameter / 2) {
+        return false;
+      }
+      return everybody
+          || m.needsPath()
+          || m.isOnSharedPath()
+          || (m.path == null && isOnLane(m, freeSpace.blocked()))
+          || m.standingCells().intersects(wantedCells);
+    }
+
+    /** Whether its disc keeps to one lane cell, and can go straight to the middle of that. */
+    private boolean isOnLane(TrafficRobot m, BitSet blockedCells) {
+      Pose pose = m.releasedEnd();
+      Cell cell = lanes.lattice().cellAt(pose.position());
+      Vec2 aside = pose.position().minus(lanes.lattice().centre(cell));
+      double slack = lanes.lattice().resolution() / 2 - m.radius + 1e-9;
+      return lanes.lattice().contains(cell)
+          && Math.max(Math.abs(aside.x()), Math.abs(aside.y())) <= slack
+          && !SweptCells.alongLine(
+                  freeSpace.grid(), pose.position(), lanes.lattice().centre(cell), m.radius)
+              .intersects(blockedCells);
+    }
+
+    /** Closes what others have or will need. */
+    private RoadGraph buildRoads() {
+      blocked = (BitSet) freeSpace.blocked().clone();
+      for (TrafficRobot m : robots) {
+        if (!planned.contains(m)) {
+          m.addClaimedTo(blocked);
+        }
+      }
+      planned.forEach(
+          m ->
+              SweptCells.at(freeSpace.grid(), m.releasedEnd().position(), m.radius)
+                  .forEach(blocked::clear));
+      return lanes.roads(blocked);
+    }
+
+    /**
+     * Gives each a lane cell to begin in; who stands aside drives to the middle of one. Whoever can
+     * have none is taken out.
+     *
+     * @return whether all have one
+     */
+    private boolean assignPlaces() {
+      places = new HashMap<>();
+      sectionsToPlaces = new HashMap<>();
+      List<TrafficRobot> aside = new ArrayList<>();
+      for (TrafficRobot m : planned) {
+        Cell cell = lanes.lattice().cellAt(m.releasedEnd().position());
+        if (!isOnLane(m, blocked)
+            || roads.vertex(cell) == RoadGraph.NONE
+            || places.containsValue(cell)) {
+          aside.add(m);
+        } else {
+          places.put(m, cell);
+        }
+      }
+      BitSet swept = new BitSet();
+      boolean all = true;
+      for (TrafficRobot m : aside) {
+        if (!assignPlace(m, swept)) {
+          planned.remove(m);
+          all = false;
+        }
+      }
+      return all;
+    }
+
+    private boolean assignPlace(TrafficRobot m, BitSet swept) {
+      Pose from = m.releasedEnd();
+      for (Cell cell : lanes.near(from.position())) {
+        if (roads.vertex(cell) == RoadGraph.NONE || places.containsValue(cell)) {
+          continue;
+        }
+        List<Waypoint> middle = List.of(new Waypoint(lanes.lattice().centre(cell), false));
+        double length = lanes.lattice().resolution();
+        List<Section> sections = fitter.fit(m, from, middle, length, new PassingPlaces.OnlyAtEnd());
+        if (sections.size() == 1 && canDrive(m, from, sections.getFirst(), swept)) {
+          sections.getFirst().cells().addTo(swept);
+          places.put(m, cell);
+          sectionsToPlaces.put(m, sections);
+          return true;
+        }
+      }
+      return false;
+    }
+
+    private boolean canDrive(TrafficRobot m, Pose from, Section section, BitSet swept) {
+      BitSet blockedCells = (BitSet) blocked.clone();
+      m.standingCells().forEach(blockedCells::clear);
+      return !section.cells().intersects(blockedCells)
+          && !section.cells().intersects(swept)
+          && allocations.otherHolders(m, section.cells()).stream()
+              .allMatch(o -> !m.isDriving() && Clearance.isKept(m, from, section, o));
+    }
+
+    /** How many that want to go somewhere would get nowhere by this. */
+    int leftOutCount() {
+      long notPlanned = robots.stream().filter(m -> m.needsPath() && !planned.contains(m)).count();
+      return goals.unreachableCount() + (int) notPlanned;
+    }
+
+    /** Whether no one that waits goes on, and none that wants nothing makes room. */
+    boolean isStandingStill() {
+      for (int i = 0; i < planned.size(); i++) {
+        TrafficRobot m = planned.get(i);
+        if ((m.needsPath() || m.goal == null) && starts[i] != goals.assigned()[i]) {
+          return false;
+        }
+      }
+      return true;
+    }
+
+    /** The ways of robots that are too large for these lanes, as if the others were not there. */
+    private BitSet findWantedCells() {
+      BitSet wanted = new BitSet();
+      for (TrafficRobot m : robots) {
+        boolean isTooLarge = m.formation() != null || m.radius > diameter / 2;
+        if (m.needsPath() && m.path == null && isTooLarge) {
+          m.wantedCells = new BitSet();
+          singleRobotPlanner
+              .pathAlone(m)
+              .ifPresent(sections -> sections.forEach(s -> s.cells().addTo(m.wantedCells)));
+          wanted.or(m.wantedCells);
+        }
+      }
+      return wanted;
+    }
+
+    void adopt(List<int[]> steps) {
+      for (TrafficRobot m : robots) {
+        if (!planned.contains(m) && m.isOnSharedPath()) {
+          m.freeUnreleased();
+        }
+      }
+      for (TrafficRobot m : planned) {
+        List<Section> sections = sectionsToPlaces.get(m);
+        if (sections != null) {
+          m.continueOn(ReservedPath.independent(m.releasedEnd(), sections));
+          m.released += sections.size();
+          sections.forEach(s -> allocations.allocate(m, s.cells()));
+        }
+      }
+      new JointPlan(lanes, blocked, roads, planned, steps).adopt(fitter);
+    }
+  }
+}

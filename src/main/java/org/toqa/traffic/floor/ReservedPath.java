@@ -1,0 +1,117 @@
+package org.toqa.traffic.floor;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/**
+ * A robot's way in stretches. The last part of it may come from a plan for all robots; then it
+ * knows the cells that it visits, and for each visit who must have left the cell before.
+ *
+ * @param start where it begins, map frame
+ * @param sections in order
+ * @param inherited how many stretches come from earlier plans and were released then
+ * @param lattice whose cells the visits are
+ * @param visits the cells visited from {@code base} on, the first being where that part begins;
+ *     empty for a way that meets nobody's
+ * @param visitAtEnd by stretch from {@code base} on: the index of the visit at its end
+ * @param dependencies by visit: who was there before, or null
+ */
+record ReservedPath(
+    Pose start,
+    List<Section> sections,
+    int inherited,
+    @Nullable OccupancyGrid lattice,
+    List<Cell> visits,
+    List<Integer> visitAtEnd,
+    List<@Nullable Dependency> dependencies) {
+
+  /** Another robot must have gone on from the visit of that index on that course of its. */
+  record Dependency(String robot, int pathNumber, int visit) {}
+
+  ReservedPath {
+    sections = List.copyOf(sections);
+    visits = List.copyOf(visits);
+    visitAtEnd = List.copyOf(visitAtEnd);
+  }
+
+  static ReservedPath independent(Pose start, List<Section> sections) {
+    return new ReservedPath(
+        start, sections, 0, null, List.of(), sections.stream().map(s -> 0).toList(), List.of());
+  }
+
+  int sectionCount() {
+    return sections.size();
+  }
+
+  Trajectory trajectory() {
+    return new Trajectory(start, segmentsFrom(0));
+  }
+
+  /** The segments of the stretches from {@code from} on. */
+  List<Segment> segmentsFrom(int from) {
+    List<Segment> segments = new ArrayList<>();
+    sections.subList(from, sectionCount()).forEach(s -> segments.addAll(s.segments()));
+    return segments;
+  }
+
+  /** How many segments the first {@code count} stretches have. */
+  int segmentCount(int count) {
+    return sections.subList(0, count).stream().mapToInt(s -> s.segments().size()).sum();
+  }
+
+  /** How many stretches are complete when {@code segments} segments are. */
+  int completedSections(int segments) {
+    int left = segments;
+    int count = 0;
+    while (count < sectionCount() && sections.get(count).segments().size() <= left) {
+      left -= sections.get(count++).segments().size();
+    }
+    return count;
+  }
+
+  /** Where the robot stands after the first {@code count} stretches. */
+  Pose poseAfter(int count) {
+    return count == 0 ? start : sections.get(count - 1).end();
+  }
+
+  Pose end() {
+    return poseAfter(sectionCount());
+  }
+
+  /** The index of the visit where the robot is after {@code count} stretches. */
+  int visitAfterSections(int count) {
+    return count <= inherited ? 0 : visitAtEnd.get(count - inherited - 1);
+  }
+
+  /** Whether it may meet others' cells, in an order. */
+  boolean isShared() {
+    return !visits.isEmpty();
+  }
+
+  /** Its first {@code count} stretches, and then the whole of another course. */
+  ReservedPath continuedWith(int count, ReservedPath next) {
+    List<Section> joined = new ArrayList<>(sections.subList(0, count));
+    joined.addAll(next.sections);
+    return new ReservedPath(
+        start, joined, count, next.lattice, next.visits, next.visitAtEnd, next.dependencies);
+  }
+
+  ReservedPath withDependencies(List<@Nullable Dependency> others) {
+    return new ReservedPath(start, sections, inherited, lattice, visits, visitAtEnd, others);
+  }
+
+  /** The same visits in the same order, from stretch {@code count} on driven in other stretches. */
+  ReservedPath withSectionsFrom(int count, List<Section> newSections, List<Integer> newVisits) {
+    List<Section> joined = new ArrayList<>(sections.subList(0, count));
+    joined.addAll(newSections);
+    List<Integer> joinedVisits = new ArrayList<>(visitAtEnd.subList(0, count - inherited));
+    joinedVisits.addAll(newVisits);
+    return new ReservedPath(start, joined, inherited, lattice, visits, joinedVisits, dependencies);
+  }
+}

@@ -1,0 +1,114 @@
+package org.toqa.traffic.lifelong;
+
+import static org.toqa.traffic.RoadGraph.NONE;
+
+import org.toqa.grid.Cell;
+import org.toqa.planning.Heading;
+import org.toqa.traffic.GridPose;
+import org.toqa.traffic.MotionModel;
+import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.mapf.StateGraph;
+
+/**
+ * The robots of a scene that can take part in the traffic, counted from 0, as states and vertices;
+ * and of every robot what it may expect.
+ */
+final class ActiveRobots {
+  private final TrafficSnapshot snapshot;
+  private final StateGraph graph;
+  private final PlanStatus[] statuses;
+  private final int[] robots;
+  private final int[] states;
+  private final int[] goals;
+  private int size;
+
+  private ActiveRobots(TrafficSnapshot snapshot, StateGraph graph) {
+    this.snapshot = snapshot;
+    this.graph = graph;
+    int most = snapshot.robots().size();
+    statuses = new PlanStatus[most];
+    robots = new int[most];
+    states = new int[most];
+    goals = new int[most];
+  }
+
+  static ActiveRobots of(TrafficSnapshot snapshot, StateGraph graph) {
+    ActiveRobots active = new ActiveRobots(snapshot, graph);
+    boolean[] isTaken = new boolean[graph.roads().vertexCount()];
+    for (int robot = 0; robot < snapshot.robots().size(); robot++) {
+      active.add(robot, isTaken);
+    }
+    return active;
+  }
+
+  private void add(int robot, boolean[] isTaken) {
+    RoadGraph roads = graph.roads();
+    PlannedRobot asked = snapshot.robots().get(robot);
+    int start = roads.vertex(asked.pose().cell());
+    if (start == NONE || isTaken[start]) {
+      statuses[robot] = start == NONE ? PlanStatus.START_BLOCKED : PlanStatus.START_SHARED;
+      return;
+    }
+    isTaken[start] = true;
+    int goal = roads.vertex(asked.goal());
+    statuses[robot] = status(start, goal);
+    robots[size] = robot;
+    states[size] = graph.state(start, direction(asked.pose().heading()));
+    goals[size] = goal != NONE && roads.isConnected(start, goal) ? goal : NONE;
+    size++;
+  }
+
+  private PlanStatus status(int start, int goal) {
+    if (goal == NONE) {
+      return PlanStatus.GOAL_BLOCKED;
+    }
+    if (!graph.roads().isConnected(start, goal)) {
+      return PlanStatus.NO_PATH;
+    }
+    return start == goal ? PlanStatus.ARRIVED : PlanStatus.DRIVING;
+  }
+
+  /** How many take part. */
+  int size() {
+    return size;
+  }
+
+  /** The place in the scene of the k-th that takes part. */
+  int robot(int k) {
+    return robots[k];
+  }
+
+  int state(int k) {
+    return states[k];
+  }
+
+  /** A vertex that it can reach, or {@code NONE}. */
+  int goal(int k) {
+    return goals[k];
+  }
+
+  /**
+   * @param robot by its place in the scene
+   */
+  PlanStatus status(int robot) {
+    return statuses[robot];
+  }
+
+  /** A state as a stance of that robot; its heading stays where the model knows none. */
+  GridPose pose(int robot, int state) {
+    Cell cell = graph.roads().cell(graph.vertex(state));
+    return graph.model() == MotionModel.CLASSIC
+        ? new GridPose(cell, snapshot.robots().get(robot).pose().heading())
+        : new GridPose(cell, heading(graph.heading(state)));
+  }
+
+  /** Four directions to the right angles of eight headings; both count from east to the left. */
+  private static Heading heading(int direction) {
+    return Heading.EAST.turned(2 * direction);
+  }
+
+  /** The direction faced, or the next one to the left of a diagonal. */
+  private static int direction(Heading heading) {
+    return (heading.ordinal() + 1) / 2 % RoadGraph.DIRECTIONS;
+  }
+}

@@ -1,0 +1,252 @@
+package org.toqa.traffic.lifelong;
+
+import static org.toqa.traffic.RoadGraph.DIRECTIONS;
+import static org.toqa.traffic.RoadGraph.NONE;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SplittableRandom;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.GridPose;
+import org.toqa.traffic.MotionModel;
+import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.mapf.StateGraph;
+
+/**
+ * The planner of a fleet: {@link Guidance} shows each robot its way around the traffic, {@link
+ * OperationSearch} settles step by step who goes and who makes way, {@link RobotProgress} keeps the
+ * priorities.
+ */
+public final class RollingHorizonPlanner implements LifelongPlanner {
+  private static final int DEPTH_CLASSIC = 3;
+  private static final int DEPTH_TURNS = 4;
+
+  /** Of the time there is, what the search for new ways may take. */
+  private static final double SHARE_OF_GUIDANCE = 0.6;
+
+  /** Ways that are looked for at the same time, without knowing of each other. */
+  private static final int AT_ONCE = 4;
+
+  private static final int LONGEST_RANDOM_WALK = 24;
+
+  private final MotionModel model;
+  private final boolean mayRotate;
+  private final SplittableRandom random;
+  private final Map<String, RobotProgress> robots = new HashMap<>();
+  private @Nullable GraphContext lastContext;
+
+  /**
+   * @param mayRotate whether robots may drive round in a full ring, all at once; not where a robot
+   *     enters a cell only after another has left it
+   */
+  public RollingHorizonPlanner(MotionModel model, boolean mayRotate, long seed) {
+    this.model = model;
+    this.mayRotate = mayRotate;
+    this.random = new SplittableRandom(seed);
+  }
+
+  /**
+   * What is made for one set of roads, and thrown away with it.
+   *
+   * @param zeroCosts the costs of a robot that has no goal to go to: none
+   */
+  private record GraphContext(
+      StateGraph graph,
+      Guidance guidance,
+      Operations operations,
+      OperationSearch search,
+      char[] zeroCosts) {}
+
+  @Override
+  public LifelongPlan plan(TrafficSnapshot snapshot, Deadline deadline) {
+    GraphContext context = contextOf(snapshot.roads());
+    ActiveRobots active = ActiveRobots.of(snapshot, context.graph());
+    forgetAbsent(snapshot, context);
+    List<RobotProgress> present = updateRobots(snapshot, active, context);
+    sendStuckOnDetours(present, context.graph());
+    findPaths(present, context.guidance(), deadline.afterShare(SHARE_OF_GUIDANCE));
+    restartOperations(present, context.operations());
+    context
+        .search()
+        .improve(
+            byPriority(snapshot, active, present),
+            distances(present, context),
+            present.stream().mapToInt(RobotProgress::target).toArray(),
+            deadline);
+    return toPlan(snapshot, active, present, context);
+  }
+
+  private GraphContext contextOf(RoadGraph roads) {
+    GraphContext last = lastContext;
+    if (last != null && last.graph().roads() == roads) {
+      return last;
+    }
+    robots.values().forEach(RobotProgress::forgetGraph);
+    StateGraph graph = new StateGraph(roads, model);
+    int depth = model == MotionModel.CLASSIC ? DEPTH_CLASSIC : DEPTH_TURNS;
+    Operations operations = new Operations(graph, depth);
+    GraphContext context =
+        new GraphContext(
+            graph,
+            new Guidance(graph),
+            operations,
+            new OperationSearch(graph, operations, mayRotate, random.split()),
+            new char[graph.stateCount()]);
+    lastContext = context;
+    return context;
+  }
+
+  private void forgetAbsent(TrafficSnapshot snapshot, GraphContext context) {
+    Set<String> names =
+        snapshot.robots().stream().map(PlannedRobot::name).collect(Collectors.toSet());
+    robots
+        .entrySet()
+        .removeIf(
+            entry -> {
+              boolean isAbsent = !names.contains(entry.getKey());
+              if (isAbsent) {
+                context.guidance().withdraw(entry.getValue().takeEdges());
+              }
+              return isAbsent;
+            });
+  }
+
+  private List<RobotProgress> updateRobots(
+      TrafficSnapshot snapshot, ActiveRobots active, GraphContext context) {
+    List<RobotProgress> present = new ArrayList<>();
+    for (int k = 0; k < active.size(); k++) {
+      PlannedRobot robot = snapshot.robots().get(active.robot(k));
+      RobotProgress progress = robots.computeIfAbsent(robot.name(), name -> new RobotProgress());
+      int goal = active.goal(k);
+      if (goal != progress.goal()) {
+        context.guidance().withdraw(progress.takeEdges());
+        progress.setGoal(goal);
+      }
+      progress.advance(active.state(k), context.graph().vertex(active.state(k)), random);
+      present.add(progress);
+    }
+    return present;
+  }
+
+  /** Whoever is at its wits' end, and who stands beside it. */
+  private void sendStuckOnDetours(List<RobotProgress> present, StateGraph graph) {
+    Set<Integer> stuck =
+        present.stream()
+            .filter(RobotProgress::isStuck)
+            .map(progress -> graph.vertex(progress.state()))
+            .collect(Collectors.toSet());
+    if (stuck.isEmpty()) {
+      return;
+    }
+    for (RobotProgress progress : present) {
+      int vertex = graph.vertex(progress.state());
+      boolean isInvolved =
+          stuck.contains(vertex)
+              || IntStream.range(0, DIRECTIONS)
+                  .anyMatch(d -> stuck.contains(graph.roads().neighbour(vertex, d)));
+      if (isInvolved) {
+        progress.startDetour(randomWalkEnd(vertex, graph.roads()));
+      }
+    }
+  }
+
+  /** Some vertex near another one: where a walk without turning back leads. */
+  private int randomWalkEnd(int start, RoadGraph roads) {
+    int at = start;
+    int last = NONE;
+    for (int left = 1 + random.nextInt(LONGEST_RANDOM_WALK); left > 0; left--) {
+      int next = roads.neighbour(at, random.nextInt(DIRECTIONS));
+      if (next != NONE && next != last) {
+        last = at;
+        at = next;
+      }
+    }
+    return at;
+  }
+
+  /**
+   * Looks for ways, a few at a time: these share the processor's cores, and the next few know of
+   * the ways that they announce. Nobody who looks for a way is kept from one by what others said
+   * who look for theirs: else a jam would go on for fear of itself.
+   */
+  private static void findPaths(List<RobotProgress> present, Guidance guidance, Deadline deadline) {
+    List<RobotProgress> seekers =
+        present.stream()
+            .filter(RobotProgress::needsPath)
+            .sorted(Comparator.comparing(RobotProgress::hasPath))
+            .toList();
+    seekers.forEach(seeker -> guidance.withdraw(seeker.takeEdges()));
+    for (int k = 0; k < seekers.size() && !deadline.isPassed(); k += AT_ONCE) {
+      List<RobotProgress> few = seekers.subList(k, Math.min(seekers.size(), k + AT_ONCE));
+      List<char[]> found =
+          few.parallelStream().map(t -> guidance.distances(t.state(), t.target())).toList();
+      for (int f = 0; f < few.size(); f++) {
+        RobotProgress progress = few.get(f);
+        progress.setPath(found.get(f), guidance.announce(progress.state(), found.get(f)));
+      }
+    }
+  }
+
+  private static void restartOperations(List<RobotProgress> present, Operations operations) {
+    operations.restart(
+        present.stream().mapToInt(RobotProgress::state).toArray(),
+        present.stream().map(RobotProgress::operation).toArray(int[][]::new));
+    for (int k = 0; k < present.size(); k++) {
+      present.get(k).setOperation(operations.of(k));
+    }
+  }
+
+  private static int[] byPriority(
+      TrafficSnapshot snapshot, ActiveRobots active, List<RobotProgress> present) {
+    long[] keys = new long[present.size()];
+    for (int k = 0; k < keys.length; k++) {
+      int urgency = snapshot.robots().get(active.robot(k)).urgency();
+      keys[k] = ((long) -present.get(k).priority(urgency) << Integer.SIZE) | k;
+    }
+    Arrays.sort(keys);
+    return Arrays.stream(keys).mapToInt(key -> (int) key).toArray();
+  }
+
+  private static char[][] distances(List<RobotProgress> present, GraphContext context) {
+    char[][] distances = new char[present.size()][];
+    for (int k = 0; k < distances.length; k++) {
+      char[] known = present.get(k).distances();
+      distances[k] = known == null ? context.zeroCosts() : known;
+    }
+    return distances;
+  }
+
+  private static LifelongPlan toPlan(
+      TrafficSnapshot snapshot,
+      ActiveRobots active,
+      List<RobotProgress> present,
+      GraphContext context) {
+    PlannedPath[] paths = new PlannedPath[snapshot.robots().size()];
+    for (int robot = 0; robot < paths.length; robot++) {
+      paths[robot] =
+          new PlannedPath(List.of(snapshot.robots().get(robot).pose()), active.status(robot));
+    }
+    for (int k = 0; k < active.size(); k++) {
+      int robot = active.robot(k);
+      PlanStatus status =
+          present.get(k).target() == NONE || present.get(k).hasPath()
+              ? active.status(robot)
+              : PlanStatus.NOT_YET_PLANNED;
+      List<GridPose> poses = new ArrayList<>();
+      poses.add(snapshot.robots().get(robot).pose());
+      for (int t = 1; t <= context.operations().depth(); t++) {
+        poses.add(active.pose(robot, context.operations().state(k, t)));
+      }
+      paths[robot] = new PlannedPath(poses, status);
+    }
+    return new LifelongPlan(List.of(paths));
+  }
+}

@@ -1,0 +1,102 @@
+package org.toqa.traffic.mapf;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.DistanceTables;
+import org.toqa.traffic.JointPlanner;
+import org.toqa.traffic.RoadGraph;
+
+/**
+ * Plans the robots of a floor together: {@link Lacam} without rings that move at once finds a plan,
+ * {@link PrioritisedPlanning} perhaps a better one, and {@link NeighbourhoodSearch} takes out the
+ * detours. These two know nothing of rings; where one has come in, the first plan stands.
+ */
+public final class LacamJointPlanner implements JointPlanner {
+  private static final long SEED = 7275;
+
+  /** Improvements that are tried, for all and for each robot: a few milliseconds' work. */
+  private static final int IMPROVEMENTS = 100;
+
+  private static final int IMPROVEMENTS_EACH = 10;
+
+  /** Of the time left after the first plan, what improving it may take. */
+  private static final double SHARE_OF_IMPROVING = 0.3;
+
+  @Override
+  public Optional<List<int[]>> plan(RoadGraph roads, int[] starts, int[] goals, Deadline deadline) {
+    char[][] distances = DistanceTables.of(roads, goals, deadline);
+    if (distances.length < goals.length) {
+      return Optional.empty();
+    }
+    SplittableRandom random = new SplittableRandom(SEED);
+    Lacam lacam = new Lacam(roads, distances, starts, goals, random.split(), false);
+    if (!(lacam.search(deadline) instanceof Lacam.Outcome.Found(var configurations))) {
+      return Optional.empty();
+    }
+    int[][] first = VertexPaths.of(configurations);
+    Deadline end = limited(deadline.afterShare(SHARE_OF_IMPROVING), starts.length);
+    int @Nullable [][] second =
+        new PrioritisedPlanning(roads, distances, first, random.split()).plan(end);
+    int[][] best =
+        second != null && VertexPaths.sumOfCosts(second) < VertexPaths.sumOfCosts(first)
+            ? second
+            : first.clone();
+    long lowerBound =
+        IntStream.range(0, starts.length).mapToLong(i -> distances[i][starts[i]]).sum();
+    new NeighbourhoodSearch(roads, distances, best, random.split()).improve(lowerBound, end);
+    List<int[]> improved = configurations(best);
+    return Optional.of(hasRing(improved) ? configurations : improved);
+  }
+
+  private static Deadline limited(Deadline deadline, int robots) {
+    int most = IMPROVEMENTS + IMPROVEMENTS_EACH * robots;
+    int[] looks = {0};
+    return new Deadline(() -> looks[0]++ >= most || deadline.isPassed() ? 1 : 0, 1);
+  }
+
+  private static List<int[]> configurations(int[][] paths) {
+    int steps = Arrays.stream(paths).mapToInt(path -> path.length).max().orElse(1);
+    List<int[]> configurations = new ArrayList<>();
+    for (int step = 0; step < steps; step++) {
+      int[] places = new int[paths.length];
+      for (int robot = 0; robot < paths.length; robot++) {
+        places[robot] = VertexPaths.at(paths[robot], step);
+      }
+      configurations.add(places);
+    }
+    return configurations;
+  }
+
+  /** Whether in some step robots follow each other in a ring. */
+  static boolean hasRing(List<int[]> configurations) {
+    for (int step = 1; step < configurations.size(); step++) {
+      Map<Integer, Integer> moves = new HashMap<>();
+      int[] from = configurations.get(step - 1);
+      int[] to = configurations.get(step);
+      for (int robot = 0; robot < from.length; robot++) {
+        if (from[robot] != to[robot]) {
+          moves.put(from[robot], to[robot]);
+        }
+      }
+      while (!moves.isEmpty()) {
+        int start = moves.keySet().iterator().next();
+        Integer at = start;
+        do {
+          at = moves.remove(at);
+        } while (at != null && at != start);
+        if (at != null) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+}

@@ -1,0 +1,26 @@
+package org.toqa.traffic.mapf;
+
+import java.util.List;
+import org.toqa.grid.Cell;
+import org.toqa.traffic.RoadGraph;
+
+/** Robots that stand somewhere and want to be elsewhere, in a fixed order. */
+public record MapfInstance(RoadGraph roads, List<Cell> starts, List<Cell> goals) {
+
+  public MapfInstance {
+    starts = List.copyOf(starts);
+    goals = List.copyOf(goals);
+    if (starts.size() != goals.size()) {
+      throw new IllegalArgumentException(
+          "Every robot needs a start and a goal, but there are "
+              + starts.size()
+              + " starts and "
+              + goals.size()
+              + " goals.");
+    }
+  }
+
+  public int robotCount() {
+    return starts.size();
+  }
+}

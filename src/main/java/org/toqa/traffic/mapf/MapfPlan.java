@@ -1,0 +1,38 @@
+package org.toqa.traffic.mapf;
+
+import java.util.Arrays;
+import org.toqa.grid.Cell;
+import org.toqa.traffic.RoadGraph;
+
+/**
+ * Where each robot is at each step: a robot a route, in the order of the instance. Whoever has
+ * arrived stays. Immutable.
+ */
+public final class MapfPlan {
+  private final RoadGraph roads;
+  private final int[][] paths;
+
+  MapfPlan(RoadGraph roads, int[][] paths) {
+    this.roads = roads;
+    this.paths = paths.clone();
+  }
+
+  public int robotCount() {
+    return paths.length;
+  }
+
+  /** The step at which the last robot arrives. */
+  public int makespan() {
+    return Arrays.stream(paths).mapToInt(path -> path.length - 1).max().orElse(0);
+  }
+
+  /** The robot's place at a step; its goal from the arrival on. */
+  public Cell at(int robot, int step) {
+    return roads.cell(VertexPaths.at(paths[robot], step));
+  }
+
+  /** The arrivals of all robots, summed. */
+  public long sumOfCosts() {
+    return VertexPaths.sumOfCosts(paths);
+  }
+}

@@ -1,0 +1,222 @@
+package org.toqa.traffic.mapf;
+
+import static org.toqa.traffic.RoadGraph.DIRECTIONS;
+import static org.toqa.traffic.RoadGraph.NONE;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.MotionModel;
+import org.toqa.traffic.RoadGraph;
+
+/**
+ * Makes a plan better until the time is up, by large neighbourhood search.
+ *
+ * <p>Idea: take the routes of a few robots that are in each other's way out of the plan, and put
+ * them in again one after the other, each as quick as the rest allows ({@link SafeIntervalSearch});
+ * keep what is not worse. The few are a delayed robot and those it meets on shorter ways, or any
+ * few. How many, and which of the two, is chosen by what has paid so far.
+ *
+ * <p>Cost: the plan is valid after every step, so it can stop at any time.
+ *
+ * <p>J. Li et al., "Anytime multi-agent path finding via large neighborhood search", IJCAI 2021.
+ */
+final class NeighbourhoodSearch {
+  private static final int[] SIZES = {2, 4, 8, 16};
+  private static final int CHOICES = 2 * SIZES.length;
+  private static final double DECAY = 0.98;
+  private static final int WALKS = 10;
+
+  private final RoadGraph roads;
+  private final char[][] distances;
+  private final int[][] paths;
+  private final ReservationTable reservations;
+  private final SafeIntervalSearch search;
+  private final SplittableRandom random;
+
+  /** The robots taken out at present, and their routes before. */
+  private final int[] group;
+
+  private final int[][] former;
+  private final boolean[] isInGroup;
+  private int groupSize;
+
+  /** Steps gained for each way of choosing a group, and the work spent on it. */
+  private final double[] gains = new double[CHOICES];
+
+  private final double[] efforts = new double[CHOICES];
+
+  /**
+   * @param paths the plan, a route a robot; changed in place
+   */
+  NeighbourhoodSearch(RoadGraph roads, char[][] distances, int[][] paths, SplittableRandom random) {
+    this.roads = roads;
+    this.distances = distances;
+    this.paths = paths;
+    this.random = random;
+    int last = Arrays.stream(paths).mapToInt(path -> path.length).max().orElse(0);
+    reservations = new ReservationTable(roads, last + last / 4);
+    for (int[] path : paths) {
+      reservations.add(path);
+    }
+    search = new SafeIntervalSearch(new StateGraph(roads, MotionModel.CLASSIC), reservations);
+    group = new int[paths.length];
+    former = new int[paths.length][];
+    isInGroup = new boolean[paths.length];
+    Arrays.fill(gains, 1);
+    Arrays.fill(efforts, 1);
+  }
+
+  /** Goes on until the deadline, or until the sum of costs has come down to the lower bound. */
+  void improve(long lowerBound, Deadline deadline) {
+    long cost = VertexPaths.sumOfCosts(paths);
+    while (cost > lowerBound && !deadline.isPassed()) {
+      int choice = chooseByGain();
+      long effortBefore = search.effort();
+      chooseGroup(Math.min(paths.length, SIZES[choice / 2]), choice % 2 == 0);
+      int gain = replanGroup();
+      cost -= gain;
+      gains[choice] = DECAY * gains[choice] + gain;
+      efforts[choice] = DECAY * efforts[choice] + (search.effort() - effortBefore) / 1000.0;
+    }
+  }
+
+  /** By chance, in proportion to what has been gained for the work. */
+  private int chooseByGain() {
+    double sum = 0;
+    for (int k = 0; k < CHOICES; k++) {
+      sum += rate(k);
+    }
+    double left = random.nextDouble() * sum;
+    int choice = 0;
+    while (choice < CHOICES - 1 && (left -= rate(choice)) > 0) {
+      choice++;
+    }
+    return choice;
+  }
+
+  private double rate(int choice) {
+    return (gains[choice] + 0.01) / (efforts[choice] + 0.01);
+  }
+
+  private void chooseGroup(int size, boolean isAroundDelay) {
+    groupSize = 0;
+    if (isAroundDelay) {
+      addAroundDelay(size);
+    }
+    while (groupSize < size) {
+      add(random.nextInt(paths.length));
+    }
+    for (int k = groupSize - 1; k > 0; k--) {
+      int other = random.nextInt(k + 1);
+      int robot = group[k];
+      group[k] = group[other];
+      group[other] = robot;
+    }
+    for (int k = 0; k < groupSize; k++) {
+      isInGroup[group[k]] = false;
+    }
+  }
+
+  private void add(int robot) {
+    if (!isInGroup[robot]) {
+      isInGroup[robot] = true;
+      group[groupSize++] = robot;
+    }
+  }
+
+  /** A robot with much delay, and whom it meets where it tries to be quicker. */
+  private void addAroundDelay(int size) {
+    int seed = random.nextInt(paths.length);
+    for (int k = 0; k < 3; k++) {
+      int other = random.nextInt(paths.length);
+      seed = delay(other) > delay(seed) ? other : seed;
+    }
+    add(seed);
+    for (int k = 0; k < WALKS && groupSize < size; k++) {
+      walk(group[random.nextInt(groupSize)], size);
+    }
+  }
+
+  /** Leaves a robot's route at some moment and goes on at random, only where that is quicker. */
+  private void walk(int robot, int size) {
+    int[] path = paths[robot];
+    int t = random.nextInt(path.length);
+    int v = path[t];
+    while (groupSize < size && v != NONE) {
+      v = quickerStep(robot, v, ++t, path.length - 1);
+      if (v != NONE && reservations.isTaken(v, t)) {
+        addRobotAt(v, t);
+      }
+    }
+  }
+
+  private int quickerStep(int robot, int from, int time, int arrival) {
+    int step = NONE;
+    int options = 0;
+    for (int d = 0; d <= DIRECTIONS; d++) {
+      int v = d == DIRECTIONS ? from : roads.neighbour(from, d);
+      if (v != NONE && time + distances[robot][v] < arrival && random.nextInt(++options) == 0) {
+        step = v;
+      }
+    }
+    return step;
+  }
+
+  private void addRobotAt(int vertex, int time) {
+    for (int robot = 0; robot < paths.length; robot++) {
+      if (VertexPaths.at(paths[robot], time) == vertex) {
+        add(robot);
+        return;
+      }
+    }
+  }
+
+  private int delay(int robot) {
+    return paths[robot].length - 1 - shortest(robot);
+  }
+
+  private int shortest(int robot) {
+    return distances[robot][paths[robot][0]];
+  }
+
+  /** Answers the steps gained; 0 where the plan has not become shorter. */
+  private int replanGroup() {
+    int costBefore = 0;
+    int toGo = 0;
+    for (int k = 0; k < groupSize; k++) {
+      int robot = group[k];
+      former[k] = paths[robot];
+      reservations.remove(former[k]);
+      costBefore += former[k].length - 1;
+      toGo += shortest(robot);
+    }
+    int cost = 0;
+    for (int k = 0; k < groupSize; k++) {
+      int robot = group[k];
+      int[] old = former[k];
+      toGo -= shortest(robot);
+      int latest = costBefore - cost - toGo;
+      int[] path = search.path(old[0], old[old.length - 1], distances[robot], latest);
+      if (path == null) {
+        restore(k);
+        return 0;
+      }
+      cost += path.length - 1;
+      paths[robot] = path;
+      reservations.add(path);
+    }
+    return costBefore - cost;
+  }
+
+  /** Puts the former routes back, after the first {@code replanned} have got others. */
+  private void restore(int replanned) {
+    for (int k = 0; k < replanned; k++) {
+      reservations.remove(paths[group[k]]);
+    }
+    for (int k = 0; k < groupSize; k++) {
+      paths[group[k]] = former[k];
+      reservations.add(former[k]);
+    }
+  }
+}

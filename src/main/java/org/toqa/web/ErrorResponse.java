@@ -1,0 +1,38 @@
+package org.toqa.web;
+
+import jakarta.servlet.ServletRequest;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Optional;
+
+/** The answer to a request that is refused: a problem for the API, else a page. */
+public final class ErrorResponse {
+  private static final String SENTENCE = ErrorResponse.class.getName();
+
+  private ErrorResponse() {}
+
+  /** Ends the request with a status and the sentence that the reader is shown. */
+  public static void send(
+      HttpServletRequest request, HttpServletResponse response, int status, String sentence)
+      throws IOException {
+    request.setAttribute(SENTENCE, sentence);
+    response.sendError(status);
+  }
+
+  /** The same with the text of a key, in the reader's language. */
+  public static void sendText(
+      HttpServletRequest request,
+      HttpServletResponse response,
+      int status,
+      String key,
+      Object... values)
+      throws IOException {
+    send(request, response, status, Texts.of(request).get(key, values));
+  }
+
+  /** What {@link #send} was given, while the error is shown. */
+  public static Optional<String> sentence(ServletRequest request) {
+    return Optional.ofNullable((String) request.getAttribute(SENTENCE));
+  }
+}

@@ -1,8 +1,0 @@
-package org.toqa.web;
-
-/** The fleet did not answer a wish in time, or its store failed. */
-public final class FleetSilentException extends RuntimeException {
-  public FleetSilentException(Throwable cause) {
-    super("The fleet did not answer.", cause);
-  }
-}

@@ -1,0 +1,136 @@
+package org.toqa.web;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.InstantSource;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Semaphore;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.LoginThrottle;
+import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.store.JdbiAccountStore;
+import org.toqa.store.JdbiPasswordResetStore;
+
+/**
+ * Links by which forgotten passwords are replaced. Whoever forgot his gets one by e-mail; a manager
+ * makes one for others.
+ */
+public final class PasswordLinks {
+  private static final Logger LOG = LoggerFactory.getLogger(PasswordLinks.class);
+  private static final Duration MAILED_LINK_LIFETIME = Duration.ofHours(1);
+  private static final Duration CREATED_LINK_LIFETIME = Duration.ofHours(24);
+  private static final int MAX_CONCURRENT_MAILS = 8;
+  private static final int MAX_CHECKED_LENGTH = 254;
+
+  private final JdbiAccountStore accounts;
+  private final JdbiPasswordResetStore resets;
+  private final @Nullable MailSender mail;
+  private final LoginThrottle throttle;
+  private final Semaphore mailPermits = new Semaphore(MAX_CONCURRENT_MAILS);
+
+  /**
+   * @param mail null: no letters are sent
+   */
+  public PasswordLinks(
+      JdbiAccountStore accounts,
+      JdbiPasswordResetStore resets,
+      @Nullable MailSender mail,
+      InstantSource clock) {
+    this.accounts = accounts;
+    this.resets = resets;
+    this.mail = mail;
+    this.throttle = new LoginThrottle(clock);
+  }
+
+  public boolean canMail() {
+    return mail != null;
+  }
+
+  /**
+   * Sends a letter to the users of that name or e-mail address, if there are any who may log in and
+   * have one. Whether there are is neither told nor to be found out by the time that it takes.
+   *
+   * @param address where the wish comes from
+   * @return zero, or how long until the next wish is looked at
+   */
+  public Duration sendLink(String nameOrEmail, String address, Texts texts) {
+    String given = nameOrEmail.strip().toLowerCase(Locale.ROOT);
+    String user = given.substring(0, Math.min(given.length(), MAX_CHECKED_LENGTH));
+    Duration wait = throttle.remainingWait(user, address);
+    if (!wait.isZero()) {
+      return wait;
+    }
+    throttle.recordFailure(user, address);
+    if (mail != null && mailPermits.tryAcquire()) {
+      MailSender sender = mail;
+      Thread.ofVirtual()
+          .name("letter about a password")
+          .start(
+              () -> {
+                try {
+                  accounts
+                      .accountsByNameOrEmail(user)
+                      .forEach(account -> send(sender, account, texts));
+                } catch (StoreException e) {
+                  LOG.warn("A link to replace a password was not made: {}", e.getMessage());
+                } finally {
+                  mailPermits.release();
+                }
+              });
+    }
+    return Duration.ZERO;
+  }
+
+  private void send(MailSender sender, Account account, Texts texts) {
+    String email = account.email();
+    if (email == null || account.disabled()) {
+      return;
+    }
+    String link =
+        link(sender.baseUrl(), resets.issue(account, MAILED_LINK_LIFETIME, account.name()));
+    try {
+      sender.send(
+          email,
+          texts.get("forgotten.letter.subject"),
+          texts.get(
+              "forgotten.letter.text", account.name(), link, MAILED_LINK_LIFETIME.toMinutes()));
+    } catch (IOException e) {
+      LOG.warn(
+          "The letter to {} about his password was not sent: {}", account.name(), e.getMessage());
+    }
+  }
+
+  /**
+   * A link for a user to whom it is handed on.
+   *
+   * @param baseUrl the address of these pages, without a slash at its end
+   * @param manager the manager who makes it
+   */
+  public String createLink(Account user, String baseUrl, String manager) {
+    return link(
+        mail == null ? baseUrl : mail.baseUrl(),
+        resets.issue(user, CREATED_LINK_LIFETIME, manager));
+  }
+
+  public static Duration createdLinkLifetime() {
+    return CREATED_LINK_LIFETIME;
+  }
+
+  /** The user whose password the link's secret replaces, while it is good. */
+  public Optional<Account> user(String secret) {
+    return resets.account(secret);
+  }
+
+  /** False when the link is not good any more: then nothing changes. */
+  public boolean replacePassword(String secret, String passwordHash) {
+    return resets.replacePassword(secret, passwordHash);
+  }
+
+  private static String link(String baseUrl, String secret) {
+    return baseUrl + "/reset?secret=" + secret;
+  }
+}

@@ -1,0 +1,140 @@
+package org.toqa.web;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.locks.Lock;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Account;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.TaskArchive;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskView;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
+
+/**
+ * Puts tasks in, each of them once: an order that comes again with its key gets the task that it
+ * got before, also after a crash of the server. One server writes to a database, so two orders with
+ * the same key that come at once are kept apart by a lock here.
+ */
+public final class TaskSubmitter {
+  private static final int STRIPES = 64;
+
+  private final Fleet fleet;
+  private final TaskArchive archive;
+  private final Lock[] locks =
+      Stream.generate(ReentrantLock::new).limit(STRIPES).toArray(Lock[]::new);
+
+  TaskSubmitter(Fleet fleet, TaskArchive archive) {
+    this.fleet = fleet;
+    this.archive = archive;
+  }
+
+  /** What became of an order. */
+  public sealed interface Outcome {
+    record Answered(Answer<TaskView> answer) implements Outcome {}
+
+    /** It came before, and this is its task. */
+    record Repeated(TaskView task) implements Outcome {}
+
+    /** Its key came before with another order. */
+    record KeyReused() implements Outcome {}
+  }
+
+  /** The key of a user's wish, which nobody else's is. */
+  public static UUID idempotencyKey(Account user, String given) {
+    return UUID.nameUUIDFromBytes((user.id() + " " + given).getBytes(StandardCharsets.UTF_8));
+  }
+
+  public Outcome submit(TaskOrder order, Account user, UUID key) {
+    Lock lock = locks[Math.floorMod(key.hashCode(), STRIPES)];
+    lock.lock();
+    try {
+      Optional<TaskView> before = archive.taskByKey(key);
+      if (before.isEmpty()) {
+        return new Outcome.Answered(FleetAnswers.await(fleet.submit(order, user.name(), key)));
+      }
+      return isSameOrder(order, before.get().task())
+          ? new Outcome.Repeated(before.get())
+          : new Outcome.KeyReused();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** What became of orders of which all are wanted or none. */
+  public sealed interface BatchOutcome {
+    record Answered(BatchAnswer answer) implements BatchOutcome {}
+
+    /** They came before, and these are their tasks. */
+    record Repeated(List<TaskView> tasks) implements BatchOutcome {}
+
+    /** Their key came before with other orders. */
+    record KeyReused() implements BatchOutcome {}
+  }
+
+  /**
+   * @param orders at least one; the key after the last one's shows whether there were more before
+   */
+  public BatchOutcome submitAll(List<TaskOrder> orders, Account user, UUID key) {
+    List<UUID> keys =
+        IntStream.rangeClosed(0, orders.size())
+            .mapToObj(place -> idempotencyKey(key, place))
+            .toList();
+    Lock lock = locks[Math.floorMod(key.hashCode(), STRIPES)];
+    lock.lock();
+    try {
+      if (archive.taskByKey(keys.getFirst()).isEmpty()) {
+        return new BatchOutcome.Answered(
+            FleetAnswers.await(
+                fleet.submitAll(orders, user.name(), keys.subList(0, orders.size()))));
+      }
+      List<TaskView> before = keys.stream().flatMap(k -> archive.taskByKey(k).stream()).toList();
+      return before.size() == orders.size()
+              && IntStream.range(0, orders.size())
+                  .allMatch(i -> isSameOrder(orders.get(i), before.get(i).task()))
+          ? new BatchOutcome.Repeated(before)
+          : new BatchOutcome.KeyReused();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private static UUID idempotencyKey(UUID batchKey, int index) {
+    return UUID.nameUUIDFromBytes((batchKey + " " + index).getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** But for the priority, which somebody may have changed since. */
+  private static boolean isSameOrder(TaskOrder order, TransportTask task) {
+    return order.name().equals(task.name())
+        && order.load() == task.load()
+        && isSamePlace(order.start(), task.start())
+        && isSamePlace(order.goal(), task.goal())
+        && (order.floor() == null || order.floor().equals(task.floor()))
+        && Objects.equals(asStored(order.deadline()), asStored(task.deadline()))
+        && Objects.equals(order.size(), task.size());
+  }
+
+  /** As far as the store keeps it. */
+  private static @Nullable Instant asStored(@Nullable Instant moment) {
+    return moment == null ? null : moment.truncatedTo(ChronoUnit.MILLIS);
+  }
+
+  private static boolean isSamePlace(TaskOrder.Where where, TaskPlace place) {
+    return switch (where) {
+      case TaskOrder.Where.Station(String name) -> name.equals(place.station());
+      case TaskOrder.Where.Point(var position) ->
+          place.station() == null && position.equals(place.position());
+    };
+  }
+}

@@ -1,0 +1,307 @@
+package org.toqa.web.input;
+
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.time.OffsetDateTime;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.PasswordStrength;
+import org.toqa.accounts.Role;
+import org.toqa.link.trust.PairingCode;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.web.Texts;
+
+/**
+ * What values from outside must be, whichever door they come through. Each method files a sentence
+ * under the field when the value is refused; what it then answers means nothing. A null number was
+ * missing or has its sentence already.
+ */
+public final class InputRules {
+  /** As wide as the columns that hold names of tasks. */
+  private static final int MAX_TASK_NAME_LENGTH = 100;
+
+  private static final int MAX_HOST_LENGTH = 255;
+  private static final int MAX_EMAIL_LENGTH = 254;
+  private static final int MAX_TOKEN_NAME_LENGTH = 64;
+  private static final int MAX_TOKEN_DAYS = 365;
+  private static final int MIN_PASSWORD_LENGTH = 10;
+  private static final int MAX_PASSWORD_LENGTH = 200;
+  private static final int MAX_PORT = 65_535;
+  private static final int MAX_PRIORITY = 100;
+
+  /** Kilograms. */
+  private static final double MAX_LOAD = 100_000;
+
+  /** Metres, of a load's side. */
+  private static final double MAX_SIDE = 100;
+
+  /** Metres from the map's origin. */
+  private static final double MAX_COORDINATE = 1_000_000;
+
+  /** Times that every database can hold. */
+  private static final Instant EARLIEST = Instant.parse("2000-01-01T00:00:00Z");
+
+  private static final Instant LATEST = Instant.parse("9999-01-01T00:00:00Z");
+
+  private static final Pattern ROBOT_NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,63}");
+  private static final Pattern USER_NAME =
+      Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}._@-]{0,63}");
+
+  /** One address, and nothing that a letter's head would take for more. */
+  private static final Pattern EMAIL =
+      Pattern.compile(
+          "[A-Za-z0-9.!#$%&'*+/=?^_`{|}~-]{1,64}@[A-Za-z0-9]([A-Za-z0-9.-]*[A-Za-z0-9])?");
+
+  private static final Pattern HOST =
+      Pattern.compile("[A-Za-z0-9:]([A-Za-z0-9.:%_-]*[A-Za-z0-9])?");
+
+  private final Texts texts;
+  private final FieldErrors errors;
+
+  public InputRules(Texts texts, FieldErrors errors) {
+    this.texts = texts;
+    this.errors = errors;
+  }
+
+  public String taskName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (name.isEmpty()) {
+      refuse(field, "error.taskName.missing");
+    } else if (name.length() > MAX_TASK_NAME_LENGTH) {
+      refuse(field, "error.taskName.long", MAX_TASK_NAME_LENGTH, name.length());
+    } else if (name.codePoints().anyMatch(InputRules::isUnprintable)) {
+      refuse(field, "error.taskName.control");
+    }
+    return name;
+  }
+
+  /** Kilograms. */
+  public double load(String field, @Nullable Double given) {
+    return inRange(field, given, 0, MAX_LOAD, "error.load.missing", "error.load.range");
+  }
+
+  /** Metres, map frame. */
+  public double coordinate(String field, @Nullable Double given) {
+    if (given == null) {
+      refuse(field, "error.coordinate.missing");
+      return 0;
+    }
+    if (!(Math.abs(given) <= MAX_COORDINATE)) {
+      refuse(field, "error.coordinate.range", MAX_COORDINATE);
+    }
+    return given;
+  }
+
+  /** Radians in, radians out; any turn is allowed as long as it is a sensible number. */
+  public double angle(String field, @Nullable Double given) {
+    if (given == null) {
+      refuse(field, "error.angle.missing");
+      return 0;
+    }
+    if (!(Math.abs(given) <= 1000)) {
+      refuse(field, "error.angle.range");
+    }
+    return given;
+  }
+
+  public int priority(String field, @Nullable Double given) {
+    if (given == null) {
+      return 0;
+    }
+    if (given != Math.rint(given) || Math.abs(given) > MAX_PRIORITY) {
+      refuse(field, "error.priority.range", MAX_PRIORITY);
+    }
+    return given.intValue();
+  }
+
+  /** A priority that must be given. */
+  public int requiredPriority(String field, @Nullable Double given) {
+    if (given == null) {
+      refuse(field, "error.priority.range", MAX_PRIORITY);
+    }
+    return priority(field, given);
+  }
+
+  public @Nullable Instant deadline(String field, @Nullable Instant given) {
+    if (given != null && (given.isBefore(EARLIEST) || given.isAfter(LATEST))) {
+      refuse(field, "error.deadline.range");
+      return null;
+    }
+    return given;
+  }
+
+  /** A deadline as a person enters it: one that has passed is a slip. */
+  public @Nullable Instant futureDeadline(String field, @Nullable Instant given, Instant now) {
+    if (given != null && !given.isAfter(now)) {
+      refuse(field, "error.deadline.past");
+    }
+    return deadline(field, given);
+  }
+
+  /** A moment with its offset from UTC; null where none is given. */
+  public @Nullable Instant moment(String field, @Nullable String given) {
+    if (given == null || given.isBlank()) {
+      return null;
+    }
+    try {
+      Instant moment = OffsetDateTime.parse(given.strip()).toInstant();
+      if (!moment.isBefore(EARLIEST) && !moment.isAfter(LATEST)) {
+        return moment;
+      }
+    } catch (DateTimeException e) {
+      // the sentence below says what it should be
+    }
+    refuse(field, "error.moment");
+    return null;
+  }
+
+  public LoadSize size(String field, @Nullable Double length, @Nullable Double width) {
+    return new LoadSize(
+        inRange(field + ".length", length, 0, MAX_SIDE, "error.size.missing", "error.size.range"),
+        inRange(field + ".width", width, 0, MAX_SIDE, "error.size.missing", "error.size.range"));
+  }
+
+  public String robotName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (!ROBOT_NAME.matcher(name).matches()) {
+      refuse(field, "error.robotName");
+    }
+    return name;
+  }
+
+  public String host(String field, @Nullable String given) {
+    String host = given == null ? "" : given.strip();
+    if (host.length() > MAX_HOST_LENGTH || !HOST.matcher(host).matches()) {
+      refuse(field, "error.host");
+    }
+    return host;
+  }
+
+  public int port(String field, @Nullable Double given) {
+    if (given == null || given != Math.rint(given) || !(given >= 1 && given <= MAX_PORT)) {
+      refuse(field, "error.port", MAX_PORT);
+      return 0;
+    }
+    return given.intValue();
+  }
+
+  /** The code that a robot shows; null where none is given. */
+  public @Nullable PairingCode pairingCode(String field, @Nullable String given) {
+    if (given == null) {
+      return null;
+    }
+    Optional<PairingCode> code = PairingCode.parse(given);
+    if (code.isEmpty()) {
+      refuse(field, "error.code");
+    }
+    return code.orElse(null);
+  }
+
+  public String userName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (!USER_NAME.matcher(name).matches()) {
+      refuse(field, "error.userName");
+    }
+    return name;
+  }
+
+  /** An e-mail address; null where none is given. */
+  public @Nullable String email(String field, @Nullable String given) {
+    if (given == null || given.isBlank()) {
+      return null;
+    }
+    String email = given.strip();
+    if (email.length() > MAX_EMAIL_LENGTH || !EMAIL.matcher(email).matches()) {
+      refuse(field, "error.email");
+    }
+    return email;
+  }
+
+  /** What its owner calls a token. */
+  public String tokenName(String field, @Nullable String given) {
+    String name = given == null ? "" : given.strip();
+    if (name.isEmpty()
+        || name.length() > MAX_TOKEN_NAME_LENGTH
+        || name.codePoints().anyMatch(InputRules::isUnprintable)) {
+      refuse(field, "error.tokenName", MAX_TOKEN_NAME_LENGTH);
+    }
+    return name;
+  }
+
+  /** How many days a token is good. */
+  public int tokenDays(String field, @Nullable Double given) {
+    if (given == null || given != Math.rint(given) || !(given >= 1 && given <= MAX_TOKEN_DAYS)) {
+      refuse(field, "error.tokenDays", MAX_TOKEN_DAYS);
+      return 1;
+    }
+    return given.intValue();
+  }
+
+  /** A clerk where none is given. */
+  public Role role(String field, @Nullable String given) {
+    if (given == null) {
+      return Role.CLERK;
+    }
+    return Stream.of(Role.values())
+        .filter(role -> role.name().equals(given))
+        .findFirst()
+        .orElseGet(
+            () -> {
+              refuse(field, "error.role");
+              return Role.CLERK;
+            });
+  }
+
+  /**
+   * A password that somebody chooses: long enough to resist guessing, and none that is tried first.
+   * Which characters it has is nobody's business.
+   */
+  public String newPassword(String field, @Nullable String given, String userName) {
+    String password = given == null ? "" : given;
+    if (password.length() < MIN_PASSWORD_LENGTH) {
+      refuse(field, "error.password.short", MIN_PASSWORD_LENGTH);
+    } else if (password.length() > MAX_PASSWORD_LENGTH) {
+      refuse(field, "error.password.long", MAX_PASSWORD_LENGTH);
+    } else if (password.equalsIgnoreCase(userName)) {
+      refuse(field, "error.password.name");
+    } else if (PasswordStrength.isGuessable(password, userName)) {
+      refuse(field, "error.password.common");
+    }
+    return password;
+  }
+
+  private double inRange(
+      String field,
+      @Nullable Double given,
+      double exclusiveMin,
+      double max,
+      String missingKey,
+      String rangeKey) {
+    if (given == null) {
+      refuse(field, missingKey);
+      return exclusiveMin;
+    }
+    if (!(given > exclusiveMin && given <= max)) {
+      refuse(field, rangeKey, max);
+    }
+    return given;
+  }
+
+  private void refuse(String field, String key, Object... values) {
+    errors.add(field, texts.get(key, values));
+  }
+
+  private static boolean isUnprintable(int codePoint) {
+    return switch (Character.getType(codePoint)) {
+      case Character.CONTROL,
+          Character.SURROGATE,
+          Character.UNASSIGNED,
+          Character.LINE_SEPARATOR,
+          Character.PARAGRAPH_SEPARATOR ->
+          true;
+      default -> false;
+    };
+  }
+}

@@ -1,0 +1,60 @@
+package org.toqa.web.input;
+
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskView;
+import org.toqa.mission.LoadChoice;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Reply;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+
+/** Reads what a person wants of a task, from a form or from the wire. */
+public final class TaskCommandReader {
+  private final Texts texts;
+  private final FieldErrors errors;
+
+  public TaskCommandReader(Texts texts, FieldErrors errors) {
+    this.texts = texts;
+    this.errors = errors;
+  }
+
+  /** A clerk changes his own tasks, a manager all. */
+  public static boolean canChange(Caller caller, TaskView task) {
+    return caller.isManager() || caller.name().equalsIgnoreCase(task.task().user());
+  }
+
+  /**
+   * @param load {@code here} or {@code back}; null: nobody said it
+   */
+  public MissionEvent.Cancel readCancel(Caller caller, @Nullable String load) {
+    LoadChoice choice =
+        switch (load) {
+          case null -> null;
+          case "here" -> LoadChoice.HERE;
+          case "back" -> LoadChoice.BACK;
+          default -> {
+            errors.add("load", texts.get("error.cancel.load"));
+            yield null;
+          }
+        };
+    return new MissionEvent.Cancel(caller.name(), choice);
+  }
+
+  /** It means something only when no error was filed. */
+  public MissionEvent.Prioritise readPriority(Caller caller, @Nullable Double priority) {
+    return new MissionEvent.Prioritise(
+        caller.name(), new InputRules(texts, errors).requiredPriority("priority", priority));
+  }
+
+  /** It means something only when no error was filed. */
+  public MissionEvent.Answer readAnswer(Caller caller, @Nullable String answer) {
+    Reply reply =
+        Reply.ofWord(answer == null ? "" : answer)
+            .orElseGet(
+                () -> {
+                  errors.add("answer", texts.get("error.answer"));
+                  return Reply.WAIT;
+                });
+    return new MissionEvent.Answer(caller.name(), reply);
+  }
+}

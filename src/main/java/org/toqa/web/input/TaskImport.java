@@ -1,0 +1,86 @@
+package org.toqa.web.input;
+
+import java.time.DateTimeException;
+import java.time.ZoneId;
+import java.util.List;
+import java.util.Optional;
+import java.util.UUID;
+import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Account;
+import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskView;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.Services;
+import org.toqa.web.TaskSubmitter;
+import org.toqa.web.Texts;
+
+/** Puts in the tasks of a table that somebody sends: all of them, or none. */
+public final class TaskImport {
+  /** Bytes of a table. */
+  public static final int MAX_BYTES = 1024 * 1024;
+
+  private final Services services;
+  private final Texts texts;
+
+  public TaskImport(Services services, Texts texts) {
+    this.services = services;
+    this.texts = texts;
+  }
+
+  /** What became of a table. */
+  public sealed interface Outcome {
+
+    /** All its tasks are there, in its order; now, or since the same table came before. */
+    record Imported(List<TaskView> tasks) implements Outcome {}
+
+    /** Nothing was stored. */
+    record Faulty(LineFaults faults) implements Outcome {}
+
+    /** The table's key came before with another table. */
+    record KeyReused() implements Outcome {}
+  }
+
+  /**
+   * @param zone of deadlines that name none
+   * @param key the same one for the same table
+   */
+  public Outcome run(byte[] file, ZoneId zone, Account user, UUID key) {
+    TaskOrderTable table = TaskOrderTable.read(file, zone, services.clock().instant(), texts);
+    List<TaskOrder> orders = table.rows().stream().map(TaskOrderTable.Row::order).toList();
+    if (!table.faults().isEmpty()) {
+      return withRefusals(
+          table, FleetAnswers.await(services.fleet().rejections(orders, user.name())));
+    }
+    return switch (services.taskSubmitter().submitAll(orders, user, key)) {
+      case TaskSubmitter.BatchOutcome.Answered(BatchAnswer.Accepted(var tasks)) ->
+          new Outcome.Imported(tasks);
+      case TaskSubmitter.BatchOutcome.Answered(BatchAnswer.Rejected(var refusals)) ->
+          withRefusals(table, refusals);
+      case TaskSubmitter.BatchOutcome.Repeated(var tasks) -> new Outcome.Imported(tasks);
+      case TaskSubmitter.BatchOutcome.KeyReused() -> new Outcome.KeyReused();
+    };
+  }
+
+  private Outcome withRefusals(TaskOrderTable table, List<BatchAnswer.Rejection> refusals) {
+    refusals.forEach(
+        refusal ->
+            table
+                .faults()
+                .add(
+                    new LineFault(
+                        table.rows().get(refusal.index()).line(),
+                        refusal.field(),
+                        texts.text(refusal.sentence()))));
+    return new Outcome.Faulty(table.faults());
+  }
+
+  /** The time zone of that name, if there is one; UTC where none is named. */
+  public static Optional<ZoneId> zone(@Nullable String name) {
+    try {
+      return Optional.of(ZoneId.of(name == null || name.isBlank() ? "UTC" : name));
+    } catch (DateTimeException e) {
+      return Optional.empty();
+    }
+  }
+}

@@ -1,0 +1,148 @@
+package org.toqa.web.input;
+
+import java.time.Instant;
+import java.time.ZoneId;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.web.Texts;
+
+/**
+ * Orders in a table: its first line names the columns, in any order, and each other line is one
+ * order. Where semicolons separate, a number may have a decimal comma, since spreadsheets that
+ * write the one write the other.
+ */
+final class TaskOrderTable {
+  static final int MAX_ORDERS = 500;
+
+  private static final List<String> COLUMNS =
+      List.of(
+          "name",
+          "load",
+          "start",
+          "startX",
+          "startY",
+          "goal",
+          "goalX",
+          "goalY",
+          "floor",
+          "priority",
+          "deadline",
+          "length",
+          "width");
+
+  private final CsvTable table;
+  private final ZoneId zone;
+  private final Instant now;
+  private final Texts texts;
+  private final LineFaults faults = new LineFaults();
+  private final List<Row> rows = new ArrayList<>();
+
+  /** An order and the line in which it stands. */
+  record Row(long line, TaskOrder order) {}
+
+  private TaskOrderTable(CsvTable table, ZoneId zone, Instant now, Texts texts) {
+    this.table = table;
+    this.zone = zone;
+    this.now = now;
+    this.texts = texts;
+  }
+
+  /**
+   * @param zone of deadlines that name none
+   */
+  static TaskOrderTable read(byte[] file, ZoneId zone, Instant now, Texts texts) {
+    TaskOrderTable orders = new TaskOrderTable(CsvTable.read(file), zone, now, texts);
+    orders.read();
+    return orders;
+  }
+
+  /** Those of the lines that have no fault. */
+  List<Row> rows() {
+    return rows;
+  }
+
+  LineFaults faults() {
+    return faults;
+  }
+
+  private void read() {
+    table
+        .flaw()
+        .ifPresent(flaw -> addFault(flaw.line(), "error.import.flaw." + flaw.kind().name()));
+    if (table.lines().isEmpty()) {
+      if (faults.isEmpty()) {
+        addFault(1, "error.import.empty");
+      }
+      return;
+    }
+    CsvTable.Line first = table.lines().getFirst();
+    List<String> header = first.cells().stream().map(TaskOrderTable::column).toList();
+    if (checkHeader(first.number(), header)) {
+      read(header, table.lines().subList(1, table.lines().size()));
+    }
+  }
+
+  private void read(List<String> header, List<CsvTable.Line> lines) {
+    if (lines.size() > MAX_ORDERS) {
+      addFault(lines.get(MAX_ORDERS).number(), "error.import.long", MAX_ORDERS, lines.size());
+    } else if (lines.isEmpty() && faults.isEmpty()) {
+      addFault(1, "error.import.empty");
+    } else {
+      lines.forEach(line -> read(header, line));
+    }
+  }
+
+  private void read(List<String> header, CsvTable.Line line) {
+    if (line.cells().size() > header.size()) {
+      addFault(line.number(), "error.import.cells", line.cells().size(), header.size());
+      return;
+    }
+    Map<String, String> cells = new HashMap<>();
+    for (int i = 0; i < line.cells().size(); i++) {
+      cells.put(header.get(i), line.cells().get(i));
+    }
+    FieldErrors errors = new FieldErrors();
+    TaskOrder order =
+        new TaskOrderRow(cells, table.separator() == ';', zone, now, texts, errors).read();
+    if (errors.isEmpty()) {
+      rows.add(new Row(line.number(), order));
+    } else {
+      faults.addAll(line.number(), errors);
+    }
+  }
+
+  /** A column as this class writes it; one that it does not know stays as it is. */
+  private static String column(String given) {
+    String name = given.strip();
+    return COLUMNS.stream().filter(name::equalsIgnoreCase).findFirst().orElse(name);
+  }
+
+  private boolean checkHeader(long line, List<String> header) {
+    FieldErrors errors = new FieldErrors();
+    for (String column : header) {
+      if (!COLUMNS.contains(column)) {
+        errors.add(
+            column, texts.get("error.import.column.unknown", column, String.join(", ", COLUMNS)));
+      } else if (header.indexOf(column) != header.lastIndexOf(column)) {
+        errors.add(column, texts.get("error.import.column.twice", column));
+      }
+    }
+    Stream.of("name", "load")
+        .filter(column -> !header.contains(column))
+        .forEach(column -> errors.add(column, texts.get("error.import.column.missing", column)));
+    Stream.of("start", "goal")
+        .filter(end -> !header.contains(end))
+        .filter(end -> !(header.contains(end + "X") && header.contains(end + "Y")))
+        .forEach(end -> errors.add(end, texts.get("error.import.column.place", end)));
+    faults.addAll(line, errors);
+    return errors.isEmpty();
+  }
+
+  private void addFault(long line, String key, Object... values) {
+    faults.add(new LineFault(line, null, texts.get(key, values)));
+  }
+}

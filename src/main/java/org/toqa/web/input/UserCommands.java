@@ -1,0 +1,119 @@
+package org.toqa.web.input;
+
+import jakarta.servlet.http.HttpServletRequest;
+import java.time.Duration;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Authenticator;
+import org.toqa.store.JdbiAccountStore;
+import org.toqa.store.JdbiSessionStore;
+import org.toqa.web.Services;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.access.RequestOrigin;
+
+/** Does what a person wants of a user, whether it came by a form or by the wire. */
+public final class UserCommands {
+  private final Services services;
+  private final Texts texts;
+  private final FieldErrors errors;
+
+  public UserCommands(Services services, Texts texts, FieldErrors errors) {
+    this.services = services;
+    this.texts = texts;
+    this.errors = errors;
+  }
+
+  /** A user sees and changes himself, a manager all. */
+  public static boolean canSee(Caller caller, Account user) {
+    return caller.isManager() || isSelf(caller, user);
+  }
+
+  public static boolean isSelf(Caller caller, Account user) {
+    return caller.account().id() == user.id();
+  }
+
+  /** A user who changes his own must know the old one. Sessions and tokens of the user end. */
+  public void changePassword(
+      Caller caller, Account user, @Nullable String given, @Nullable String old) {
+    String password = new InputRules(texts, errors).newPassword("password", given, user.name());
+    checkPassword(caller, user, "old", old);
+    if (errors.isEmpty()) {
+      services
+          .accounts()
+          .changePassword(user.id(), services.passwordHasher().hash(password), caller.name());
+    }
+  }
+
+  /**
+   * A user who changes his own must know his password, for a link to replace it goes there.
+   *
+   * @param given null: none any more
+   * @param passwordField that gets the sentence when the password is wrong
+   */
+  public void changeEmail(
+      Caller caller,
+      Account user,
+      @Nullable String given,
+      String passwordField,
+      @Nullable String password) {
+    String email = new InputRules(texts, errors).email("email", given);
+    checkPassword(caller, user, passwordField, password);
+    if (errors.isEmpty()) {
+      services.accounts().changeEmail(user.id(), email, caller.name());
+    }
+  }
+
+  /**
+   * A token for the user's own programs.
+   *
+   * @param nameField that gets the sentence when the name is refused
+   * @param days how long it is good
+   */
+  public Optional<JdbiSessionStore.NewSession> createToken(
+      Caller caller,
+      Account user,
+      String nameField,
+      @Nullable String name,
+      @Nullable Double days,
+      HttpServletRequest request) {
+    InputRules rules = new InputRules(texts, errors);
+    String checkedName = rules.tokenName(nameField, name);
+    int checkedDays = rules.tokenDays("days", days);
+    if (!isSelf(caller, user)) {
+      errors.add("form", texts.get("problem.notYourToken"));
+    }
+    return errors.isEmpty()
+        ? Optional.of(
+            services
+                .sessions()
+                .issueToken(
+                    user, checkedName, RequestOrigin.of(request), Duration.ofDays(checkedDays)))
+        : Optional.empty();
+  }
+
+  private void checkPassword(Caller caller, Account user, String field, @Nullable String password) {
+    if (!isSelf(caller, user)) {
+      return;
+    }
+    switch (services
+        .authenticator()
+        .authenticate(
+            user.name(), password == null ? "" : password, caller.session().origin().address())) {
+      case Authenticator.Outcome.Authenticated welcome -> {}
+      case Authenticator.Outcome.Throttled tooSoon ->
+          errors.add(field, texts.get("error.login.tooSoon", tooSoon.retryAfterSeconds()));
+      default -> errors.add(field, texts.get("error.password.old"));
+    }
+  }
+
+  /** Why it could not be done, a sentence; empty: it is done. */
+  public Optional<String> refusal(JdbiAccountStore.Outcome outcome) {
+    return switch (outcome) {
+      case DONE -> Optional.empty();
+      case UNKNOWN -> Optional.of(texts.get("problem.noSuchUser"));
+      case LAST_MANAGER -> Optional.of(texts.get("error.lastManager"));
+    };
+  }
+}

@@ -1,0 +1,45 @@
+package org.toqa.web.live;
+
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.FaultyCharger;
+import org.toqa.fleet.FloorView.StandstillView;
+import org.toqa.geometry.Vec2;
+import org.toqa.web.api.HoldJson;
+import org.toqa.wording.Sentence;
+
+/**
+ * A floor on the wire; the fields are those of {@link FloorView}. Cells are runs as in the map of
+ * the API.
+ */
+record FloorJson(
+    String floor,
+    @Nullable HoldJson hold,
+    List<Integer> obstacles,
+    List<KeptJson> kept,
+    List<StandstillJson> standstills,
+    List<FaultyCharger> faultyChargers) {
+
+  /** Cells that stay reserved for a robot that is not heard of. */
+  record KeptJson(String robot, List<Integer> cells) {}
+
+  record StandstillJson(List<String> robots, List<Vec2> where, Instant since, Sentence text) {
+    static StandstillJson of(StandstillView view) {
+      return new StandstillJson(view.robots(), view.positions(), view.since(), view.text());
+    }
+  }
+
+  static FloorJson of(FloorView view) {
+    return new FloorJson(
+        view.name(),
+        HoldJson.of(view.hold()),
+        view.obstacles().runs(),
+        view.silentRobotCells().entrySet().stream()
+            .map(e -> new KeptJson(e.getKey(), e.getValue().runs()))
+            .toList(),
+        view.standstills().stream().map(StandstillJson::of).toList(),
+        view.faultyChargers());
+  }
+}

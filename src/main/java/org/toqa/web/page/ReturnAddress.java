@@ -1,0 +1,31 @@
+package org.toqa.web.page;
+
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.toqa.web.access.Permission;
+import org.toqa.web.route.Routes;
+
+/** The addresses to which a browser may be sent back. */
+final class ReturnAddress {
+  private static final Pattern ADDRESS =
+      Pattern.compile("(/[A-Za-z0-9._/-]*)(\\?[A-Za-z0-9._~%&=:@+-]*)?");
+
+  private ReturnAddress() {}
+
+  /** The address, if it is one of our pages. */
+  static Optional<String> parse(@Nullable String address) {
+    Matcher parts = ADDRESS.matcher(address == null ? "" : address);
+    return parts.matches() && isPage(parts.group(1))
+        ? Optional.of(parts.group())
+        : Optional.empty();
+  }
+
+  private static boolean isPage(String path) {
+    return Routes.find(path)
+        .flatMap(match -> match.route("GET"))
+        .filter(route -> !route.isApi() && route.permission() != Permission.PUBLIC)
+        .isPresent();
+  }
+}

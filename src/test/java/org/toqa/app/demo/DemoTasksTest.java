@@ -1,0 +1,40 @@
+package org.toqa.app.demo;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.FloorReader;
+import org.toqa.grid.Place;
+
+/** What the demo wants of the shipped floor. */
+class DemoTasksTest {
+
+  @Test
+  void everyRobotHasAParkingPointAndEveryTaskItsStations() throws Exception {
+    FloorMap floor = FloorReader.read(Path.of("maps", "lab.yaml"));
+    List<String> stations = floor.stations().stream().map(Place::name).toList();
+
+    assertEquals(floor.parking().size(), DemoTasks.MAX_ROBOTS);
+    for (TaskOrder order : DemoTasks.orders(DemoTasks.MAX_ROBOTS)) {
+      for (Where place : List.of(order.start(), order.goal())) {
+        assertTrue(
+            place instanceof Where.Station(String name) && stations.contains(name),
+            order::toString);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 3, DemoTasks.MAX_ROBOTS})
+  void thereIsMoreToDoThanRobots(int robots) {
+    assertTrue(DemoTasks.orders(robots).size() > robots);
+  }
+}

@@ -1,0 +1,130 @@
+package org.toqa.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.MethodOrderer.OrderAnnotation;
+import org.junit.jupiter.api.Order;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.testbed.ApiClient;
+import org.toqa.testbed.ToqaProcess;
+import tools.jackson.databind.JsonNode;
+
+/**
+ * Schemathesis, a fuzzer made for OpenAPI documents, against a running server: it finds no answer
+ * that is a fault, and none that the document does not have.
+ *
+ * <p>{@code -Dtoqa.schemathesis} is the program; {@code -Dtoqa.fuzz.examples=100} for more than the
+ * usual 10 a door beside those that the document itself suggests, {@code -Dtoqa.fuzz.seed=2} for
+ * other ones. Leaves out the live events, which do not end.
+ */
+@Tag("full")
+@TestMethodOrder(OrderAnnotation.class)
+class ApiFuzzIT {
+  private static final String PROGRAM = System.getProperty("toqa.schemathesis", "");
+  private static final String EXAMPLES = System.getProperty("toqa.fuzz.examples", "10");
+  private static final String SEED = System.getProperty("toqa.fuzz.seed", "1");
+  private static final String CLERK = "clerk";
+  private static final String CLERKS_PASSWORD = "clerk-of-robots";
+  private static final Duration LIMIT = Duration.ofMinutes(30);
+
+  private static final String ENDS_SESSIONS = "/session$|/sessions/|/users/.id.$";
+
+  @TempDir private static Path folder;
+  private static RunningServer server;
+
+  @BeforeAll
+  static void start() throws Exception {
+    assumeFalse(PROGRAM.isEmpty(), "Schemathesis is not here.");
+    Path config = Files.writeString(folder.resolve("server.yaml"), "requestsPerSecond: 0\n");
+    server = new RunningServer(folder, "--config", config.toString(), "--simulate", "3");
+    for (int task = 0; task < 3; task++) {
+      server.addTask("box", "Workbench 2", "Mill");
+    }
+    Map<String, String> clerk = Map.of("name", CLERK, "password", CLERKS_PASSWORD, "role", "CLERK");
+    server.api().post("users", clerk);
+  }
+
+  @AfterAll
+  static void stop() {
+    if (server != null) {
+      server.close();
+    }
+  }
+
+  @Test
+  @Order(1)
+  void aStrangerFindsNoFault() throws Exception {
+    assertFindsNothing();
+  }
+
+  @Test
+  @Order(2)
+  void aClerkFindsNoFault() throws Exception {
+    try (ApiClient clerk = new ApiClient(server.root(), CLERK, CLERKS_PASSWORD)) {
+      assertFindsNothing("-H", bearer(clerk), "--exclude-path-regex", ENDS_SESSIONS);
+    }
+  }
+
+  @Test
+  @Order(3)
+  void aManagerFindsNoFault() throws Exception {
+    assertFindsNothing("-H", bearer(server.api()), "--exclude-path-regex", ENDS_SESSIONS);
+  }
+
+  @Test
+  @Order(4)
+  void aManagerWhoseSessionEndsFindsNoFault() throws Exception {
+    assertFindsNothing("-H", bearer(server.api()), "--include-path-regex", ENDS_SESSIONS);
+  }
+
+  @Test
+  @Order(5)
+  void theServerNeverSpokeOfAFault() throws Exception {
+    assertEquals("UP", server.api().get("health").get("status").asString());
+    server.kill();
+    assertEquals(
+        List.of(), server.errorOutput().stream().filter(line -> line.contains(" ERROR ")).toList());
+  }
+
+  private static String bearer(ApiClient user) {
+    return "Authorization: Bearer " + user.token();
+  }
+
+  private static void assertFindsNothing(String... choice) throws Exception {
+    Path settings =
+        Path.of("src/test/resources/org/toqa/endtoend/schemathesis.toml").toAbsolutePath();
+    List<String> command = new ArrayList<>(List.of(PROGRAM, "--config-file", settings.toString()));
+    command.addAll(List.of("run", copyOfTheDocument(), "--url", server.root().toString()));
+    command.addAll(List.of("--seed", SEED, "-n", EXAMPLES));
+    command.addAll(List.of(choice));
+    try (ToqaProcess fuzzer = ToqaProcess.command(folder, command.toArray(String[]::new))) {
+      int exitCode = fuzzer.exitCode(LIMIT);
+      String report = String.join("\n", fuzzer.out());
+
+      assertEquals(0, exitCode, report);
+      Matcher count = Pattern.compile("\\d+ generated").matcher(report);
+      assertTrue(count.find(), report);
+      System.out.println("Schemathesis: " + count.group());
+    }
+  }
+
+  private static String copyOfTheDocument() throws Exception {
+    JsonNode document = server.api().get("openapi.json");
+    return Files.writeString(folder.resolve("openapi.json"), document.toString()).toString();
+  }
+}

@@ -1,0 +1,41 @@
+package org.toqa.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code kill -9} of a server with simulated robots: no task is lost, none is done twice. */
+class CrashIT {
+  private static final List<String> STATIONS =
+      List.of("Goods-in 1", "Mill", "Store A", "Assembly", "Packing 1");
+
+  @TempDir private Path folder;
+
+  @Test
+  void aKilledServerGoesOnInEveryPhase() throws Exception {
+    try (RunningServer server = new RunningServer(folder, "--simulate", "3", "--speed", "20")) {
+      List<Long> tasks = new ArrayList<>();
+      List<String> phases = List.of("", "TO_OBJECT", "CARRYING", "RETURNING");
+      for (int i = 0; i < phases.size(); i++) {
+        long task = server.addTask("crash " + i, STATIONS.get(i), STATIONS.get(i + 1));
+        tasks.add(task);
+        if (!phases.get(i).isEmpty()) { // else right after the answer 201
+          server.awaitState(task, phases.get(i));
+        }
+        server.killAndRestart();
+      }
+      long first = tasks.getFirst();
+      assertEquals(LongStream.range(first, first + tasks.size()).boxed().toList(), tasks);
+      for (long task : tasks) {
+        server.awaitState(task, "DONE");
+        assertEquals(1, server.eventCount(task, "Picked up"), "picked up: " + server.task(task));
+        assertEquals(1, server.eventCount(task, "Delivered"), "delivered: " + server.task(task));
+      }
+    }
+  }
+}

@@ -1,0 +1,129 @@
+package org.toqa.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.testbed.FaultyTcpProxy;
+import org.toqa.testbed.OwnMySql;
+import org.toqa.testbed.RealMySql;
+import tools.jackson.databind.JsonNode;
+
+/** MySQL goes away while robots carry, in four ways, and comes back. */
+@Tag("full")
+class DatabaseOutageIT {
+  private static final long LIMIT_NANOS = TimeUnit.MINUTES.toNanos(1);
+
+  @TempDir private Path folder;
+
+  @FunctionalInterface
+  private interface Happening {
+    void happens() throws Exception;
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void robotsStandEverybodyIsToldAndThenAllGoesOn(boolean silently) throws Exception {
+    String url = RealMySql.newDatabase();
+    try (FaultyTcpProxy cable = FaultyTcpProxy.toDatabase(url)) {
+      goesAwayAndComesBack(cable.through(url), silently ? cable::silence : cable::cut, cable::mend);
+    }
+  }
+
+  @Test
+  void robotsStandWhileTheServerIsFrozen() throws Exception {
+    assumeOwnServer();
+    try (OwnMySql mySql = new OwnMySql(folder)) {
+      goesAwayAndComesBack(mySql.url(), mySql::freeze, mySql::thaw);
+    }
+  }
+
+  @Test
+  void robotsStandWhileTheServerIsRestarted() throws Exception {
+    assumeOwnServer();
+    try (OwnMySql mySql = new OwnMySql(folder)) {
+      goesAwayAndComesBack(mySql.url(), mySql::kill, mySql::startAgain);
+    }
+  }
+
+  /** Where somebody brings his own database server there may be none that a test may kill. */
+  private static void assumeOwnServer() {
+    assumeTrue(
+        System.getenv("TOQA_TEST_MYSQL_URL") == null,
+        "runs where ./toqa test brings its own MySQL: without TOQA_TEST_MYSQL_URL");
+  }
+
+  private void goesAwayAndComesBack(String url, Happening away, Happening back) throws Exception {
+    Path config = folder.resolve("server.yaml");
+    Files.writeString(config, "database:\n  url: \"%s\"\n".formatted(url));
+    try (RunningServer server =
+        new RunningServer(
+            folder, "--config", config.toString(), "--simulate", "3", "--speed", "10")) {
+      long task = server.addTask("crate", "Goods-in 1", "Store A");
+      server.awaitState(task, "TO_OBJECT");
+
+      away.happens();
+      awaitHealth(server.root(), 503);
+      Optional<JsonNode> refused =
+          server.api().tryToPost("tasks", RunningServer.order("refused", "Mill", "Assembly"));
+      assertEquals(Optional.empty(), refused);
+      awaitStandingRobots(server);
+      back.happens();
+
+      awaitHealth(server.root(), 200);
+      server.awaitState(task, "DONE");
+      server.await("tasks/" + task, t -> t.toString().contains("\"Done\""));
+      assertEquals(1, server.eventCount(task, "Asked for"));
+      assertEquals(1, server.eventCount(task, "Picked up"));
+      assertEquals(1, server.eventCount(task, "Delivered"));
+      assertEquals(1, server.api().get("tasks").size());
+    }
+  }
+
+  private static void awaitHealth(URI root, int status) throws Exception {
+    try (HttpClient http = HttpClient.newHttpClient()) {
+      HttpRequest health = HttpRequest.newBuilder(root.resolve("api/v1/health")).build();
+      long end = System.nanoTime() + LIMIT_NANOS;
+      while (true) {
+        HttpResponse<String> answer = http.send(health, HttpResponse.BodyHandlers.ofString());
+        if (answer.statusCode() == status) {
+          assertTrue(status == 200 || answer.body().contains("The database does not answer."));
+          return;
+        }
+        assertTrue(System.nanoTime() < end, answer::body);
+        TimeUnit.MILLISECONDS.sleep(50);
+      }
+    }
+  }
+
+  /** They have come to where they may not go on from, and are heard. */
+  private static void awaitStandingRobots(RunningServer server) throws Exception {
+    long end = System.nanoTime() + LIMIT_NANOS;
+    JsonNode before = server.api().get("robots");
+    while (true) {
+      TimeUnit.SECONDS.sleep(2); // 20 s of the robots' time
+      JsonNode now = server.api().get("robots");
+      for (JsonNode robot : now) {
+        assertTrue(!robot.get("state").asString().equals("LOST"), robot::toString);
+      }
+      if (now.findValues("pose").equals(before.findValues("pose"))) {
+        return;
+      }
+      assertTrue(System.nanoTime() < end, "the robots still drive: " + now);
+      before = now;
+    }
+  }
+}

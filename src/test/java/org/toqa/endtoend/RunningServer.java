@@ -1,0 +1,145 @@
+package org.toqa.endtoend;
+
+import java.net.URI;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.toqa.testbed.ApiClient;
+import org.toqa.testbed.ToqaProcess;
+import tools.jackson.databind.JsonNode;
+
+/** A server process that is killed and started again, with a manager logged in. */
+final class RunningServer implements AutoCloseable {
+  static final String MANAGER = "boss";
+  static final String PASSWORD = "boss-of-robots";
+  private static final Duration TIMEOUT = Duration.ofMinutes(3);
+
+  private final Path folder;
+  private final String[] arguments;
+  private final List<ToqaProcess> killed = new ArrayList<>();
+  private ToqaProcess process;
+  private ApiClient api;
+  private URI root;
+
+  RunningServer(Path folder, String... arguments) throws Exception {
+    this.folder = folder;
+    List<String> command = new ArrayList<>(List.of("server", "--port", "0", "--data"));
+    command.add(folder.resolve("data").toString());
+    command.addAll(List.of(arguments));
+    this.arguments = command.toArray(String[]::new);
+    process = launch();
+    root = URI.create(process.awaitErr("http://[^ ]*").group());
+    api = new ApiClient(root, MANAGER, PASSWORD);
+  }
+
+  private ToqaProcess launch() throws Exception {
+    return ToqaProcess.toqa(folder, Map.of("TOQA_MANAGER", MANAGER + ":" + PASSWORD), arguments);
+  }
+
+  ApiClient api() {
+    return api;
+  }
+
+  URI root() {
+    return root;
+  }
+
+  /** As {@code kill -9} does it, and then as a user starts it again. */
+  void killAndRestart() throws Exception {
+    kill();
+    start();
+  }
+
+  void kill() throws Exception {
+    process.kill();
+    killed.add(process);
+    api.close();
+  }
+
+  /** As a service manager does it. */
+  void stop() throws Exception {
+    process.terminate();
+    process.exitCode();
+    killed.add(process);
+    api.close();
+  }
+
+  void start() throws Exception {
+    process = launch();
+    root = URI.create(process.awaitErr("http://[^ ]*").group());
+    api = new ApiClient(root, MANAGER, PASSWORD);
+  }
+
+  /** Everything on standard error of the servers that were killed or stopped. */
+  List<String> errorOutput() throws InterruptedException {
+    List<String> lines = new ArrayList<>();
+    for (ToqaProcess server : killed) {
+      lines.addAll(server.err());
+    }
+    return lines;
+  }
+
+  long addTask(String name, String start, String goal) throws Exception {
+    return api.post("tasks", order(name, start, goal)).get("id").asLong();
+  }
+
+  static Map<String, Object> order(String name, String start, String goal) {
+    return Map.of(
+        "name",
+        name,
+        "load",
+        2,
+        "start",
+        Map.of("station", start),
+        "goal",
+        Map.of("station", goal));
+  }
+
+  JsonNode task(long id) throws Exception {
+    return api.get("tasks/" + id);
+  }
+
+  String state(long id) throws Exception {
+    return task(id).get("state").asString();
+  }
+
+  void awaitState(long id, String state) throws Exception {
+    await("tasks/" + id, task -> task.get("state").asString().equals(state));
+  }
+
+  /** Also while its database comes back. */
+  JsonNode await(String path, Predicate<JsonNode> condition) throws Exception {
+    long end = System.nanoTime() + TIMEOUT.toNanos();
+    while (true) {
+      Optional<JsonNode> answer = api.tryToGet(path);
+      if (answer.filter(condition).isPresent()) {
+        return answer.get();
+      }
+      if (System.nanoTime() > end) {
+        throw new AssertionError(
+            path + " still says " + answer + " while the robots are " + api.get("robots"));
+      }
+      TimeUnit.MILLISECONDS.sleep(50);
+    }
+  }
+
+  /** How often the task's history has a line that begins so. */
+  long eventCount(long id, String beginning) throws Exception {
+    long count = 0;
+    for (JsonNode event : task(id).get("history")) {
+      count += event.get("text").asString().startsWith(beginning) ? 1 : 0;
+    }
+    return count;
+  }
+
+  @Override
+  public void close() {
+    api.close();
+    process.close();
+  }
+}

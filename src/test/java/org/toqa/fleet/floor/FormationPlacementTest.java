@@ -1,0 +1,90 @@
+package org.toqa.fleet.floor;
+
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Random;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.FloorReader;
+import org.toqa.grid.Place;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.traffic.mapf.LacamJointPlanner;
+
+class FormationPlacementTest {
+  private static final double RADIUS = FloorRobot.UNKNOWN_FOOTPRINT / 2;
+
+  /** Metres and radians; three times what a robot takes for standing on its place. */
+  private static final double OFF_PLACE = 0.003;
+
+  private static final double OFF_HEADING = 0.006;
+
+  private static FloorMap lab;
+  private static FormationPlacement places;
+
+  @BeforeAll
+  static void readTheLab() throws Exception {
+    lab = FloorReader.read(Path.of("maps", "lab.yaml"));
+    places = new FormationPlacement(lab.grid());
+  }
+
+  @Test
+  void twoRobotsCarryBetweenMostStationsOfTheLab() {
+    int ways = 0;
+    for (Place start : lab.stations()) {
+      Place goal = lab.stations().get((lab.stations().indexOf(start) + 5) % lab.stations().size());
+      ways += round(start, goal, 2).isPresent() ? 1 : 0;
+    }
+    assertTrue(ways > lab.stations().size() / 2, ways + " of " + lab.stations().size());
+  }
+
+  /** No robot stands exactly where it was sent. */
+  @Test
+  void whatIsPromisedIsKeptWhereverTheLeaderComesToStand() {
+    Random random = new Random(7);
+    int kept = 0;
+    while (kept < 25) {
+      Place start = lab.stations().get(random.nextInt(lab.stations().size()));
+      Place goal = lab.stations().get(random.nextInt(lab.stations().size()));
+      Optional<Formation> formation =
+          start.equals(goal) ? Optional.empty() : round(start, goal, 2 + random.nextInt(3));
+      if (formation.isPresent()) {
+        Pose leader = beside(formation.get().pose(0), random);
+        assertNull(
+            waitingReason(formation.get(), leader, goal),
+            start + " to " + goal + " from " + leader);
+        kept++;
+      }
+    }
+  }
+
+  private static Optional<Formation> round(Place start, Place goal, int robots) {
+    return places.find(start.position(), goal.position(), robots, null, RADIUS);
+  }
+
+  private static Pose beside(Pose place, Random random) {
+    return place.compose(
+        new Pose(
+            OFF_PLACE * random.nextGaussian() / 2,
+            OFF_PLACE * random.nextGaussian() / 2,
+            OFF_HEADING * random.nextDouble(-1, 1)));
+  }
+
+  private static @Nullable String waitingReason(Formation formation, Pose leader, Place goal) {
+    FloorTraffic traffic = new FloorTraffic(lab.grid(), new LacamJointPlanner(), Deadline::none);
+    traffic.reportStanding("leader", leader, 2 * RADIUS, Instant.EPOCH);
+    traffic.setFormation("leader", formation.group());
+    traffic.setMovable("leader", true);
+    traffic.setGoal("leader", goal.position(), Instant.EPOCH);
+    traffic.decide(Instant.EPOCH);
+    return Objects.toString(traffic.waitReason("leader"), null);
+  }
+}

@@ -1,0 +1,129 @@
+package org.toqa.fleet.manager;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Queue;
+import java.util.UUID;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.FleetStore.Submission;
+import org.toqa.fleet.StoreWriter;
+import org.toqa.fleet.TamperedStore;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
+import org.toqa.store.Database;
+import org.toqa.store.JdbiFleetStore;
+
+@Timeout(60)
+class TaskSubmitterTest {
+  private static final int TASKS = 20;
+
+  private final Database database = Database.inMemory("intake-" + System.nanoTime());
+  private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+  private final StoreWriter writer = new StoreWriter("test");
+  private final Queue<Integer> transactions = new ConcurrentLinkedQueue<>();
+  private final Queue<TransportTask> accepted = new ConcurrentLinkedQueue<>();
+  private final CountDownLatch firstIsUnderWay = new CountDownLatch(1);
+  private final CountDownLatch othersHaveCome = new CountDownLatch(1);
+  private final CountDownLatch answered = new CountDownLatch(TASKS);
+
+  @AfterEach
+  void close() {
+    writer.close();
+    database.close();
+  }
+
+  @Test
+  void whatComesDuringOneTransactionGoesIntoTheNext() throws Exception {
+    takeAll(
+        new TaskSubmitter(
+            TamperedStore.of(store, (method, arguments, call) -> delayed(call, arguments)),
+            writer));
+
+    assertEquals(List.of(1, TASKS - 1), List.copyOf(transactions));
+    assertEquals(names(), accepted.stream().map(TransportTask::name).toList());
+    assertEquals(
+        accepted.stream().map(TransportTask::id).toList(),
+        store.openTasks().stream().map(t -> t.mission().id()).toList());
+  }
+
+  @Test
+  void allOfATransactionThatFailsAreRefusedAndNotStoredLater() throws Exception {
+    takeAll(
+        new TaskSubmitter(
+            TamperedStore.of(
+                store,
+                (method, arguments, call) -> {
+                  if (!method.equals("addTasks")) {
+                    return call.go();
+                  }
+                  Object stored = delayed(call, arguments);
+                  if (transactions.size() == 1) {
+                    return stored;
+                  }
+                  throw new StoreException("It was stored, but nobody knows.", null);
+                }),
+            writer));
+    writer.close(); // what was to be withdrawn, is
+
+    assertEquals(List.of("0"), accepted.stream().map(TransportTask::name).toList());
+    assertEquals(1, store.count());
+  }
+
+  private void takeAll(TaskSubmitter intake) throws InterruptedException {
+    take(intake, 0);
+    assertTrue(firstIsUnderWay.await(20, TimeUnit.SECONDS));
+    IntStream.range(1, TASKS).forEach(i -> take(intake, i));
+    othersHaveCome.countDown();
+    assertTrue(answered.await(20, TimeUnit.SECONDS));
+  }
+
+  private void take(TaskSubmitter intake, int number) {
+    intake.submit(
+        List.of(new Submission(task(String.valueOf(number)), UUID.randomUUID())),
+        TaskSubmitter.deadline(),
+        tasks -> {
+          accepted.addAll(tasks);
+          answered.countDown();
+        },
+        answered::countDown);
+  }
+
+  private Object delayed(TamperedStore.Call call, Object[] arguments) throws Throwable {
+    transactions.add(((List<?>) arguments[0]).size());
+    firstIsUnderWay.countDown();
+    assertTrue(othersHaveCome.await(20, TimeUnit.SECONDS));
+    return call.go();
+  }
+
+  private static List<String> names() {
+    return IntStream.range(0, TASKS).mapToObj(String::valueOf).toList();
+  }
+
+  private static TransportTask task(String name) {
+    TaskPlace start = new TaskPlace(new Vec2(1, 1), null);
+    TaskPlace goal = new TaskPlace(new Vec2(2, 2), null);
+    return new TransportTask(
+        0,
+        name,
+        1,
+        start,
+        goal,
+        "lab",
+        0,
+        null,
+        null,
+        "ann",
+        Instant.parse("2026-11-21T10:00:00Z"));
+  }
+}

@@ -1,0 +1,227 @@
+package org.toqa.fleet.schedule;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Proxy;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.UUID;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.toqa.fleet.FleetStage;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TaskView;
+import org.toqa.fleet.history.EventArchive.Filter;
+import org.toqa.grid.FloorReader;
+import org.toqa.mission.MissionEvent;
+import org.toqa.store.JdbiEventArchive;
+import org.toqa.store.JdbiScheduleStore;
+
+/** Schedules by a clock that is set, over a real fleet and a real store. */
+@Timeout(120)
+class SchedulerTest {
+  private static final Instant START = Instant.parse("2026-11-21T10:00:00Z");
+  private static final Duration HALF_HOUR = Duration.ofMinutes(30);
+
+  private Instant now = START;
+  private FleetStage stage;
+  private JdbiScheduleStore schedules;
+  private Scheduler scheduler;
+
+  @BeforeEach
+  void start() throws Exception {
+    stage = new FleetStage(FloorReader.read(Path.of("maps", "lab.yaml")));
+    schedules = new JdbiScheduleStore(stage.database.jdbi());
+    scheduler = scheduler(schedules);
+  }
+
+  @AfterEach
+  void stop() {
+    stage.close();
+  }
+
+  @Test
+  void eachDueTimeMakesOneOrdinaryTask() throws Exception {
+    long id = addEvery(START.plusSeconds(60), null);
+
+    look(START.plusSeconds(59));
+    assertEquals(0, stage.store.count());
+    look(START.plusSeconds(60));
+    look(START.plusSeconds(61));
+
+    assertEquals(1, stage.store.count());
+    TaskView task = stage.store.tasks(0, 1).getFirst();
+    assertEquals("box", task.task().name());
+    assertEquals("Clara", task.task().user());
+    assertEquals(task.id(), schedule(id).lastTask());
+    assertEquals(START.plusSeconds(60).plus(HALF_HOUR), schedule(id).due());
+    assertEquals("Schedule 1 of Clara put it in", stage.store.history(task.id()).getLast().text());
+    cancel(task.id());
+    look(START.plusSeconds(60).plus(HALF_HOUR));
+    assertEquals(2, stage.store.count());
+  }
+
+  @Test
+  void whileTheLastTaskIsOpenTheNextIsSkippedAndThatIsTold() throws Exception {
+    long id = addEvery(START.plusSeconds(1), null);
+    look(START.plusSeconds(1));
+    long first = stage.store.tasks(0, 1).getFirst().id();
+
+    look(START.plus(HALF_HOUR).plusSeconds(1));
+
+    assertEquals(1, stage.store.count());
+    assertEquals(
+        "Schedule 1 of Clara was skipped, since its last task 1 has not ended",
+        stage.store.history(first).getLast().text());
+    assertEquals(START.plusSeconds(1).plus(HALF_HOUR.multipliedBy(2)), schedule(id).due());
+  }
+
+  @Test
+  void ofWhatWasDueWhileNoServerRanOneIsMadeUpFor() throws Exception {
+    long id = addEvery(START.plusSeconds(1), null);
+
+    look(START.plus(Duration.ofDays(3)));
+    cancel(1);
+    look(START.plus(Duration.ofDays(3)));
+
+    assertEquals(1, stage.store.count());
+    assertEquals(START.plus(Duration.ofDays(3)).plusSeconds(1), schedule(id).due());
+  }
+
+  @Test
+  void aServerThatEndsBetweenTheTaskAndItsNotePutsInNoSecondOne() throws Exception {
+    long id = addEvery(START.plusSeconds(1), null);
+    Scheduler dying = scheduler(withoutAdvance());
+    now = START.plusSeconds(1);
+
+    assertThrows(IllegalStateException.class, dying::runDueSchedules);
+    assertEquals(1, stage.store.count());
+    assertNull(schedule(id).lastTask());
+    stage.restart();
+    scheduler = scheduler(schedules);
+    cancel(1); // also when the task is over
+    look(START.plusSeconds(30));
+
+    assertEquals(1, stage.store.count());
+    assertEquals(1L, schedule(id).lastTask());
+    assertEquals(START.plusSeconds(1).plus(HALF_HOUR), schedule(id).due());
+  }
+
+  @Test
+  void aScheduleEndsAtItsEnd() throws Exception {
+    long id = addEvery(START.plusSeconds(1), START.plusSeconds(1).plus(HALF_HOUR));
+    look(START.plusSeconds(1));
+    cancel(1);
+
+    look(START.plusSeconds(1).plus(HALF_HOUR));
+
+    assertEquals(2, stage.store.count());
+    assertNull(schedule(id).due());
+    cancel(2);
+    look(START.plus(Duration.ofDays(1)));
+    assertEquals(2, stage.store.count());
+  }
+
+  @Test
+  void whatIsPausedIsNotDue() {
+    long id = addEvery(START.plusSeconds(1), null);
+    schedules.savePause(id, true, START.plusSeconds(1), List.of());
+    look(START.plusSeconds(1));
+    assertEquals(0, stage.store.count());
+
+    schedules.savePause(id, false, START.plusSeconds(2), List.of());
+    look(START.plusSeconds(2));
+
+    assertEquals(1, stage.store.count());
+  }
+
+  @Test
+  void whatTheFleetRefusesIsToldAndTriedAtTheNextTime() {
+    TaskOrder gone =
+        new TaskOrder(
+            "box", 1, new Where.Station("Gone"), new Where.Station("Mill"), null, 0, null, null);
+    long id = add(gone, new Recurrence.Every(START.plusSeconds(1), HALF_HOUR), null);
+
+    look(START.plusSeconds(1));
+
+    assertEquals(0, stage.store.count());
+    assertEquals(START.plusSeconds(1).plus(HALF_HOUR), schedule(id).due());
+    Filter refused = new Filter(null, null, null, "schedule.refused", null, null, false);
+    String told =
+        new JdbiEventArchive(stage.database.jdbi())
+            .events(refused, Long.MAX_VALUE, 10)
+            .getFirst()
+            .event()
+            .text();
+    assertTrue(
+        told.startsWith("Schedule 1 of Clara put in no task: There is no station Gone"), told);
+  }
+
+  private void look(Instant at) {
+    now = at;
+    scheduler.runDueSchedules();
+  }
+
+  private Scheduler scheduler(ScheduleStore store) {
+    return new Scheduler(store, stage.store, stage.fleet, () -> now);
+  }
+
+  /** A store behind which the server ends when something was put in. */
+  private ScheduleStore withoutAdvance() {
+    return (ScheduleStore)
+        Proxy.newProxyInstance(
+            ScheduleStore.class.getClassLoader(),
+            new Class<?>[] {ScheduleStore.class},
+            (proxy, method, arguments) -> {
+              if (method.getName().equals("advance")) {
+                throw new IllegalStateException("killed");
+              }
+              try {
+                return method.invoke(schedules, arguments);
+              } catch (InvocationTargetException e) {
+                throw e.getCause();
+              }
+            });
+  }
+
+  private Schedule schedule(long id) {
+    return schedules.schedule(id).orElseThrow();
+  }
+
+  private void cancel(long task) throws Exception {
+    stage
+        .fleet
+        .commandTask(task, new MissionEvent.Cancel("Clara", null))
+        .toCompletableFuture()
+        .get(20, TimeUnit.SECONDS);
+  }
+
+  private long addEvery(Instant first, @Nullable Instant until) {
+    TaskOrder order =
+        new TaskOrder(
+            "box",
+            1,
+            new Where.Station("Goods-in 1"),
+            new Where.Station("Mill"),
+            null,
+            0,
+            null,
+            null);
+    return add(order, new Recurrence.Every(first, HALF_HOUR), until);
+  }
+
+  private long add(TaskOrder order, Recurrence recurrence, @Nullable Instant until) {
+    return schedules.add(Schedule.of(order, recurrence, until, "Clara", START), UUID.randomUUID());
+  }
+}

@@ -1,0 +1,265 @@
+package org.toqa.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import org.flywaydb.core.Flyway;
+import org.jdbi.v3.core.Jdbi;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Role;
+import org.toqa.accounts.Session;
+import org.toqa.accounts.Session.Kind;
+import org.toqa.fleet.history.EventArchive.Filter;
+
+class AccountStoreTest {
+  private static final Instant START = Instant.parse("2026-11-21T08:00:00.123Z");
+
+  private static final Session.Origin ORIGIN = new Session.Origin("10.0.0.7", "a browser");
+
+  private Instant now = START;
+  private Jdbi jdbi;
+  private JdbiAccountStore accounts;
+  private JdbiSessionStore sessions;
+  private JdbiPasswordResetStore resets;
+
+  @BeforeEach
+  void openEmptyDatabase() {
+    String url =
+        "jdbc:h2:mem:accounts-%d;MODE=MySQL;DATABASE_TO_LOWER=TRUE;CASE_INSENSITIVE_IDENTIFIERS=TRUE;DB_CLOSE_DELAY=-1"
+            .formatted(System.nanoTime());
+    Flyway.configure().dataSource(url, "sa", "").locations("classpath:sql").load().migrate();
+    jdbi = Jdbi.create(url, "sa", "");
+    accounts = new JdbiAccountStore(jdbi, () -> now);
+    sessions = new JdbiSessionStore(jdbi, () -> now);
+    resets = new JdbiPasswordResetStore(jdbi, () -> now);
+  }
+
+  @Test
+  void namesAreUniqueWithoutRegardToCase() {
+    Account added = accounts.add("Ada", "hash", Role.CLERK, "boss").orElseThrow();
+
+    assertEquals(Optional.empty(), accounts.add("aDA", "other", Role.CLERK, "boss"));
+    assertEquals(Optional.of(added), accounts.accountByName("ADA"));
+    assertEquals(Optional.of(added), accounts.account(added.id()));
+    assertEquals(START, added.createdAt());
+  }
+
+  @Test
+  void usersAreListedByName() {
+    accounts.add("zoe", "hash", Role.CLERK, "boss");
+    accounts.add("Bob", "hash", Role.MANAGER, "boss");
+    accounts.add("ada", "hash", Role.CLERK, "boss");
+
+    assertEquals(
+        List.of("ada", "Bob", "zoe"), accounts.accounts().stream().map(Account::name).toList());
+  }
+
+  @Test
+  void theFirstManagerIsAddedOnce() {
+    accounts.add("clerk", "hash", Role.CLERK, "boss");
+    assertFalse(accounts.hasManager());
+
+    assertTrue(accounts.addFirstManager("boss", "hash").isPresent());
+    assertTrue(accounts.hasManager());
+    assertEquals(Optional.empty(), accounts.addFirstManager("thief", "hash"));
+    assertEquals(Optional.empty(), accounts.accountByName("thief"));
+  }
+
+  @Test
+  void theLastManagerStays() {
+    long boss = accounts.add("boss", "hash", Role.MANAGER, "boss").orElseThrow().id();
+    long second = accounts.add("second", "hash", Role.MANAGER, "boss").orElseThrow().id();
+
+    assertEquals(JdbiAccountStore.Outcome.DONE, accounts.delete(second, "boss"));
+    assertEquals(JdbiAccountStore.Outcome.LAST_MANAGER, accounts.delete(boss, "boss"));
+    assertEquals(JdbiAccountStore.Outcome.UNKNOWN, accounts.delete(second, "boss"));
+    assertTrue(accounts.account(boss).isPresent());
+  }
+
+  @Test
+  void aTokenIsGoodUntilItExpires() {
+    Account ada = ada();
+    JdbiSessionStore.NewSession begun = sessions.issueToken(ada, "ci", ORIGIN, Duration.ofDays(2));
+
+    now = START.plus(Duration.ofDays(2)).minusMillis(1);
+    assertEquals(Optional.of(ada), owner(Kind.TOKEN, begun.secret()));
+    assertEquals(Optional.empty(), owner(Kind.TOKEN, begun.secret() + "x"));
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, begun.secret()), "shown in another way");
+    now = START.plus(Duration.ofDays(2));
+    assertEquals(Optional.empty(), owner(Kind.TOKEN, begun.secret()));
+    assertEquals(List.of(), sessions.sessions(ada.id()));
+  }
+
+  @Test
+  void aBrowsersSessionEndsTwelveHoursAfterItsLastUse() {
+    Account ada = ada();
+    String secret = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+
+    now = START.plus(Duration.ofHours(11));
+    assertEquals(Optional.of(ada), owner(Kind.BROWSER, secret));
+    now = START.plus(Duration.ofHours(22));
+    assertEquals(Optional.of(ada), owner(Kind.BROWSER, secret), "11 h after the last use");
+    assertEquals(now, sessions.sessions(ada.id()).getFirst().seenAt());
+    now = START.plus(Duration.ofHours(34));
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, secret));
+  }
+
+  @Test
+  void aSessionIsEndedByItsUserOnly() {
+    Account ada = ada();
+    Account bob = accounts.add("bob", "hash", Role.CLERK, "boss").orElseThrow();
+    JdbiSessionStore.NewSession begun = sessions.begin(ada, Kind.BROWSER, ORIGIN);
+
+    assertFalse(sessions.end(bob, begun.session().id(), "bob"));
+    assertEquals(List.of(begun.session()), sessions.sessions(ada.id()));
+    assertTrue(sessions.end(ada, begun.session().id(), "boss"));
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, begun.secret()));
+    assertFalse(begun.toString().contains(begun.secret()), "it reaches no log");
+  }
+
+  @Test
+  void aNewPasswordEndsTheUsersSessionsTokensAndLinks() {
+    Account ada = ada();
+    String browser = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    String token = sessions.issueToken(ada, "ci", ORIGIN, Duration.ofDays(2)).secret();
+    String link = resets.issue(ada, Duration.ofHours(1), "ada");
+
+    assertTrue(accounts.changePassword(ada.id(), "new hash", "boss"));
+
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, browser));
+    assertEquals(Optional.empty(), owner(Kind.TOKEN, token));
+    assertEquals(Optional.empty(), resets.account(link));
+    assertEquals("new hash", accounts.account(ada.id()).orElseThrow().passwordHash());
+    assertFalse(accounts.changePassword(ada.id() + 1, "new hash", "boss"));
+  }
+
+  @Test
+  void theSessionsOfADeletedUserEndWithHim() {
+    Account ada = ada();
+    String token = sessions.begin(ada, Kind.TOKEN, ORIGIN).secret();
+    String link = resets.issue(ada, Duration.ofHours(1), "boss");
+
+    accounts.delete(ada.id(), "boss");
+
+    assertEquals(Optional.empty(), owner(Kind.TOKEN, token));
+    assertFalse(resets.replacePassword(link, "new hash"));
+  }
+
+  @Test
+  void aLinkReplacesAPasswordOnce() {
+    Account ada = ada();
+    String browser = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    String first = resets.issue(ada, Duration.ofHours(1), "ada");
+    String second = resets.issue(ada, Duration.ofHours(1), "ada");
+
+    assertEquals(Optional.empty(), resets.account(first), "the second ended it");
+    assertEquals(Optional.of(ada), resets.account(second));
+    assertFalse(resets.replacePassword(first, "new hash"));
+    assertTrue(resets.replacePassword(second, "new hash"));
+    assertFalse(resets.replacePassword(second, "newer hash"));
+    assertEquals("new hash", accounts.account(ada.id()).orElseThrow().passwordHash());
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, browser));
+  }
+
+  @Test
+  void aLinkIsGoodForItsTime() {
+    String link = resets.issue(ada(), Duration.ofHours(1), "ada");
+
+    now = START.plus(Duration.ofHours(1)).minusMillis(1);
+    assertTrue(resets.account(link).isPresent());
+    now = START.plus(Duration.ofHours(1));
+    assertEquals(Optional.empty(), resets.account(link));
+    assertFalse(resets.replacePassword(link, "new hash"));
+  }
+
+  @Test
+  void whoeverForgotIsFoundByNameOrElseByEmail() {
+    Account ada =
+        accounts.add("ada", "Shared@example.org", "hash", Role.CLERK, "boss").orElseThrow();
+    Account bob =
+        accounts.add("bob", "shared@example.org", "hash", Role.CLERK, "boss").orElseThrow();
+
+    assertEquals(List.of(ada), accounts.accountsByNameOrEmail("ADA"));
+    assertEquals(List.of(ada, bob), accounts.accountsByNameOrEmail("SHARED@example.org"));
+    assertEquals(List.of(), accounts.accountsByNameOrEmail("nobody@example.org"));
+  }
+
+  @Test
+  void aNewEmailAddressEndsTheLinkThatWentToTheOldOne() {
+    Account ada = ada();
+    String link = resets.issue(ada, Duration.ofHours(1), "ada");
+
+    assertTrue(accounts.changeEmail(ada.id(), "ada@example.org", "ada"));
+    assertEquals(Optional.empty(), resets.account(link));
+    assertEquals("ada@example.org", accounts.account(ada.id()).orElseThrow().email());
+    assertTrue(accounts.changeEmail(ada.id(), null, "boss"));
+    assertFalse(accounts.changeEmail(ada.id() + 1, null, "boss"));
+  }
+
+  private Account ada() {
+    return accounts.add("ada", "hash", Role.CLERK, "boss").orElseThrow();
+  }
+
+  private Optional<Account> owner(Kind kind, String secret) {
+    return sessions.authenticate(kind, secret).map(JdbiSessionStore.AuthenticatedSession::account);
+  }
+
+  @Test
+  void theLastManagerWhoMayLogInStaysOne() {
+    long boss = accounts.add("boss", "hash", Role.MANAGER, "boss").orElseThrow().id();
+    long second = accounts.add("second", "hash", Role.MANAGER, "boss").orElseThrow().id();
+
+    assertEquals(
+        JdbiAccountStore.Outcome.DONE, accounts.update(second, Role.MANAGER, true, "boss"));
+    assertEquals(
+        JdbiAccountStore.Outcome.LAST_MANAGER, accounts.update(boss, Role.CLERK, false, "boss"));
+    assertEquals(
+        JdbiAccountStore.Outcome.LAST_MANAGER, accounts.update(boss, Role.MANAGER, true, "boss"));
+    assertEquals(JdbiAccountStore.Outcome.LAST_MANAGER, accounts.delete(boss, "boss"));
+    assertEquals(
+        JdbiAccountStore.Outcome.DONE, accounts.delete(second, "boss"), "he may not log in");
+    assertEquals(
+        JdbiAccountStore.Outcome.UNKNOWN, accounts.update(second, Role.CLERK, false, "boss"));
+  }
+
+  @Test
+  void changesAreToldInTheHistory() {
+    Account ada = accounts.add("ada", "hash", Role.CLERK, "boss").orElseThrow();
+    accounts.update(ada.id(), Role.MANAGER, false, "boss");
+    accounts.update(ada.id(), Role.MANAGER, false, "boss"); // changes nothing
+    accounts.changePassword(ada.id(), "new hash", "ada");
+    accounts.add("max", "hash", Role.MANAGER, "boss");
+    accounts.delete(ada.id(), "max");
+
+    assertEquals(
+        List.of(
+            "boss added the user ada",
+            "boss made ada a manager",
+            "ada changed the password of ada",
+            "boss added the user max",
+            "max deleted the user ada"),
+        texts());
+  }
+
+  private List<String> texts() {
+    return new JdbiEventArchive(jdbi)
+        .events(new Filter(null, null, null, "user", null, null, true), Long.MAX_VALUE, 10).stream()
+            .map(entry -> entry.event().text())
+            .toList()
+            .reversed();
+  }
+
+  @Test
+  void theHashIsInNoLog() {
+    Account ada = accounts.add("ada", "secret-hash", Role.CLERK, "boss").orElseThrow();
+
+    assertFalse(ada.toString().contains("secret-hash"));
+  }
+}

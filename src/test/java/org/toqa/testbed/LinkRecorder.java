@@ -1,0 +1,76 @@
+package org.toqa.testbed;
+
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.toqa.link.RobotLink;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.wording.Sentence;
+
+/** What a link to a robot has told, in order, to be taken out piece by piece. */
+public final class LinkRecorder implements RobotLink.Listener {
+  private static final long LIMIT_SECONDS = 20;
+
+  private final BlockingQueue<Object> told = new LinkedBlockingQueue<>();
+
+  /** That the link ended. */
+  public record End(String sentence) {}
+
+  /** That one end does not accept the other. */
+  public record Refusal(String sentence) {}
+
+  @Override
+  public void connected(Hello hello) {
+    told.add(hello);
+  }
+
+  @Override
+  public void received(AgentMessage message) {
+    told.add(message);
+  }
+
+  @Override
+  public void disconnected(String sentence) {
+    told.add(new End(sentence));
+  }
+
+  @Override
+  public void refused(Sentence sentence) {
+    told.add(new Refusal(sentence.english()));
+  }
+
+  public boolean isEmpty() {
+    return told.isEmpty();
+  }
+
+  /** The next that was told, of whatever kind. */
+  public Object next() throws InterruptedException {
+    Object next = told.poll(LIMIT_SECONDS, TimeUnit.SECONDS);
+    assertNotNull(next, "nothing was told");
+    return next;
+  }
+
+  /** The next of this kind; what comes before it is skipped. */
+  public <T> T await(Class<T> kind) throws InterruptedException {
+    return await(kind, any -> true);
+  }
+
+  /** The next of this kind that is wished for; what comes before it is skipped. */
+  public <T> T await(Class<T> kind, Predicate<T> wished) throws InterruptedException {
+    while (true) {
+      Object next = next();
+      if (kind.isInstance(next) && wished.test(kind.cast(next))) {
+        return kind.cast(next);
+      }
+    }
+  }
+
+  @Override
+  public String toString() {
+    return told.toString();
+  }
+}

@@ -1,0 +1,170 @@
+package org.toqa.traffic.floor;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.LongRange;
+import org.toqa.formation.Shape;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.FloorReader;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+
+/** Robots that carry a load of 0.3 m together on the shipped floor. */
+class FormationFootprintPropertyTest {
+  private static final double LOAD = 0.3;
+
+  /** Metres; tasks come to the places of others in turn. */
+  private static final double APART = 1.2;
+
+  private static final Duration LIMIT = Duration.ofMinutes(20);
+
+  private final FloorMap lab;
+
+  FormationFootprintPropertyTest() throws IOException {
+    lab = FloorReader.read(Path.of("maps", "lab.yaml"));
+  }
+
+  /** Held at any moment, a group has a way on from where it comes to a stand. */
+  @Property(tries = 200, seed = "20261121")
+  void groupThatIsHeldOnItsWayGoesOn(@ForAll @LongRange(min = 0) long seed) {
+    Random random = new Random(seed);
+    Carry carry = carry(random, stations(random));
+    if (!carry.isPossible()) {
+      return;
+    }
+    DrivenFloor floor = new DrivenFloor(lab.grid(), seed);
+    carry.begin(floor, "group");
+    for (int i = 0; i < 8 && !floor.areAllArrived(); i++) {
+      floor.drive(Duration.ofMillis(random.nextInt(8000)));
+      floor.lose("group"); // nothing more can be told to it
+      floor.drive(Duration.ofSeconds(20));
+      floor.find("group");
+    }
+    floor.drive(LIMIT);
+    assertTrue(floor.areAllArrived(), () -> carry + " " + floor.reasons());
+  }
+
+  /** Among robots that drive to and fro, but not to its own places, it arrives, and so do they. */
+  @Property(tries = 200, seed = "20261121")
+  void groupArrivesAmongOthers(@ForAll @LongRange(min = 0) long seed) {
+    Random random = new Random(seed);
+    Carry carry = carry(random, stations(random));
+    if (!carry.isPossible()) {
+      return;
+    }
+    DrivenFloor floor = new DrivenFloor(lab.grid(), seed);
+    carry.begin(floor, "group");
+    List<Vec2> places = placesBeside(carry);
+    Collections.shuffle(places, random);
+    int others = Math.min(1 + random.nextInt(6), places.size());
+    for (int i = 0; i < others; i++) {
+      floor.putAt("r" + i, places.get(i), DrivenFloor.DIAMETER);
+    }
+    Instant limit = floor.now.plus(LIMIT);
+    while (!floor.isArrived("group") && floor.now.isBefore(limit)) {
+      for (int i = 0; i < others; i++) {
+        if (floor.isArrived("r" + i) && random.nextInt(100) == 0) {
+          boolean isIdle = random.nextInt(4) == 0;
+          floor.sendTo("r" + i, isIdle ? null : places.get(random.nextInt(places.size())));
+        }
+      }
+      floor.step();
+    }
+    assertTrue(floor.isArrived("group"), () -> carry + " " + floor.reasons());
+    for (int i = 0; i < others; i++) {
+      floor.sendTo("r" + i, places.get(i));
+    }
+    floor.drive(LIMIT);
+    assertTrue(floor.areAllArrived(), () -> floor.reasons().toString());
+  }
+
+  /** Two groups, whose places are apart, each arrive. */
+  @Property(tries = 200, seed = "20261121")
+  void twoGroupsArrive(@ForAll @LongRange(min = 0) long seed) {
+    Random random = new Random(seed);
+    List<Place> places = stations(random);
+    Carry one = carry(random, places);
+    Carry two = carry(random, places.subList(2, 4));
+    if (!one.isPossible() || !two.isPossible()) {
+      return;
+    }
+    DrivenFloor floor = new DrivenFloor(lab.grid(), seed);
+    one.begin(floor, "one");
+    two.begin(floor, "two");
+    floor.drive(LIMIT);
+    assertTrue(floor.areAllArrived(), () -> one + " " + two + " " + floor.reasons());
+  }
+
+  private List<Place> stations(Random random) {
+    List<Place> places = new ArrayList<>(lab.stations());
+    Collections.shuffle(places, random);
+    return places;
+  }
+
+  private Carry carry(Random random, List<Place> places) {
+    Vec2 from = places.get(0).position();
+    Pose load = new Pose(from.x(), from.y(), random.nextInt(4) * Math.PI / 2);
+    return new Carry(lab.grid(), load, places.get(1).position(), 2 + random.nextInt(2));
+  }
+
+  private List<Vec2> placesBeside(Carry carry) {
+    return Stream.concat(lab.stations().stream(), lab.parking().stream())
+        .map(Place::position)
+        .filter(p -> p.distanceTo(carry.load().position()) > APART)
+        .filter(p -> p.distanceTo(carry.goal()) > APART)
+        .collect(Collectors.toCollection(ArrayList::new));
+  }
+
+  /**
+   * @param load where it is picked up
+   * @param goal where it is carried
+   */
+  private record Carry(OccupancyGrid grid, Pose load, Vec2 goal, int robots) {
+
+    /** Whether a group has room there, and on an empty floor a way. */
+    boolean isPossible() {
+      DrivenFloor empty = new DrivenFloor(grid, 1);
+      if (!group().discs(leader()).stream().allMatch(empty::isOffTheWalls)) {
+        return false;
+      }
+      begin(empty, "group");
+      empty.step();
+      return empty.isArrived("group") || empty.body("group").way != null;
+    }
+
+    void begin(DrivenFloor floor, String name) {
+      floor.putAt(name, leader(), DrivenFloor.DIAMETER);
+      floor.lead(name, group());
+      floor.sendTo(name, goal);
+    }
+
+    private Pose leader() {
+      return group().shape().leaderAt(load);
+    }
+
+    private FormationFootprint group() {
+      double radius = DrivenFloor.DIAMETER / 2;
+      return new FormationFootprint(
+          robots == 2
+              ? new Shape(new Vec2(LOAD, 0), List.of(new Vec2(-LOAD, 0)))
+              : Shape.around(robots, LOAD, LOAD, radius),
+          radius,
+          LOAD,
+          LOAD);
+    }
+  }
+}

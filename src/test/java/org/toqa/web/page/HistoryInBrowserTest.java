@@ -1,0 +1,274 @@
+package org.toqa.web.page;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import com.microsoft.playwright.Locator;
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.options.AriaRole;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.history.TrackPoint;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.testbed.BrowserTest;
+import org.toqa.web.TestFleet;
+import org.toqa.web.WebTestServer;
+import org.toqa.wording.Sentence;
+
+/**
+ * What has happened, and where a robot was, in a real browser. Pictures go to {@code
+ * target/screenshots}, to be looked at.
+ */
+class HistoryInBrowserTest extends BrowserTest {
+  private static final Path PICTURES = Path.of("target/screenshots");
+
+  private WebTestServer server;
+
+  @BeforeEach
+  void start() throws Exception {
+    server = WebTestServer.startForBrowser();
+    server
+        .fleet()
+        .changeRobots(
+            none ->
+                List.of(
+                    TestFleet.robot("r1", RobotState.IDLE, new Pose(2, 1, 0), "127.0.0.1", 7275),
+                    TestFleet.robot("r2", RobotState.IDLE, new Pose(4, 1, 0), "127.0.0.1", 7276)));
+    page().setDefaultTimeout(10_000);
+    page().navigate(server.root().toString());
+    page().getByLabel("Name").fill(WebTestServer.CLERK);
+    page().getByLabel("Password").fill(WebTestServer.PASSWORD);
+    page().locator("main button").click();
+    assertThat(page().locator("#map")).isVisible();
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    server.close();
+  }
+
+  @Test
+  void theHistoryIsFilteredByItsForm() {
+    server
+        .store()
+        .addEvents(
+            List.of(
+                event(0, "robot.held", null, "r1", "Max", "Max put r1 on hold"),
+                event(1, "robot.held", null, "r2", "Max", "Max put r2 on hold"),
+                event(2, "task.assigned", 7L, "r1", "toqa", "r1 is nearest"),
+                event(3, "fleet.paused", null, null, "Ann", "Ann paused all robots")));
+    openHistory();
+    assertThat(sentences())
+        .hasText(
+            new String[] {
+              "Ann paused all robots", "r1 is nearest", "Max put r2 on hold", "Max put r1 on hold"
+            });
+
+    select("robot").selectOption("r1");
+    show();
+    assertThat(sentences()).hasText(new String[] {"r1 is nearest", "Max put r1 on hold"});
+
+    select("kind").selectOption("task");
+    show();
+    assertThat(sentences()).hasText(new String[] {"r1 is nearest"});
+    assertThat(select("robot")).hasValue("r1");
+    picture("history-filtered");
+    assertThat(page().locator("tbody a")).hasText(new String[] {"r1", "7"});
+
+    select("robot").selectOption("");
+    select("kind").selectOption("");
+    page().getByLabel("By (a user, or toqa)").fill("Ann");
+    page().getByLabel("From (day, UTC)").fill("2026-11-21");
+    page().getByLabel("Until (day, UTC)").fill("2026-11-21");
+    show();
+    assertThat(sentences()).hasText(new String[] {"Ann paused all robots"});
+    assertEquals(List.of(), complaints());
+  }
+
+  @Test
+  void nothingOfTheKindIsSaid() {
+    server
+        .store()
+        .addEvents(List.of(event(0, "robot.held", null, "r1", "Max", "Max put r1 on hold")));
+    openHistory();
+    assertThat(sentences()).hasCount(1);
+
+    page().getByLabel("From (day, UTC)").fill("2027-01-01");
+    show();
+
+    assertThat(sentences()).hasCount(0);
+    assertThat(page().getByText("Nothing of the kind has happened.")).isVisible();
+    assertThat(page().getByLabel("From (day, UTC)")).hasValue("2027-01-01");
+    picture("history-empty");
+  }
+
+  @Test
+  void olderPagesKeepTheFilter() {
+    server
+        .store()
+        .addEvents(
+            IntStream.range(0, 250)
+                .mapToObj(
+                    i -> event(i, "robot.held", null, i < 40 ? "r2" : "r1", "Max", "event " + i))
+                .toList());
+    openHistory();
+    select("robot").selectOption("r1");
+    show();
+
+    assertThat(sentences()).hasCount(100);
+    assertThat(sentences().first()).hasText("event 249");
+    assertThat(link("Newest")).hasCount(0);
+    link("Older").click();
+    assertThat(sentences().first()).hasText("event 149");
+    link("Older").click();
+    assertThat(sentences()).hasCount(10); // 250 - 40 of r2 - two pages of 100
+    assertThat(sentences().last()).hasText("event 40");
+    assertThat(link("Older")).hasCount(0);
+    picture("history-last-page");
+    link("Newest").click();
+    assertThat(sentences().first()).hasText("event 249");
+    assertThat(select("robot")).hasValue("r1");
+  }
+
+  @Test
+  void aTaskThatIsNoNumberIsSaidAtItsField() {
+    server
+        .store()
+        .addEvents(List.of(event(0, "robot.held", null, "r1", "Max", "Max put r1 on hold")));
+    openHistory();
+
+    page().getByLabel("Task no.").fill("seven");
+    show();
+
+    Locator field = page().locator("input[name=task]");
+    assertThat(field).hasAttribute("aria-invalid", "true");
+    assertThat(field).hasValue("seven");
+    assertThat(page().getByText("This must be the number of a task or an event.")).isVisible();
+    assertThat(sentences()).hasCount(0);
+    picture("history-refused");
+    field.fill("");
+    show();
+    assertThat(sentences()).hasCount(1);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          from=yesterday | Write a day such as 2026-11-21
+          kind=A         | A kind is a word such as task
+          before=-1      | This must be the number of a task or an event.
+          """)
+  void aBadAddressIsSaidInASentence(String query, String sentence) {
+    page().navigate(server.root() + "history?" + query);
+
+    assertThat(page().locator("main")).containsText(sentence);
+    assertThat(page().locator("h1")).hasText("History");
+  }
+
+  @Test
+  void theTrackOfARobotIsDrawnOnItsPage() {
+    page().navigate(server.root() + "robots/r1");
+    Locator none = page().getByText("Nothing is known of that time.");
+    assertThat(none).isVisible();
+    Object empty = canvas();
+    server
+        .store()
+        .saveRobot(new RobotRecord("r1", "hall", "127.0.0.1", 7275, 5, null, false, null));
+    server
+        .tracks()
+        .add(
+            List.of(
+                at(Duration.ofHours(-5), 9, 5), // too old to be shown
+                at(Duration.ofHours(-1), 2, 1),
+                at(Duration.ofMinutes(-50), 8, 1),
+                at(Duration.ofMinutes(-40), 8, 5)));
+
+    page().reload();
+
+    assertThat(none).isHidden();
+    page().waitForCondition(() -> !canvas().equals(empty));
+    page().locator("#track").scrollIntoViewIfNeeded();
+    picture("robot-track");
+    page().navigate(server.root() + "robots/r2");
+    assertThat(none).isVisible();
+    assertEquals(List.of(), complaints());
+  }
+
+  @Test
+  void theHistoryOfARobotIsReachedFromItsPageAndFitsAPhone() {
+    server
+        .store()
+        .addEvents(
+            List.of(
+                event(0, "robot.held", null, "r1", "Max", "Max put r1 on hold"),
+                event(1, "robot.held", null, "r2", "Max", "Max put r2 on hold")));
+    page().setViewportSize(390, 844);
+    page().navigate(server.root() + "robots/r1");
+    link("Its history").click();
+
+    assertThat(sentences()).hasText(new String[] {"Max put r1 on hold"});
+    picture("phone-history");
+    assertFalse((Boolean) page().evaluate("document.documentElement.scrollWidth > innerWidth"));
+  }
+
+  private void openHistory() {
+    page().navigate(server.root() + "history");
+  }
+
+  private void show() {
+    page()
+        .getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Show").setExact(true))
+        .click();
+  }
+
+  private Locator select(String name) {
+    return page().locator("select[name=" + name + "]");
+  }
+
+  private Locator sentences() {
+    return page().locator("tbody th");
+  }
+
+  private Locator link(String name) {
+    return page()
+        .getByRole(AriaRole.LINK, new Page.GetByRoleOptions().setName(name).setExact(true));
+  }
+
+  private Object canvas() {
+    return page().evaluate("document.querySelector('#track').toDataURL()");
+  }
+
+  private void picture(String name) {
+    page().screenshot(new Page.ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")));
+  }
+
+  private static EventRecord event(
+      int second,
+      String kind,
+      @Nullable Long task,
+      @Nullable String robot,
+      String who,
+      String text) {
+    return new EventRecord(
+        TestFleet.START.plusSeconds(second), kind, task, robot, who, Sentence.verbatim(text));
+  }
+
+  private static TrackPoint at(Duration ago, double x, double y) {
+    return new TrackPoint("r1", TestFleet.START.plus(ago), new Vec2(x, y));
+  }
+}

@@ -1,0 +1,228 @@
+package org.toqa.web.page;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.Page.EmulateMediaOptions;
+import com.microsoft.playwright.Page.GetByRoleOptions;
+import com.microsoft.playwright.Page.ScreenshotOptions;
+import com.microsoft.playwright.options.AriaRole;
+import com.microsoft.playwright.options.ColorScheme;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.mission.TaskState;
+import org.toqa.testbed.BrowserTest;
+import org.toqa.web.TestClient;
+import org.toqa.web.TestFleet;
+import org.toqa.web.WebTestServer;
+import org.toqa.web.access.LanguagesTest;
+
+/**
+ * The pages in Arabic, from right to left. Pictures of them go to {@code target/screenshots}, to be
+ * looked at.
+ */
+class LanguagesInBrowserTest extends BrowserTest {
+  private static final Path PICTURES = Path.of("target/screenshots");
+
+  private WebTestServer server;
+
+  @BeforeEach
+  void start() throws Exception {
+    server = WebTestServer.startForBrowser();
+    server.fleet().changeRobots(none -> PagesInBrowserTest.fleetAtWork());
+    page().setDefaultTimeout(10_000);
+    page().setViewportSize(1280, 900);
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    server.close();
+    assertEquals(
+        List.of(),
+        complaints().stream().filter(c -> !c.startsWith("Failed to load resource")).toList());
+  }
+
+  @Test
+  void theLanguageIsChosenAtTheLoginAndStays() {
+    page().navigate(server.root().toString());
+    assertThat(page().locator("html")).hasAttribute("dir", "ltr");
+    page().getByText("العربية").click();
+    assertThat(page().locator("html")).hasAttribute("dir", "rtl");
+    assertThat(page().locator("h1")).hasText("تسجيل الدخول");
+    page().locator("main button").click();
+    assertThat(page().locator("#name-help")).hasText("أدخل اسمك.");
+
+    logIn();
+    page().navigate(server.root() + "tasks?page=1");
+    assertThat(page().locator("h1")).hasText("المهام");
+    page().getByText("English").click();
+    assertThat(page()).hasURL(server.root() + "tasks?page=1");
+    assertThat(page().locator("h1")).hasText("Tasks");
+    page().getByText("العربية").click();
+    page().getByRole(AriaRole.BUTTON, new GetByRoleOptions().setName("خروج")).click();
+    assertThat(page().locator("h1")).hasText("تسجيل الدخول");
+    Page other = page().context().newPage();
+    other.navigate(server.root().toString());
+    assertThat(other.locator("html")).hasAttribute("lang", "ar");
+  }
+
+  @Test
+  void aTaskIsAssignedInArabic() {
+    arabic();
+    logIn();
+    page().navigate(server.root() + "tasks/new");
+    page().getByLabel("اسم المهمة").fill("صندوق براغٍ (2)");
+    page().getByLabel("الحمولة (كغم)").fill("٢٫٥");
+    PagesInBrowserTest.clickMap(
+        page(),
+        page().locator("#map"),
+        1.05,
+        5.25); // the station Dock A, on the left as on every map
+    assertThat(page().locator("#startStation")).hasValue("Dock A");
+    page().locator("#goalX").fill("٩");
+    page().locator("#goalY").fill("٤٫٥");
+
+    assertThat(page().locator("#preview"))
+        .containsText(Pattern.compile("عدد الروبوتات التي تحملها معًا: 2\\."));
+    assertThat(page().locator("#preview")).containsText("تقطع الحمولة نحو 8.0 م.");
+    picture("ar-new-task-picked");
+    page().getByRole(AriaRole.BUTTON, new GetByRoleOptions().setName("أسنِد المهمة")).click();
+
+    assertThat(page().locator("h1")).hasText("صندوق براغٍ (2)");
+    assertThat(page().locator("[aria-current=step]")).hasText("في الانتظار");
+    assertThat(page().locator(".history")).containsText("طلبها");
+    assertThat(page().locator("main")).containsText("جارٍ البحث عن روبوت.");
+    server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
+    assertThat(page().locator("[aria-current=step]")).hasText("قيد النقل");
+    assertThat(page().locator("time").first()).containsText("2026");
+  }
+
+  @Test
+  void theLiveMapSpeaksArabic() {
+    addTasks();
+    server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
+    server.fleet().loseRobotOf(1);
+    arabic();
+    logIn();
+
+    assertThat(page().locator("#age")).containsText("مباشر · آخر تغيير قبل");
+    assertThat(page().locator("#robots li")).hasCount(6);
+    assertThat(page().locator("#robots li").first()).containsText("84");
+    assertThat(page().locator("#counts")).containsText("مجهول الموضع");
+    assertThat(page().locator("#needs")).containsText("لا يُسمع منه شيء والحمولة على متنه");
+    assertThat(page().locator("#robots .what").first()).hasText("ينقل حمولة المهمة 2");
+    assertThat(page().locator("#robots bdi[lang=en][dir=ltr]"))
+        .hasText("The battery is nearly empty.");
+    assertThat(page().locator("#tasks")).containsText("جارٍ البحث عن روبوت.");
+    assertEquals(List.of(), latin(page().locator(".what bdi:not([lang=en])").allTextContents()));
+    assertThat(page().locator("#tasks")).containsText("في الانتظار");
+    picture("ar-map-question");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "1280, 900, LIGHT, ar-desktop",
+    "1280, 900, DARK, ar-dark",
+    "390, 844, LIGHT, ar-phone",
+    "390, 844, DARK, ar-phone-dark"
+  })
+  void everyArabicPageFitsItsScreen(int width, int height, ColorScheme scheme, String name) {
+    addTasks();
+    server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1", "r2"), "r1 carries the load.");
+    server.fleet().changeTask(3, TaskState.DONE, List.of("r2"), "r2 has parked.");
+    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    page().setViewportSize(width, height);
+    page().emulateMedia(new EmulateMediaOptions().setColorScheme(scheme));
+    arabic();
+    assertFits(name, "login");
+    logIn();
+    for (String path :
+        List.of(
+            "map",
+            "tasks",
+            "tasks/new",
+            "tasks/import",
+            "schedules",
+            "tasks/2",
+            "robots",
+            "robots/r5",
+            "users",
+            "users/2",
+            "statistics",
+            "history",
+            "nothing")) {
+      page().navigate(server.root() + path);
+      if (path.equals("map")) {
+        assertThat(page().locator("#age")).containsText("مباشر");
+        assertThat(page().locator("#robots li")).hasCount(6);
+      }
+      assertFits(name, path);
+    }
+    page().navigate(server.root() + "tasks/new");
+    page().locator("form.task button").click();
+    assertThat(page().locator("[aria-invalid=true]").first()).isVisible();
+    assertFits(name, "tasks-new-refused");
+    page().getByText("أوقف كل الروبوتات مؤقتًا").click();
+    assertThat(page().locator("#pause")).containsText("كل الروبوتات موقوفة مؤقتًا");
+    assertFits(name, "paused");
+  }
+
+  /** Those that have Latin words, but names that are isolated. */
+  private static List<String> latin(List<String> texts) {
+    return texts.stream()
+        .map(LanguagesTest::withoutIsolated)
+        .filter(text -> text.matches("(?s).*[A-Za-z]{2,}.*"))
+        .toList();
+  }
+
+  private void arabic() {
+    page().navigate(server.root() + "language/ar");
+    assertThat(page().locator("html")).hasAttribute("dir", "rtl");
+  }
+
+  private void logIn() {
+    page().getByLabel("الاسم").fill(WebTestServer.MANAGER);
+    page().getByLabel("كلمة المرور").fill(WebTestServer.PASSWORD);
+    page().locator("main button").click();
+    assertThat(page().locator("#map")).isVisible();
+  }
+
+  private void addTasks() {
+    try (TestClient visitor = TestClient.signedIn(server.root(), WebTestServer.CLERK)) {
+      PagesInBrowserTest.addSchedules(visitor);
+      for (String task : List.of("Box of bolts (2)", "منصة تروس للخط 4", "Samples")) {
+        visitor.post(
+            "tasks/new",
+            Map.of(
+                "name", task,
+                "load", "2.5",
+                "startStation", "Dock A",
+                "goalX", "9",
+                "goalY", "1.05"));
+      }
+    }
+  }
+
+  private void assertFits(String name, String path) {
+    picture(name + "-" + path.replace('/', '-'));
+    assertFalse(
+        (Boolean)
+            page().evaluate("document.documentElement.scrollWidth > innerWidth || scrollX !== 0"),
+        path + " is wider than the screen");
+  }
+
+  private void picture(String name) {
+    page()
+        .screenshot(
+            new ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")).setFullPage(true));
+  }
+}

@@ -1,0 +1,270 @@
+package org.toqa.web.page;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.deque.html.axecore.playwright.AxeBuilder;
+import com.deque.html.axecore.results.Rule;
+import com.microsoft.playwright.Locator;
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.options.AriaRole;
+import com.microsoft.playwright.options.ColorScheme;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.history.TrackPoint;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.testbed.BrowserTest;
+import org.toqa.web.TestFleet;
+import org.toqa.web.WebTestServer;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/**
+ * Going back in time on the map. In the minute before its end r1 drove from (2, 1) to (10, 1), r2
+ * stood, and of r3 nothing is known. Pictures go to {@code target/screenshots}, to be looked at.
+ */
+class ReplayInBrowserTest extends BrowserTest {
+  private static final Path PICTURES = Path.of("target/screenshots");
+
+  private WebTestServer server;
+
+  @BeforeEach
+  void start() throws Exception {
+    server = WebTestServer.startForBrowser();
+    server
+        .fleet()
+        .changeRobots(
+            none ->
+                List.of(
+                    TestFleet.robot("r1", RobotState.IDLE, new Pose(10, 1, 0), "127.0.0.1", 7275),
+                    TestFleet.robot("r2", RobotState.IDLE, new Pose(4, 2, 0), "127.0.0.1", 7276),
+                    TestFleet.robot("r3", RobotState.IDLE, new Pose(6, 3, 0), "127.0.0.1", 7277)));
+    for (String robot : List.of("r1", "r2")) {
+      server
+          .store()
+          .saveRobot(new RobotRecord(robot, "hall", "127.0.0.1", 7275, 5, null, false, null));
+    }
+    Instant end = server.fleet().latest().at().minusSeconds(75); // what is younger is not shown
+    server
+        .tracks()
+        .add(
+            List.of(
+                new TrackPoint("r2", end.minusSeconds(7200), new Vec2(4, 2)),
+                new TrackPoint("r1", end.minusSeconds(60), new Vec2(2, 1)),
+                new TrackPoint("r1", end, new Vec2(10, 1))));
+    server
+        .store()
+        .addEvents(
+            List.of(
+                new EventRecord(
+                    end.minusSeconds(55),
+                    "task.started",
+                    7L,
+                    "r1",
+                    "toqa",
+                    Sentence.verbatim("r1 drives off")),
+                new EventRecord(
+                    end.minusSeconds(5),
+                    "robot.held",
+                    null,
+                    "r1",
+                    "Max",
+                    Phrase.ROBOT_PUT_ON_HOLD.with("Max", "r1"))));
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    server.close();
+  }
+
+  @Test
+  void aReaderGoesBackAndComesBack() {
+    openMap(1280, 900, ColorScheme.LIGHT);
+    lookBack();
+    assertThat(page().getByText("You are looking back, this is not live.")).isVisible();
+    assertThat(page().locator("#age")).hasText("Replay");
+    assertThat(thenRobots()).hasText(new String[] {"r1", "r2"}); // of r3 nothing is known
+    assertThat(page().locator("#tasks")).isHidden();
+    Object end = canvas();
+
+    for (int i = 0; i < 3; i++) {
+      slider().press("ArrowLeft"); // 10 s each: r1 is at (6, 1)
+    }
+
+    assertThat(entry("r1")).containsText("drove");
+    assertThat(entry("r1")).containsText("Task 7: r1 drives off");
+    assertThat(entry("r2")).containsText("stood");
+    assertThat(events()).hasText(new String[] {"r1 drives off"});
+    Object then = canvas();
+    assertNotEquals(end, then);
+    picture("replay");
+    server.fleet().changeRobots(robots -> robots.subList(1, 3));
+    server.fleet().setAlert("The battery of the lamp is low.");
+    assertThat(page().locator("#alerts")).containsText("The battery of the lamp is low.");
+    assertThat(page().locator("#banner")).isHidden();
+    assertThat(events()).hasText(new String[] {"r1 drives off"});
+
+    button("Back to live").click();
+
+    assertThat(page().locator("#age")).containsText("Live");
+    assertThat(page().locator("#robots strong")).hasText(new String[] {"r2", "r3"});
+    assertThat(page().locator("#then")).isHidden();
+    assertThat(button("Look back")).isFocused();
+    assertEquals(List.of(), complaints());
+  }
+
+  @Test
+  void itPlaysUpToNow() {
+    openMap(1280, 900, ColorScheme.LIGHT);
+    lookBack();
+    button("−10 s").click();
+    button("−10 s").click();
+    assertThat(events()).hasText(new String[] {"r1 drives off"});
+    page().getByLabel("Speed").selectOption("60×");
+
+    button("Play").click();
+
+    assertThat(events()).hasText(new String[] {"Max put r1 on hold", "r1 drives off"});
+    assertThat(button("Play")).isDisabled();
+    assertEquals(slider().getAttribute("max"), slider().inputValue());
+    button("−10 s").click();
+    assertThat(button("Play")).isEnabled();
+    button("Play").click();
+    assertThat(button("Pause")).isVisible();
+  }
+
+  @Test
+  void theSliderIsReadAsATimeAndReachesAsFarAsIsChosen() {
+    openMap(1280, 900, ColorScheme.LIGHT);
+    lookBack();
+    String atTheEnd = slider().getAttribute("aria-valuetext");
+    assertEquals(page().locator("#replay-moment").textContent(), atTheEnd);
+    page().getByLabel("How far back the slider reaches").selectOption("Last 1 h");
+
+    slider().press("Home");
+
+    assertNotEquals(atTheEnd, slider().getAttribute("aria-valuetext"));
+    assertEquals(
+        3_600_000L,
+        Long.parseLong(slider().getAttribute("max")) - Long.parseLong(slider().inputValue()));
+    assertThat(thenRobots()).hasText(new String[] {"r2"}); // r1 was not yet seen
+    page().getByLabel("How far back the slider reaches").selectOption("Last 4 h");
+    slider().press("Home");
+    assertThat(page().getByText("Nothing is known of the robots at that time.")).isVisible();
+  }
+
+  @Test
+  void whatCannotBeLoadedIsSaid() {
+    openMap(1280, 900, ColorScheme.LIGHT);
+    page().route("**/api/v1/tracks?*", route -> route.abort());
+    button("Look back").click();
+    Locator sentence = page().getByText("The past could not be loaded.");
+    assertThat(sentence).isVisible();
+    button("Back to live").click();
+    assertThat(sentence).isHidden();
+    button("Look back").click();
+    assertThat(sentence).isVisible();
+
+    page().unroute("**/api/v1/tracks?*");
+    slider().press("ArrowLeft");
+
+    assertThat(sentence).isHidden();
+    assertThat(entry("r1")).containsText("drove");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "en, LIGHT, 1280, 900",
+    "en, DARK, 1280, 900",
+    "en, LIGHT, 390, 844",
+    "ar, LIGHT, 1280, 900",
+    "ar, DARK, 390, 844"
+  })
+  void aReplayIsForEverybody(String language, ColorScheme scheme, int width, int height) {
+    page().navigate(server.root() + "language/" + language);
+    openMap(width, height, scheme);
+    page().locator("#replay-open").click();
+    assertThat(thenRobots()).hasCount(2);
+    slider().press("PageDown");
+    page().locator("#replay-back").click();
+    assertThat(thenRobots()).hasCount(1);
+    slider().press("End");
+    page().locator("#replay-back").click();
+    assertThat(thenRobots()).hasCount(2);
+    picture("replay-%s-%s-%d".formatted(language, scheme, width));
+
+    List<String> found =
+        new AxeBuilder(page())
+                .withTags(List.of("wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"))
+                .analyze()
+                .getViolations()
+                .stream()
+                .map(Rule::toString)
+                .toList();
+
+    assertEquals(List.of(), found);
+    assertFalse((Boolean) page().evaluate("document.documentElement.scrollWidth > innerWidth"));
+    assertTrue(complaints().isEmpty(), complaints()::toString);
+  }
+
+  private void openMap(int width, int height, ColorScheme scheme) {
+    page().setDefaultTimeout(20_000);
+    page().setViewportSize(width, height);
+    page().emulateMedia(new Page.EmulateMediaOptions().setColorScheme(scheme));
+    page().navigate(server.root().toString());
+    page().locator("#name").fill(WebTestServer.CLERK);
+    page().locator("#password").fill(WebTestServer.PASSWORD);
+    page().locator("main button").click();
+    assertThat(page().locator("#robots li")).hasCount(3);
+  }
+
+  private void lookBack() {
+    button("Look back").click();
+    assertThat(thenRobots().first()).isVisible();
+  }
+
+  private Locator button(String name) {
+    return page()
+        .getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName(name).setExact(true));
+  }
+
+  private Locator slider() {
+    return page().locator("#replay-time");
+  }
+
+  private Locator thenRobots() {
+    return page().locator("#then-robots strong");
+  }
+
+  private Locator entry(String robot) {
+    return page()
+        .locator("#then-robots li")
+        .filter(new Locator.FilterOptions().setHasText(robot))
+        .first();
+  }
+
+  private Locator events() {
+    return page().locator("#then-events p:first-child");
+  }
+
+  private Object canvas() {
+    return page().evaluate("document.querySelector('#map').toDataURL()");
+  }
+
+  private void picture(String name) {
+    page().screenshot(new Page.ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")));
+  }
+}

@@ -1,0 +1,164 @@
+package org.toqa.web.route;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Instant;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.RobotState;
+import org.toqa.geometry.Pose;
+import org.toqa.mission.TaskState;
+import org.toqa.web.TestClient;
+import org.toqa.web.TestFleet;
+import org.toqa.web.WebTestServer;
+import org.toqa.web.WorkHistory;
+import org.toqa.web.access.Permission;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Holds the API's description against the doors and against what really comes. */
+class OpenApiTest {
+  private static final JsonMapper JSON = new JsonMapper();
+
+  private static WebTestServer server;
+  private static TestClient clerk;
+  private static JsonNode document;
+
+  @BeforeAll
+  static void start() throws Exception {
+    server = WebTestServer.start();
+    clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK);
+    document = JSON.readTree(clerk.get("api/v1/openapi.json").body());
+    server
+        .fleet()
+        .changeRobots(
+            none ->
+                List.of(
+                    TestFleet.robot(
+                        "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
+    WorkHistory.in(server).addHour(Instant.now().minusSeconds(3600));
+    clerk.post(
+        "tasks/new",
+        Map.of("name", "x", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
+  }
+
+  @AfterAll
+  static void stop() throws Exception {
+    clerk.close();
+    server.close();
+  }
+
+  @Test
+  void everyOperationHasOneTag() {
+    List<String> headings =
+        document.get("tags").valueStream().map(tag -> tag.get("name").asString()).toList();
+    for (JsonNode path : document.get("paths")) {
+      for (JsonNode operation : path) {
+        assertEquals(1, operation.path("tags").size(), operation::toString);
+        assertTrue(headings.contains(operation.get("tags").get(0).asString()), operation::toString);
+      }
+    }
+  }
+
+  @Test
+  void everyApiRouteIsDescribedAndNoOther() {
+    Set<String> described = new TreeSet<>();
+    for (Map.Entry<String, JsonNode> path : document.get("paths").properties()) {
+      for (String method : path.getValue().propertyNames()) {
+        described.add(method.toUpperCase(Locale.ROOT) + " " + path.getKey());
+      }
+    }
+
+    Set<String> routes =
+        Routes.all().stream()
+            .filter(Route::isApi)
+            .map(door -> door.method() + " " + door.path())
+            .collect(Collectors.toCollection(TreeSet::new));
+    assertEquals(routes, described);
+  }
+
+  @Test
+  void onlyAnonymousRoutesAreDescribedWithoutSecurity() {
+    for (Route route : Routes.all().stream().filter(Route::isApi).toList()) {
+      JsonNode operation =
+          document.get("paths").get(route.path()).get(route.method().toLowerCase(Locale.ROOT));
+      boolean forStrangers =
+          route.permission() == Permission.PUBLIC || route.permission() == Permission.ANONYMOUS;
+      assertEquals(forStrangers, operation.has("security"), route.toString());
+    }
+  }
+
+  @Test
+  void everyOperationButHealthDescribesTheRateLimit() {
+    for (Map.Entry<String, JsonNode> path : document.get("paths").properties()) {
+      for (JsonNode operation : path.getValue()) {
+        assertEquals(
+            !path.getKey().equals("/api/v1/health"),
+            operation.at("/responses/429/$ref").asString("").endsWith("/TooManyRequests"),
+            path::getKey);
+      }
+    }
+  }
+
+  @Test
+  void everyReferenceLeadsSomewhere() {
+    for (JsonNode reference : document.findValues("$ref")) {
+      assertTrue(
+          !document.at(reference.stringValue().substring(1)).isMissingNode(),
+          reference.stringValue());
+    }
+  }
+
+  @Test
+  void whatComesHasTheFieldsThatAreDescribed() {
+    assertDescribed("Map", "api/v1/map", "");
+    assertDescribed("Task", "api/v1/tasks/1", "");
+    assertDescribed("Place", "api/v1/tasks/1", "/start");
+    assertDescribed("Event", "api/v1/tasks/1", "/history/0");
+    assertDescribed("Robot", "api/v1/robots/r1", "");
+    assertDescribed("Pose", "api/v1/robots/r1", "/pose");
+    assertDescribed("NamedPlace", "api/v1/map", "/stations/0");
+    assertDescribed("FloorTracks", "api/v1/tracks", "");
+    assertDescribed("RobotTrack", "api/v1/tracks", "/robots/0");
+    assertDescribed("Statistics", "api/v1/statistics", "");
+    assertDescribed("Figures", "api/v1/statistics", "/total");
+    assertDescribed("Spread", "api/v1/statistics", "/total/delivery");
+    assertDescribed("Bucket", "api/v1/statistics", "/series/0");
+    assertDescribed("RobotUse", "api/v1/statistics", "/robots/0");
+  }
+
+  @Test
+  void theStatesAreThoseThatThereAre() {
+    assertEquals(words(TaskState.values()), described("Task", "state"));
+    assertEquals(words(RobotState.values()), described("Robot", "state"));
+  }
+
+  private static void assertDescribed(String schema, String path, String part) {
+    JsonNode came = JSON.readTree(clerk.get(path).body()).at(part);
+    assertEquals(
+        new TreeSet<>(document.at("/components/schemas/" + schema + "/properties").propertyNames()),
+        new TreeSet<>(came.propertyNames()),
+        schema);
+  }
+
+  private static List<String> described(String schema, String field) {
+    return document
+        .at("/components/schemas/%s/properties/%s/enum".formatted(schema, field))
+        .values()
+        .stream()
+        .map(JsonNode::stringValue)
+        .toList();
+  }
+
+  private static List<String> words(Enum<?>[] values) {
+    return List.of(values).stream().map(Enum::name).toList();
+  }
+}

@@ -1,0 +1,191 @@
+package org.toqa.web.route;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
+import java.net.http.HttpResponse;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.slf4j.LoggerFactory;
+import org.toqa.web.RequestLimit;
+import org.toqa.web.TestClient;
+import org.toqa.web.WebTestServer;
+import tools.jackson.databind.JsonNode;
+import tools.jackson.databind.json.JsonMapper;
+
+/** Who asks more often than the server is set to answer him. */
+class RateLimitTest {
+  private static final int PER_SECOND = 10;
+  private static final int AT_ONCE = 20;
+
+  private final AtomicLong nanos = new AtomicLong();
+  private final ListAppender<ILoggingEvent> lines = new ListAppender<>();
+  private final Logger log = (Logger) LoggerFactory.getLogger(RequestLimit.class);
+
+  private WebTestServer server;
+  private TestClient stranger;
+  private TestClient clerk;
+  private TestClient manager;
+
+  @BeforeEach
+  void start() throws Exception {
+    lines.start();
+    log.addAppender(lines);
+    server = WebTestServer.start(new RequestLimit(PER_SECOND, nanos::get));
+    stranger = new TestClient(server.root());
+    clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK);
+    manager = TestClient.signedIn(server.root(), WebTestServer.MANAGER);
+    pass(Duration.ofSeconds(5));
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    log.detachAppender(lines);
+    stranger.close();
+    clerk.close();
+    manager.close();
+    server.close();
+  }
+
+  @Test
+  void whoAsksTheApiTooFastIsToldHowLongToWait() {
+    for (int i = 0; i < AT_ONCE; i++) {
+      assertEquals(200, clerk.get("api/v1/robots").statusCode());
+    }
+
+    HttpResponse<String> refused = clerk.get("api/v1/robots");
+
+    assertEquals(429, refused.statusCode());
+    assertEquals("1", refused.headers().firstValue("Retry-After").orElse(""));
+    assertEquals(
+        "application/problem+json", refused.headers().firstValue("Content-Type").orElse(""));
+    JsonNode problem = JsonMapper.shared().readTree(refused.body());
+    assertEquals("Too Many Requests", problem.get("title").asString());
+    assertEquals(
+        "Too many requests came from you at once. Wait for 1 s, then go on more slowly.",
+        problem.get("detail").asString());
+    HttpResponse<String> inArabic =
+        clerk.send(clerk.request("api/v1/robots").header("Accept-Language", "ar").build());
+    assertTrue(inArabic.body().contains("انتظر 1 ث"), inArabic::body);
+  }
+
+  @Test
+  void whoAsksForPagesTooFastReadsItOnOne() {
+    exhaust(clerk);
+
+    HttpResponse<String> refused = clerk.get("tasks");
+
+    assertEquals(429, refused.statusCode());
+    assertEquals("1", refused.headers().firstValue("Retry-After").orElse(""));
+    assertTrue(refused.body().contains("<h1>Too many requests</h1>"), refused::body);
+    assertTrue(refused.body().contains("Wait for 1 s"), refused::body);
+    assertEquals(200, clerk.get("assets/toqa.css").statusCode());
+  }
+
+  @Test
+  void itOpensAgainAsTimePasses() {
+    exhaust(clerk);
+
+    pass(Duration.ofSeconds(1));
+
+    for (int i = 0; i < PER_SECOND; i++) {
+      assertEquals(200, clerk.get("api/v1/robots").statusCode());
+    }
+    assertEquals(429, clerk.get("api/v1/robots").statusCode());
+  }
+
+  @Test
+  void othersAreNotTouched() {
+    exhaust(clerk);
+    assertEquals(200, manager.get("map").statusCode());
+    assertEquals(200, stranger.get("").statusCode());
+
+    exhaust(stranger);
+    assertEquals(429, stranger.get("").statusCode());
+    assertEquals(200, manager.get("map").statusCode());
+  }
+
+  @Test
+  void aUserIsTheSameInEveryBrowser() {
+    try (TestClient elsewhere = TestClient.signedIn(server.root(), WebTestServer.CLERK)) {
+      exhaust(clerk);
+
+      assertEquals(429, elsewhere.get("map").statusCode());
+    }
+  }
+
+  @Test
+  void monitorsAreAnsweredAtAnyRate() {
+    exhaust(stranger);
+    exhaust(clerk);
+
+    for (int i = 0; i < 2 * AT_ONCE; i++) {
+      assertEquals(200, stranger.get("api/v1/health").statusCode());
+      assertEquals(200, clerk.get("api/v1/health").statusCode());
+    }
+  }
+
+  @Test
+  void nothingThatIsRefusedIsDone() {
+    String csrf = clerk.csrf();
+    exhaust(clerk);
+
+    assertEquals(429, clerk.postWithoutToken("fleet/pause", Map.of("_csrf", csrf)).statusCode());
+
+    assertNull(server.fleet().latest().pause());
+  }
+
+  @Test
+  void refusalsAreCountedAndToldOnceAMinuteWithoutSecrets() {
+    exhaust(clerk);
+    exhaust(stranger);
+
+    assertEquals(1, lines.list.size());
+    String line = lines.list.getFirst().getFormattedMessage();
+    assertEquals("The user Clara asks more than 10 times a second, and is told to wait.", line);
+    assertEquals(2, counted());
+
+    pass(Duration.ofMinutes(1));
+    exhaust(stranger);
+    assertEquals(
+        List.of(
+            line, "The address 127.0.0.1 asks more than 10 times a second, and is told to wait."),
+        lines.list.stream().map(ILoggingEvent::getFormattedMessage).toList());
+  }
+
+  private double counted() {
+    String counter = "toqa_http_too_fast_total ";
+    String line =
+        manager
+            .get("api/v1/metrics")
+            .body()
+            .lines()
+            .filter(l -> l.startsWith(counter))
+            .findFirst()
+            .orElseThrow();
+    return Double.parseDouble(line.substring(counter.length()));
+  }
+
+  /** Asks until it is told to wait. */
+  private static void exhaust(TestClient visitor) {
+    int answered = 0;
+    while (visitor.get("robots").statusCode() != 429) {
+      answered++;
+      assertFalse(answered > AT_ONCE, "nobody is told to wait");
+    }
+  }
+
+  private void pass(Duration time) {
+    nanos.addAndGet(time.toNanos());
+  }
+}
