@@ -2,7 +2,6 @@ package org.toqa.fleet;
 
 import java.time.Duration;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -22,10 +21,8 @@ public final class StoreWriter implements AutoCloseable {
   private final ExecutorService thread;
   private final AtomicReference<@Nullable String> trouble = new AtomicReference<>();
 
-  public StoreWriter(String name) {
-    thread =
-        Executors.newSingleThreadExecutor(
-            Thread.ofPlatform().daemon().name("store-" + name).factory());
+  public StoreWriter(String name, FleetRuntime runtime) {
+    thread = runtime.serialExecutor("store-" + name);
   }
 
   /**

@@ -79,6 +79,7 @@ final class FleetScenario {
   private ChargingRules charging = ChargingRules.USUAL;
   private final Map<String, Long> tasks = new HashMap<>();
   private final Map<String, TaskView> answered = new HashMap<>();
+  private int digest;
 
   FleetScenario(String text) {
     for (String line : text.lines().toList()) {
@@ -119,12 +120,19 @@ final class FleetScenario {
       stage.restart();
       stage.await(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
       for (String line : script) {
+        stage.awaitQuiescence();
         if (!play(stage, line)) {
           return line + "\nIt is still so: " + stage.fleet.snapshots().latest();
         }
       }
+      digest = stage.digest();
       return null;
     }
+  }
+
+  /** After it was played: of all that was to be seen meanwhile. */
+  int digest() {
+    return digest;
   }
 
   private boolean play(FleetStage stage, String line) throws Exception {
@@ -191,7 +199,7 @@ final class FleetScenario {
     Instant deadline =
         task.group(5) == null
             ? null
-            : Instant.now().plus(Duration.ofSeconds(Long.parseLong(task.group(5))));
+            : stage.now.plus(Duration.ofSeconds(Long.parseLong(task.group(5))));
     TaskOrder order =
         new TaskOrder(
             task.group(1),

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.fail;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.time.InstantSource;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,21 +26,32 @@ import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.wording.Sentence;
 
-/** The agents over a real store, with robots that the test plays, in time that the test brings. */
+/**
+ * The agents over a real store, with robots that the test plays, in time that the test brings. Time
+ * goes on only when all that followed from its last step is done, so that no machine is too slow.
+ */
 public final class FleetStage implements AutoCloseable {
   static final Duration REASSIGN_AFTER = Duration.ofSeconds(30);
-  private static final Duration LIMIT = Duration.ofSeconds(40);
+  private static final Duration STEP = Duration.ofMillis(100);
+
+  /** Of the time that the test brings, for one condition. */
+  private static final Duration LIMIT = Duration.ofMinutes(10);
+
   private static final double MAX_LOAD = 5;
 
   private final FloorMap floor;
   private final ChargingRules charging;
   private final Allocator allocator;
   private final UnaryOperator<FleetStore> tamper;
+  private final SingleThreadRuntime runtime = new SingleThreadRuntime();
   private final Map<String, ScriptedRobot> robots = new LinkedHashMap<>();
   public final Database database = Database.inMemory("fleet-" + System.nanoTime());
   public final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
   Instant now = Instant.parse("2026-11-21T08:00:00Z");
   public AgentFleet fleet;
+
+  /** Of all pictures that there were, one after the other: the same run has the same one. */
+  private int digest;
 
   public FleetStage(FloorMap floor) {
     this(floor, ChargingRules.USUAL);
@@ -104,14 +114,18 @@ public final class FleetStage implements AutoCloseable {
             return new PairingResult.Unreachable(Sentence.verbatim("Scripted robots do not pair."));
           }
         };
-    return new AgentFleet(
-        List.of(floor),
-        tamper.apply(store),
-        links,
-        allocator,
-        new FleetRules(REASSIGN_AFTER, charging, 1),
-        InstantSource.system(),
-        now);
+    AgentFleet opened =
+        new AgentFleet(
+            List.of(floor),
+            tamper.apply(store),
+            links,
+            allocator,
+            new FleetRules(REASSIGN_AFTER, charging, 1),
+            () -> now,
+            now,
+            runtime);
+    opened.rejections(List.of(), "Max").toCompletableFuture().join(); // then its agents have begun
+    return opened;
   }
 
   /** Lets time go on, and the robots drive, until it is so. */
@@ -121,25 +135,44 @@ public final class FleetStage implements AutoCloseable {
     }
   }
 
+  /** Until all that followed from what happened is done; time stands meanwhile. */
+  void awaitQuiescence() throws InterruptedException {
+    runtime.awaitQuiescence();
+  }
+
   /** Whether it comes to be so while time goes on. */
   boolean becomesTrue(Predicate<FleetSnapshot> condition) throws InterruptedException {
-    long end = System.nanoTime() + LIMIT.toNanos();
-    FleetSnapshot view = fleet.snapshots().latest();
-    while (view.robots().isEmpty() || !condition.test(view)) {
-      if (System.nanoTime() > end) {
+    Instant end = now.plus(LIMIT);
+    runtime.awaitQuiescence();
+    while (fleet.snapshots().latest().robots().isEmpty()
+        || !condition.test(fleet.snapshots().latest())) {
+      if (!now.isBefore(end)) {
         return false;
       }
-      now = now.plusMillis(100);
-      robots.values().forEach(ScriptedRobot::step);
-      fleet.tick(now);
-      view = fleet.snapshots().awaitNewer(view.version(), Duration.ofMillis(20));
+      step();
     }
     return true;
+  }
+
+  private void step() throws InterruptedException {
+    now = now.plus(STEP);
+    for (ScriptedRobot robot : robots.values()) {
+      robot.step();
+      runtime.awaitQuiescence();
+    }
+    fleet.tick(now);
+    runtime.awaitQuiescence();
+    digest = 31 * digest + fleet.snapshots().latest().toString().hashCode();
+  }
+
+  int digest() {
+    return digest;
   }
 
   @Override
   public void close() {
     fleet.close();
     database.close();
+    runtime.close();
   }
 }

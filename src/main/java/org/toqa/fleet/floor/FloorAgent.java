@@ -12,6 +12,7 @@ import org.apache.pekko.actor.typed.javadsl.Behaviors;
 import org.apache.pekko.actor.typed.javadsl.Receive;
 import org.apache.pekko.pattern.StatusReply;
 import org.toqa.fleet.FleetRules;
+import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.robot.RobotAgent;
@@ -61,11 +62,13 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       FleetRules rules,
       InstantSource clock,
       Instant now,
+      FleetRuntime runtime,
       ActorRef<FloorEvent> manager) {
     return Supervision.resuming(
         Behaviors.setup(
             context ->
-                new FloorAgent(context, floor, memory, store, links, rules, clock, now, manager)));
+                new FloorAgent(
+                    context, floor, memory, store, links, rules, clock, now, runtime, manager)));
   }
 
   private FloorAgent(
@@ -77,6 +80,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       FleetRules rules,
       InstantSource clock,
       Instant now,
+      FleetRuntime runtime,
       ActorRef<FloorEvent> manager) {
     super(context);
     this.links = links;
@@ -85,10 +89,16 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
         new FloorTraffic(
             floor.grid(),
             new LacamJointPlanner(),
-            () -> Deadline.in(PLANNING_LIMIT, System::nanoTime));
+            () -> Deadline.in(PLANNING_LIMIT, runtime::nanoTime));
     state =
         new FloorState(
-            floor, store, clock, traffic, new ChargerWatch(rules.charging().patience()), now);
+            floor,
+            store,
+            clock,
+            traffic,
+            new ChargerWatch(rules.charging().patience()),
+            now,
+            runtime);
     watch = new FloorWatch(floor, traffic);
     reports = new FloorReporter(state, watch, manager);
     missions =
@@ -170,7 +180,8 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
-                RobotAgent.of(record, robotEvents, state.store, links, state.now),
+                RobotAgent.of(
+                    record, robotEvents, state.store, links, state.now, state.runtime),
                 "robot-" + ++joined);
     FloorRobot robot = new FloorRobot(record, agent, state.now);
     state.robots.put(record.name(), robot);

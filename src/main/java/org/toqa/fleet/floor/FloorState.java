@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.StoreWriter;
@@ -31,6 +32,7 @@ public final class FloorState {
   final FleetStore store;
   final StoreWriter writer;
   final InstantSource clock;
+  final FleetRuntime runtime;
   final FloorTraffic traffic;
   final ChargerWatch chargers;
   final Map<String, FloorRobot> robots = new TreeMap<>();
@@ -52,11 +54,13 @@ public final class FloorState {
       InstantSource clock,
       FloorTraffic traffic,
       ChargerWatch chargers,
-      Instant now) {
+      Instant now,
+      FleetRuntime runtime) {
     this.floor = floor;
     this.store = store;
-    this.writer = new StoreWriter("floor-" + floor.name());
+    this.writer = new StoreWriter("floor-" + floor.name(), runtime);
     this.clock = clock;
+    this.runtime = runtime;
     this.traffic = traffic;
     this.chargers = chargers;
     this.now = now;

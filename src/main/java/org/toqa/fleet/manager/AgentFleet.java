@@ -24,6 +24,7 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
+import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
@@ -39,6 +40,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.mission.MissionEvent;
+import scala.concurrent.ExecutionContext;
 
 /**
  * The fleet as a system of agents: one manager, one agent a floor, one a robot.
@@ -83,6 +85,18 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       FleetRules rules,
       InstantSource clock,
       Instant now) {
+    this(floors, store, links, allocator, rules, clock, now, FleetRuntime.USUAL);
+  }
+
+  public AgentFleet(
+      List<FloorMap> floors,
+      FleetStore store,
+      RobotLinkFactory links,
+      Allocator allocator,
+      FleetRules rules,
+      InstantSource clock,
+      Instant now,
+      FleetRuntime runtime) {
     this.floors = List.copyOf(floors);
     this.latestSnapshot =
         new LatestSnapshot(
@@ -96,12 +110,19 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 store.pause().orElse(null),
                 List.of()));
     ClassLoader loader = AgentFleet.class.getClassLoader();
+    BootstrapSetup setup =
+        BootstrapSetup.create(CONFIG.withFallback(ConfigFactory.load(loader)))
+            .withClassloader(loader);
     this.system =
         ActorSystem.create(
-            ManagerAgent.of(floors, store, links, allocator, rules, clock, now, latestSnapshot),
+            ManagerAgent.of(
+                floors, store, links, allocator, rules, clock, now, runtime, latestSnapshot),
             "toqa",
-            BootstrapSetup.create(CONFIG.withFallback(ConfigFactory.load(loader)))
-                .withClassloader(loader));
+            runtime
+                .agentExecutor()
+                .map(ExecutionContext::fromExecutor)
+                .map(setup::withDefaultExecutionContext)
+                .orElse(setup));
   }
 
   /** Time goes on: timers fire, robots are pinged, waiting tasks are looked at. */

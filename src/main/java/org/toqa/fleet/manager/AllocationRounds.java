@@ -113,7 +113,7 @@ final class AllocationRounds {
     var _ =
         CompletableFuture.supplyAsync(
                 () -> allocator.allocate(problem),
-                round -> Thread.ofVirtual().name("allocation-" + floor.name()).start(round))
+                fleet.runtime.threadPerTaskExecutor("allocation-" + floor.name()))
             .whenComplete(
                 (decisions, failure) ->
                     self.tell(decisionMessage(floor.name(), decisions, failure)));

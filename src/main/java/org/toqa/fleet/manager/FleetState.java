@@ -17,6 +17,7 @@ import java.util.stream.Collectors;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.toqa.allocation.Candidate;
 import org.toqa.allocation.PlaceUse;
+import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
@@ -42,8 +43,9 @@ final class FleetState {
   static final Sentence LOOKING_FOR_ROBOT = Phrase.LOOKING_FOR_ROBOT.with();
 
   final FleetStore store;
-  final StoreWriter writer = new StoreWriter("manager");
+  final StoreWriter writer;
   final InstantSource clock;
+  final FleetRuntime runtime;
   final Map<String, ActorRef<FloorMessage>> floors = new LinkedHashMap<>();
   final Map<String, FloorMap> floorMaps = new HashMap<>();
   final Map<String, FloorDistances> distances = new HashMap<>();
@@ -62,9 +64,11 @@ final class FleetState {
   /** Whether there is something new to show. */
   boolean changed = true;
 
-  FleetState(FleetStore store, InstantSource clock) {
+  FleetState(FleetStore store, InstantSource clock, FleetRuntime runtime) {
     this.store = store;
+    this.writer = new StoreWriter("manager", runtime);
     this.clock = clock;
+    this.runtime = runtime;
   }
 
   void addEnded(TaskView task) {

@@ -18,6 +18,7 @@ import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.FleetRules;
+import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.RobotRecord;
@@ -59,12 +60,13 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetRules rules,
       InstantSource clock,
       Instant now,
+      FleetRuntime runtime,
       LatestSnapshot board) {
     return Supervision.resuming(
         Behaviors.setup(
             context ->
                 new ManagerAgent(
-                    context, floors, store, links, allocator, rules, clock, now, board)));
+                    context, floors, store, links, allocator, rules, clock, now, runtime, board)));
   }
 
   private ManagerAgent(
@@ -76,9 +78,10 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetRules rules,
       InstantSource clock,
       Instant now,
+      FleetRuntime runtime,
       LatestSnapshot board) {
     super(context);
-    this.fleet = new FleetState(store, clock);
+    this.fleet = new FleetState(store, clock, runtime);
     ActorRef<ManagerMessage> self = context.getSelf();
     this.storeHealth =
         new StoreHealthCheck(
@@ -98,7 +101,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             fleet,
             snapshotPublisher,
             check,
-            new RobotRegistrar(links, store, fleet.writer, clock),
+            new RobotRegistrar(links, store, fleet.writer, clock, runtime),
             self);
     recover(floorMaps, open, links, rules, now);
     log.info(
@@ -141,7 +144,16 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       ActorRef<FloorMessage> agent =
           getContext()
               .spawn(
-                  FloorAgent.of(floor, memory, store, links, rules, fleet.clock, now, floorEvents),
+                  FloorAgent.of(
+                      floor,
+                      memory,
+                      store,
+                      links,
+                      rules,
+                      fleet.clock,
+                      now,
+                      fleet.runtime,
+                      floorEvents),
                   "floor-" + fleet.floors.size());
       fleet.floors.put(floor.name(), agent);
       fleet.floorMaps.put(floor.name(), floor);

@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.RobotRecord;
@@ -24,13 +25,19 @@ final class RobotRegistrar {
   private final FleetStore store;
   private final StoreWriter writer;
   private final InstantSource clock;
+  private final FleetRuntime runtime;
 
   RobotRegistrar(
-      RobotLinkFactory links, FleetStore store, StoreWriter writer, InstantSource clock) {
+      RobotLinkFactory links,
+      FleetStore store,
+      StoreWriter writer,
+      InstantSource clock,
+      FleetRuntime runtime) {
     this.links = links;
     this.store = store;
     this.writer = writer;
     this.clock = clock;
+    this.runtime = runtime;
   }
 
   /**
@@ -57,9 +64,9 @@ final class RobotRegistrar {
     if (code == null) {
       store(robot, request);
     } else {
-      Thread.ofVirtual()
-          .name("pairing-" + robot.name())
-          .start(
+      runtime
+          .threadPerTaskExecutor("pairing-" + robot.name())
+          .execute(
               () ->
                   conclude(
                       links.pair(robot.name(), robot.host(), robot.port(), code), robot, request));

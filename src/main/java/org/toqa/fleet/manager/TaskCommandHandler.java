@@ -119,8 +119,7 @@ final class TaskCommandHandler {
       List<TaskOrder> orders, String user) {
     BatchValidation batch =
         new BatchValidation(validator.copy(), orders, user, fleet.clock.instant(), totalCapacity());
-    return CompletableFuture.supplyAsync(
-        batch::run, work -> Thread.ofVirtual().name("batch").start(work));
+    return CompletableFuture.supplyAsync(batch::run, fleet.runtime.threadPerTaskExecutor("batch"));
   }
 
   private static List<Submission> submissions(List<TransportTask> tasks, List<UUID> keys) {
@@ -145,7 +144,7 @@ final class TaskCommandHandler {
     var _ =
         CompletableFuture.supplyAsync(
                 () -> new TaskPreviewer(allocator, floor).preview(task, problem),
-                work -> Thread.ofVirtual().name("preview").start(work))
+                fleet.runtime.threadPerTaskExecutor("preview"))
             .whenComplete(
                 (preview, failure) ->
                     m.replyTo()

@@ -17,6 +17,7 @@ import org.apache.pekko.actor.typed.javadsl.Receive;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.RobotRecord;
@@ -78,9 +79,11 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       ActorRef<RobotEvent> floor,
       FleetStore store,
       RobotLinkFactory links,
-      Instant now) {
+      Instant now,
+      FleetRuntime runtime) {
     return Supervision.resuming(
-        Behaviors.setup(context -> new RobotAgent(context, robot, floor, store, links, now)));
+        Behaviors.setup(
+            context -> new RobotAgent(context, robot, floor, store, links, now, runtime)));
   }
 
   private RobotAgent(
@@ -89,14 +92,15 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       ActorRef<RobotEvent> floor,
       FleetStore store,
       RobotLinkFactory links,
-      Instant now) {
+      Instant now,
+      FleetRuntime runtime) {
     super(context);
     this.robot = robot;
     this.floor = floor;
     this.store = store;
     this.now = now;
     this.lastHeard = now;
-    this.writer = new StoreWriter(robot.name());
+    this.writer = new StoreWriter(robot.name(), runtime);
     ActorRef<RobotMessage> self = context.getSelf();
     writer.write(
         () -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot.name()))), () -> {});

@@ -5,6 +5,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.net.Socket;
 import java.net.SocketException;
+import java.net.SocketTimeoutException;
 import java.security.GeneralSecurityException;
 import java.security.cert.X509Certificate;
 import java.time.Duration;
@@ -33,7 +34,7 @@ public final class LinkTls {
   /** Every TLS connection begins with a record of this type. */
   private static final int HANDSHAKE_RECORD = 22;
 
-  private static final int ALERT_TIMEOUT_MILLIS = 500;
+  private static final Duration LONGEST_FAREWELL = Duration.ofSeconds(1);
   private static final int MAX_UNREAD_BYTES = 16_384;
 
   private static final Logger log = LoggerFactory.getLogger(LinkTls.class);
@@ -68,10 +69,12 @@ public final class LinkTls {
                         connected,
                         connected.getInetAddress().getHostAddress(),
                         connected.getPort(),
-                        true);
+                        false);
         return handshake(connected, tls, protocol);
       } catch (IOException e) {
-        throw closeAfterFailure(connected, time, e);
+        HandshakeException failure = failure(time, e);
+        hangUp(connected);
+        throw failure;
       }
     }
   }
@@ -102,8 +105,9 @@ public final class LinkTls {
         tls.setNeedClientAuth(true);
         return handshake(accepted, tls, PAIRING, LINK);
       } catch (IOException e) {
-        awaitAlertRead(accepted);
-        throw closeAfterFailure(accepted, time, e);
+        HandshakeException failure = failure(time, e);
+        hangUp(accepted);
+        throw failure;
       }
     }
   }
@@ -120,6 +124,9 @@ public final class LinkTls {
         }
         case EOFException _, SocketException _ -> {
           return Reason.CUT_OFF;
+        }
+        case SocketTimeoutException _ -> {
+          return Reason.TIMED_OUT;
         }
         case SSLException tls when hasMessage(tls, "Received fatal alert") -> {
           return Reason.REJECTED_BY_PEER;
@@ -163,24 +170,7 @@ public final class LinkTls {
     }
   }
 
-  /** A peer that still writes while its socket is closed would lose the alert that was sent. */
-  private static void awaitAlertRead(Socket refused) {
-    try {
-      refused.shutdownOutput();
-      refused.setSoTimeout(ALERT_TIMEOUT_MILLIS);
-      refused.getInputStream().readNBytes(MAX_UNREAD_BYTES);
-    } catch (IOException e) {
-      log.debug("A refused connection ended.", e);
-    }
-  }
-
-  private static HandshakeException closeAfterFailure(
-      Socket socket, TimeLimit time, IOException e) {
-    try {
-      socket.close();
-    } catch (IOException suppressed) {
-      e.addSuppressed(suppressed);
-    }
+  private static HandshakeException failure(TimeLimit time, IOException e) {
     Reason reason = reasonOf(e);
     if (time.hasPassed() && (reason == Reason.CUT_OFF || reason == Reason.FAILED)) {
       reason = Reason.TIMED_OUT;
@@ -188,5 +178,20 @@ public final class LinkTls {
     return e instanceof HandshakeException known && known.reason() == reason
         ? known
         : new HandshakeException(reason, String.valueOf(e.getMessage()), e);
+  }
+
+  /**
+   * Closes a socket over which an alert may have been sent, after the other end has read it: one
+   * that still writes while the socket is closed would lose the alert, and see only a broken
+   * connection.
+   */
+  private static void hangUp(Socket failed) {
+    try (failed;
+        TimeLimit _ = new TimeLimit(failed, LONGEST_FAREWELL)) {
+      failed.shutdownOutput();
+      failed.getInputStream().readNBytes(MAX_UNREAD_BYTES);
+    } catch (IOException e) {
+      log.debug("A connection that failed ended.", e);
+    }
   }
 }

@@ -14,6 +14,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.StoreWriter;
@@ -30,7 +31,7 @@ class TaskSubmitterTest {
 
   private final Database database = Database.inMemory("intake-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-  private final StoreWriter writer = new StoreWriter("test");
+  private final StoreWriter writer = new StoreWriter("test", FleetRuntime.USUAL);
   private final Queue<Integer> transactions = new ConcurrentLinkedQueue<>();
   private final Queue<TransportTask> accepted = new ConcurrentLinkedQueue<>();
   private final CountDownLatch firstIsUnderWay = new CountDownLatch(1);

@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
@@ -16,6 +18,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.time.Duration;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import javax.net.ssl.SSLContext;
@@ -99,6 +102,33 @@ class LinkTlsTest {
   }
 
   @Test
+  void robotThatStillSpeaksWhenItIsRefusedIsToldSo() throws IOException {
+    Socket slow = new SlowSocket();
+    slow.connect(listener.getLocalSocketAddress());
+    CompletableFuture<LinkSocket> taken = accepted(() -> slow, LIMIT);
+    Socket fast = listener.accept();
+    HandshakeException e =
+        assertThrows(
+            HandshakeException.class,
+            () -> server.connect(fast, LinkTls.LINK, (_, _) -> false, LIMIT).close());
+
+    assertEquals(Reason.UNTRUSTED_PEER, e.reason());
+    assertEquals(Reason.REJECTED_BY_PEER, failure(taken));
+  }
+
+  @Test
+  void outsiderThatStillSpeaksWhenItIsRefusedIsToldSo() throws IOException {
+    CompletableFuture<LinkSocket> taken = accepted(LIMIT);
+    Socket slow = new SlowSocket();
+    slow.connect(listener.getLocalSocketAddress());
+    try (LinkSocket made = outsider.connect(slow, LinkTls.LINK, (_, _) -> true, LIMIT)) {
+      IOException e = assertThrows(IOException.class, () -> made.in().read());
+      assertEquals(Reason.REJECTED_BY_PEER, LinkTls.reasonOf(e));
+    }
+    assertEquals(Reason.UNTRUSTED_PEER, failure(taken));
+  }
+
+  @Test
   void peerWithoutACertificateIsRefused() throws Exception {
     CompletableFuture<LinkSocket> taken = accepted(LIMIT);
     try (SSLSocket bare = socket("TLSv1.3", null)) {
@@ -170,6 +200,39 @@ class LinkTlsTest {
   }
 
   @Test
+  void peerThatSaysNothingIsLate() throws IOException {
+    Socket silent = tcp();
+    silent.setSoTimeout(100);
+    HandshakeException e =
+        assertThrows(
+            HandshakeException.class,
+            () -> server.connect(silent, LinkTls.LINK, (_, _) -> true, LIMIT).close());
+
+    assertEquals(Reason.TIMED_OUT, e.reason());
+  }
+
+  @Test
+  @Timeout(15)
+  void peerThatSpeaksOnWhenItIsRefusedIsHungUpOn() throws IOException {
+    CompletableFuture<LinkSocket> taken = accepted(Duration.ofSeconds(25));
+    try (Socket babbler = tcp()) {
+      Thread.startVirtualThread(() -> babble(babbler));
+      assertEquals(Reason.NOT_TLS, failure(taken));
+    }
+  }
+
+  private static void babble(Socket babbler) {
+    try {
+      while (true) {
+        babbler.getOutputStream().write('x');
+        Thread.sleep(100);
+      }
+    } catch (IOException | InterruptedException e) {
+      // the robot hangs up
+    }
+  }
+
+  @Test
   void recordedConnectionCannotBeReplayed() throws Exception {
     byte[] recorded = recordOfARightConnection();
     CompletableFuture<LinkSocket> taken = accepted(Duration.ofSeconds(2));
@@ -230,12 +293,15 @@ class LinkTlsTest {
 
   /** The robot takes the next connection, if it is the server's. */
   private CompletableFuture<LinkSocket> accepted(Duration limit) {
+    return accepted(listener::accept, limit);
+  }
+
+  private CompletableFuture<LinkSocket> accepted(Callable<Socket> next, Duration limit) {
     return CompletableFuture.supplyAsync(
         () -> {
           try {
-            return robot.accept(
-                listener.accept(), (peer, _) -> peer.equals(server.fingerprint()), limit);
-          } catch (IOException e) {
+            return robot.accept(next.call(), (peer, _) -> peer.equals(server.fingerprint()), limit);
+          } catch (Exception e) {
             throw new CompletionException(e);
           }
         },
@@ -262,5 +328,24 @@ class LinkTlsTest {
                 .createSocket(listener.getInetAddress(), listener.getLocalPort());
     socket.setEnabledProtocols(new String[] {version});
     return socket;
+  }
+
+  /** Pauses before each piece that it sends. */
+  private static final class SlowSocket extends Socket {
+
+    @Override
+    public OutputStream getOutputStream() throws IOException {
+      return new FilterOutputStream(super.getOutputStream()) {
+        @Override
+        public void write(byte[] bytes, int from, int length) throws IOException {
+          try {
+            Thread.sleep(50);
+          } catch (InterruptedException e) {
+            throw new IOException(e);
+          }
+          out.write(bytes, from, length);
+        }
+      };
+    }
   }
 }

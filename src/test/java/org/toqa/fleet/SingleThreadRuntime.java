@@ -1,0 +1,159 @@
+package org.toqa.fleet;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.List;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.AbstractExecutorService;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+
+/**
+ * All that a fleet does on one thread, in the order in which it came up: the same events bring the
+ * same run. Whoever brings an event waits until all that follows from it is done.
+ */
+final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
+  /** For a fleet that does not come to rest at all; nothing else depends on it. */
+  private static final Duration HANGS_AFTER = Duration.ofSeconds(60);
+
+  /** What computing is taken to last, so that its limits are the same on every machine. */
+  private static final long NANOS_A_LOOK = 1_000;
+
+  private final BlockingQueue<Runnable> work = new LinkedBlockingQueue<>();
+  private final AtomicLong looks = new AtomicLong();
+  private final Thread thread = Thread.ofPlatform().daemon().name("fleet").start(this::run);
+
+  /** Guarded by this: what was handed in and is not done. */
+  private long open;
+
+  private void run() {
+    try {
+      while (true) {
+        Runnable next = work.take();
+        try {
+          next.run();
+        } catch (RuntimeException e) {
+          Thread current = Thread.currentThread();
+          current.getUncaughtExceptionHandler().uncaughtException(current, e);
+        } finally {
+          done();
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void add(Runnable next) {
+    synchronized (this) {
+      open++;
+    }
+    work.add(next);
+  }
+
+  private synchronized void done() {
+    open--;
+    notifyAll();
+  }
+
+  /** Waits until nothing is left to do. */
+  synchronized void awaitQuiescence() throws InterruptedException {
+    long end = System.nanoTime() + HANGS_AFTER.toNanos();
+    while (open > 0) {
+      long left = TimeUnit.NANOSECONDS.toMillis(end - System.nanoTime());
+      if (left <= 0) {
+        throw new IllegalStateException("The fleet does not come to rest.");
+      }
+      wait(left);
+    }
+  }
+
+  @Override
+  public Optional<Executor> agentExecutor() {
+    return Optional.of(this::add);
+  }
+
+  @Override
+  public ExecutorService serialExecutor(String name) {
+    return new SerialExecutor();
+  }
+
+  @Override
+  public Executor threadPerTaskExecutor(String name) {
+    return this::add;
+  }
+
+  @Override
+  public long nanoTime() {
+    return looks.incrementAndGet() * NANOS_A_LOOK;
+  }
+
+  @Override
+  public void close() {
+    thread.interrupt();
+  }
+
+  /** One writer's turn among all others. It is closed on the fleet's thread, by its agent. */
+  private final class SerialExecutor extends AbstractExecutorService {
+    private final Queue<Runnable> waiting = new ArrayDeque<>();
+    private boolean shut;
+
+    @Override
+    public synchronized void execute(Runnable change) {
+      if (shut) {
+        throw new RejectedExecutionException("It is closed.");
+      }
+      waiting.add(change);
+      add(this::runNext);
+    }
+
+    private boolean runNext() {
+      Runnable change;
+      synchronized (this) {
+        change = waiting.poll();
+      }
+      if (change != null) {
+        change.run();
+      }
+      return change != null;
+    }
+
+    @Override
+    public synchronized void shutdown() {
+      shut = true;
+    }
+
+    @Override
+    public synchronized List<Runnable> shutdownNow() {
+      shut = true;
+      List<Runnable> left = List.copyOf(waiting);
+      waiting.clear();
+      return left;
+    }
+
+    @Override
+    public synchronized boolean isShutdown() {
+      return shut;
+    }
+
+    @Override
+    public synchronized boolean isTerminated() {
+      return shut && waiting.isEmpty();
+    }
+
+    @Override
+    public boolean awaitTermination(long timeout, TimeUnit unit) {
+      boolean isMore = true;
+      while (isMore) {
+        isMore = runNext();
+      }
+      return true;
+    }
+  }
+}
