@@ -4,6 +4,7 @@ import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPac
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.plantuml.rules.PlantUmlArchCondition.Configuration.consideringOnlyDependenciesInAnyPackage;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 import static com.tngtech.archunit.library.plantuml.rules.PlantUmlArchCondition.adhereToPlantUmlDiagram;
 
 import com.tngtech.archunit.core.domain.JavaClasses;
@@ -11,6 +12,8 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The rooms of {@code docs/architecture.puml}, and who alone may use what. */
 class ArchitectureTest {
@@ -32,6 +35,25 @@ class ArchitectureTest {
         .check(PRODUCT);
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"fleet", "web", "agent", "app", "traffic"})
+  void everyRoomWithinARoomUsesOnlyThoseItIsDrawnToUse(String room) throws Exception {
+    String inside = "org.toqa." + room + "..";
+    classes()
+        .that()
+        .resideInAPackage(inside)
+        .should(
+            adhereToPlantUmlDiagram(
+                Path.of("docs", "rooms", room + ".puml").toUri().toURL(),
+                consideringOnlyDependenciesInAnyPackage(inside)))
+        .check(PRODUCT);
+  }
+
+  @Test
+  void noTwoPackagesUseEachOtherInACircle() {
+    slices().matching("org.toqa.(**)").should().beFreeOfCycles().check(PRODUCT);
+  }
+
   @Test
   void onlyTheStoreSpeaksSql() {
     onlyIn(
@@ -45,17 +67,21 @@ class ArchitectureTest {
 
   @Test
   void onlyTheWebSpeaksHttp() {
-    onlyIn(new String[] {"org.toqa.web..", "org.toqa.app.."}, "jakarta.servlet..");
+    onlyIn(new String[] {"org.toqa.web..", "org.toqa.app.server.."}, "jakarta.servlet..");
   }
 
   @Test
   void onlyTheAppKnowsTheEmbeddedServer() {
-    onlyIn(new String[] {"org.toqa.app.."}, "org.apache.catalina..", "org.apache.tomcat..");
+    onlyIn(new String[] {"org.toqa.app.server.."}, "org.apache.catalina..", "org.apache.tomcat..");
   }
 
   @Test
   void onlyTheFleetIsMadeOfActors() {
-    onlyIn(new String[] {"org.toqa.fleet..", "org.toqa.app.."}, "org.apache.pekko..");
+    onlyIn(
+        new String[] {
+          "org.toqa.fleet.manager..", "org.toqa.fleet.floor..", "org.toqa.fleet.robot.."
+        },
+        "org.apache.pekko..");
   }
 
   @Test
