@@ -6,7 +6,6 @@ import java.util.Locale;
 import java.util.Optional;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.store.JdbiAccountStore;
 
 /** Looks at a name and a password. */
 public final class Authenticator {
@@ -32,19 +31,19 @@ public final class Authenticator {
     }
   }
 
-  private final JdbiAccountStore accounts;
+  private final AccountStore accounts;
   private final PasswordHasher passwords;
   private final LoginThrottle throttle;
 
   private Authenticator(
-      JdbiAccountStore accounts, PasswordHasher passwords, LoginThrottle throttle) {
+      AccountStore accounts, PasswordHasher passwords, LoginThrottle throttle) {
     this.accounts = accounts;
     this.passwords = passwords;
     this.throttle = throttle;
   }
 
   public static Authenticator of(
-      JdbiAccountStore accounts, PasswordHasher passwords, InstantSource clock) {
+      AccountStore accounts, PasswordHasher passwords, InstantSource clock) {
     return new Authenticator(accounts, passwords, new LoginThrottle(clock));
   }
 

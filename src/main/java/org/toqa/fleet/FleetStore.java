@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
 import org.toqa.motion.Trajectory;
+import org.toqa.persistence.StoreException;
 
 /**
  * What the fleet must not forget.
@@ -118,13 +119,4 @@ public interface FleetStore {
    * @param task null when it drives for no task
    */
   record StoredDrive(long seq, @Nullable Long task, int phase, Trajectory trajectory) {}
-
-  /** The store did not answer, or refused. */
-  final class StoreException extends RuntimeException {
-    private static final long serialVersionUID = 1;
-
-    public StoreException(String message, @Nullable Throwable cause) {
-      super(message, cause);
-    }
-  }
 }

@@ -7,7 +7,7 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.persistence.StoreException;
 
 /**
  * Writes an agent's changes to the store, in order, on a thread of its own, and tells when each is

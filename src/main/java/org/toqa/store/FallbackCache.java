@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
-import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.persistence.StoreException;
 
 /**
  * Answers that were given before, for the time in which the database does not answer: whoever was

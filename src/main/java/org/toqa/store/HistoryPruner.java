@@ -4,7 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.function.IntSupplier;
 import org.jdbi.v3.core.Jdbi;
-import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.persistence.StoreException;
 
 /** Removes what is too old to keep, a little at a time, so that nobody waits for it. */
 public final class HistoryPruner {

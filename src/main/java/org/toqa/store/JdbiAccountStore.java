@@ -16,8 +16,9 @@ import org.jdbi.v3.core.JdbiException;
 import org.jdbi.v3.core.statement.StatementContext;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
-import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -28,16 +29,7 @@ import org.toqa.wording.Sentence;
  * <p>One server writes to a database, so the two rules that span rows (the first manager, the last
  * manager) are kept by this object's lock rather than by the database's.
  */
-public final class JdbiAccountStore {
-
-  /** What became of the wish to change or delete a user. */
-  public enum Outcome {
-    DONE,
-    UNKNOWN,
-    /** Refused: nobody would be left to manage the others. */
-    LAST_MANAGER
-  }
-
+public final class JdbiAccountStore implements AccountStore {
   private static final String COLUMNS =
       "u.id as user_id, u.name, u.email, u.password_hash, u.role, u.disabled, u.created_at";
 
@@ -54,6 +46,7 @@ public final class JdbiAccountStore {
     this.clock = clock;
   }
 
+  @Override
   public boolean hasManager() {
     if (!managerExists) {
       managerExists = sql.withHandle(handle -> managerCount(handle) > 0);
@@ -61,7 +54,7 @@ public final class JdbiAccountStore {
     return managerExists;
   }
 
-  /** All users by name. */
+  @Override
   public List<Account> accounts() {
     return sql.withHandle(
         handle ->
@@ -71,12 +64,12 @@ public final class JdbiAccountStore {
                 .list());
   }
 
-  /** While the database does not answer, what it said last. */
+  @Override
   public Optional<Account> account(long id) {
     return lastKnown.get(id, () -> sql.withHandle(handle -> find(handle, id)));
   }
 
-  /** The user of that name in any case. */
+  @Override
   public Optional<Account> accountByName(String name) {
     return sql.withHandle(
         handle ->
@@ -87,7 +80,7 @@ public final class JdbiAccountStore {
                 .findOne());
   }
 
-  /** The user of that name, or else all of that e-mail address, in any case. */
+  @Override
   public List<Account> accountsByNameOrEmail(String given) {
     return accountByName(given).map(List::of).orElseGet(() -> accountsByEmail(given));
   }
@@ -102,20 +95,7 @@ public final class JdbiAccountStore {
                 .list());
   }
 
-  /**
-   * Empty when the name is taken.
-   *
-   * @param by who does it
-   */
-  public Optional<Account> add(String name, String passwordHash, Role role, String by) {
-    return add(name, null, passwordHash, role, by);
-  }
-
-  /**
-   * The same with an e-mail address.
-   *
-   * @param email where a link goes when the password is forgotten; null: nowhere
-   */
+  @Override
   public Optional<Account> add(
       String name, @Nullable String email, String passwordHash, Role role, String by) {
     try {
@@ -139,49 +119,47 @@ public final class JdbiAccountStore {
     EventTable.addAccountEvent(handle, clock.instant(), kind, by, said);
   }
 
-  /** Empty when there is a manager already, or a user of that name. */
+  @Override
   public synchronized Optional<Account> addFirstManager(String name, String passwordHash) {
     return hasManager() ? Optional.empty() : add(name, passwordHash, Role.MANAGER, name);
   }
 
-  public synchronized Outcome delete(long id, String by) {
+  @Override
+  public synchronized ChangeResult delete(long id, String by) {
     return sql.inTransaction(
         handle -> {
           Optional<Account> account = find(handle, id);
           if (account.isEmpty()) {
-            return Outcome.UNKNOWN;
+            return ChangeResult.NO_SUCH_ACCOUNT;
           }
           if (isLastManager(handle, account.get())) {
-            return Outcome.LAST_MANAGER;
+            return ChangeResult.LAST_MANAGER;
           }
           handle.execute("delete from users where id = ?", id);
           recordEvent(
               handle, "user.deleted", by, Phrase.USER_DELETED.with(by, account.get().name()));
-          return Outcome.DONE;
+          return ChangeResult.DONE;
         });
   }
 
-  /**
-   * Who is disabled, or has another role, finds so at his next request. A name stays: tasks and
-   * history go by it.
-   */
-  public synchronized Outcome update(long id, Role role, boolean disabled, String by) {
+  @Override
+  public synchronized ChangeResult update(long id, Role role, boolean disabled, String by) {
     return sql.inTransaction(
         handle -> {
           Optional<Account> found = find(handle, id);
           if (found.isEmpty()) {
-            return Outcome.UNKNOWN;
+            return ChangeResult.NO_SUCH_ACCOUNT;
           }
           Account old = found.get();
           if ((disabled || role != Role.MANAGER) && isLastManager(handle, old)) {
-            return Outcome.LAST_MANAGER;
+            return ChangeResult.LAST_MANAGER;
           }
           handle.execute(
               "update users set role = ?, disabled = ? where id = ?", role.name(), disabled, id);
           if (role != old.role() || disabled != old.disabled()) {
             recordEvent(handle, "user.changed", by, changeSentence(old, role, disabled, by));
           }
-          return Outcome.DONE;
+          return ChangeResult.DONE;
         });
   }
 
@@ -195,7 +173,7 @@ public final class JdbiAccountStore {
     return account.isManager() && !account.disabled() && managerCount(handle) == 1;
   }
 
-  /** Also ends the user's sessions and tokens. False when there is no such user. */
+  @Override
   public boolean changePassword(long id, String passwordHash, String by) {
     return sql.inTransaction(
         handle -> {
@@ -217,12 +195,7 @@ public final class JdbiAccountStore {
     handle.execute("update users set password_hash = ? where id = ?", passwordHash, id);
   }
 
-  /**
-   * Where a link goes when the password is forgotten.
-   *
-   * @param email null: nowhere
-   * @return false when there is no such user
-   */
+  @Override
   public boolean changeEmail(long id, @Nullable String email, String by) {
     return sql.inTransaction(
         handle -> {

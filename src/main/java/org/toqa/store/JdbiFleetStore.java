@@ -16,8 +16,8 @@ import java.util.stream.Collectors;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
@@ -31,9 +31,10 @@ import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
-import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.mission.TransportTask;
 import org.toqa.mission.Trouble;
+import org.toqa.persistence.StoreException;
 
 /** The fleet's store on H2 and on MySQL: robots, tasks, who executes what, drives and events. */
 public final class JdbiFleetStore implements FleetStore, TaskArchive {

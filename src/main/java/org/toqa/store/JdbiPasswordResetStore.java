@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.PasswordResetStore;
 import org.toqa.accounts.Secret;
 import org.toqa.wording.Phrase;
 
@@ -14,7 +15,7 @@ import org.toqa.wording.Phrase;
  * Secrets by which a forgotten password is replaced, each once and for a while. A user has at most
  * one: a new one ends the one before.
  */
-public final class JdbiPasswordResetStore {
+public final class JdbiPasswordResetStore implements PasswordResetStore {
   private final SqlExecutor sql;
   private final InstantSource clock;
 
@@ -23,11 +24,7 @@ public final class JdbiPasswordResetStore {
     this.clock = clock;
   }
 
-  /**
-   * A new secret for that user.
-   *
-   * @param by who asked for it, as the history tells
-   */
+  @Override
   public String issue(Account user, Duration life, String by) {
     String secret = Secret.random();
     Instant now = clock.instant();
@@ -45,12 +42,12 @@ public final class JdbiPasswordResetStore {
         });
   }
 
-  /** The user whose password the secret replaces, while it is good. */
+  @Override
   public Optional<Account> account(String secret) {
     return sql.withHandle(handle -> findAccount(handle, secret));
   }
 
-  /** False when the secret is not good, or not any more: then nothing changes. */
+  @Override
   public boolean replacePassword(String secret, String passwordHash) {
     return sql.inTransaction(
         handle -> {

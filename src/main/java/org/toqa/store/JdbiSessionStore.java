@@ -17,15 +17,11 @@ import org.toqa.accounts.Secret;
 import org.toqa.accounts.Session;
 import org.toqa.accounts.Session.Kind;
 import org.toqa.accounts.Session.Origin;
+import org.toqa.accounts.SessionStore;
 import org.toqa.wording.Phrase;
 
 /** Who is logged in, from where, and by which secret. They outlive the server's process. */
-public final class JdbiSessionStore {
-  /**
-   * Of a browser's session without use, and of a token that a login gave. Long enough for a shift.
-   */
-  public static final Duration LIFETIME = Duration.ofHours(12);
-
+public final class JdbiSessionStore implements SessionStore {
   /** Of more sessions of one user only the newest are listed. */
   private static final int MAX_LISTED = 200;
 
@@ -40,32 +36,17 @@ public final class JdbiSessionStore {
   private final InstantSource clock;
   private final FallbackCache<String, AuthenticatedSession> lastKnown = new FallbackCache<>();
 
-  /** A session and the secret that is shown for it, which is told but once. */
-  public record NewSession(Session session, String secret) {
-    @Override
-    public String toString() {
-      return "Begun[" + session + "]";
-    }
-  }
-
-  /** A session and its user. */
-  public record AuthenticatedSession(Account account, Session session) {}
-
   public JdbiSessionStore(Jdbi jdbi, InstantSource clock) {
     this.sql = new SqlExecutor(jdbi);
     this.clock = clock;
   }
 
-  /** A user has logged in. Expired sessions of all users are removed on the way. */
+  @Override
   public NewSession begin(Account user, Kind kind, Origin origin) {
     return sql.inTransaction(handle -> insert(handle, user, kind, null, origin, LIFETIME));
   }
 
-  /**
-   * A token for a program of that user, which is told in the history.
-   *
-   * @param life how long it is good
-   */
+  @Override
   public NewSession issueToken(Account user, String name, Origin origin, Duration life) {
     return sql.inTransaction(
         handle -> {
@@ -79,17 +60,14 @@ public final class JdbiSessionStore {
         });
   }
 
-  /**
-   * Whose secret it is, while it is good; what was said last, while the database is away. Asking
-   * counts as use of the session.
-   */
+  @Override
   public Optional<AuthenticatedSession> authenticate(Kind kind, String secret) {
     String hash = Secret.hash(secret);
     return lastKnown.get(
         kind + hash, () -> sql.withHandle(handle -> findAndTouch(handle, kind, hash)));
   }
 
-  /** The newest first. */
+  @Override
   public List<Session> sessions(long userId) {
     return sql.withHandle(
         handle ->
@@ -108,11 +86,7 @@ public final class JdbiSessionStore {
                 .list());
   }
 
-  /**
-   * False when that user has no such session.
-   *
-   * @param by who ends it
-   */
+  @Override
   public boolean end(Account user, long id, String by) {
     return sql.inTransaction(
         handle -> {
@@ -131,7 +105,7 @@ public final class JdbiSessionStore {
         });
   }
 
-  /** The holder of the secret logs out. */
+  @Override
   public void end(String secret) {
     sql.withHandle(
         handle ->

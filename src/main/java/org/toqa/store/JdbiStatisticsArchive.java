@@ -18,13 +18,14 @@ import org.toqa.fleet.history.Period;
 import org.toqa.fleet.history.PeriodStatistics;
 import org.toqa.fleet.history.RobotActivity;
 import org.toqa.fleet.history.RobotUtilisation;
+import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.mission.TaskState;
 
 /**
  * Tells what happened in a period. The database counts: a statement has a branch for each bucket,
  * which is a range of an index. Only durations come one by one, for their percentiles.
  */
-public final class JdbiStatisticsArchive {
+public final class JdbiStatisticsArchive implements StatisticsArchive {
   private static final double MILLIMETRES = 1000;
 
   private static final String ORDERED =
@@ -80,6 +81,7 @@ public final class JdbiStatisticsArchive {
     this.sql = new SqlExecutor(jdbi);
   }
 
+  @Override
   public PeriodStatistics statistics(Period period) {
     return sql.withHandle(h -> new PeriodQuery(h, period).read());
   }

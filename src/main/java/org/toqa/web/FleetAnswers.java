@@ -5,7 +5,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.persistence.StoreException;
 
 /** Waits for the fleet on behalf of a request. */
 public final class FleetAnswers {

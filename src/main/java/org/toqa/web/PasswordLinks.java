@@ -10,10 +10,10 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.LoginThrottle;
-import org.toqa.fleet.FleetStore.StoreException;
-import org.toqa.store.JdbiAccountStore;
-import org.toqa.store.JdbiPasswordResetStore;
+import org.toqa.accounts.PasswordResetStore;
+import org.toqa.persistence.StoreException;
 
 /**
  * Links by which forgotten passwords are replaced. Whoever forgot his gets one by e-mail; a manager
@@ -26,8 +26,8 @@ public final class PasswordLinks {
   private static final int MAX_CONCURRENT_MAILS = 8;
   private static final int MAX_CHECKED_LENGTH = 254;
 
-  private final JdbiAccountStore accounts;
-  private final JdbiPasswordResetStore resets;
+  private final AccountStore accounts;
+  private final PasswordResetStore resets;
   private final @Nullable MailSender mail;
   private final LoginThrottle throttle;
   private final Semaphore mailPermits = new Semaphore(MAX_CONCURRENT_MAILS);
@@ -36,8 +36,8 @@ public final class PasswordLinks {
    * @param mail null: no letters are sent
    */
   public PasswordLinks(
-      JdbiAccountStore accounts,
-      JdbiPasswordResetStore resets,
+      AccountStore accounts,
+      PasswordResetStore resets,
       @Nullable MailSender mail,
       InstantSource clock) {
     this.accounts = accounts;

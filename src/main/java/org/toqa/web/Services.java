@@ -3,16 +3,16 @@ package org.toqa.web;
 import jakarta.servlet.ServletContext;
 import java.time.InstantSource;
 import java.util.Objects;
+import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.PasswordHasher;
+import org.toqa.accounts.SessionStore;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.history.EventArchive;
+import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
 import org.toqa.fleet.schedule.ScheduleStore;
-import org.toqa.store.JdbiAccountStore;
-import org.toqa.store.JdbiSessionStore;
-import org.toqa.store.JdbiStatisticsArchive;
 
 /** What the web application stands on. Whoever starts it puts this into the servlet context. */
 public record Services(
@@ -21,9 +21,9 @@ public record Services(
     EventArchive history,
     TrackStore tracks,
     ScheduleStore schedules,
-    JdbiStatisticsArchive statistics,
-    JdbiAccountStore accounts,
-    JdbiSessionStore sessions,
+    StatisticsArchive statistics,
+    AccountStore accounts,
+    SessionStore sessions,
     PasswordLinks passwordLinks,
     PasswordHasher passwordHasher,
     Metrics metrics,
@@ -41,9 +41,9 @@ public record Services(
       EventArchive history,
       TrackStore tracks,
       ScheduleStore schedules,
-      JdbiStatisticsArchive statistics,
-      JdbiAccountStore accounts,
-      JdbiSessionStore sessions,
+      StatisticsArchive statistics,
+      AccountStore accounts,
+      SessionStore sessions,
       PasswordLinks passwordLinks,
       PasswordHasher passwordHasher,
       Metrics metrics,

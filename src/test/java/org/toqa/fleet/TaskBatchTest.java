@@ -18,10 +18,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.toqa.allocation.Policy;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorReader;
+import org.toqa.persistence.StoreException;
 
 /** Orders of which all are wanted or none. */
 @Timeout(120)

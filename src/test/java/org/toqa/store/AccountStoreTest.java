@@ -13,9 +13,12 @@ import org.jdbi.v3.core.Jdbi;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.PasswordResetStore;
 import org.toqa.accounts.Role;
-import org.toqa.accounts.Session;
 import org.toqa.accounts.Session.Kind;
+import org.toqa.accounts.Session;
+import org.toqa.accounts.SessionStore;
 import org.toqa.fleet.history.EventArchive.Filter;
 
 class AccountStoreTest {
@@ -25,9 +28,9 @@ class AccountStoreTest {
 
   private Instant now = START;
   private Jdbi jdbi;
-  private JdbiAccountStore accounts;
-  private JdbiSessionStore sessions;
-  private JdbiPasswordResetStore resets;
+  private AccountStore accounts;
+  private SessionStore sessions;
+  private PasswordResetStore resets;
 
   @BeforeEach
   void openEmptyDatabase() {
@@ -77,16 +80,16 @@ class AccountStoreTest {
     long boss = accounts.add("boss", "hash", Role.MANAGER, "boss").orElseThrow().id();
     long second = accounts.add("second", "hash", Role.MANAGER, "boss").orElseThrow().id();
 
-    assertEquals(JdbiAccountStore.Outcome.DONE, accounts.delete(second, "boss"));
-    assertEquals(JdbiAccountStore.Outcome.LAST_MANAGER, accounts.delete(boss, "boss"));
-    assertEquals(JdbiAccountStore.Outcome.UNKNOWN, accounts.delete(second, "boss"));
+    assertEquals(AccountStore.ChangeResult.DONE, accounts.delete(second, "boss"));
+    assertEquals(AccountStore.ChangeResult.LAST_MANAGER, accounts.delete(boss, "boss"));
+    assertEquals(AccountStore.ChangeResult.NO_SUCH_ACCOUNT, accounts.delete(second, "boss"));
     assertTrue(accounts.account(boss).isPresent());
   }
 
   @Test
   void aTokenIsGoodUntilItExpires() {
     Account ada = ada();
-    JdbiSessionStore.NewSession begun = sessions.issueToken(ada, "ci", ORIGIN, Duration.ofDays(2));
+    SessionStore.NewSession begun = sessions.issueToken(ada, "ci", ORIGIN, Duration.ofDays(2));
 
     now = START.plus(Duration.ofDays(2)).minusMillis(1);
     assertEquals(Optional.of(ada), owner(Kind.TOKEN, begun.secret()));
@@ -115,7 +118,7 @@ class AccountStoreTest {
   void aSessionIsEndedByItsUserOnly() {
     Account ada = ada();
     Account bob = accounts.add("bob", "hash", Role.CLERK, "boss").orElseThrow();
-    JdbiSessionStore.NewSession begun = sessions.begin(ada, Kind.BROWSER, ORIGIN);
+    SessionStore.NewSession begun = sessions.begin(ada, Kind.BROWSER, ORIGIN);
 
     assertFalse(sessions.end(bob, begun.session().id(), "bob"));
     assertEquals(List.of(begun.session()), sessions.sessions(ada.id()));
@@ -208,7 +211,7 @@ class AccountStoreTest {
   }
 
   private Optional<Account> owner(Kind kind, String secret) {
-    return sessions.authenticate(kind, secret).map(JdbiSessionStore.AuthenticatedSession::account);
+    return sessions.authenticate(kind, secret).map(SessionStore.AuthenticatedSession::account);
   }
 
   @Test
@@ -217,16 +220,16 @@ class AccountStoreTest {
     long second = accounts.add("second", "hash", Role.MANAGER, "boss").orElseThrow().id();
 
     assertEquals(
-        JdbiAccountStore.Outcome.DONE, accounts.update(second, Role.MANAGER, true, "boss"));
+        AccountStore.ChangeResult.DONE, accounts.update(second, Role.MANAGER, true, "boss"));
     assertEquals(
-        JdbiAccountStore.Outcome.LAST_MANAGER, accounts.update(boss, Role.CLERK, false, "boss"));
+        AccountStore.ChangeResult.LAST_MANAGER, accounts.update(boss, Role.CLERK, false, "boss"));
     assertEquals(
-        JdbiAccountStore.Outcome.LAST_MANAGER, accounts.update(boss, Role.MANAGER, true, "boss"));
-    assertEquals(JdbiAccountStore.Outcome.LAST_MANAGER, accounts.delete(boss, "boss"));
+        AccountStore.ChangeResult.LAST_MANAGER, accounts.update(boss, Role.MANAGER, true, "boss"));
+    assertEquals(AccountStore.ChangeResult.LAST_MANAGER, accounts.delete(boss, "boss"));
     assertEquals(
-        JdbiAccountStore.Outcome.DONE, accounts.delete(second, "boss"), "he may not log in");
+        AccountStore.ChangeResult.DONE, accounts.delete(second, "boss"), "he may not log in");
     assertEquals(
-        JdbiAccountStore.Outcome.UNKNOWN, accounts.update(second, Role.CLERK, false, "boss"));
+        AccountStore.ChangeResult.NO_SUCH_ACCOUNT, accounts.update(second, Role.CLERK, false, "boss"));
   }
 
   @Test

@@ -23,8 +23,10 @@ import org.apache.catalina.webresources.StandardRoot;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
+import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.Role;
+import org.toqa.accounts.SessionStore;
 import org.toqa.fleet.EventRecord;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiAccountStore;
@@ -53,7 +55,7 @@ public final class WebTestServer implements AutoCloseable {
 
   private final TestFleet fleet = new TestFleet();
   private final TestMailbox mailbox = new TestMailbox();
-  private final JdbiAccountStore accounts;
+  private final AccountStore accounts;
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
   private final JdbiUtilisationStore uses;
@@ -119,7 +121,7 @@ public final class WebTestServer implements AutoCloseable {
     this.database = database;
     Jdbi jdbi = database.jdbi();
     accounts = new JdbiAccountStore(jdbi, InstantSource.system());
-    JdbiSessionStore sessions = new JdbiSessionStore(jdbi, InstantSource.system());
+    SessionStore sessions = new JdbiSessionStore(jdbi, InstantSource.system());
     PasswordLinks links =
         new PasswordLinks(
             accounts,
@@ -201,7 +203,7 @@ public final class WebTestServer implements AutoCloseable {
     return fleet;
   }
 
-  public JdbiAccountStore accounts() {
+  public AccountStore accounts() {
     return accounts;
   }
 

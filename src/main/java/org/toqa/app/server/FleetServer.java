@@ -13,12 +13,13 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.PasswordHasher;
+import org.toqa.accounts.SessionStore;
 import org.toqa.app.config.Configuration;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetStore;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.history.TrackRecorder;
@@ -32,6 +33,7 @@ import org.toqa.grid.Place;
 import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
+import org.toqa.persistence.StoreException;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedRobot;
@@ -105,7 +107,7 @@ public final class FleetServer implements AutoCloseable {
     parts.push(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     InstantSource wallClock = InstantSource.system();
-    JdbiAccountStore accounts = new JdbiAccountStore(database.jdbi(), wallClock);
+    AccountStore accounts = new JdbiAccountStore(database.jdbi(), wallClock);
     PasswordHasher passwords = new PasswordHasher();
     addFirstManager(configuration, accounts, passwords);
 
@@ -138,7 +140,7 @@ public final class FleetServer implements AutoCloseable {
     }
     clock.start();
     parts.push(clock);
-    JdbiSessionStore sessions = new JdbiSessionStore(database.jdbi(), wallClock);
+    SessionStore sessions = new JdbiSessionStore(database.jdbi(), wallClock);
     PasswordLinks passwordLinks =
         new PasswordLinks(
             accounts,
@@ -195,7 +197,7 @@ public final class FleetServer implements AutoCloseable {
   }
 
   private static void addFirstManager(
-      Configuration configuration, JdbiAccountStore accounts, PasswordHasher passwords) {
+      Configuration configuration, AccountStore accounts, PasswordHasher passwords) {
     Configuration.FirstManager manager = configuration.firstManager();
     if (manager != null && !accounts.hasManager()) {
       accounts.addFirstManager(manager.name(), passwords.hash(manager.password()));

@@ -5,8 +5,8 @@ import java.time.Instant;
 import java.time.InstantSource;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.PeriodicWork;
+import org.toqa.persistence.StoreException;
 import org.toqa.store.HistoryPruner;
 
 /** Prunes the store every hour, on a thread of its own. */

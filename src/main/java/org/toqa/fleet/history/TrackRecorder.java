@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Map;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.persistence.StoreException;
 
 /**
  * Writes down where robots were, on a thread of its own. A killed server loses the last ten seconds

@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Map;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.persistence.StoreException;
 
 /**
  * Writes down what robots do, on a thread of its own. A killed server loses the last half minute of

@@ -4,9 +4,9 @@ import java.util.function.Consumer;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.toqa.fleet.Answer;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
+import org.toqa.persistence.StoreException;
 
 /**
  * Who wished for a robot, and waits for the answer.

@@ -7,7 +7,6 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.StoreWriter;
@@ -15,6 +14,7 @@ import org.toqa.link.PairingResult;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
+import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 

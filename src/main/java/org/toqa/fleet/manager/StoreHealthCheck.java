@@ -5,8 +5,8 @@ import java.util.function.Consumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.FleetStore;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.PeriodicWork;
+import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 

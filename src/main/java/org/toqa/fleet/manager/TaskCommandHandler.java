@@ -17,7 +17,6 @@ import org.toqa.allocation.Allocator;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.EventRecord;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.TaskOrder;
@@ -27,6 +26,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.mission.Mission;
 import org.toqa.mission.Objection;
 import org.toqa.mission.TransportTask;
+import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
 
 /** Takes what people want of tasks: checks it, stores it, and puts it into the queue. */

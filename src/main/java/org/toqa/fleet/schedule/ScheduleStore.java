@@ -9,7 +9,7 @@ import org.toqa.fleet.EventRecord;
 
 /**
  * Keeps schedules. Each call is one transaction; it throws {@link
- * org.toqa.fleet.FleetStore.StoreException} when the store does not answer. Called by threads that
+ * org.toqa.persistence.StoreException} when the store does not answer. Called by threads that
  * may wait.
  */
 public interface ScheduleStore {

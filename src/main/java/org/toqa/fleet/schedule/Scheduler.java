@@ -16,9 +16,9 @@ import org.slf4j.LoggerFactory;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
+import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 

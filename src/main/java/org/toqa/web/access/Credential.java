@@ -3,7 +3,7 @@ package org.toqa.web.access;
 import jakarta.servlet.http.HttpServletRequest;
 import java.util.Optional;
 import org.toqa.accounts.Session;
-import org.toqa.store.JdbiSessionStore;
+import org.toqa.accounts.SessionStore;
 import org.toqa.web.Services;
 
 /**
@@ -14,7 +14,7 @@ import org.toqa.web.Services;
 public record Credential(Session.Kind kind, String secret) {
 
   /** The session it proves and its user, while it does and he may come in. */
-  public Optional<JdbiSessionStore.AuthenticatedSession> login(Services services) {
+  public Optional<SessionStore.AuthenticatedSession> login(Services services) {
     return services
         .sessions()
         .authenticate(kind, secret)

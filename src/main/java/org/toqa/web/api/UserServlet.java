@@ -6,9 +6,9 @@ import java.io.IOException;
 import java.util.Map;
 import java.util.Optional;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
-import org.toqa.store.JdbiAccountStore;
-import org.toqa.store.JdbiSessionStore;
+import org.toqa.accounts.SessionStore;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
@@ -125,11 +125,11 @@ public final class UserServlet extends ApiServlet {
     Double days = fields.number("days");
     fields.refuseUnknown();
     throwIfAny(errors);
-    Optional<JdbiSessionStore.NewSession> created =
+    Optional<SessionStore.NewSession> created =
         new UserCommands(services(), texts, errors)
             .createToken(Caller.of(request), user, "name", name, days, request);
     throwIfAny(errors);
-    JdbiSessionStore.NewSession token = created.orElseThrow();
+    SessionStore.NewSession token = created.orElseThrow();
     Json.send(
         request,
         response,
@@ -162,7 +162,7 @@ public final class UserServlet extends ApiServlet {
             () -> Problem.of(404, Texts.of(request).get("problem.noSuchUser")).exception());
   }
 
-  private void refuseUnlessDone(JdbiAccountStore.Outcome outcome, HttpServletRequest request) {
+  private void refuseUnlessDone(AccountStore.ChangeResult outcome, HttpServletRequest request) {
     new UserCommands(services(), Texts.of(request), new FieldErrors())
         .refusal(outcome)
         .ifPresent(

@@ -5,9 +5,9 @@ import java.time.Duration;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
-import org.toqa.store.JdbiAccountStore;
-import org.toqa.store.JdbiSessionStore;
+import org.toqa.accounts.SessionStore;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
@@ -71,7 +71,7 @@ public final class UserCommands {
    * @param nameField that gets the sentence when the name is refused
    * @param days how long it is good
    */
-  public Optional<JdbiSessionStore.NewSession> createToken(
+  public Optional<SessionStore.NewSession> createToken(
       Caller caller,
       Account user,
       String nameField,
@@ -109,10 +109,10 @@ public final class UserCommands {
   }
 
   /** Why it could not be done, a sentence; empty: it is done. */
-  public Optional<String> refusal(JdbiAccountStore.Outcome outcome) {
+  public Optional<String> refusal(AccountStore.ChangeResult outcome) {
     return switch (outcome) {
       case DONE -> Optional.empty();
-      case UNKNOWN -> Optional.of(texts.get("problem.noSuchUser"));
+      case NO_SUCH_ACCOUNT -> Optional.of(texts.get("problem.noSuchUser"));
       case LAST_MANAGER -> Optional.of(texts.get("error.lastManager"));
     };
   }

@@ -8,8 +8,8 @@ import java.time.Duration;
 import java.util.function.IntSupplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetSnapshot;
-import org.toqa.fleet.FleetStore.StoreException;
 import org.toqa.fleet.SnapshotFeed;
+import org.toqa.persistence.StoreException;
 import org.toqa.web.Services;
 import org.toqa.web.access.Caller;
 

@@ -6,7 +6,7 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.persistence.StoreException;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.FleetUnavailableException;
 import org.toqa.web.Texts;

@@ -6,8 +6,8 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
-import org.toqa.store.JdbiAccountStore;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.PasswordLinks;
 import org.toqa.web.Services;
@@ -133,7 +133,7 @@ public final class UserServlet extends PageServlet {
   }
 
   private static void refuseUnlessDone(
-      JdbiAccountStore.Outcome outcome, UserCommands commands, FieldErrors errors) {
+      AccountStore.ChangeResult outcome, UserCommands commands, FieldErrors errors) {
     commands.refusal(outcome).ifPresent(sentence -> errors.add("form", sentence));
   }
 

@@ -14,14 +14,18 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+<<<<<<< HEAD
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore.StoreException;
+=======
+>>>>>>> w-store
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.TamperedStore;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
+import org.toqa.persistence.StoreException;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 

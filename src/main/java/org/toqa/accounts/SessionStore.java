@@ -1,0 +1,61 @@
+package org.toqa.accounts;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Who is signed in, from where, and by which secret. Sessions outlive the server's process.
+ *
+ * <p>Any thread may call it and may have to wait. Every method throws {@link
+ * org.toqa.persistence.StoreException} when the store does not answer.
+ */
+public interface SessionStore {
+  /**
+   * Of a browser's session without use, and of a token that a login gave. Long enough for a shift.
+   */
+  Duration LIFETIME = Duration.ofHours(12);
+
+  /** A session and the secret that is shown for it, which is told but once. */
+  record NewSession(Session session, String secret) {
+    /** Without the secret, so that it reaches no log. */
+    @Override
+    public String toString() {
+      return "NewSession[" + session + "]";
+    }
+  }
+
+  /** A session and its user. */
+  record AuthenticatedSession(Account account, Session session) {}
+
+  /** Begins a session of {@link #LIFETIME}. Expired sessions of all users are removed with it. */
+  NewSession begin(Account account, Session.Kind kind, Session.Origin origin);
+
+  /**
+   * A token for a program of that user, which is told in the history.
+   *
+   * @param name what its owner calls it
+   * @param lifetime how long it is good
+   */
+  NewSession issueToken(Account account, String name, Session.Origin origin, Duration lifetime);
+
+  /**
+   * Whose secret it is, while it is good; what was read last while the store does not answer. Asking
+   * counts as use of the session.
+   */
+  Optional<AuthenticatedSession> authenticate(Session.Kind kind, String secret);
+
+  /** Of that account, the newest first. */
+  List<Session> sessions(long accountId);
+
+  /**
+   * Ends a session of that account.
+   *
+   * @param by who ends it
+   * @return false when that account has no such session
+   */
+  boolean end(Account account, long sessionId, String by);
+
+  /** The holder of the secret signs out. */
+  void end(String secret);
+}
