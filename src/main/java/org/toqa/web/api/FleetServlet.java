@@ -10,8 +10,8 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.Hold;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
 import org.toqa.web.access.Caller;
-import org.toqa.web.route.Routes;
 
 /** The fleet as a whole: whether it is paused. */
 public final class FleetServlet extends ApiServlet {
@@ -38,7 +38,7 @@ public final class FleetServlet extends ApiServlet {
     Fleet fleet = services().fleet();
     String user = Caller.of(request).name();
     CompletionStage<Answer<Optional<Hold>>> answer =
-        Routes.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user);
+        RequestPath.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user);
     Json.send(
         request,
         response,

@@ -10,8 +10,8 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.Hold;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
 import org.toqa.web.access.Caller;
-import org.toqa.web.route.Routes;
 
 /** A floor: whether its robots are on hold. */
 public final class FloorServlet extends ApiServlet {
@@ -25,10 +25,10 @@ public final class FloorServlet extends ApiServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Fleet fleet = services().fleet();
-    String floor = Routes.parameter(request, "floor");
+    String floor = RequestPath.parameter(request, "floor");
     String user = Caller.of(request).name();
     CompletionStage<Answer<Optional<Hold>>> answer =
-        Routes.lastSegment(request).equals("hold")
+        RequestPath.lastSegment(request).equals("hold")
             ? fleet.holdFloor(floor, user)
             : fleet.resumeFloor(floor, user);
     Hold hold = acceptedValue(request, FleetAnswers.await(answer)).orElse(null);

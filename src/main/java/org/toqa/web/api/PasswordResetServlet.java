@@ -6,17 +6,17 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.Objects;
 import org.toqa.accounts.Account;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
-import org.toqa.web.route.Routes;
 
 /** For who forgot his password: a link by e-mail, and the new password by the link's secret. */
 public final class PasswordResetServlet extends ApiServlet {
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    if (Routes.path(request).endsWith("/forgotten-password")) {
+    if (RequestPath.of(request).endsWith("/forgotten-password")) {
       sendLink(request, response);
     } else {
       replacePassword(request, response);

@@ -11,13 +11,13 @@ import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
 import org.toqa.web.input.PairingFields;
 import org.toqa.web.input.Version;
-import org.toqa.web.route.Routes;
 
 /** One robot; and a person's word where it is and what it shall do. */
 public final class RobotServlet extends ApiServlet {
@@ -28,7 +28,7 @@ public final class RobotServlet extends ApiServlet {
   }
 
   private RobotView robot(HttpServletRequest request) {
-    String name = Routes.parameter(request, "name");
+    String name = RequestPath.parameter(request, "name");
     return services().fleet().snapshots().latest().robots().stream()
         .filter(r -> r.name().equals(name))
         .findFirst()
@@ -70,7 +70,7 @@ public final class RobotServlet extends ApiServlet {
 
   @Override
   protected void doDelete(HttpServletRequest request, HttpServletResponse response) {
-    String robot = Routes.parameter(request, "name");
+    String robot = RequestPath.parameter(request, "name");
     acceptedValue(
         request,
         FleetAnswers.await(services().fleet().removeRobot(robot, Caller.of(request).name())));
@@ -80,10 +80,10 @@ public final class RobotServlet extends ApiServlet {
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    String robot = Routes.parameter(request, "name");
+    String robot = RequestPath.parameter(request, "name");
     String user = Caller.of(request).name();
     CompletionStage<Answer<RobotView>> answer =
-        switch (Routes.lastSegment(request)) {
+        switch (RequestPath.lastSegment(request)) {
           case "out-of-service" -> services().fleet().takeOutOfService(robot, user);
           case "in-service" -> services().fleet().putInService(robot, user);
           case "hold" -> services().fleet().holdRobot(robot, user);

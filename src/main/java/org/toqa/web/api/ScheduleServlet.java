@@ -4,10 +4,10 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.toqa.fleet.schedule.Schedule;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.ScheduleCommands;
-import org.toqa.web.route.Routes;
 
 /** One schedule, and what people want of it. */
 public final class ScheduleServlet extends ApiServlet {
@@ -22,7 +22,7 @@ public final class ScheduleServlet extends ApiServlet {
       throws IOException {
     Schedule schedule = ownSchedule(request);
     ScheduleCommands schedules = new ScheduleCommands(services(), Texts.of(request));
-    if (Routes.lastSegment(request).equals("pause")) {
+    if (RequestPath.lastSegment(request).equals("pause")) {
       schedules.pause(schedule, Caller.of(request));
     } else {
       schedules.resume(schedule, Caller.of(request));
@@ -48,7 +48,7 @@ public final class ScheduleServlet extends ApiServlet {
   private Schedule schedule(HttpServletRequest request) {
     return services()
         .schedules()
-        .schedule(Routes.number(request, "id"))
+        .schedule(RequestPath.number(request, "id"))
         .orElseThrow(
             () -> Problem.of(404, Texts.of(request).get("problem.noSuchSchedule")).exception());
   }

@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import org.toqa.fleet.history.Period;
 import org.toqa.fleet.history.PeriodStatistics;
-import org.toqa.web.route.Routes;
+import org.toqa.web.RequestPath;
 
 /** A period in numbers, as a file for a spreadsheet. */
 public final class StatisticsCsvServlet extends ApiServlet {
@@ -14,7 +14,7 @@ public final class StatisticsCsvServlet extends ApiServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     PeriodStatistics figures = StatisticsServlet.figures(request, services());
-    boolean isOfRobots = Routes.lastSegment(request).equals("robots.csv");
+    boolean isOfRobots = RequestPath.lastSegment(request).equals("robots.csv");
     CsvWriter csv = isOfRobots ? StatisticsCsv.robots(figures) : StatisticsCsv.series(figures);
     Period period = figures.period();
     String name =

@@ -7,12 +7,12 @@ import java.util.function.BiFunction;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.MissionEvent;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.TaskCommandReader;
-import org.toqa.web.route.Routes;
 
 /** One task with its history, and what people want of it. */
 public final class TaskServlet extends ApiServlet {
@@ -40,7 +40,7 @@ public final class TaskServlet extends ApiServlet {
   private static MissionEvent.OperatorCommand command(HttpServletRequest request)
       throws IOException {
     Caller caller = Caller.of(request);
-    return switch (Routes.lastSegment(request)) {
+    return switch (RequestPath.lastSegment(request)) {
       case "hold" -> new MissionEvent.Hold(caller.name());
       case "resume" -> new MissionEvent.Resume(caller.name());
       case "priority" ->
@@ -69,7 +69,7 @@ public final class TaskServlet extends ApiServlet {
 
   private TaskView task(HttpServletRequest request) {
     return new Tasks(services())
-        .task(Routes.number(request, "id"))
+        .task(RequestPath.number(request, "id"))
         .orElseThrow(
             () -> Problem.of(404, Texts.of(request).get("problem.noSuchTask")).exception());
   }

@@ -8,8 +8,8 @@ import java.time.Instant;
 import java.util.List;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.history.TrackPoint;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
-import org.toqa.web.route.Routes;
 
 /** Where a robot was in the last hours. */
 public final class TrackServlet extends ApiServlet {
@@ -28,7 +28,7 @@ public final class TrackServlet extends ApiServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    String robot = Routes.parameter(request, "name");
+    String robot = RequestPath.parameter(request, "name");
     FleetSnapshot fleet = services().fleet().snapshots().latest();
     if (fleet.robots().stream().noneMatch(r -> r.name().equals(robot))) {
       throw Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).exception();

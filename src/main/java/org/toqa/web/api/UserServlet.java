@@ -9,13 +9,15 @@ import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.SessionStore;
+import org.toqa.store.JdbiAccountStore;
+import org.toqa.store.JdbiSessionStore;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
 import org.toqa.web.input.UserCommands;
 import org.toqa.web.input.Version;
-import org.toqa.web.route.Routes;
 
 /** One user: his sessions and tokens, password and e-mail address, what he may do, and the end. */
 public final class UserServlet extends ApiServlet {
@@ -23,7 +25,7 @@ public final class UserServlet extends ApiServlet {
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Account user = user(request);
-    if (Routes.lastSegment(request).equals("sessions")) {
+    if (RequestPath.lastSegment(request).equals("sessions")) {
       Json.send(
           request,
           response,
@@ -65,9 +67,9 @@ public final class UserServlet extends ApiServlet {
   protected void doDelete(HttpServletRequest request, HttpServletResponse response) {
     Account user = user(request);
     String by = Caller.of(request).name();
-    if (!Routes.hasParameter(request, "session")) {
+    if (!RequestPath.hasParameter(request, "session")) {
       refuseUnlessDone(services().accounts().delete(user.id(), by), request);
-    } else if (!services().sessions().end(user, Routes.number(request, "session"), by)) {
+    } else if (!services().sessions().end(user, RequestPath.number(request, "session"), by)) {
       throw Problem.of(404, Texts.of(request).get("problem.noSuchSession")).exception();
     }
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
@@ -77,7 +79,7 @@ public final class UserServlet extends ApiServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Account user = user(request);
-    switch (Routes.lastSegment(request)) {
+    switch (RequestPath.lastSegment(request)) {
       case "tokens" -> createToken(user, request, response);
       case "reset-link" -> createLink(user, request, response);
       case "email" -> changeEmail(user, request, response);
@@ -147,7 +149,7 @@ public final class UserServlet extends ApiServlet {
     String link =
         services()
             .passwordLinks()
-            .createLink(user, Routes.baseUrl(request), Caller.of(request).name());
+            .createLink(user, RequestPath.baseUrl(request), Caller.of(request).name());
     Json.send(request, response, HttpServletResponse.SC_CREATED, Map.of("link", link));
   }
 
@@ -156,7 +158,7 @@ public final class UserServlet extends ApiServlet {
     Caller caller = Caller.of(request);
     return services()
         .accounts()
-        .account(Routes.number(request, "id"))
+        .account(RequestPath.number(request, "id"))
         .filter(user -> UserCommands.canSee(caller, user))
         .orElseThrow(
             () -> Problem.of(404, Texts.of(request).get("problem.noSuchUser")).exception());

@@ -9,10 +9,10 @@ import java.io.IOException;
 import org.toqa.persistence.StoreException;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.FleetUnavailableException;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.api.Problem;
-import org.toqa.web.route.Route;
 
 /** Shows every error as a page in the style of the others, or as a problem where the API was. */
 public final class ErrorServlet extends PageServlet {
@@ -86,6 +86,6 @@ public final class ErrorServlet extends PageServlet {
   private static boolean isForApi(HttpServletRequest request) {
     return request.getAttribute(RequestDispatcher.ERROR_REQUEST_URI) instanceof String uri
         && uri.startsWith(request.getContextPath())
-        && Route.isApi(uri.substring(request.getContextPath().length()));
+        && RequestPath.isApi(uri.substring(request.getContextPath().length()));
   }
 }

@@ -5,8 +5,8 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.toqa.fleet.Fleet;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
 import org.toqa.web.access.Caller;
-import org.toqa.web.route.Routes;
 
 /** The button on every page that pauses all robots, and the one that lets them go on. */
 public final class FleetServlet extends PageServlet {
@@ -16,7 +16,7 @@ public final class FleetServlet extends PageServlet {
     Fleet fleet = services().fleet();
     String user = Caller.of(request).name();
     FleetAnswers.await(
-        Routes.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user));
-    redirect(request, response, ReturnAddress.parse(request.getParameter("back")).orElse("/map"));
+        RequestPath.lastSegment(request).equals("pause") ? fleet.pauseAll(user) : fleet.resumeAll(user));
+    redirect(request, response, ReturnAddress.parse(request, request.getParameter("back")).orElse("/map"));
   }
 }

@@ -7,9 +7,9 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
-import org.toqa.web.route.Routes;
 import org.toqa.wording.Sentence;
 
 /** The button on the live map that puts a floor's robots on hold, and lets them go on. */
@@ -18,11 +18,11 @@ public final class FloorServlet extends PageServlet {
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Fleet fleet = services().fleet();
-    String floor = Routes.parameter(request, "floor");
+    String floor = RequestPath.parameter(request, "floor");
     String user = Caller.of(request).name();
     Answer<?> answer =
         FleetAnswers.await(
-            Routes.lastSegment(request).equals("hold")
+            RequestPath.lastSegment(request).equals("hold")
                 ? fleet.holdFloor(floor, user)
                 : fleet.resumeFloor(floor, user));
     if (answer instanceof Answer.Unknown<?>(Sentence sentence)) {

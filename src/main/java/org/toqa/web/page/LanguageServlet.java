@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.web.Language;
+import org.toqa.web.RequestPath;
 import org.toqa.web.access.LanguageCookie;
-import org.toqa.web.route.Routes;
 
 /**
  * The switch on every page that chooses the language. It is a link, for it also stands where no
@@ -22,7 +22,7 @@ public final class LanguageServlet extends PageServlet {
   @Override
   protected void doGet(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Optional<Language> chosen = Language.ofTag(Routes.parameter(request, "language"));
+    Optional<Language> chosen = Language.ofTag(RequestPath.parameter(request, "language"));
     if (chosen.isEmpty()) {
       sendNotFound(request, response, "problem.noSuchPage");
       return;
@@ -30,14 +30,14 @@ public final class LanguageServlet extends PageServlet {
     if (!"cross-site".equals(request.getHeader("Sec-Fetch-Site"))) {
       LanguageCookie.set(request, response, chosen.get());
     }
-    redirect(request, response, returnPage(request.getParameter("back")));
+    redirect(request, response, returnPage(request, request.getParameter("back")));
   }
 
   /** Where a refused form was shown again, the page on which it stands. */
-  private static String returnPage(@Nullable String address) {
+  private static String returnPage(HttpServletRequest request, @Nullable String address) {
     return Stream.iterate(Objects.requireNonNullElse(address, ""), LanguageServlet::parentPath)
         .limit(1 + DEEPEST_FORM)
-        .flatMap(at -> ReturnAddress.parse(at).stream())
+        .flatMap(at -> ReturnAddress.parse(request, at).stream())
         .findFirst()
         .orElse("/");
   }

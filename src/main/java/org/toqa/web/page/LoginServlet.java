@@ -48,7 +48,7 @@ public final class LoginServlet extends PageServlet {
         redirect(
             request,
             response,
-            ReturnAddress.parse(request.getParameter("next")).orElse(FIRST_PAGE));
+            ReturnAddress.parse(request, request.getParameter("next")).orElse(FIRST_PAGE));
       }
       case Authenticator.Outcome.WrongCredentials() -> {
         errors.add("form", texts.get("error.login.wrong"));

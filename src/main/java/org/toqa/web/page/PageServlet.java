@@ -10,11 +10,11 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.mission.Question;
 import org.toqa.web.ErrorResponse;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.access.CsrfToken;
 import org.toqa.web.input.FieldErrors;
-import org.toqa.web.route.Routes;
 import org.toqa.wording.Sentence;
 
 /**
@@ -43,7 +43,7 @@ abstract class PageServlet extends HttpServlet {
   static void showWithoutForm(HttpServletRequest request, HttpServletResponse response, String view)
       throws ServletException, IOException {
     Texts.of(request).setContentLanguage(response);
-    String path = Routes.path(request);
+    String path = RequestPath.of(request);
     String query = request.getQueryString();
     request.setAttribute("address", query == null ? path : path + "?" + query);
     FleetSnapshot fleet = Services.of(request.getServletContext()).fleet().snapshots().latest();

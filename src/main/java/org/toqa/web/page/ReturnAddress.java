@@ -1,11 +1,11 @@
 package org.toqa.web.page;
 
+import jakarta.servlet.ServletRequest;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import org.toqa.web.access.Permission;
-import org.toqa.web.route.Routes;
+import org.toqa.web.PagePaths;
 
 /** The addresses to which a browser may be sent back. */
 final class ReturnAddress {
@@ -15,17 +15,10 @@ final class ReturnAddress {
   private ReturnAddress() {}
 
   /** The address, if it is one of our pages. */
-  static Optional<String> parse(@Nullable String address) {
+  static Optional<String> parse(ServletRequest request, @Nullable String address) {
     Matcher parts = ADDRESS.matcher(address == null ? "" : address);
-    return parts.matches() && isPage(parts.group(1))
+    return parts.matches() && PagePaths.of(request.getServletContext()).contains(parts.group(1))
         ? Optional.of(parts.group())
         : Optional.empty();
-  }
-
-  private static boolean isPage(String path) {
-    return Routes.find(path)
-        .flatMap(match -> match.route("GET"))
-        .filter(route -> !route.isApi() && route.permission() != Permission.PUBLIC)
-        .isPresent();
   }
 }

@@ -14,13 +14,13 @@ import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
 import org.toqa.web.input.PairingFields;
 import org.toqa.web.input.Version;
-import org.toqa.web.route.Routes;
 
 /** One robot: its state, and a manager's word where it is and what it shall do. */
 public final class RobotServlet extends PageServlet {
@@ -44,7 +44,7 @@ public final class RobotServlet extends PageServlet {
       sendNotFound(request, response, "problem.noSuchRobot");
       return;
     }
-    request.setAttribute("sent", Routes.lastSegment(request));
+    request.setAttribute("sent", RequestPath.lastSegment(request));
     FieldErrors differences = differences(now.get(), request);
     if (!differences.isEmpty()) {
       showConflict(request, response, "robot", differences);
@@ -54,7 +54,7 @@ public final class RobotServlet extends PageServlet {
     Optional<RobotView> robot =
         command(request, errors).flatMap(answer -> awaitAnswer(request, answer, errors));
     if (robot.isPresent()) {
-      boolean isRemoved = Routes.lastSegment(request).equals("remove");
+      boolean isRemoved = RequestPath.lastSegment(request).equals("remove");
       redirect(
           request, response, isRemoved ? "/robots?done=removed" : "/robots/" + robot.get().name());
     } else {
@@ -76,9 +76,9 @@ public final class RobotServlet extends PageServlet {
   private Optional<CompletionStage<Answer<RobotView>>> command(
       HttpServletRequest request, FieldErrors errors) {
     Fleet fleet = services().fleet();
-    String name = Routes.parameter(request, "name");
+    String name = RequestPath.parameter(request, "name");
     String user = Caller.of(request).name();
-    return switch (Routes.lastSegment(request)) {
+    return switch (RequestPath.lastSegment(request)) {
       case "out-of-service" -> Optional.of(fleet.takeOutOfService(name, user));
       case "in-service" -> Optional.of(fleet.putInService(name, user));
       case "hold" -> Optional.of(fleet.holdRobot(name, user));
@@ -127,7 +127,7 @@ public final class RobotServlet extends PageServlet {
   }
 
   private Optional<RobotView> addRobotAttributes(HttpServletRequest request) {
-    String name = Routes.parameter(request, "name");
+    String name = RequestPath.parameter(request, "name");
     FleetSnapshot fleet = services().fleet().snapshots().latest();
     Optional<RobotView> robot =
         fleet.robots().stream().filter(r -> r.name().equals(name)).findFirst();

@@ -10,12 +10,12 @@ import java.util.Optional;
 import org.toqa.fleet.schedule.Recurrence;
 import org.toqa.fleet.schedule.Schedule;
 import org.toqa.web.ErrorResponse;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.ScheduleCommands;
 import org.toqa.web.input.Version;
-import org.toqa.web.route.Routes;
 
 /** All schedules, and what people want of them. */
 public final class SchedulesServlet extends PageServlet {
@@ -59,7 +59,7 @@ public final class SchedulesServlet extends PageServlet {
   @Override
   protected void doPost(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    Optional<Schedule> schedule = services().schedules().schedule(Routes.number(request, "id"));
+    Optional<Schedule> schedule = services().schedules().schedule(RequestPath.number(request, "id"));
     if (schedule.isEmpty()) {
       sendNotFound(request, response, "problem.noSuchSchedule");
       return;
@@ -77,7 +77,7 @@ public final class SchedulesServlet extends PageServlet {
       return;
     }
     ScheduleCommands schedules = new ScheduleCommands(services(), Texts.of(request));
-    switch (Routes.lastSegment(request)) {
+    switch (RequestPath.lastSegment(request)) {
       case "pause" -> schedules.pause(schedule.get(), caller);
       case "resume" -> schedules.resume(schedule.get(), caller);
       default -> schedules.delete(schedule.get(), caller);

@@ -12,13 +12,13 @@ import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.TaskCommandReader;
 import org.toqa.web.input.Version;
-import org.toqa.web.route.Routes;
 
 /** One task: its state, its robots, what happened, and what people want of it. */
 public final class TaskServlet extends PageServlet {
@@ -97,7 +97,7 @@ public final class TaskServlet extends PageServlet {
     Caller caller = Caller.of(request);
     FormFields fields = new FormFields(request, errors);
     TaskCommandReader reader = new TaskCommandReader(Texts.of(request), errors);
-    return switch (Routes.lastSegment(request)) {
+    return switch (RequestPath.lastSegment(request)) {
       case "hold" -> new MissionEvent.Hold(caller.name());
       case "resume" -> new MissionEvent.Resume(caller.name());
       case "priority" -> reader.readPriority(caller, fields.number("priority"));
@@ -107,7 +107,7 @@ public final class TaskServlet extends PageServlet {
   }
 
   private Optional<TaskView> task(HttpServletRequest request) {
-    return new Tasks(services()).task(Routes.number(request, "id"));
+    return new Tasks(services()).task(RequestPath.number(request, "id"));
   }
 
   private void addAttributes(HttpServletRequest request, TaskView task) {

@@ -10,6 +10,7 @@ import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.PasswordLinks;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
@@ -18,7 +19,6 @@ import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
 import org.toqa.web.input.UserCommands;
 import org.toqa.web.input.Version;
-import org.toqa.web.route.Routes;
 
 /** One user: his sessions and tokens, password and e-mail address, what he may do, and the end. */
 public final class UserServlet extends PageServlet {
@@ -50,7 +50,7 @@ public final class UserServlet extends PageServlet {
     FieldErrors errors = new FieldErrors();
     UserCommands commands = new UserCommands(services(), Texts.of(request), errors);
     String next =
-        switch (Routes.lastSegment(request)) {
+        switch (RequestPath.lastSegment(request)) {
           case "delete" -> delete(user, commands, errors, request);
           case "change" -> change(user, commands, errors, request);
           case "email" -> changeEmail(user, commands, errors, request);
@@ -73,7 +73,7 @@ public final class UserServlet extends PageServlet {
   /** The user in the path; empty when the answer is given: there is none, or he is not seen. */
   private Optional<Account> user(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Optional<Account> user = services().accounts().account(Routes.number(request, "id"));
+    Optional<Account> user = services().accounts().account(RequestPath.number(request, "id"));
     if (user.isEmpty()) {
       sendNotFound(request, response, "problem.noSuchUser");
     } else if (!UserCommands.canSee(Caller.of(request), user.get())) {
@@ -94,7 +94,7 @@ public final class UserServlet extends PageServlet {
   private static FieldErrors differences(Account user, HttpServletRequest request) {
     Texts texts = Texts.of(request);
     EditConflict conflict = new EditConflict(request, Version.of(user));
-    switch (Routes.lastSegment(request)) {
+    switch (RequestPath.lastSegment(request)) {
       case "change" -> {
         String role = user.role().name();
         conflict.compareEntry(
@@ -165,7 +165,7 @@ public final class UserServlet extends PageServlet {
   private String endSession(Account user, FieldErrors errors, HttpServletRequest request) {
     if (!services()
         .sessions()
-        .end(user, Routes.number(request, "session"), Caller.of(request).name())) {
+        .end(user, RequestPath.number(request, "session"), Caller.of(request).name())) {
       errors.add("form", Texts.of(request).get("problem.noSuchSession"));
     }
     return page(user, "ended");
@@ -193,7 +193,7 @@ public final class UserServlet extends PageServlet {
         "link",
         services()
             .passwordLinks()
-            .createLink(user, Routes.baseUrl(request), Caller.of(request).name()));
+            .createLink(user, RequestPath.baseUrl(request), Caller.of(request).name()));
     request.setAttribute("linkHours", PasswordLinks.createdLinkLifetime().toHours());
     return "";
   }

@@ -7,6 +7,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.time.Duration;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Services;
 
 /** Measures how long requests take, but live events, which do not end. */
@@ -29,7 +30,7 @@ public final class MetricsFilter extends HttpFilter {
 
   private static void measure(HttpServletRequest request, int status, Duration time) {
     var route =
-        Routes.find(Routes.path(request)).flatMap(place -> place.route(request.getMethod()));
+        Routes.find(RequestPath.of(request)).flatMap(place -> place.route(request.getMethod()));
     Services.of(request.getServletContext())
         .metrics()
         .recordRequest(

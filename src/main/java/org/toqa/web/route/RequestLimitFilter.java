@@ -8,6 +8,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.time.Duration;
 import org.toqa.web.ErrorResponse;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Services;
 import org.toqa.web.access.Caller;
 
@@ -39,7 +40,7 @@ public final class RequestLimitFilter extends HttpFilter {
   }
 
   private static boolean isUnlimited(HttpServletRequest request) {
-    return request.getServletPath().startsWith("/assets/") || Routes.path(request).equals(HEALTH);
+    return request.getServletPath().startsWith("/assets/") || RequestPath.of(request).equals(HEALTH);
   }
 
   private static String callerKey(HttpServletRequest request) {

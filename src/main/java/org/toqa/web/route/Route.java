@@ -4,23 +4,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.toqa.web.RequestPath;
 import org.toqa.web.access.Permission;
 
 /**
- * One way into the server.
+ * A method and a path that the server answers.
  *
  * @param path from the application's root; a segment in braces stands for any one segment, a last
  *     segment {@code *} for any rest
  */
 public record Route(String method, String path, Permission permission) {
 
-  /** Doors of the API answer in JSON, the others in pages. */
+  /** Routes of the API answer in JSON, the others in pages. */
   public boolean isApi() {
-    return isApi(path);
-  }
-
-  public static boolean isApi(String path) {
-    return path.startsWith("/api/");
+    return RequestPath.isApi(path);
   }
 
   /** What stands in the place of each segment in braces, if the path fits. */

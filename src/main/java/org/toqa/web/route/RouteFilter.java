@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import org.toqa.accounts.Session;
 import org.toqa.web.ErrorResponse;
+import org.toqa.web.RequestPath;
 import org.toqa.web.Services;
 import org.toqa.web.access.Caller;
 import org.toqa.web.access.CsrfToken;
@@ -32,7 +33,7 @@ public final class RouteFilter extends HttpFilter {
   protected void doFilter(
       HttpServletRequest request, HttpServletResponse response, FilterChain chain)
       throws IOException, ServletException {
-    String path = Routes.path(request);
+    String path = RequestPath.of(request);
     Optional<Routes.Match> match = Routes.find(path);
     if (match.isEmpty()) {
       ErrorResponse.sendText(request, response, 404, "problem.noSuchPage");
@@ -45,7 +46,7 @@ public final class RouteFilter extends HttpFilter {
           request, response, 405, "problem.method", match.get().allowedMethods());
       return;
     }
-    Routes.storeParameters(request, match.get());
+    RequestPath.storeParameters(request, match.get().parameters());
     if (checkPermission(route.get(), path, request, response)) {
       chain.doFilter(request, response);
     }

@@ -5,19 +5,13 @@ import static org.toqa.web.access.Permission.MANAGER;
 import static org.toqa.web.access.Permission.PUBLIC;
 import static org.toqa.web.access.Permission.SIGNED_IN;
 
-import jakarta.servlet.ServletRequest;
-import jakarta.servlet.http.HttpServletRequest;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 
-/** Every door of the server and who may pass it. What is not in this list is closed. */
+/** Every route of the server and who may use it. What is not in this list is not found. */
 public final class Routes {
-  private static final String PARAMETERS = Routes.class.getName();
-  private static final String NUMBER = "[1-9][0-9]{0,17}";
-
   /** A path with a fixed segment stands before one that would also take it as a parameter. */
   private static final List<Route> ALL =
       List.of(
@@ -148,7 +142,7 @@ public final class Routes {
    */
   public record Match(List<Route> routes, Map<String, String> parameters) {
 
-    /** The door for that method; HEAD goes where GET goes. */
+    /** The route for that method; HEAD goes where GET goes. */
     public Optional<Route> route(String method) {
       String wanted = method.equals("HEAD") ? "GET" : method;
       return routes.stream().filter(route -> route.method().equals(wanted)).findFirst();
@@ -157,9 +151,9 @@ public final class Routes {
     /** The methods that are answered here, as the header Allow names them. */
     public String allowedMethods() {
       List<String> methods = new ArrayList<>();
-      for (Route door : routes) {
-        methods.add(door.method());
-        if (door.method().equals("GET")) {
+      for (Route route : routes) {
+        methods.add(route.method());
+        if (route.method().equals("GET")) {
           methods.add("HEAD");
         }
       }
@@ -182,42 +176,11 @@ public final class Routes {
                     first.match(path).orElseThrow()));
   }
 
-  public static void storeParameters(ServletRequest request, Match match) {
-    request.setAttribute(PARAMETERS, match.parameters());
-  }
-
-  /** The path that the request asks for, from the application's root. */
-  public static String path(HttpServletRequest request) {
-    String rest = request.getPathInfo();
-    return rest == null ? request.getServletPath() : request.getServletPath() + rest;
-  }
-
-  /** The part of the request's path that stands for {@code {name}}. */
-  public static String parameter(ServletRequest request, String name) {
-    Map<?, ?> parameters = (Map<?, ?>) request.getAttribute(PARAMETERS);
-    return (String) Objects.requireNonNull(parameters.get(name), name);
-  }
-
-  public static boolean hasParameter(ServletRequest request, String name) {
-    return ((Map<?, ?>) request.getAttribute(PARAMETERS)).containsKey(name);
-  }
-
-  /** The number in the path that stands for {@code {name}}, or 0, which nothing has. */
-  public static long number(ServletRequest request, String name) {
-    String given = parameter(request, name);
-    return given.matches(NUMBER) ? Long.parseLong(given) : 0;
-  }
-
-  /** Where the browser found these pages, without a slash at its end. */
-  public static String baseUrl(HttpServletRequest request) {
-    String url = request.getRequestURL().toString();
-    return url.substring(0, url.length() - request.getRequestURI().length())
-        + request.getContextPath();
-  }
-
-  /** What the request asks of the thing in its path: the path's last segment. */
-  public static String lastSegment(HttpServletRequest request) {
-    String path = Objects.requireNonNull(request.getPathInfo());
-    return path.substring(path.lastIndexOf('/') + 1);
+  /** Whether a page is there that a browser may be sent back to. */
+  static boolean isPage(String path) {
+    return find(path)
+        .flatMap(match -> match.route("GET"))
+        .filter(route -> !route.isApi() && route.permission() != PUBLIC)
+        .isPresent();
   }
 }

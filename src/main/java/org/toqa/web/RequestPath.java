@@ -1,0 +1,65 @@
+package org.toqa.web;
+
+import jakarta.servlet.ServletRequest;
+import jakarta.servlet.http.HttpServletRequest;
+import java.util.Map;
+import java.util.Objects;
+
+/** The path that a request asks for, and what stands in it. */
+public final class RequestPath {
+  private static final String PARAMETERS = RequestPath.class.getName();
+  private static final String NUMBER = "[1-9][0-9]{0,17}";
+
+  private RequestPath() {}
+
+  /** The path from the application's root. */
+  public static String of(HttpServletRequest request) {
+    String rest = request.getPathInfo();
+    return rest == null ? request.getServletPath() : request.getServletPath() + rest;
+  }
+
+  /** Whether the API answers there, in JSON; elsewhere are pages. */
+  public static boolean isApi(String path) {
+    return path.startsWith("/api/");
+  }
+
+  /**
+   * @param parameters what stands in the path for each segment in braces of its route
+   */
+  public static void storeParameters(ServletRequest request, Map<String, String> parameters) {
+    request.setAttribute(PARAMETERS, parameters);
+  }
+
+  /**
+   * The part of the request's path that stands for {@code {name}}.
+   *
+   * @throws NullPointerException when the route has no such segment
+   */
+  public static String parameter(ServletRequest request, String name) {
+    Map<?, ?> parameters = (Map<?, ?>) request.getAttribute(PARAMETERS);
+    return (String) Objects.requireNonNull(parameters.get(name), name);
+  }
+
+  /** The number in the path that stands for {@code {name}}, or 0, which nothing has. */
+  public static long number(ServletRequest request, String name) {
+    String given = parameter(request, name);
+    return given.matches(NUMBER) ? Long.parseLong(given) : 0;
+  }
+
+  /** Where the browser found these pages, without a slash at its end. */
+  public static String baseUrl(HttpServletRequest request) {
+    String url = request.getRequestURL().toString();
+    return url.substring(0, url.length() - request.getRequestURI().length())
+        + request.getContextPath();
+  }
+
+  public static boolean hasParameter(ServletRequest request, String name) {
+    return ((Map<?, ?>) request.getAttribute(PARAMETERS)).containsKey(name);
+  }
+
+  /** What the request asks of the thing in its path: the path's last segment. */
+  public static String lastSegment(HttpServletRequest request) {
+    String path = Objects.requireNonNull(request.getPathInfo());
+    return path.substring(path.lastIndexOf('/') + 1);
+  }
+}
