@@ -1,14 +1,13 @@
 package org.toqa.link;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
-import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.BlockingQueue;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.link.channel.LineChannel;
+import org.toqa.link.channel.LineChannel.WhenFull;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.DecodeResult;
@@ -16,13 +15,9 @@ import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.trust.HandshakeException.Reason;
-import org.toqa.link.trust.LinkSocket;
 import org.toqa.link.trust.LinkTls;
 
-/**
- * One TCP connection to a robot. The thread that made it reads; another one writes what was queued,
- * so that {@link #send} never waits.
- */
+/** One TCP connection to a robot. The thread that made it reads; {@link #send} never waits. */
 final class RobotConnection implements AutoCloseable {
   /** A robot is at most so wide, metres. */
   private static final double MAX_FOOTPRINT = 10;
@@ -37,34 +32,34 @@ final class RobotConnection implements AutoCloseable {
   private final RobotAddress address;
   private final String robot;
   private final String hostAndPort;
-  private final LinkSocket socket;
-  private final LineReader lines;
-  private final BlockingQueue<byte[]> outbox = new ArrayBlockingQueue<>(QUEUED_LINES);
-  private final Thread writer;
-  private volatile boolean hasOverflowed;
+  private final LineChannel channel;
 
-  /** Connects; waits for it. */
+  /**
+   * Connects; waits for it.
+   *
+   * @throws LinkException if the robot cannot be reached, or one end does not trust the other
+   */
   static RobotConnection open(RobotAddress address, RobotConnector connector) throws LinkException {
-    LinkSocket socket = connector.connect(address, SILENCE_TIMEOUT);
-    try {
-      return new RobotConnection(address, socket);
-    } catch (IOException e) {
-      closeQuietly(socket);
-      throw new LinkException(
-          "The connection to %s broke: %s.".formatted(address.robot(), e.getMessage()));
-    }
+    String name = "link-" + address.robot();
+    LineChannel channel =
+        new LineChannel(
+            connector.connect(address, SILENCE_TIMEOUT), name, QUEUED_LINES, WhenFull.CLOSE);
+    channel.start();
+    return new RobotConnection(address, channel);
   }
 
-  private RobotConnection(RobotAddress address, LinkSocket socket) throws IOException {
+  private RobotConnection(RobotAddress address, LineChannel channel) {
     this.address = address;
     this.robot = address.robot();
     this.hostAndPort = address.hostAndPort();
-    this.socket = socket;
-    lines = new LineReader(socket.in());
-    writer = Thread.ofVirtual().name("link-" + robot + "-writer").start(this::writeLines);
+    this.channel = channel;
   }
 
-  /** The robot's first line. */
+  /**
+   * The robot's first message; waits for it.
+   *
+   * @throws LinkException if it is no hello, or not that of the robot
+   */
   Hello readHello() throws LinkException {
     AgentMessage first = readMessage();
     if (!(first instanceof Hello hello)) {
@@ -93,11 +88,15 @@ final class RobotConnection implements AutoCloseable {
     return metres > 0 && metres <= MAX_FOOTPRINT;
   }
 
-  /** The next message that can be understood; waits for it. */
+  /**
+   * The next message that can be understood; waits for it.
+   *
+   * @throws LinkException if the connection ends, or nothing comes for too long
+   */
   AgentMessage readMessage() throws LinkException {
     try {
       while (true) {
-        LineReader.Line line = lines.readLine();
+        LineReader.Line line = channel.readLine();
         if (line == null) {
           throw new LinkException("%s closed the connection.".formatted(robot));
         }
@@ -115,10 +114,10 @@ final class RobotConnection implements AutoCloseable {
   }
 
   private LinkException failure(IOException e) {
-    if (hasOverflowed) {
+    if (channel.hasOverflowed()) {
       return new LinkException("%s does not take what it is told.".formatted(robot));
     }
-    if (socket.peer() != null) { // with TLS 1.3 the robot's no comes when it is first read
+    if (channel.peer() != null) { // with TLS 1.3 the robot's refusal comes with the first read
       Reason reason = LinkTls.reasonOf(e);
       return reason == Reason.CUT_OFF
           ? new LinkException("%s closed the connection.".formatted(robot))
@@ -128,16 +127,12 @@ final class RobotConnection implements AutoCloseable {
   }
 
   void send(ServerMessage message) {
-    if (!outbox.offer(LinkCodec.encode(message))) {
-      hasOverflowed = true;
-      close();
-    }
+    channel.send(LinkCodec.encode(message));
   }
 
   @Override
   public void close() {
-    writer.interrupt();
-    closeQuietly(socket);
+    channel.close();
   }
 
   private @Nullable AgentMessage decode(LineReader.Line line) {
@@ -148,26 +143,5 @@ final class RobotConnection implements AutoCloseable {
         yield null;
       }
     };
-  }
-
-  private void writeLines() {
-    try {
-      OutputStream out = socket.out();
-      while (true) {
-        out.write(outbox.take());
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    } catch (IOException e) {
-      log.debug("{}: writing ended.", robot, e);
-    }
-  }
-
-  private static void closeQuietly(LinkSocket socket) {
-    try {
-      socket.close();
-    } catch (IOException e) {
-      log.debug("Closing a socket failed.", e);
-    }
   }
 }

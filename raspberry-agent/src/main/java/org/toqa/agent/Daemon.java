@@ -2,15 +2,8 @@ package org.toqa.agent;
 
 import java.io.IOException;
 import java.time.InstantSource;
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
-import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.BlockingQueue;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -18,51 +11,31 @@ import org.toqa.agent.access.LinkEndpoint;
 import org.toqa.agent.access.LinkEndpointConfig;
 import org.toqa.agent.access.PeerRole;
 import org.toqa.agent.chassis.Chassis;
-import org.toqa.agent.chassis.SimulatedChassis;
 import org.toqa.agent.config.AgentConfig;
-import org.toqa.agent.config.ChassisConfig;
-import org.toqa.agent.connection.ConnectionEvent;
-import org.toqa.agent.connection.PeerConnection;
+import org.toqa.agent.connection.PeerConnections;
 import org.toqa.agent.control.RobotControl;
-import org.toqa.agent.firmware.FirmwareChassis;
-import org.toqa.agent.firmware.FrameTransport;
-import org.toqa.agent.firmware.SerialTransport;
-import org.toqa.agent.firmware.SimulatorTransport;
-import org.toqa.agent.firmware.SpidevTransport;
-import org.toqa.agent.formation.BroadcastTimer;
 import org.toqa.agent.formation.FollowerConnector;
-import org.toqa.agent.formation.FormationBroadcast;
+import org.toqa.agent.formation.FormationBroadcasts;
 import org.toqa.agent.storage.DataFolder;
 import org.toqa.agent.storage.Journal;
-import org.toqa.avoidance.RangeSensors;
-import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
-import org.toqa.link.message.AgentMessage.Done;
-import org.toqa.link.message.AgentMessage.Fault;
-import org.toqa.link.message.AgentMessage.PhaseEnd;
-import org.toqa.link.message.AgentMessage.Reject;
+import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.State;
-import org.toqa.link.message.DecodeResult.Decoded;
-import org.toqa.link.message.DecodeResult.Invalid;
-import org.toqa.link.message.ServerMessage;
-import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Follow;
-import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.LeaderMessage;
 import org.toqa.link.message.ServerMessage.Resume;
 import org.toqa.link.trust.Fingerprint;
-import org.toqa.link.trust.LinkSocket;
 
 /**
- * A robot's daemon: the link's end, the control and the body together.
+ * A robot's daemon: connections, control and body together.
  *
  * <ol>
  *   <li>{@link #open} takes the data folder, finds the body and the journal, and listens.
  *   <li>{@link #tick} is called every {@link Chassis#TICK}, always by one thread: it exchanges
- *       command and reading with the body, obeys what was heard, reports, and steers.
+ *       command and reading with the body, obeys what was received, steers, and reports.
  *   <li>{@link #close}, when no tick is under way, ends it in the opposite order.
  * </ol>
  */
@@ -70,47 +43,23 @@ public final class Daemon implements AutoCloseable {
 
   private static final Logger log = LoggerFactory.getLogger(Daemon.class);
 
-  private static final long SERVER_SILENT_NANOS = 2_000_000_000;
-
-  /** Half a tick early, since a tick is never quite on time. */
-  private static final long STATE_INTERVAL_NANOS = 190_000_000;
-
-  private static final long DONE_INTERVAL_NANOS = 990_000_000;
-
   /** A tick that comes later than this moves the reference as if it came then. */
   private static final double LONGEST_STEP_SECONDS = 0.1;
-
-  private static final int INBOX_CAPACITY = 1_000;
-
-  /** Connections that have not shown yet whose they are. */
-  private static final int MAX_UNIDENTIFIED = 8;
 
   private final AgentConfig config;
   private final InstantSource clock;
   private final DataFolder folder;
   private final Chassis chassis;
   private final RobotControl control;
-  private final BlockingQueue<ConnectionEvent> inbox = new ArrayBlockingQueue<>(INBOX_CAPACITY);
   private final LinkEndpoint endpoint;
-  private final FollowerConnector connector;
+  private final PeerConnections connections;
+  private final FormationBroadcasts broadcasts;
+  private final StateReporter reporter;
+  private final PeerConnections.Handler messageHandler = new MessageHandler();
 
-  private volatile Runnable messageListener = () -> {};
   private int ticks;
   private Twist command = Twist.ZERO;
-  private final Deque<PeerConnection> unidentified = new ArrayDeque<>();
-  private final List<LeaderMessage> unansweredMessages = new ArrayList<>();
-  private final List<FormationBroadcast> endingBroadcasts = new ArrayList<>();
-  private @Nullable PeerConnection server;
-  private @Nullable PeerConnection leader;
-  private @Nullable FormationBroadcast broadcast;
-  private long leaderHeardNanos;
-  private volatile long nanos; // the door's threads read it
-  private long serverHeardNanos;
-  private long helloSentNanos;
-  private @Nullable State lastState;
-  private long lastStateNanos;
-  private @Nullable PhaseEnd lastDone;
-  private long lastDoneNanos;
+  private volatile long nanos; // the endpoint's threads read it
 
   /**
    * @param clock what time it is, for the stamps of reports only
@@ -132,7 +81,8 @@ public final class Daemon implements AutoCloseable {
       throws IOException {
     DataFolder folder = new DataFolder(config.dataDir());
     try {
-      return open(config, clock, nanos, pair, folder, openChassis(config, folder, nanos));
+      Chassis chassis = ChassisFactory.open(config, folder.path(), nanos);
+      return open(config, clock, nanos, pair, folder, chassis);
     } catch (IOException e) {
       folder.close();
       throw e;
@@ -155,39 +105,6 @@ public final class Daemon implements AutoCloseable {
     }
   }
 
-  private static Chassis openChassis(AgentConfig config, DataFolder folder, long nanos)
-      throws IOException {
-    return switch (config.chassis()) {
-      case ChassisConfig.Simulated body ->
-          new SimulatedChassis(
-              folder.path().resolve("body"),
-              body.start(),
-              body.battery(),
-              body.noise(),
-              body.seed(),
-              new RangeSensors(config.footprint() / 2),
-              body.surroundings());
-      case ChassisConfig.SimulatedFirmware(var socket, var start) ->
-          openFirmware(config, new SimulatorTransport(socket), start, nanos);
-      case ChassisConfig.Spi(var device, int hertz, int wordDelay) ->
-          openFirmware(config, new SpidevTransport(device, hertz, wordDelay), null, nanos);
-      case ChassisConfig.Serial(var device, int baud) ->
-          openFirmware(config, new SerialTransport(device, baud), null, nanos);
-    };
-  }
-
-  private static Chassis openFirmware(
-      AgentConfig config, FrameTransport transport, @Nullable Pose start, long nanos)
-      throws IOException {
-    String caption = config.name() + " " + config.address().getHostAddress();
-    try {
-      return new FirmwareChassis(transport, caption, start, nanos);
-    } catch (IOException e) {
-      transport.close();
-      throw e;
-    }
-  }
-
   private Daemon(
       AgentConfig config,
       InstantSource clock,
@@ -199,9 +116,10 @@ public final class Daemon implements AutoCloseable {
     this.config = config;
     this.clock = clock;
     this.nanos = nanos;
-    this.serverHeardNanos = nanos;
     this.folder = folder;
     this.chassis = chassis;
+    connections = new PeerConnections(config.name(), nanos);
+    reporter = new StateReporter(connections::sendToServer);
     endpoint =
         new LinkEndpoint(
             new LinkEndpointConfig(
@@ -212,8 +130,10 @@ public final class Daemon implements AutoCloseable {
                 folder.path(),
                 pair,
                 () -> this.nanos),
-            this::startConnection);
-    connector = new FollowerConnector(endpoint.tls(), config.plainOffLoopback());
+            connections::start);
+    broadcasts =
+        new FormationBroadcasts(
+            config.name(), new FollowerConnector(endpoint.tls(), config.plainOffLoopback()));
     try {
       control =
           new RobotControl(
@@ -228,6 +148,7 @@ public final class Daemon implements AutoCloseable {
     log.info("{}: listening on {}.", config.name(), endpoint);
   }
 
+  /** The robot's name. */
   public String robot() {
     return config.name();
   }
@@ -242,284 +163,68 @@ public final class Daemon implements AutoCloseable {
     return endpoint.pairingCode();
   }
 
-  private void startConnection(LinkSocket link) {
-    new PeerConnection(config.name(), link, this::enqueue).start();
-  }
-
-  private void enqueue(ConnectionEvent inbound) throws InterruptedException {
-    inbox.put(inbound);
-    messageListener.run();
-  }
-
   /**
-   * @param listener is run on some thread when somebody has said something that waits for a tick
+   * @param listener is run on some thread when something was received that waits for a tick
    */
   void setMessageListener(Runnable listener) {
-    messageListener = listener;
+    connections.setMessageListener(listener);
   }
 
-  /** Whether something that somebody said waits for a tick. */
+  /** Whether something that was received waits for a tick. */
   boolean hasPendingMessages() {
-    return !inbox.isEmpty();
+    return connections.hasPendingMessages();
   }
 
   /** Whether it neither drives nor has to do with a formation, and would not miss some ticks. */
   boolean isAtRest() {
     return ticks == SelfTest.TICKS
         && command.equals(Twist.ZERO)
-        && leader == null
-        && broadcast == null
-        && endingBroadcasts.isEmpty()
+        && !connections.hasLeader()
+        && broadcasts.isEmpty()
         && control.isAtRest();
   }
 
   /**
    * Whether a server is connected that has said nothing for a second, and nothing of it waits to be
-   * heard. A simulated world that runs server and daemon in one process waits for it then: a slow
-   * machine is no lost link.
+   * processed. A simulated world that runs server and daemon in one process waits for it then: a
+   * slow machine is no lost link.
    *
-   * @param now the time of the ticks
+   * @param now the time of the ticks, nanoseconds
    */
   public boolean isWaitingForServer(long now) {
-    PeerConnection waiting = server == null ? unidentified.peekLast() : server;
-    return waiting != null
-        && waiting.endReason() == null
-        && inbox.isEmpty()
-        && now - Math.max(serverHeardNanos, helloSentNanos) > SERVER_SILENT_NANOS / 2;
+    return connections.isWaitingForServer(now);
   }
 
   /**
-   * Whether a leader is connected that should have said by now where it is, and nothing waits to be
-   * heard; likewise.
+   * Whether a leader is connected whose next pose is overdue, and nothing waits to be processed;
+   * likewise.
    *
-   * @param now the time of the ticks
+   * @param now the time of the ticks, nanoseconds
    */
   public boolean isWaitingForLeader(long now) {
-    return leader != null
-        && leader.endReason() == null
-        && inbox.isEmpty()
-        && now - leaderHeardNanos > BroadcastTimer.PERIOD_NANOS + 2 * Chassis.TICK.toNanos();
+    return connections.isWaitingForLeader(now);
   }
 
   /**
-   * @param now on the monotonic clock of {@link #open}
+   * @param now nanoseconds on the monotonic clock of {@link #open}
    */
   public void tick(long now) {
     double seconds = Math.min((now - nanos) / 1e9, LONGEST_STEP_SECONDS);
     nanos = now;
     chassis.setLoad(control.load());
     control.update(chassis.exchange(command, now), now / 1e9);
-    processInbox();
-    if (broadcast != null) {
-      broadcast.takeAnswers().forEach(control::handle);
-    }
+    connections.process(messageHandler, now);
+    broadcasts.takeAnswers().forEach(control::handle);
     command =
-        config
-            .limits()
-            .clampedTwist(control.drive(seconds, now - serverHeardNanos > SERVER_SILENT_NANOS));
-    answerLeader();
-    updateBroadcasts();
-    sendReports();
+        config.limits().clampedTwist(control.drive(seconds, connections.isServerSilent(now)));
+    connections.answerLeader(control::answerTo);
+    broadcasts.update(control.leadOrder(), control.done(), now);
+    broadcasts.send(
+        control.pose(), control.plannedTwist(), control.isBraking(), clock.millis(), now);
+    reporter.report(state(), control.done(), now);
     if (ticks < SelfTest.TICKS && ++ticks == SelfTest.TICKS) {
       SelfTest.logResult(control.report());
     }
-  }
-
-  @Override
-  public void close() throws IOException {
-    endpoint.close();
-    if (broadcast != null) {
-      broadcast.close();
-    }
-    endingBroadcasts.forEach(FormationBroadcast::close);
-    Stream.concat(unidentified.stream(), Stream.of(server, leader))
-        .filter(Objects::nonNull)
-        .forEach(PeerConnection::close);
-    inbox.forEach(inbound -> inbound.connection().close());
-    chassis.exchange(Twist.ZERO, nanos);
-    chassis.close();
-    folder.close();
-    log.info("{}: ended.", config.name());
-  }
-
-  private void processInbox() {
-    closeUntrusted();
-    for (ConnectionEvent inbound = inbox.poll(); inbound != null; inbound = inbox.poll()) {
-      switch (inbound) {
-        case ConnectionEvent.Opened(PeerConnection connection) -> sendHello(connection);
-        case ConnectionEvent.LineReceived(
-                PeerConnection connection,
-                Decoded(LeaderMessage message)) ->
-            handle(connection, message);
-        case ConnectionEvent.LineReceived(PeerConnection connection, Decoded(var message)) ->
-            handle(connection, message);
-        case ConnectionEvent.LineReceived(
-                PeerConnection connection,
-                Invalid(long seq, String reason)) -> {
-          log.warn("{}: refused a line: {}", config.name(), reason);
-          connection.send(new Reject(seq, reason));
-        }
-      }
-    }
-    removeEnded();
-  }
-
-  /** Whose connection it is shows with its first message: a server commands, a leader tells. */
-  private void sendHello(PeerConnection connection) {
-    connection.send(control.report().hello());
-    helloSentNanos = nanos;
-    unidentified.addLast(connection);
-    if (unidentified.size() > MAX_UNIDENTIFIED) {
-      unidentified.removeFirst().close();
-    }
-  }
-
-  private void handle(PeerConnection connection, ServerMessage message) {
-    PeerRole role = endpoint.roleOf(connection.peer());
-    if (role == PeerRole.LEADER && message instanceof Command command) {
-      connection.send(new Reject(command.seq(), "A leader gives no commands."));
-      return;
-    }
-    if (!(role == PeerRole.ANONYMOUS || role == PeerRole.SERVER)) {
-      return;
-    }
-    if (unidentified.remove(connection)) {
-      setServer(connection);
-    }
-    if (connection != server) {
-      return; // said by a server that was replaced
-    }
-    serverHeardNanos = nanos;
-    switch (message) {
-      case AckDone(long drive) -> control.acknowledgeDone(drive);
-      case Command order -> execute(order);
-      case LeaderMessage _ -> {} // heard elsewhere
-    }
-  }
-
-  private void execute(Command order) {
-    AgentMessage answer = control.execute(order);
-    if (answer instanceof Ack && order instanceof Follow follow && follow.fingerprint() != null) {
-      Fingerprint.parse(follow.fingerprint()).ifPresent(endpoint::setLeader);
-    }
-    sendToServer(answer);
-    if (order instanceof Resume) {
-      chassis.clearFaults();
-    }
-  }
-
-  private void setServer(PeerConnection connection) {
-    if (server != null) {
-      log.info("{}: a newer connection replaces the older.", config.name());
-      server.close();
-    }
-    server = connection;
-    sendState(state());
-    lastDone = control.done().orElse(null);
-    lastDoneNanos = nanos;
-  }
-
-  private void handle(PeerConnection connection, LeaderMessage message) {
-    PeerRole role = endpoint.roleOf(connection.peer());
-    if (!(role == PeerRole.ANONYMOUS || role == PeerRole.LEADER)) {
-      return;
-    }
-    if (unidentified.remove(connection)) {
-      if (leader != null) {
-        leader.close();
-      }
-      leader = connection;
-      control.leaderConnected();
-    }
-    if (connection == leader) {
-      leaderHeardNanos = nanos;
-      control.handle(message);
-      unansweredMessages.add(message);
-    }
-  }
-
-  private void answerLeader() {
-    if (leader != null) {
-      unansweredMessages.stream()
-          .flatMap(message -> control.answerTo(message).stream())
-          .forEach(leader::send);
-    }
-    unansweredMessages.clear();
-  }
-
-  /** Another server was paired, or another leader named: what the old one still says is void. */
-  private void closeUntrusted() {
-    Stream.concat(unidentified.stream(), Stream.of(server, leader))
-        .filter(Objects::nonNull)
-        .filter(connection -> connection.endReason() == null)
-        .filter(connection -> endpoint.roleOf(connection.peer()) == PeerRole.UNTRUSTED)
-        .forEach(PeerConnection::close);
-  }
-
-  private void removeEnded() {
-    if (!inbox.isEmpty()) {
-      return; // their last words
-    }
-    if (server != null && server.endReason() != null) {
-      log.warn("{}: the connection of the server ended: {}.", config.name(), server.endReason());
-      server.close();
-      server = null;
-    }
-    if (leader != null && leader.endReason() != null) {
-      log.info("{}: the connection of the leader ended: {}.", config.name(), leader.endReason());
-      leader.close();
-      leader = null;
-    }
-    unidentified.removeIf(guest -> guest.endReason() != null);
-  }
-
-  /** Tells the followers, if there are any, where this leader is, or that the formation ends. */
-  private void updateBroadcasts() {
-    Lead order = control.leadOrder().orElse(null);
-    if (broadcast != null && !broadcast.order().equals(order)) {
-      endBroadcast(broadcast);
-      broadcast = null;
-    }
-    if (broadcast == null && order != null) {
-      broadcast = new FormationBroadcast(config.name(), order, connector, nanos);
-    }
-    if (broadcast != null) {
-      broadcast.sendPose(
-          control.pose(), control.plannedTwist(), control.isBraking(), clock.millis(), nanos);
-    }
-    endingBroadcasts.forEach(ending -> ending.sendEnd(nanos));
-    endingBroadcasts.stream()
-        .filter(ending -> ending.isOver(nanos))
-        .forEach(FormationBroadcast::close);
-    endingBroadcasts.removeIf(ending -> ending.isOver(nanos));
-  }
-
-  /** A formation that is not at its goal has no end: its followers stop, and ask their server. */
-  private void endBroadcast(FormationBroadcast over) {
-    boolean isAtGoal =
-        control
-            .done()
-            .filter(done -> done.phase() == 2 && Objects.equals(done.task(), over.order().task()))
-            .isPresent();
-    if (isAtGoal) {
-      over.beginEnd(nanos);
-      endingBroadcasts.add(over);
-    } else {
-      over.close();
-    }
-  }
-
-  private void sendReports() {
-    State state = state();
-    if (nanos - lastStateNanos >= STATE_INTERVAL_NANOS || hasChanged(state)) {
-      sendState(state);
-    }
-    PhaseEnd done = control.done().orElse(null);
-    if (done != null && (!done.equals(lastDone) || nanos - lastDoneNanos >= DONE_INTERVAL_NANOS)) {
-      sendToServer(new Done(done.task(), done.phase(), done.drive()));
-      lastDoneNanos = nanos;
-    }
-    lastDone = done;
   }
 
   private State state() {
@@ -528,32 +233,60 @@ public final class Daemon implements AutoCloseable {
         .state(clock.millis(), endpoint.rejection().map(List::of).orElse(List.of()));
   }
 
-  private void sendState(State state) {
-    sendToServer(state);
-    lastState = state;
-    lastStateNanos = nanos;
+  @Override
+  public void close() throws IOException {
+    endpoint.close();
+    broadcasts.close();
+    connections.close();
+    chassis.exchange(Twist.ZERO, nanos);
+    chassis.close();
+    folder.close();
+    log.info("{}: ended.", config.name());
   }
 
-  private boolean hasChanged(State state) {
-    State before = lastState;
-    return before == null
-        || state.mode() != before.mode()
-        || state.localised() != before.localised()
-        || state.drive() != before.drive()
-        || state.segment() != before.segment()
-        || state.released() != before.released()
-        || state.phase() != before.phase()
-        || !Objects.equals(state.task(), before.task())
-        || !errorCodes(state).equals(errorCodes(before));
-  }
+  /** What the server and a leader say, in the order in which it came. */
+  private final class MessageHandler implements PeerConnections.Handler {
 
-  private static List<String> errorCodes(State state) {
-    return state.errors().stream().map(Fault::code).toList();
-  }
+    @Override
+    public PeerRole roleOf(@Nullable Fingerprint peer) {
+      return endpoint.roleOf(peer);
+    }
 
-  private void sendToServer(AgentMessage message) {
-    if (server != null) {
-      server.send(message);
+    @Override
+    public Hello hello() {
+      return control.report().hello();
+    }
+
+    @Override
+    public void serverConnected() {
+      reporter.restart(state(), control.done(), nanos);
+    }
+
+    @Override
+    public void commandReceived(Command order) {
+      AgentMessage answer = control.execute(order);
+      if (answer instanceof Ack && order instanceof Follow follow && follow.fingerprint() != null) {
+        Fingerprint.parse(follow.fingerprint()).ifPresent(endpoint::setLeader);
+      }
+      connections.sendToServer(answer);
+      if (order instanceof Resume) {
+        chassis.clearFaults();
+      }
+    }
+
+    @Override
+    public void doneAcknowledged(long drive) {
+      control.acknowledgeDone(drive);
+    }
+
+    @Override
+    public void leaderConnected() {
+      control.leaderConnected();
+    }
+
+    @Override
+    public void leaderMessageReceived(LeaderMessage message) {
+      control.handle(message);
     }
   }
 }

@@ -1,12 +1,11 @@
 package org.toqa.agent.connection;
 
 import java.io.IOException;
-import java.io.OutputStream;
-import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.BlockingQueue;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.link.channel.LineChannel;
+import org.toqa.link.channel.LineChannel.WhenFull;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
@@ -14,9 +13,9 @@ import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.LinkSocket;
 
 /**
- * One connection of a server. Its reading thread waits while the inbox is full, so that a peer that
- * talks too much is slowed down by TCP; its writing thread takes from a bounded queue, and a peer
- * that does not listen is dropped. {@link #send} and {@link #close} never wait.
+ * One connection of a server or a leader. Its reading thread waits while the inbox is full, so that
+ * a peer that sends too much is slowed down by TCP; a peer that does not read is dropped. {@link
+ * #send} and {@link #close} never wait.
  */
 public final class PeerConnection implements AutoCloseable {
 
@@ -26,14 +25,12 @@ public final class PeerConnection implements AutoCloseable {
   private static final int QUEUED_LINES = 300;
 
   private final String robot;
-  private final LinkSocket socket;
+  private final LineChannel channel;
   private final Listener listener;
-  private final BlockingQueue<byte[]> outbox = new ArrayBlockingQueue<>(QUEUED_LINES);
   private final Thread reader;
-  private final Thread writer;
   private volatile @Nullable String endReason;
 
-  /** Takes what is heard; may wait. */
+  /** Takes what is received; may wait. */
   @FunctionalInterface
   public interface Listener {
     void handle(ConnectionEvent event) throws InterruptedException;
@@ -41,31 +38,30 @@ public final class PeerConnection implements AutoCloseable {
 
   public PeerConnection(String robot, LinkSocket socket, Listener listener) {
     this.robot = robot;
-    this.socket = socket;
+    channel = new LineChannel(socket, robot, QUEUED_LINES, WhenFull.CLOSE);
     this.listener = listener;
     reader = Thread.ofVirtual().name(robot + "-reader").unstarted(this::readLines);
-    writer = Thread.ofVirtual().name(robot + "-writer").unstarted(this::writeLines);
   }
 
   public void start() {
     reader.start();
-    writer.start();
+    channel.start();
   }
 
   /** Who is at the other end; null where the link is not encrypted. */
   @Nullable
   public Fingerprint peer() {
-    return socket.peer();
+    return channel.peer();
   }
 
   public void send(AgentMessage message) {
-    if (!outbox.offer(LinkCodec.encode(message))) {
+    if (!channel.send(LinkCodec.encode(message))) {
       log.warn("{}: the server does not take its lines; the connection is dropped.", robot);
       close();
     }
   }
 
-  /** Why nothing more will be heard, a clause; null while the connection lives. */
+  /** Why nothing more will be received, a clause; null while the connection is open. */
   @Nullable
   public String endReason() {
     return endReason;
@@ -74,19 +70,13 @@ public final class PeerConnection implements AutoCloseable {
   @Override
   public void close() {
     reader.interrupt();
-    writer.interrupt();
-    try {
-      socket.close();
-    } catch (IOException e) {
-      log.debug("{}: closing the connection failed.", robot, e);
-    }
+    channel.close();
   }
 
   private void readLines() {
     try {
       listener.handle(new ConnectionEvent.Opened(this));
-      LineReader lines = new LineReader(socket.in());
-      for (LineReader.Line line = lines.readLine(); line != null; line = lines.readLine()) {
+      for (LineReader.Line line = channel.readLine(); line != null; line = channel.readLine()) {
         listener.handle(
             new ConnectionEvent.LineReceived(this, LinkCodec.decodeServerMessage(line)));
       }
@@ -98,18 +88,5 @@ public final class PeerConnection implements AutoCloseable {
       endReason = "it was closed here";
     }
     close();
-  }
-
-  private void writeLines() {
-    try {
-      OutputStream out = socket.out();
-      while (true) {
-        out.write(outbox.take());
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    } catch (IOException e) {
-      log.debug("{}: writing ended.", robot, e);
-    }
   }
 }

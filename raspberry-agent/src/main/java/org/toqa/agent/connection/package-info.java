@@ -1,4 +1,4 @@
-/** Lines to and from the other end of a link. */
+/** The connections of a daemon: of its server, and of a leader that it follows. */
 @NullMarked
 package org.toqa.agent.connection;
 

@@ -3,25 +3,17 @@ package org.toqa.agent.control;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Objects;
 import java.util.Optional;
-import org.jspecify.annotations.Nullable;
+import java.util.function.Function;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.config.AgentConfig;
-import org.toqa.agent.drive.DriveRules;
 import org.toqa.agent.drive.ObstacleAvoider;
-import org.toqa.agent.drive.PaceLimits;
-import org.toqa.agent.drive.ReferenceTrajectory;
-import org.toqa.agent.drive.SegmentRunner;
 import org.toqa.agent.formation.FollowerLink;
 import org.toqa.agent.formation.FormationFollower;
 import org.toqa.agent.formation.FormationLeader;
-import org.toqa.agent.formation.FormationRules;
 import org.toqa.agent.storage.Journal;
-import org.toqa.agent.storage.JournalEntry;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
@@ -31,7 +23,6 @@ import org.toqa.link.message.AgentMessage.FollowerReport;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.Reject;
-import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.ServerMessage.Cancel;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
@@ -48,9 +39,8 @@ import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
 
 /**
- * What the robot does: obeys commands that are legal, drives its way, and knows what of it must
- * outlive the daemon. A command is written to the journal before it has an effect, and has no
- * effect if that fails.
+ * What the robot does: obeys commands that are legal, drives along its trajectory, and reports. A
+ * command is written to the journal before it has an effect, and has no effect if that fails.
  *
  * <p>Rules beyond the message's own text:
  *
@@ -58,38 +48,32 @@ import org.toqa.link.message.ServerMessage.Resume;
  *   <li>A ping has no effect, so it does not count as the last sequence number.
  *   <li>A drive that is accepted tells that the server knows of the end of the one before.
  *   <li>{@code cancel} names what the robot shall not work for any more; a robot that does not work
- *       for it acknowledges and goes on. A robot that drives comes to a stand on its way.
+ *       for it acknowledges and goes on. A robot that drives comes to a standstill on its path.
  *   <li>A hold outlasts drives and restarts until {@code resume}; a drive that comes meanwhile is
  *       accepted and waits.
  *   <li>A daemon that starts anew does not go on with the drive under way: it stands, keeps task
  *       and phase, tells so in its hello, and waits for a new drive from where it is. What moved
- *       while no daemon watched is known by odometry, but nobody has looked whether the way is
+ *       while no daemon watched is known by odometry, but nobody has looked whether the path is
  *       still free.
  *   <li>In a formation the leader's drive is phase 2 of its task, and the followers have none: a
- *       follower's phase ends with its leader's word. A follower keeps its place while the server
+ *       follower's phase ends by its leader's message. A follower keeps its place while the server
  *       is silent, since its leader stands when nothing more is released.
+ *   <li>A robot that is told to follow leads no more.
  *   <li>A phase 3 whose end is acknowledged ends the task for this robot.
  * </ul>
+ *
+ * <p>For the thread of the ticks.
  */
 public final class RobotControl {
 
   private static final Logger log = LoggerFactory.getLogger(RobotControl.class);
-  private static final Pose ORIGIN = new Pose(0, 0, 0);
 
   private final AgentConfig config;
-  private final DriveRules rules;
-  private final FormationRules formationRules;
-  private final Journal journal;
+  private final RobotRecord record;
+  private final CommandRules rules;
   private ObstacleAvoider avoider;
-  private ChassisReading lastReading;
-
-  private @Nullable SegmentRunner runner;
-  private boolean isFinal;
-  private boolean isCancelled;
+  private Activity activity = Alone.IDLE;
   private boolean isServerSilent;
-  private @Nullable Fault restartFault;
-  private @Nullable FormationLeader leader;
-  private @Nullable FormationFollower follower;
   private double now;
 
   /**
@@ -99,33 +83,9 @@ public final class RobotControl {
   public RobotControl(AgentConfig config, Journal journal, ChassisReading body, boolean encrypted)
       throws IOException {
     this.config = config;
-    this.rules = new DriveRules(config.limits());
-    this.formationRules = new FormationRules(config, encrypted);
-    this.journal = journal;
+    this.record = new RobotRecord(config.name(), journal, body);
+    this.rules = new CommandRules(config, encrypted, record);
     this.avoider = new ObstacleAvoider(config.footprint() / 2);
-    this.lastReading = body;
-    if (!journal.saveDurably(recoverEntry())) {
-      throw new IOException(journal.fault().orElseThrow().text());
-    }
-  }
-
-  private JournalEntry recoverEntry() {
-    if (journal.entry().isEmpty()) {
-      return JournalEntry.of(lastReading.powerCycle(), lastReading.startPose());
-    }
-    JournalEntry old = entry();
-    if (old.drive() != 0) {
-      restartFault =
-          new Fault(
-              "RESTARTED",
-              "The daemon was restarted during drive %d, after %d of its segments; it waits for a new drive."
-                  .formatted(old.drive(), old.segment()));
-      log.warn("{}: {}", config.name(), restartFault.text());
-    }
-    return old.withoutDrive()
-        .withAnchor(
-            lastReading.powerCycle(),
-            old.powerCycle() == lastReading.powerCycle() ? old.anchor() : lastReading.startPose());
   }
 
   /**
@@ -135,87 +95,146 @@ public final class RobotControl {
    */
   public void update(ChassisReading reading, double seconds) {
     now = seconds;
-    if (reading.powerCycle() != lastReading.powerCycle()) {
-      endActivityAfterPowerCycle(reading);
+    if (record.update(reading)) {
+      activity = Alone.IDLE;
     }
-    lastReading = reading;
     avoider.observe(reading.ranges(), pose(), seconds);
-  }
-
-  private void endActivityAfterPowerCycle(ChassisReading reading) {
-    log.warn("{}: the body was powered up anew.", logName());
-    runner = null;
-    leader = null;
-    follower = null;
-    journal.saveDurably(
-        entry().withoutDrive().withAnchor(reading.powerCycle(), reading.startPose()));
-  }
-
-  private JournalEntry entry() {
-    return journal.entry().orElseThrow();
-  }
-
-  private boolean isLocalised() {
-    return anchor() != null;
-  }
-
-  private @Nullable Pose anchor() {
-    return entry().powerCycle() == lastReading.powerCycle() ? entry().anchor() : null;
   }
 
   /** Map frame; an arbitrary frame while the robot is not localised. */
   public Pose pose() {
-    Pose anchor = anchor();
-    return anchor == null ? lastReading.odometry() : anchor.compose(lastReading.odometry());
+    return record.pose();
   }
 
+  /** The last phase that was driven to its end, until the server has stored that. */
   public Optional<PhaseEnd> done() {
-    return Optional.ofNullable(entry().done());
+    return Optional.ofNullable(record.entry().done());
   }
 
   /** Kilograms on board. */
   public double load() {
-    return entry().load();
+    return record.entry().load();
+  }
+
+  /** What a command comes to when it is checked. */
+  private sealed interface Check {
+    /**
+     * @param effect to be run once the journal has recorded the command
+     */
+    record Accepted(Runnable effect) implements Check {}
+
+    record Refused(String reason) implements Check {}
+
+    static Check of(Optional<String> objection, Runnable effect) {
+      return objection.<Check>map(Refused::new).orElseGet(() -> new Accepted(effect));
+    }
   }
 
   /** The answer to a command, which has its effect by then. */
   public AgentMessage execute(Command command) {
-    if (command instanceof Ping || command.seq() <= entry().lastSeq()) {
+    if (command instanceof Ping || command.seq() <= record.entry().lastSeq()) {
       return new Ack(command.seq());
     }
-    Optional<String> objection = objectionTo(command);
-    if (objection.isEmpty()) {
-      if (saveAccepted(command)) {
-        begin(command);
-        return new Ack(command.seq());
-      }
-      objection = Optional.of("The robot cannot write its journal, so it did nothing.");
-    }
-    log.warn(
-        "{}: refused {} {}: {}",
-        logName(),
-        command.getClass().getSimpleName(),
-        command.seq(),
-        objection.get());
-    return new Reject(command.seq(), objection.get());
-  }
-
-  private boolean saveAccepted(Command command) {
-    JournalEntry next = entryAfter(command).withLastSeq(command.seq());
-    return switch (command) {
-      case Extend _, Release _ -> journal.save(next); // it drives, and must not wait for the disk
-      default -> journal.saveDurably(next);
+    return switch (check(command)) {
+      case Check.Accepted(Runnable effect) -> obey(command, effect);
+      case Check.Refused(String reason) -> refuse(command, reason);
     };
   }
 
-  /** The server has stored the end of this drive. */
-  public void acknowledgeDone(long drive) {
-    PhaseEnd done = entry().done();
-    if (done == null || done.drive() != drive) {
-      return;
+  private AgentMessage obey(Command command, Runnable effect) {
+    if (!record.saveAccepted(command)) {
+      return refuse(command, "The robot cannot write its journal, so it did nothing.");
     }
-    boolean isTaskOver = done.phase() == 3 && entry().drive() == 0;
-    journal.saveDurably(isTaskOver ? entry().withoutTask() : entry().withoutDone());
+    effect.run();
+    return new Ack(command.seq());
+  }
+
+  private AgentMessage refuse(Command command, String reason) {
+    log.warn(
+        "{}: refused {} {}: {}",
+        record.logName(),
+        command.getClass().getSimpleName(),
+        command.seq(),
+        reason);
+    return new Reject(command.seq(), reason);
+  }
+
+  private Check check(Command command) {
+    return switch (command) {
+      case Drive drive -> Check.of(rules.objectionTo(drive, activity), () -> begin(drive));
+      case Extend extend ->
+          checkChange(
+              extend.drive(),
+              run -> Check.of(rules.objectionTo(extend, run), () -> run.extend(extend)));
+      case Release release ->
+          checkChange(
+              release.drive(),
+              run ->
+                  Check.of(
+                      rules.objectionTo(release, run),
+                      () -> run.trajectory().release(release.released())));
+      case Locate locate ->
+          Check.of(
+              rules.objectionTo(locate, activity),
+              () -> log.info("{}: told to be at {}.", config.name(), pose()));
+      case Lead lead -> Check.of(rules.objectionTo(lead, activity), () -> begin(lead));
+      case Follow follow -> Check.of(rules.objectionTo(follow, activity), () -> begin(follow));
+      case Cancel cancel -> new Check.Accepted(() -> cancel(cancel));
+      case Hold _, Resume _, Ping _ -> new Check.Accepted(() -> {});
+    };
+  }
+
+  private Check checkChange(long drive, Function<DriveRun, Check> change) {
+    return switch (rules.find(drive, activity)) {
+      case CommandRules.NamedDrive.Found(DriveRun run) -> change.apply(run);
+      case CommandRules.NamedDrive.NotFound(String sentence) -> new Check.Refused(sentence);
+    };
+  }
+
+  private void begin(Drive order) {
+    avoider = new ObstacleAvoider(config.footprint() / 2);
+    Optional<DriveRun> drive = Optional.of(new DriveRun(order, config.limits(), avoider));
+    activity =
+        activity instanceof Leading(var leader, _)
+            ? new Leading(leader, drive)
+            : new Alone(drive);
+    log.info(
+        "{}: drive {} of phase {}, {} segments, {} released.",
+        record.logName(),
+        order.seq(),
+        order.phase(),
+        order.segments().size(),
+        order.released());
+  }
+
+  private void begin(Lead order) {
+    activity = new Leading(new FormationLeader(order, config.limits()), Optional.empty());
+    log.info(
+        "{}: leads task {}, {} followers.",
+        record.logName(),
+        order.task(),
+        order.followers().size());
+  }
+
+  private void begin(Follow order) {
+    activity = new Following(new FormationFollower(order, config.following()));
+    log.info("{}: follows {}.", record.logName(), order.leader());
+  }
+
+  private void cancel(Cancel order) {
+    activity = activity.cancel(order.task());
+    if (record.entry().drive() == 0) {
+      activity.drive().ifPresent(DriveRun::cancel);
+    }
+  }
+
+  /**
+   * Records that the server has stored the end of a drive.
+   *
+   * @param drive its sequence number
+   */
+  public void acknowledgeDone(long drive) {
+    record.acknowledgeDone(drive);
   }
 
   /**
@@ -227,316 +246,140 @@ public final class RobotControl {
    */
   public Twist drive(double seconds, boolean serverSilent) {
     isServerSilent = serverSilent;
-    boolean canMove = !entry().held() && !isCancelled && lastReading.faults().isEmpty();
-    if (follower != null) {
-      Twist command = follower.steer(pose(), now);
-      return canMove ? command : Twist.ZERO;
-    }
-    if (runner == null) {
-      return Twist.ZERO;
-    }
-    ReferenceTrajectory trajectory = runner.trajectory();
-    if (leader == null) {
-      avoider.avoidObstacles(trajectory, seconds, canMove);
-    } else {
-      avoider.stopForObstacles(trajectory);
-      trajectory.setLimits(leader.paceLimits(now));
-    }
-    double pace = leader == null ? 1 : leader.pace(now);
-    Twist command = runner.steer(pose(), seconds, canMove ? pace : 0);
-    if (isCancelled) {
-      endCancelledDriveIfStanding(trajectory);
-    } else if (isFinal && runner.isAtEnd() && (leader == null || leader.canEnd(now))) {
-      endPhase();
-    } else if (trajectory.completedCount() != entry().segment()) {
-      journal.save(entry().withSegment(trajectory.completedCount()));
-    }
-    return runner == null || !lastReading.faults().isEmpty() ? Twist.ZERO : command;
+    boolean canMove = !record.entry().held() && !hasBodyFault();
+    Twist command = activity.steer(new Activity.Tick(pose(), seconds, now, canMove));
+    Optional<DriveRun> drive = activity.drive();
+    drive.ifPresent(this::updateProgress);
+    boolean hasEnded = drive.isPresent() && activity.drive().isEmpty();
+    return hasEnded || hasBodyFault() ? Twist.ZERO : command;
   }
 
-  private void endCancelledDriveIfStanding(ReferenceTrajectory trajectory) {
-    if (trajectory.isStanding() && lastReading.isStanding()) {
-      runner = null;
+  private boolean hasBodyFault() {
+    return !record.reading().faults().isEmpty();
+  }
+
+  private void updateProgress(DriveRun drive) {
+    if (drive.isCancelled()) {
+      if (drive.isStanding() && record.reading().isStanding()) {
+        activity = activity.withoutDrive();
+      }
+    } else if (activity.isPhaseOver(now)) {
+      endPhase();
+    } else {
+      record.saveSegment(drive.trajectory().completedCount());
     }
   }
 
   private void endPhase() {
-    if (journal.saveDurably(entry().withPhaseEnd())) {
-      runner = null;
-      leader = null;
-      follower = null;
-      log.info("{}: phase {} is done.", logName(), entry().phase());
+    if (record.savePhaseEnd()) {
+      activity = Alone.IDLE;
+      log.info("{}: phase {} is done.", record.logName(), record.entry().phase());
     }
-  }
-
-  private Optional<String> objectionTo(Command command) {
-    return switch (command) {
-      case Drive drive ->
-          objectionToDriving()
-              .or(() -> objectionAsLeader(drive))
-              .or(() -> rules.objectionTo(drive, pose()));
-      case Extend extend ->
-          objectionToChanging(extend.drive())
-              .or(() -> rules.objectionTo(extend, Objects.requireNonNull(runner).trajectory()));
-      case Release release ->
-          objectionToChanging(release.drive())
-              .or(() -> rules.objectionTo(release, Objects.requireNonNull(runner).trajectory()));
-      case Locate locate ->
-          runner == null && follower == null && lastReading.isStanding()
-              ? rules.objectionTo(locate)
-              : Optional.of("A robot that drives cannot be told where it is; send cancel first.");
-      case Lead lead -> objectionToDriving().or(() -> formationRules.objectionTo(lead));
-      case Follow follow -> objectionToDriving().or(() -> formationRules.objectionTo(follow));
-      case Hold _, Resume _, Cancel _, Ping _ -> Optional.empty();
-    };
-  }
-
-  private Optional<String> objectionToDriving() {
-    if (!lastReading.faults().isEmpty()) {
-      return Optional.of("The robot cannot drive: " + lastReading.faults().getFirst().text());
-    }
-    if (!isLocalised()) {
-      return Optional.of("The robot does not know where it is; send locate first.");
-    }
-    if (follower != null) {
-      return Optional.of(
-          "The robot follows %s; wait for the formation's end or send cancel."
-              .formatted(follower.order().leader()));
-    }
-    if (runner != null && !isCancelled) {
-      return Optional.of(
-          "The robot has not ended drive %d; wait for its end or send cancel."
-              .formatted(entry().drive()));
-    }
-    return runner == null && lastReading.isStanding()
-        ? Optional.empty()
-        : Optional.of("The robot is still moving; wait until it stands.");
-  }
-
-  private Optional<String> objectionAsLeader(Drive drive) {
-    boolean fits =
-        leader == null
-            || (drive.phase() == 2 && Objects.equals(drive.task(), leader.order().task()));
-    return fits
-        ? Optional.empty()
-        : Optional.of(
-            "The robot leads phase 2 of task %d; send cancel first."
-                .formatted(Objects.requireNonNull(leader).order().task()));
-  }
-
-  private Optional<String> objectionToChanging(long drive) {
-    if (runner != null && entry().drive() == drive) {
-      return Optional.empty();
-    }
-    return Optional.of(
-        entry().drive() == 0
-            ? "There is no drive %d any more; the robot has none.".formatted(drive)
-            : "There is no drive %d any more; the robot has drive %d."
-                .formatted(drive, entry().drive()));
-  }
-
-  private JournalEntry entryAfter(Command command) {
-    return switch (command) {
-      case Drive drive -> entry().withDrive(drive.seq(), drive.task(), drive.phase(), drive.load());
-      case Follow follow -> entry().withDrive(follow.seq(), follow.task(), 2, 0);
-      case Hold _ -> entry().withHold(true);
-      case Resume _ -> entry().withHold(false);
-      case Cancel cancel ->
-          Objects.equals(cancel.task(), entry().task()) ? entry().withoutTask() : entry();
-      case Locate locate ->
-          // anchor * odometry = pose
-          entry()
-              .withAnchor(
-                  lastReading.powerCycle(),
-                  locate.pose().compose(lastReading.odometry().relative(ORIGIN)));
-      case Extend _, Release _, Lead _, Ping _ -> entry();
-    };
-  }
-
-  private void begin(Command command) {
-    switch (command) {
-      case Drive drive -> begin(drive);
-      case Extend extend -> {
-        Objects.requireNonNull(runner)
-            .trajectory()
-            .replace(extend.from(), extend.segments(), extend.released());
-        isFinal = extend.last();
-      }
-      case Release release ->
-          Objects.requireNonNull(runner).trajectory().release(release.released());
-      case Lead lead -> {
-        leader = new FormationLeader(lead, config.limits());
-        log.info(
-            "{}: leads task {}, {} followers.", logName(), lead.task(), lead.followers().size());
-      }
-      case Follow follow -> {
-        follower = new FormationFollower(follow, config.following());
-        restartFault = null;
-        log.info("{}: follows {}.", logName(), follow.leader());
-      }
-      case Cancel cancel -> {
-        leader = leader != null && isFor(cancel, leader.order().task()) ? null : leader;
-        follower = follower != null && isFor(cancel, follower.order().task()) ? null : follower;
-        isCancelled = runner != null && entry().drive() == 0;
-        restartFault = entry().task() == null ? null : restartFault;
-      }
-      case Locate _ -> log.info("{}: told to be at {}.", config.name(), pose());
-      case Hold _, Resume _, Ping _ -> {}
-    }
-  }
-
-  private static boolean isFor(Cancel cancel, long task) {
-    return Objects.equals(cancel.task(), task);
-  }
-
-  private void begin(Drive drive) {
-    avoider = new ObstacleAvoider(config.footprint() / 2);
-    runner =
-        new SegmentRunner(
-            new ReferenceTrajectory(
-                drive.start(),
-                drive.segments(),
-                drive.released(),
-                PaceLimits.forSingleRobot(config.limits())),
-            avoider);
-    isFinal = drive.last();
-    isCancelled = false;
-    restartFault = null;
-    log.info(
-        "{}: drive {} of phase {}, {} segments, {} released.",
-        logName(),
-        drive.seq(),
-        drive.phase(),
-        drive.segments().size(),
-        drive.released());
-  }
-
-  private String logName() {
-    return entry().task() == null ? config.name() : config.name() + " task " + entry().task();
   }
 
   /** What this robot leads; empty where it is no leader. */
   public Optional<Lead> leadOrder() {
-    return Optional.ofNullable(leader).map(FormationLeader::order);
+    return activity instanceof Leading(var leader, _)
+        ? Optional.of(leader.order())
+        : Optional.empty();
   }
 
   /** A follower has answered this leader. */
   public void handle(FollowerLink.Answer answer) {
-    if (leader != null) {
+    if (activity instanceof Leading(var leader, _)) {
       leader.recordReport(answer.follower(), answer.report(), pose(), now);
     }
   }
 
   /** As a leader it stops for a follower's sake, and still moves. */
   public boolean isBraking() {
-    return leader != null
-        && leader.pace(now) == 0
-        && runner != null
-        && !runner.trajectory().isStanding();
+    return activity instanceof Leading leading && leading.isBraking(now);
   }
 
   /** How it is about to move, in its own frame. */
   public Twist plannedTwist() {
-    return runner == null ? Twist.ZERO : runner.trajectory().twist();
+    return activity.drive().map(run -> run.trajectory().twist()).orElse(Twist.ZERO);
   }
 
-  /** The leader, or who says so, has connected anew. */
+  /** The leader, or another that says it is, has connected anew. */
   public void leaderConnected() {
-    if (follower != null) {
+    if (activity instanceof Following(var follower)) {
       follower.resetSequence();
     }
   }
 
-  /** The leader has spoken. */
+  /** The leader has sent a message. */
   public void handle(LeaderMessage message) {
-    if (follower == null || follower.order().task() != message.task()) {
+    if (!(activity instanceof Following following && following.isFor(message.task()))) {
       return;
     }
     switch (message) {
-      case LeaderPose pose -> follower.recordLeaderPose(pose, now);
+      case LeaderPose pose -> following.follower().recordLeaderPose(pose, now);
       case FormationEnd _ -> endPhase();
     }
   }
 
   /** The answer to a leader's message; empty where it is none of this robot's leader. */
   public Optional<FollowerReport> answerTo(LeaderMessage message) {
+    if (activity instanceof Following following && following.isFor(message.task())) {
+      return switch (message) {
+        case LeaderPose _ -> Optional.of(following.follower().report(pose(), mode()));
+        case FormationEnd _ -> Optional.empty(); // the journal failed; the leader says it again
+      };
+    }
     return switch (message) {
-      case LeaderPose pose when follower != null && follower.order().task() == pose.task() ->
-          Optional.of(follower.report(pose(), mode()));
       case LeaderPose _ -> Optional.empty();
-      case FormationEnd end when follower != null && follower.order().task() == end.task() ->
-          Optional.empty(); // the journal could not be written; the leader says it again
       case FormationEnd(long task) -> Optional.of(new FollowerReport(task, 0, pose(), 0, mode()));
     };
   }
 
-  private Role role() {
-    if (follower != null) {
-      return Role.FOLLOWER;
-    }
-    return leader == null ? Role.ALONE : Role.LEADER;
-  }
-
   private Mode mode() {
-    if (!lastReading.faults().isEmpty()) {
+    if (hasBodyFault()) {
       return Mode.ERROR;
     }
-    if (follower != null) {
-      return entry().held() || follower.isStopped() ? Mode.HOLDING : Mode.FOLLOWING;
-    }
-    if (entry().held() || isWaitingForServer()) {
-      return Mode.HOLDING;
-    }
-    return runner == null ? Mode.IDLE : Mode.DRIVING;
-  }
-
-  /** Whether its body stands, and nothing but a word from outside would move it. */
-  public boolean isAtRest() {
-    return lastReading.isStanding() && (mode() == Mode.IDLE || mode() == Mode.HOLDING);
+    boolean isHeld = record.entry().held();
+    return switch (activity) {
+      case Following(var follower) ->
+          isHeld || follower.isStopped() ? Mode.HOLDING : Mode.FOLLOWING;
+      case Alone _, Leading _ -> {
+        if (isHeld || isWaitingForServer()) {
+          yield Mode.HOLDING;
+        }
+        yield activity.drive().isEmpty() ? Mode.IDLE : Mode.DRIVING;
+      }
+    };
   }
 
   private boolean isWaitingForServer() {
-    return isServerSilent
-        && runner != null
-        && runner.trajectory().completedCount() == runner.trajectory().releasedCount()
-        && runner.trajectory().isStanding();
+    return isServerSilent && activity.drive().filter(DriveRun::isWaitingForRelease).isPresent();
   }
 
-  private List<Fault> errors() {
-    List<Fault> errors = new ArrayList<>(lastReading.faults());
-    if (restartFault != null) {
-      errors.add(restartFault);
-    }
-    journal.fault().ifPresent(errors::add);
-    if (leader != null && runner != null) {
-      leader.fault(now).ifPresent(errors::add);
-    }
-    if (follower != null) {
-      follower.fault().ifPresent(errors::add);
-    }
-    avoider.fault().ifPresent(errors::add);
-    if (runner != null && runner.isOffTrajectory()) {
-      errors.add(
-          new Fault(
-              "OFF_WAY",
-              String.format(
-                  Locale.ROOT, "The robot is %.2f m off its way.", runner.trackingError())));
-    }
-    return errors;
+  /** Whether its body stands, and nothing but a message from outside would move it. */
+  public boolean isAtRest() {
+    return record.reading().isStanding() && (mode() == Mode.IDLE || mode() == Mode.HOLDING);
   }
 
+  private List<Fault> faults() {
+    List<Fault> faults = new ArrayList<>(record.faults());
+    activity.fault(now).ifPresent(faults::add);
+    avoider.fault().ifPresent(faults::add);
+    activity.drive().flatMap(DriveRun::fault).ifPresent(faults::add);
+    return faults;
+  }
+
+  /** The robot as it is now. */
   public RobotReport report() {
     return new RobotReport(
         config,
-        entry(),
-        lastReading,
-        isLocalised(),
+        record.entry(),
+        record.reading(),
+        record.isLocalised(),
         pose(),
         mode(),
-        role(),
-        runner == null || isCancelled ? 0 : runner.trajectory().completedCount(),
-        runner == null || isCancelled ? 0 : runner.trajectory().releasedCount(),
+        activity.role(),
+        activity.drive().map(DriveRun::reportedSegment).orElse(0),
+        activity.drive().map(DriveRun::reportedRelease).orElse(0),
         avoider.obstacles(),
-        errors());
+        faults());
   }
 }

@@ -70,11 +70,6 @@ public final class SegmentRunner {
     return trackingError > WAITING_METRES;
   }
 
-  /** Stands on the reference, which stands too. */
-  boolean stands() {
-    return settled;
-  }
-
   public boolean isAtEnd() {
     return settled && trajectory.completedCount() == trajectory.size();
   }

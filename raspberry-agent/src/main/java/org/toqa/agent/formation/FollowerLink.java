@@ -1,14 +1,14 @@
 package org.toqa.agent.formation;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.net.Socket;
 import java.time.Duration;
-import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.link.channel.LineChannel;
+import org.toqa.link.channel.LineChannel.WhenFull;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.FollowerReport;
 import org.toqa.link.message.AgentMessage.Hello;
@@ -23,8 +23,7 @@ import org.toqa.link.trust.LinkTls;
 
 /**
  * A leader's connection to one follower, made anew whenever it breaks. {@link #send} and {@link
- * #close} never wait; what cannot be sent at once is not sent later, since a place that is old
- * misleads.
+ * #close} never wait; what cannot be sent at once is not sent later, since an old pose misleads.
  */
 public final class FollowerLink implements AutoCloseable {
 
@@ -42,9 +41,12 @@ public final class FollowerLink implements AutoCloseable {
   private final Follower follower;
   private final FollowerConnector connector;
   private final BlockingQueue<Answer> answers;
-  private final BlockingQueue<byte[]> outbox = new ArrayBlockingQueue<>(QUEUED_LINES);
   private final Thread thread;
   private volatile Socket socket = new Socket();
+
+  /** Null while the follower has not said hello. */
+  private volatile @Nullable LineChannel channel;
+
   private @Nullable Reason lastLoggedReason;
 
   /**
@@ -68,9 +70,9 @@ public final class FollowerLink implements AutoCloseable {
   }
 
   void send(LeaderMessage message) {
-    byte[] line = LinkCodec.encode(message);
-    while (!outbox.offer(line)) {
-      outbox.poll();
+    LineChannel connected = channel;
+    if (connected != null) {
+      connected.send(LinkCodec.encode(message));
     }
   }
 
@@ -107,29 +109,33 @@ public final class FollowerLink implements AutoCloseable {
   }
 
   private void runConnection(LinkSocket fresh) throws IOException {
-    LineReader lines = new LineReader(fresh.in());
-    AgentMessage first = decode(lines.readLine());
-    if (!(first instanceof Hello hello) || !hello.robot().equals(follower.robot())) {
-      log.warn(
-          "{}: what answers at {}:{} is not {}.",
-          leader,
-          follower.host(),
-          follower.port(),
-          follower.robot());
-      return;
-    }
-    lastLoggedReason = null;
-    outbox.clear();
-    Thread writer = Thread.ofVirtual().name(thread.getName() + "-writer").start(() -> write(fresh));
-    try {
-      for (LineReader.Line line = lines.readLine(); line != null; line = lines.readLine()) {
-        if (decode(line) instanceof FollowerReport keep
-            && !answers.offer(new Answer(follower.robot(), keep))) {
-          log.warn("{}: an answer of {} was lost.", leader, follower.robot());
-        }
+    try (LineChannel opened =
+        new LineChannel(fresh, thread.getName(), QUEUED_LINES, WhenFull.DROP_OLDEST)) {
+      AgentMessage first = decode(opened.readLine());
+      if (!(first instanceof Hello hello) || !hello.robot().equals(follower.robot())) {
+        log.warn(
+            "{}: what answers at {}:{} is not {}.",
+            leader,
+            follower.host(),
+            follower.port(),
+            follower.robot());
+        return;
       }
+      lastLoggedReason = null;
+      opened.start();
+      channel = opened;
+      readAnswers(opened);
     } finally {
-      writer.interrupt();
+      channel = null;
+    }
+  }
+
+  private void readAnswers(LineChannel from) throws IOException {
+    for (LineReader.Line line = from.readLine(); line != null; line = from.readLine()) {
+      if (decode(line) instanceof FollowerReport report
+          && !answers.offer(new Answer(follower.robot(), report))) {
+        log.warn("{}: an answer of {} was lost.", leader, follower.robot());
+      }
     }
   }
 
@@ -138,19 +144,6 @@ public final class FollowerLink implements AutoCloseable {
             && LinkCodec.decodeAgentMessage(line) instanceof Decoded<AgentMessage>(var message)
         ? message
         : null;
-  }
-
-  private void write(LinkSocket fresh) {
-    try {
-      OutputStream out = fresh.out();
-      while (true) {
-        out.write(outbox.take());
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    } catch (IOException e) {
-      log.debug("{}: writing to {} ended.", leader, follower.robot(), e);
-    }
   }
 
   private void closeSocket() {

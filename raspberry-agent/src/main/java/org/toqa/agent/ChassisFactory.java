@@ -1,0 +1,59 @@
+package org.toqa.agent;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import org.toqa.agent.chassis.Chassis;
+import org.toqa.agent.chassis.SimulatedChassis;
+import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.config.ChassisConfig;
+import org.toqa.agent.firmware.FirmwareChassis;
+import org.toqa.agent.firmware.FrameTransport;
+import org.toqa.agent.firmware.SerialTransport;
+import org.toqa.agent.firmware.SimulatorTransport;
+import org.toqa.agent.firmware.SpidevTransport;
+import org.toqa.avoidance.RangeSensors;
+import org.toqa.geometry.Pose;
+
+/** Opens the body that a configuration names. */
+final class ChassisFactory {
+
+  private ChassisFactory() {}
+
+  /**
+   * @param folder the daemon's, where a simulated body keeps its state
+   * @param nanos the time of the first tick, on a monotonic clock
+   * @throws IOException with one line for people: there is no such body
+   */
+  static Chassis open(AgentConfig config, Path folder, long nanos) throws IOException {
+    return switch (config.chassis()) {
+      case ChassisConfig.Simulated body ->
+          new SimulatedChassis(
+              folder.resolve("body"),
+              body.start(),
+              body.battery(),
+              body.noise(),
+              body.seed(),
+              new RangeSensors(config.footprint() / 2),
+              body.surroundings());
+      case ChassisConfig.SimulatedFirmware(var socket, var start) ->
+          openFirmware(config, new SimulatorTransport(socket), start, nanos);
+      case ChassisConfig.Spi(var device, int hertz, int wordDelay) ->
+          openFirmware(config, new SpidevTransport(device, hertz, wordDelay), null, nanos);
+      case ChassisConfig.Serial(var device, int baud) ->
+          openFirmware(config, new SerialTransport(device, baud), null, nanos);
+    };
+  }
+
+  private static Chassis openFirmware(
+      AgentConfig config, FrameTransport transport, @Nullable Pose start, long nanos)
+      throws IOException {
+    String caption = config.name() + " " + config.address().getHostAddress();
+    try {
+      return new FirmwareChassis(transport, caption, start, nanos);
+    } catch (IOException e) {
+      transport.close();
+      throw e;
+    }
+  }
+}

@@ -1,0 +1,89 @@
+package org.toqa.agent;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Done;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.PhaseEnd;
+import org.toqa.link.message.AgentMessage.State;
+
+/**
+ * Reports to the server: the state five times a second and at once when it has changed, the end of
+ * a phase once a second until the server has stored it. Times are nanoseconds on the daemon's
+ * monotonic clock. For one thread.
+ */
+final class StateReporter {
+
+  /** Half a tick early, since a tick is never quite on time. */
+  private static final long STATE_INTERVAL_NANOS = 190_000_000;
+
+  private static final long DONE_INTERVAL_NANOS = 990_000_000;
+
+  private final Consumer<AgentMessage> sender;
+  private @Nullable State lastState;
+  private long lastStateNanos;
+  private @Nullable PhaseEnd lastDone;
+  private long lastDoneNanos;
+
+  /**
+   * @param sender sends to the server, if there is one, without waiting
+   */
+  StateReporter(Consumer<AgentMessage> sender) {
+    this.sender = sender;
+  }
+
+  /**
+   * A server has connected: it is sent the state at once; of a phase's end the hello has told.
+   *
+   * @param done the last phase that was driven to its end
+   */
+  void restart(State state, Optional<PhaseEnd> done, long nanos) {
+    send(state, nanos);
+    lastDone = done.orElse(null);
+    lastDoneNanos = nanos;
+  }
+
+  /**
+   * Sends what is due.
+   *
+   * @param end the last phase that was driven to its end
+   */
+  void report(State state, Optional<PhaseEnd> end, long nanos) {
+    if (nanos - lastStateNanos >= STATE_INTERVAL_NANOS || hasChanged(state)) {
+      send(state, nanos);
+    }
+    PhaseEnd done = end.orElse(null);
+    if (done != null && (!done.equals(lastDone) || nanos - lastDoneNanos >= DONE_INTERVAL_NANOS)) {
+      sender.accept(new Done(done.task(), done.phase(), done.drive()));
+      lastDoneNanos = nanos;
+    }
+    lastDone = done;
+  }
+
+  private void send(State state, long nanos) {
+    sender.accept(state);
+    lastState = state;
+    lastStateNanos = nanos;
+  }
+
+  private boolean hasChanged(State state) {
+    State before = lastState;
+    return before == null
+        || state.mode() != before.mode()
+        || state.localised() != before.localised()
+        || state.drive() != before.drive()
+        || state.segment() != before.segment()
+        || state.released() != before.released()
+        || state.phase() != before.phase()
+        || !Objects.equals(state.task(), before.task())
+        || !errorCodes(state).equals(errorCodes(before));
+  }
+
+  private static List<String> errorCodes(State state) {
+    return state.errors().stream().map(Fault::code).toList();
+  }
+}

@@ -1,0 +1,44 @@
+package org.toqa.agent.control;
+
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Twist;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.Role;
+
+/** A robot by itself: it drives, or it stands. */
+record Alone(Optional<DriveRun> drive) implements Activity {
+
+  /** A robot that nobody has told to do anything. */
+  static final Alone IDLE = new Alone(Optional.empty());
+
+  @Override
+  public Role role() {
+    return Role.ALONE;
+  }
+
+  @Override
+  public Twist steer(Tick tick) {
+    return drive.map(run -> run.steer(tick)).orElse(Twist.ZERO);
+  }
+
+  @Override
+  public boolean isPhaseOver(double now) {
+    return drive.filter(DriveRun::isAtEndOfPhase).isPresent();
+  }
+
+  @Override
+  public Optional<Fault> fault(double now) {
+    return Optional.empty();
+  }
+
+  @Override
+  public Activity cancel(@Nullable Long task) {
+    return this;
+  }
+
+  @Override
+  public Activity withoutDrive() {
+    return IDLE;
+  }
+}

@@ -1,0 +1,124 @@
+package org.toqa.agent.control;
+
+import java.util.Objects;
+import java.util.Optional;
+import org.toqa.agent.config.AgentConfig;
+import org.toqa.agent.drive.DriveRules;
+import org.toqa.agent.formation.FormationRules;
+import org.toqa.link.message.ServerMessage.Drive;
+import org.toqa.link.message.ServerMessage.Extend;
+import org.toqa.link.message.ServerMessage.Follow;
+import org.toqa.link.message.ServerMessage.Lead;
+import org.toqa.link.message.ServerMessage.Locate;
+import org.toqa.link.message.ServerMessage.Release;
+
+/**
+ * What a robot refuses for what it does now. Each rule answers with the sentence that goes back to
+ * the server, or with nothing.
+ */
+final class CommandRules {
+
+  private final DriveRules driveRules;
+  private final FormationRules formationRules;
+  private final RobotRecord record;
+
+  /**
+   * @param encrypted whether the link is
+   * @param record of the robot
+   */
+  CommandRules(AgentConfig config, boolean encrypted, RobotRecord record) {
+    this.driveRules = new DriveRules(config.limits());
+    this.formationRules = new FormationRules(config, encrypted);
+    this.record = record;
+  }
+
+  /** The drive that a command names. */
+  sealed interface NamedDrive {
+    record Found(DriveRun run) implements NamedDrive {}
+
+    /** It is not under way. */
+    record NotFound(String sentence) implements NamedDrive {}
+  }
+
+  /**
+   * @param drive the sequence number of the drive
+   */
+  NamedDrive find(long drive, Activity activity) {
+    long own = record.entry().drive();
+    return activity
+        .drive()
+        .filter(_ -> own == drive)
+        .<NamedDrive>map(NamedDrive.Found::new)
+        .orElseGet(
+            () ->
+                new NamedDrive.NotFound(
+                    own == 0
+                        ? "There is no drive %d any more; the robot has none.".formatted(drive)
+                        : "There is no drive %d any more; the robot has drive %d."
+                            .formatted(drive, own)));
+  }
+
+  Optional<String> objectionTo(Drive drive, Activity activity) {
+    return objectionToDriving(activity)
+        .or(() -> objectionAsLeader(drive, activity))
+        .or(() -> driveRules.objectionTo(drive, record.pose()));
+  }
+
+  Optional<String> objectionTo(Extend extend, DriveRun run) {
+    return driveRules.objectionTo(extend, run.trajectory());
+  }
+
+  Optional<String> objectionTo(Release release, DriveRun run) {
+    return driveRules.objectionTo(release, run.trajectory());
+  }
+
+  Optional<String> objectionTo(Lead lead, Activity activity) {
+    return objectionToDriving(activity).or(() -> formationRules.objectionTo(lead));
+  }
+
+  Optional<String> objectionTo(Follow follow, Activity activity) {
+    return objectionToDriving(activity).or(() -> formationRules.objectionTo(follow));
+  }
+
+  Optional<String> objectionTo(Locate locate, Activity activity) {
+    boolean canBeMoved =
+        activity.drive().isEmpty()
+            && !(activity instanceof Following)
+            && record.reading().isStanding();
+    return canBeMoved
+        ? driveRules.objectionTo(locate)
+        : Optional.of("A robot that drives cannot be told where it is; send cancel first.");
+  }
+
+  private Optional<String> objectionToDriving(Activity activity) {
+    if (!record.reading().faults().isEmpty()) {
+      return Optional.of(
+          "The robot cannot drive: " + record.reading().faults().getFirst().text());
+    }
+    if (!record.isLocalised()) {
+      return Optional.of("The robot does not know where it is; send locate first.");
+    }
+    if (activity instanceof Following(var follower)) {
+      return Optional.of(
+          "The robot follows %s; wait for the formation's end or send cancel."
+              .formatted(follower.order().leader()));
+    }
+    if (activity.drive().filter(run -> !run.isCancelled()).isPresent()) {
+      return Optional.of(
+          "The robot has not ended drive %d; wait for its end or send cancel."
+              .formatted(record.entry().drive()));
+    }
+    return activity.drive().isEmpty() && record.reading().isStanding()
+        ? Optional.empty()
+        : Optional.of("The robot is still moving; wait until it stands.");
+  }
+
+  private static Optional<String> objectionAsLeader(Drive drive, Activity activity) {
+    return activity instanceof Leading(var leader, _)
+            && !(drive.phase() == 2 && Objects.equals(drive.task(), leader.order().task()))
+        ? Optional.of(
+            "The robot leads phase 2 of task %d; send cancel first."
+                .formatted(leader.order().task()))
+        : Optional.empty();
+  }
+}
