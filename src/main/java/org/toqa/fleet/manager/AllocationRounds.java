@@ -25,19 +25,25 @@ import org.toqa.allocation.PlaceUse;
 import org.toqa.allocation.WaitExplainer;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorMessage;
-import org.toqa.fleet.floor.TeamRoomCheck;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
 import org.toqa.wording.Sentence;
 
-/** Lets the allocator decide who carries what, floor by floor, and hands tasks over. */
+/**
+ * Lets the allocator decide who carries what, floor by floor, and hands tasks over.
+ *
+ * <p>A round is computed on another thread from immutable values: who carries what, and whether the
+ * teams have room. Of what it says that is adopted which still fits the tasks and robots as they
+ * are then; the next round is asked about the rest.
+ */
 final class AllocationRounds {
   private static final Logger log = LoggerFactory.getLogger(AllocationRounds.class);
 
   private final FleetState fleet;
   private final Allocator allocator;
+  private final PathQuery paths;
   private final ActorRef<ManagerMessage> self;
   private final TaskExchanges exchanges = new TaskExchanges();
 
@@ -56,9 +62,11 @@ final class AllocationRounds {
   /** Floors with a round under way. */
   private final Set<String> deciding = new HashSet<>();
 
-  AllocationRounds(FleetState fleet, Allocator allocator, ActorRef<ManagerMessage> self) {
+  AllocationRounds(
+      FleetState fleet, Allocator allocator, PathQuery paths, ActorRef<ManagerMessage> self) {
     this.fleet = fleet;
     this.allocator = allocator;
+    this.paths = paths;
     this.self = self;
   }
 
@@ -110,13 +118,43 @@ final class AllocationRounds {
     }
     deciding.add(floor.name());
     AllocationProblem problem = problem(floor, jobs, given, robotsHere);
+    Map<Long, Mission> missions =
+        jobs.stream()
+            .flatMap(job -> fleet.queue.get(job.id()).stream())
+            .map(TaskQueue.Queued::mission)
+            .collect(Collectors.toMap(Mission::id, mission -> mission));
     var _ =
         CompletableFuture.supplyAsync(
-                () -> allocator.allocate(problem),
+                () -> runRound(floor, problem, missions),
                 fleet.runtime.threadPerTaskExecutor("allocation-" + floor.name()))
             .whenComplete(
-                (decisions, failure) ->
-                    self.tell(decisionMessage(floor.name(), decisions, failure)));
+                (decided, failure) -> self.tell(roundMessage(floor.name(), decided, failure)));
+  }
+
+  /**
+   * Waits for plans, so it is given a thread of its own.
+   *
+   * @param missions the problem's waiting tasks, by task
+   */
+  private ManagerMessage.AllocationDecided runRound(
+      FloorMap floor, AllocationProblem problem, Map<Long, Mission> missions) {
+    List<Decision> decisions = allocator.allocate(problem);
+    Map<Long, TeamFinding> teams = new HashMap<>();
+    for (Decision decision : decisions) {
+      if (decision instanceof Decision.Assigned(long id, List<String> chosen, Sentence _)) {
+        Mission mission = missions.get(id);
+        if (mission != null && chosen.size() > 1) {
+          teams.put(id, teamFinding(floor, mission, chosen.size()));
+        }
+      }
+    }
+    return new ManagerMessage.AllocationDecided(floor.name(), decisions, teams);
+  }
+
+  private TeamFinding teamFinding(FloorMap floor, Mission mission, int robots) {
+    return new TeamFinding(
+        PathQuery.TeamQuestion.of(mission, robots),
+        paths.objectionToTeam(floor.grid(), mission, robots).join());
   }
 
   /** What a robot that is free, or may be by an exchange, carries; nothing while none is free. */
@@ -150,12 +188,15 @@ final class AllocationRounds {
         fleet.placesInUse(floor.name()));
   }
 
-  private static ManagerMessage decisionMessage(
-      String floor, @Nullable List<Decision> decisions, @Nullable Throwable failure) {
-    if (failure != null) {
-      log.error("{}: a round of allocation failed.", floor, failure);
+  private static ManagerMessage roundMessage(
+      String floor,
+      ManagerMessage.@Nullable AllocationDecided decided,
+      @Nullable Throwable failure) {
+    if (decided != null) {
+      return decided;
     }
-    return new ManagerMessage.AllocationDecided(floor, decisions == null ? List.of() : decisions);
+    log.error("{}: a round of allocation failed.", floor, failure);
+    return new ManagerMessage.AllocationDecided(floor, List.of(), Map.of());
   }
 
   /** Gives the tasks to robots that are still free; the rest is for the next round. */
@@ -167,17 +208,12 @@ final class AllocationRounds {
     Map<Long, Sentence> waiting = new HashMap<>();
     for (Decision decision : m.decisions()) {
       switch (decision) {
-        case Decision.Assigned(long id, List<String> chosen, Sentence why) -> {
-          Optional<Sentence> objection = objectionToTeam(id, chosen.size(), m.floor());
-          if (objection.isPresent()) {
-            tasksWithoutRoom.put(id, objection.get());
-            fleet.dueFloors.add(m.floor());
-          } else if (free.containsAll(chosen)) {
-            takeFromQueue(id).ifPresent(mission -> handOver(mission, chosen, why));
-          } else if (fleet.queue.get(id).isPresent()) {
-            fleet.dueFloors.add(m.floor());
-          }
-        }
+        case Decision.Assigned(long id, List<String> chosen, Sentence why) ->
+            fleet
+                .queue
+                .get(id)
+                .ifPresent(
+                    queued -> assign(queued, chosen, why, m.teams().get(id), free));
         case Decision.Unassigned(long id, Sentence why, List<String> drained) -> {
           waiting.put(id, why);
           if (!drained.isEmpty()) {
@@ -190,9 +226,29 @@ final class AllocationRounds {
     reasons.put(m.floor(), waiting);
   }
 
-  private Optional<Sentence> objectionToTeam(long task, int team, String floor) {
-    TeamRoomCheck room = new TeamRoomCheck(requireNonNull(fleet.floorMaps.get(floor)).grid());
-    return fleet.queue.get(task).flatMap(queued -> room.objection(queued.mission(), team));
+  /**
+   * @param team whether the chosen ones have room; null where they are not several
+   * @param free robots that are free now
+   */
+  private void assign(
+      TaskQueue.Queued queued,
+      List<String> chosen,
+      Sentence why,
+      @Nullable TeamFinding team,
+      Set<String> free) {
+    Mission mission = queued.mission();
+    boolean isTeamKnown =
+        chosen.size() < 2 || (team != null && team.isAbout(mission, chosen.size()));
+    Optional<Sentence> objection =
+        team != null && isTeamKnown ? team.objection() : Optional.empty();
+    if (objection.isPresent()) {
+      tasksWithoutRoom.put(mission.id(), objection.get());
+    }
+    if (isTeamKnown && objection.isEmpty() && free.containsAll(chosen)) {
+      takeFromQueue(mission.id()).ifPresent(taken -> handOver(taken, chosen, why));
+    } else {
+      fleet.dueFloors.add(mission.task().floor());
+    }
   }
 
   /**

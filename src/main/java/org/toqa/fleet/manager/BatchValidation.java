@@ -10,9 +10,8 @@ import org.toqa.mission.TransportTask;
 import org.toqa.wording.Sentence;
 
 /**
- * Checks many orders at once. Their ways take time, so that is done on a thread of its own.
+ * Checks many orders at once. It waits for their paths, so that is done on a thread of its own.
  *
- * @param validator that no other thread uses
  * @param totalCapacity what all robots carry together, kilograms
  */
 record BatchValidation(
@@ -25,24 +24,32 @@ record BatchValidation(
   /**
    * @param tasks of the orders that are good; their ids are not known yet
    */
-  record Result(List<TransportTask> tasks, List<Rejection> rejections) {}
+  record Result(List<TransportTask> tasks, List<Rejection> rejections) {
+    /** The heaviest load of a good order, kilograms; 0 where there is none. */
+    double heaviestLoad() {
+      return tasks.stream().mapToDouble(TransportTask::load).max().orElse(0);
+    }
+  }
 
   Result run() {
     List<TransportTask> tasks = new ArrayList<>();
-    List<Rejection> refusals = new ArrayList<>();
+    List<Rejection> rejections = new ArrayList<>();
     for (int place = 0; place < orders.size(); place++) {
       Answer<TransportTask> checked =
-          validator.checkTask(orders.get(place), user, now, totalCapacity);
+          validator
+              .checkTask(orders.get(place), user, now, totalCapacity)
+              .toCompletableFuture()
+              .join();
       switch (checked) {
         case Answer.Accepted<TransportTask>(TransportTask task) -> tasks.add(task);
         case Answer.Rejected<TransportTask>(String field, Sentence sentence) ->
-            refusals.add(new Rejection(place, field, sentence));
+            rejections.add(new Rejection(place, field, sentence));
         case Answer.Conflict<TransportTask>(Sentence sentence, var needs) ->
-            refusals.add(new Rejection(place, null, sentence));
+            rejections.add(new Rejection(place, null, sentence));
         case Answer.Unknown<TransportTask>(Sentence sentence) ->
-            refusals.add(new Rejection(place, null, sentence));
+            rejections.add(new Rejection(place, null, sentence));
       }
     }
-    return new Result(tasks, refusals);
+    return new Result(tasks, rejections);
   }
 }

@@ -89,13 +89,15 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.holdCommands = new HoldCommandHandler(store, fleet.writer, clock, self, fleet.floors);
     List<OpenTask> open = store.openTasks();
     Set<Long> toldBefore = open.stream().map(t -> t.mission().id()).collect(Collectors.toSet());
-    OrderValidator check = new OrderValidator(floorMaps);
+    PathQuery paths = new PathQuery();
+    OrderValidator check = new OrderValidator(floorMaps, paths);
     this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore));
-    this.rounds = new AllocationRounds(fleet, allocator, self);
+    this.rounds = new AllocationRounds(fleet, allocator, paths, self);
     this.snapshotPublisher =
         new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, board);
     this.taskCommands =
-        new TaskCommandHandler(fleet, rounds, lateTasks, storeHealth, check, allocator, self);
+        new TaskCommandHandler(
+            fleet, rounds, lateTasks, storeHealth, check, allocator, paths, self);
     this.robotCommands =
         new RobotCommandHandler(
             fleet,
@@ -173,10 +175,13 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private Behavior<ManagerMessage> handle(ManagerMessage message) {
     switch (message) {
       case ManagerMessage.SubmitTask m -> taskCommands.submitTask(m);
+      case ManagerMessage.OrderChecked m -> taskCommands.orderChecked(m);
       case ManagerMessage.SubmitTasks m -> taskCommands.submitTasks(m);
+      case ManagerMessage.OrdersChecked m -> taskCommands.ordersChecked(m);
       case ManagerMessage.ValidateOrders m -> taskCommands.validateOrders(m);
       case ManagerMessage.TasksStored m -> taskCommands.tasksStored(m);
       case ManagerMessage.PreviewTask m -> taskCommands.previewTask(m);
+      case ManagerMessage.PreviewOrderChecked m -> taskCommands.previewOrderChecked(m);
       case ManagerMessage.TaskStored m -> taskCommands.taskStored(m);
       case ManagerMessage.AddRobot m -> robotCommands.addRobot(m);
       case ManagerMessage.RobotStored m -> robotCommands.robotStored(m);

@@ -2,10 +2,12 @@ package org.toqa.fleet.manager;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Decision;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
@@ -46,6 +48,28 @@ public sealed interface ManagerMessage {
       String user,
       ActorRef<StatusReply<List<BatchAnswer.Rejection>>> replyTo)
       implements ManagerMessage {}
+
+  /**
+   * A submitted order has been checked.
+   *
+   * @param checked null where the check failed, for the reason in {@code failure}
+   */
+  record OrderChecked(
+      PendingOrders.Pending order,
+      @Nullable Answer<TransportTask> checked,
+      @Nullable Throwable failure)
+      implements ManagerMessage {}
+
+  /**
+   * Orders that were submitted together have been checked.
+   *
+   * @param deadline of {@link System#nanoTime}: until when they must be stored
+   */
+  record OrdersChecked(SubmitTasks request, long deadline, BatchValidation.Result checked)
+      implements ManagerMessage {}
+
+  /** The order of a preview is good. */
+  record PreviewOrderChecked(TransportTask task, PreviewTask request) implements ManagerMessage {}
 
   record TasksStored(List<TransportTask> tasks, ActorRef<StatusReply<BatchAnswer>> replyTo)
       implements ManagerMessage {}
@@ -143,8 +167,10 @@ public sealed interface ManagerMessage {
    * A round of allocation is over.
    *
    * @param decisions none where it failed
+   * @param teams by task: whether the robots that were chosen to carry it together have room
    */
-  record AllocationDecided(String floor, List<Decision> decisions) implements ManagerMessage {}
+  record AllocationDecided(String floor, List<Decision> decisions, Map<Long, TeamFinding> teams)
+      implements ManagerMessage {}
 
   /** The store has stopped or begun to answer. */
   record StoreHealthChanged(boolean available) implements ManagerMessage {}

@@ -1,11 +1,14 @@
 package org.toqa.fleet.manager;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Instant;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -15,7 +18,6 @@ import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
-import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
@@ -25,37 +27,50 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
-import org.toqa.planning.HeadingAStar;
-import org.toqa.planning.PlanResult;
-import org.toqa.traffic.Deadline;
-import org.toqa.traffic.floor.FloorTraffic;
-import org.toqa.traffic.mapf.LacamJointPlanner;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
-/** Checks wishes against the floors before anything of them is stored. */
+/** Checks orders against the floors before anything of them is stored. Any thread may ask. */
 final class OrderValidator {
   /** Half the diameter of the smallest robot there is, metres: where it cannot stand, none can. */
   static final double SMALLEST_RADIUS = 0.1275;
 
   private final List<FloorMap> floors;
-  private final Map<String, OccupancyGrid> standable = new HashMap<>();
-  private final Map<String, FloorTraffic> emptyFloors = new HashMap<>();
+  private final PathQuery paths;
 
-  OrderValidator(List<FloorMap> floors) {
+  /** By floor: where the middle of the smallest robot can be. */
+  private final Map<String, OccupancyGrid> standable;
+
+  /**
+   * @param floors at least one; the first is the default
+   */
+  OrderValidator(List<FloorMap> floors, PathQuery paths) {
     this.floors = List.copyOf(floors);
-    floors.forEach(f -> standable.put(f.name(), Inflation.inflate(f.grid(), SMALLEST_RADIUS)));
-  }
-
-  /** The same check for another thread. */
-  OrderValidator copy() {
-    return new OrderValidator(floors);
+    this.paths = paths;
+    this.standable =
+        floors.stream()
+            .collect(
+                Collectors.toUnmodifiableMap(
+                    FloorMap::name, f -> Inflation.inflate(f.grid(), SMALLEST_RADIUS)));
   }
 
   /**
+   * Checks an order for a task. Paths are planned on another thread, so the answer may come later.
+   *
    * @param totalCapacity what all robots carry together, kilograms
+   * @return the task, its id not known yet; or the sentence against it, with the order's field
    */
-  Answer<TransportTask> checkTask(TaskOrder order, String user, Instant now, double totalCapacity) {
+  CompletionStage<Answer<TransportTask>> checkTask(
+      TaskOrder order, String user, Instant now, double totalCapacity) {
+    Answer<TransportTask> resolved = resolveTask(order, user, now, totalCapacity);
+    return resolved instanceof Answer.Accepted<TransportTask>(TransportTask task)
+        ? checkPath(task)
+        : CompletableFuture.completedFuture(resolved);
+  }
+
+  /** All of the check that needs no path. */
+  private Answer<TransportTask> resolveTask(
+      TaskOrder order, String user, Instant now, double totalCapacity) {
     Optional<FloorMap> floor = floor(order.floor());
     if (floor.isEmpty()) {
       return new Answer.Rejected<>(
@@ -73,9 +88,9 @@ final class OrderValidator {
     if (!(goal instanceof Answer.Accepted<TaskPlace>(TaskPlace to))) {
       return goal.asRejection();
     }
-    Sentence obstacle = objectionToPath(floor.get(), from, to);
-    if (obstacle != null) {
-      return new Answer.Rejected<>("goal", obstacle);
+    OccupancyGrid grid = floor.get().grid();
+    if (grid.cellAt(from.position()).equals(grid.cellAt(to.position()))) {
+      return new Answer.Rejected<>("goal", Phrase.SAME_PLACE.with());
     }
     return new Answer.Accepted<>(
         new TransportTask(
@@ -90,6 +105,23 @@ final class OrderValidator {
             order.size(),
             user,
             now));
+  }
+
+  private CompletionStage<Answer<TransportTask>> checkPath(TransportTask task) {
+    OccupancyGrid grid = floor(task.floor()).orElseThrow().grid();
+    return paths
+        .findPath(grid, task.start().position(), task.goal().position(), 2 * SMALLEST_RADIUS)
+        .thenApply(
+            path ->
+                switch (path) {
+                  case FloorPath.Found _, FloorPath.FoundBetweenCells _ ->
+                      new Answer.Accepted<>(task);
+                  case FloorPath.NotFound _ ->
+                      new Answer.Rejected<>(
+                          "goal",
+                          Phrase.NO_WAY_BETWEEN.with(
+                              task.start().sentence(), task.goal().sentence()));
+                });
   }
 
   Answer<RobotRecord> checkRobot(RobotOrder order, List<RobotRecord> existing) {
@@ -201,20 +233,6 @@ final class OrderValidator {
     return end == Phrase.START ? "start" : "goal";
   }
 
-  /** Why nothing can be carried from the one to the other; null if it can. */
-  private @Nullable Sentence objectionToPath(FloorMap floor, TaskPlace from, TaskPlace to) {
-    OccupancyGrid grid = standable(floor);
-    Cell start = grid.cellAt(from.position());
-    Cell goal = grid.cellAt(to.position());
-    if (start.equals(goal)) {
-      return Phrase.SAME_PLACE.with();
-    }
-    boolean hasPath =
-        new HeadingAStar().plan(grid, start, goal) instanceof PlanResult.Found
-            || hasPathInTraffic(floor, from.position(), to.position());
-    return hasPath ? null : Phrase.NO_WAY_BETWEEN.with(from.sentence(), to.sentence());
-  }
-
   /** Whether the smallest robot can stand on the point itself, or in the middle of its cell. */
   private boolean canStand(FloorMap floor, Vec2 point) {
     OccupancyGrid grid = floor.grid();
@@ -222,29 +240,8 @@ final class OrderValidator {
         || new Disc(SMALLEST_RADIUS).isFreeAt(grid, point);
   }
 
-  /**
-   * Whether the traffic would find a way for a robot alone: between the middles of cells too, as in
-   * an aisle hardly wider than the robot.
-   */
-  private boolean hasPathInTraffic(FloorMap floor, Vec2 from, Vec2 to) {
-    FloorTraffic traffic =
-        emptyFloors.computeIfAbsent(
-            floor.name(),
-            name -> new FloorTraffic(floor.grid(), new LacamJointPlanner(), Deadline::none));
-    String robot = "robot";
-    traffic.reportStanding(
-        robot, new Pose(from.x(), from.y(), 0), 2 * SMALLEST_RADIUS, Instant.EPOCH);
-    traffic.setMovable(robot, true);
-    traffic.setGoal(robot, to, Instant.EPOCH);
-    traffic.decide(Instant.EPOCH);
-    boolean hasPath = traffic.waitReason(robot) == null;
-    traffic.removeRobot(robot);
-    return hasPath;
-  }
-
   private OccupancyGrid standable(FloorMap floor) {
-    return standable.computeIfAbsent(
-        floor.name(), name -> Inflation.inflate(floor.grid(), SMALLEST_RADIUS));
+    return requireNonNull(standable.get(floor.name()));
   }
 
   private Sentence floorNames() {

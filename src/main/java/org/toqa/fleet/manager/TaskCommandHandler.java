@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -29,7 +30,15 @@ import org.toqa.mission.TransportTask;
 import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
 
-/** Takes what people want of tasks: checks it, stores it, and puts it into the queue. */
+/**
+ * Handles orders and commands of tasks: checks them, stores them, and puts tasks into the queue.
+ *
+ * <ol>
+ *   <li>An order is checked, by plans of other threads, and comes back as a message.
+ *   <li>It is adopted if the fleet is still strong enough for it, and checked again otherwise.
+ *   <li>It is stored, and comes back as a message; then its asker is answered.
+ * </ol>
+ */
 final class TaskCommandHandler {
   private final FleetState fleet;
   private final AllocationRounds rounds;
@@ -39,6 +48,8 @@ final class TaskCommandHandler {
   private final Allocator allocator;
   private final ActorRef<ManagerMessage> self;
   private final TaskSubmitter submitter;
+  private final PathQuery paths;
+  private final PendingOrders pendingOrders = new PendingOrders();
 
   TaskCommandHandler(
       FleetState fleet,
@@ -47,6 +58,7 @@ final class TaskCommandHandler {
       StoreHealthCheck storeWatch,
       OrderValidator check,
       Allocator allocator,
+      PathQuery paths,
       ActorRef<ManagerMessage> self) {
     this.fleet = fleet;
     this.rounds = rounds;
@@ -54,21 +66,50 @@ final class TaskCommandHandler {
     this.storeHealth = storeWatch;
     this.validator = check;
     this.allocator = allocator;
+    this.paths = paths;
     this.self = self;
     this.submitter = new TaskSubmitter(fleet.store, fleet.writer);
   }
 
   void submitTask(ManagerMessage.SubmitTask m) {
-    Answer<TransportTask> checked = checkOrder(m.order(), m.user());
-    if (checked instanceof Answer.Accepted<TransportTask>(TransportTask task)) {
-      store(task, m.idempotencyKey(), m.replyTo());
-    } else {
-      m.replyTo().tell(StatusReply.success(checked.asRejection()));
+    check(m, TaskSubmitter.deadline());
+  }
+
+  private void check(ManagerMessage.SubmitTask m, long deadline) {
+    PendingOrders.Pending pending = pendingOrders.add(m, deadline);
+    var _ =
+        checkOrder(m.order(), m.user())
+            .whenComplete(
+                (checked, failure) ->
+                    self.tell(new ManagerMessage.OrderChecked(pending, checked, failure)));
+  }
+
+  private CompletionStage<Answer<TransportTask>> checkOrder(TaskOrder order, String user) {
+    return validator.checkTask(order, user, fleet.clock.instant(), totalCapacity());
+  }
+
+  /** Adopts all orders that are checked and before which none waits for its check. */
+  void orderChecked(ManagerMessage.OrderChecked m) {
+    pendingOrders.setResult(m);
+    for (ManagerMessage.OrderChecked next = pendingOrders.pollChecked();
+        next != null;
+        next = pendingOrders.pollChecked()) {
+      adopt(next);
     }
   }
 
-  private Answer<TransportTask> checkOrder(TaskOrder order, String user) {
-    return validator.checkTask(order, user, fleet.clock.instant(), totalCapacity());
+  private void adopt(ManagerMessage.OrderChecked m) {
+    ManagerMessage.SubmitTask request = m.order().request();
+    Answer<TransportTask> checked = m.checked();
+    if (checked == null) {
+      request.replyTo().tell(StatusReply.error(requireNonNull(m.failure())));
+    } else if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
+      request.replyTo().tell(StatusReply.success(checked.asRejection()));
+    } else if (task.load() > totalCapacity()) {
+      check(request, m.order().deadline());
+    } else {
+      store(task, request.idempotencyKey(), m.order().deadline(), request.replyTo());
+    }
   }
 
   /** What all robots carry together, kilograms. */
@@ -83,24 +124,38 @@ final class TaskCommandHandler {
       reject(m.replyTo());
       return;
     }
-    long deadline = TaskSubmitter.deadline();
+    check(m, TaskSubmitter.deadline());
+  }
+
+  private void check(ManagerMessage.SubmitTasks m, long deadline) {
     var _ =
         checkConcurrently(m.orders(), m.user())
             .whenComplete(
                 (checked, failure) -> {
-                  if (failure != null) {
-                    m.replyTo().tell(StatusReply.error(failure));
-                  } else if (!checked.rejections().isEmpty()) {
-                    m.replyTo()
-                        .tell(StatusReply.success(new BatchAnswer.Rejected(checked.rejections())));
+                  if (failure == null) {
+                    self.tell(new ManagerMessage.OrdersChecked(m, deadline, checked));
                   } else {
-                    submitter.submit(
-                        submissions(checked.tasks(), m.idempotencyKeys()),
-                        deadline,
-                        stored -> self.tell(new ManagerMessage.TasksStored(stored, m.replyTo())),
-                        () -> reject(m.replyTo()));
+                    m.replyTo().tell(StatusReply.error(failure));
                   }
                 });
+  }
+
+  void ordersChecked(ManagerMessage.OrdersChecked m) {
+    ManagerMessage.SubmitTasks request = m.request();
+    BatchValidation.Result checked = m.checked();
+    if (!checked.rejections().isEmpty()) {
+      request
+          .replyTo()
+          .tell(StatusReply.success(new BatchAnswer.Rejected(checked.rejections())));
+    } else if (checked.heaviestLoad() > totalCapacity()) {
+      check(request, m.deadline());
+    } else {
+      submitter.submit(
+          submissions(checked.tasks(), request.idempotencyKeys()),
+          m.deadline(),
+          stored -> self.tell(new ManagerMessage.TasksStored(stored, request.replyTo())),
+          () -> reject(request.replyTo()));
+    }
   }
 
   void validateOrders(ManagerMessage.ValidateOrders m) {
@@ -118,7 +173,7 @@ final class TaskCommandHandler {
   private CompletableFuture<BatchValidation.Result> checkConcurrently(
       List<TaskOrder> orders, String user) {
     BatchValidation batch =
-        new BatchValidation(validator.copy(), orders, user, fleet.clock.instant(), totalCapacity());
+        new BatchValidation(validator, orders, user, fleet.clock.instant(), totalCapacity());
     return CompletableFuture.supplyAsync(batch::run, fleet.runtime.threadPerTaskExecutor("batch"));
   }
 
@@ -129,9 +184,26 @@ final class TaskCommandHandler {
   }
 
   void previewTask(ManagerMessage.PreviewTask m) {
-    Answer<TransportTask> checked = checkOrder(m.order(), m.user());
-    if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
-      m.replyTo().tell(StatusReply.success(checked.asRejection()));
+    var _ =
+        checkOrder(m.order(), m.user())
+            .whenComplete(
+                (checked, failure) -> {
+                  if (failure != null) {
+                    m.replyTo().tell(StatusReply.error(failure));
+                  } else if (checked
+                      instanceof Answer.Accepted<TransportTask>(TransportTask task)) {
+                    self.tell(new ManagerMessage.PreviewOrderChecked(task, m));
+                  } else {
+                    m.replyTo().tell(StatusReply.success(checked.asRejection()));
+                  }
+                });
+  }
+
+  void previewOrderChecked(ManagerMessage.PreviewOrderChecked m) {
+    TransportTask task = m.task();
+    ManagerMessage.PreviewTask request = m.request();
+    if (task.load() > totalCapacity()) {
+      previewTask(request);
       return;
     }
     FloorMap floor = requireNonNull(fleet.floorMaps.get(task.floor()));
@@ -143,26 +215,33 @@ final class TaskCommandHandler {
             fleet.candidates(floor.name()));
     var _ =
         CompletableFuture.supplyAsync(
-                () -> new TaskPreviewer(allocator, floor).preview(task, problem),
+                () -> new TaskPreviewer(allocator, paths, floor.grid()).preview(task, problem),
                 fleet.runtime.threadPerTaskExecutor("preview"))
             .whenComplete(
                 (preview, failure) ->
-                    m.replyTo()
+                    request
+                        .replyTo()
                         .tell(
                             failure == null
                                 ? StatusReply.success(new Answer.Accepted<>(preview))
                                 : StatusReply.error(failure)));
   }
 
+  /**
+   * @param deadline of {@link System#nanoTime}
+   */
   private void store(
-      TransportTask task, UUID key, ActorRef<StatusReply<Answer<TaskView>>> replyTo) {
+      TransportTask task,
+      UUID key,
+      long deadline,
+      ActorRef<StatusReply<Answer<TaskView>>> replyTo) {
     if (!storeHealth.isAvailable()) {
       reject(replyTo);
       return;
     }
     submitter.submit(
         List.of(new Submission(task, key)),
-        TaskSubmitter.deadline(),
+        deadline,
         stored -> self.tell(new ManagerMessage.TaskStored(stored.getFirst(), replyTo)),
         () -> reject(replyTo));
   }
@@ -185,24 +264,24 @@ final class TaskCommandHandler {
   }
 
   /**
-   * New tasks have come into the queue.
+   * New tasks that have come into the queue.
    *
-   * @param late lines for the history of those that will be late
+   * @param late events of those that will be late
    */
   private record Enqueued(List<TaskView> tasks, List<EventRecord> late) {}
 
   private Enqueued enqueue(List<TransportTask> tasks) {
     List<TaskView> views = new ArrayList<>();
-    List<EventRecord> told = new ArrayList<>();
+    List<EventRecord> late = new ArrayList<>();
     for (TransportTask task : tasks) {
       fleet.queue.add(Mission.queued(task), task.createdAt(), true);
       fleet.dueFloors.add(task.floor());
       TaskView queued = fleet.view(task.id(), FleetState.LOOKING_FOR_ROBOT);
-      lateTasks.check(queued).ifPresent(told::add);
+      lateTasks.check(queued).ifPresent(late::add);
       views.add(lateTasks.withLateness(queued));
     }
     fleet.changed = true;
-    return new Enqueued(views, told);
+    return new Enqueued(views, late);
   }
 
   private <T> void answer(Enqueued queued, ActorRef<StatusReply<T>> replyTo, T answer) {

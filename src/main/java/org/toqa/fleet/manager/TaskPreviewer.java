@@ -1,31 +1,32 @@
 package org.toqa.fleet.manager;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Decision;
 import org.toqa.allocation.TeamSize;
 import org.toqa.fleet.TaskPreview;
-import org.toqa.fleet.floor.TeamRoomCheck;
 import org.toqa.geometry.Vec2;
-import org.toqa.geometry.Waypoint;
-import org.toqa.grid.FloorMap;
-import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
-import org.toqa.planning.HeadingAStar;
-import org.toqa.planning.PlanResult;
 
-/** Tells what would become of a task that nobody has asked for yet. It plans: give it a thread. */
+/**
+ * Tells what would become of a task that nobody has asked for yet. It waits for plans: give it a
+ * thread of its own.
+ */
 final class TaskPreviewer {
   private final Allocator allocator;
-  private final FloorMap floor;
+  private final PathQuery paths;
+  private final OccupancyGrid grid;
 
-  TaskPreviewer(Allocator allocator, FloorMap floor) {
+  /**
+   * @param grid of the task's floor
+   */
+  TaskPreviewer(Allocator allocator, PathQuery paths, OccupancyGrid grid) {
     this.allocator = allocator;
-    this.floor = floor;
+    this.paths = paths;
+    this.grid = grid;
   }
 
   /**
@@ -39,8 +40,9 @@ final class TaskPreviewer {
             ? TeamSize.smallest(task.load(), problem.robots()).orElse(0)
             : chosen.size();
     List<Vec2> path = path(task);
-    return new TeamRoomCheck(floor.grid())
-        .objection(Mission.queued(task), robots)
+    return paths
+        .objectionToTeam(grid, Mission.queued(task), robots)
+        .join()
         .map(noRoom -> new TaskPreview(robots, List.of(), noRoom, path))
         .orElseGet(() -> new TaskPreview(robots, chosen, decision.reason(), path));
   }
@@ -53,17 +55,17 @@ final class TaskPreviewer {
   }
 
   private List<Vec2> path(TransportTask task) {
-    OccupancyGrid grid = Inflation.inflate(floor.grid(), OrderValidator.SMALLEST_RADIUS);
-    Vec2 start = task.start().position();
-    Vec2 goal = task.goal().position();
-    PlanResult planned = new HeadingAStar().plan(grid, grid.cellAt(start), grid.cellAt(goal));
-    if (!(planned instanceof PlanResult.Found(var path))) {
-      return List.of();
-    }
-    List<Waypoint> bends = path.waypoints(grid);
-    List<Vec2> points = new ArrayList<>(List.of(start));
-    bends.subList(0, bends.size() - 1).forEach(bend -> points.add(bend.position()));
-    points.add(goal);
-    return points;
+    FloorPath path =
+        paths
+            .findPath(
+                grid,
+                task.start().position(),
+                task.goal().position(),
+                2 * OrderValidator.SMALLEST_RADIUS)
+            .join();
+    return switch (path) {
+      case FloorPath.Found(List<Vec2> points) -> points;
+      case FloorPath.FoundBetweenCells _, FloorPath.NotFound _ -> List.of();
+    };
   }
 }

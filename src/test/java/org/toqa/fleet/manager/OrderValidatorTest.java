@@ -38,7 +38,10 @@ class OrderValidatorTest {
             0,
             null,
             null);
-    return new OrderValidator(List.of(floor)).checkTask(order, "clerk", Instant.EPOCH, 100);
+    return new OrderValidator(List.of(floor), new PathQuery())
+        .checkTask(order, "clerk", Instant.EPOCH, 100)
+        .toCompletableFuture()
+        .join();
   }
 
   /** The robot of 25.5 cm fits between the walls though on no cell's middle. */

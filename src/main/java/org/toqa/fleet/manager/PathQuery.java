@@ -1,0 +1,155 @@
+package org.toqa.fleet.manager;
+
+import com.github.benmanes.caffeine.cache.AsyncCache;
+import com.github.benmanes.caffeine.cache.Cache;
+import com.github.benmanes.caffeine.cache.Caffeine;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.Executor;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.floor.TeamRoomCheck;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.geometry.Waypoint;
+import org.toqa.grid.Inflation;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.planning.HeadingAStar;
+import org.toqa.planning.PlanResult;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.floor.FloorTraffic;
+import org.toqa.traffic.mapf.LacamJointPlanner;
+import org.toqa.wording.Sentence;
+
+/**
+ * What planning says of a floor without other robots: whether one robot has a path, and whether
+ * several have room round a load. Any thread may ask; nothing is planned on the asking one.
+ *
+ * <p>An answer depends on the immutable grid that is asked about, and on nothing else: the last
+ * answers are kept by grid and question, and a floor that gets another grid is asked about anew.
+ * Equal questions at once are planned once; a plan that fails is not kept.
+ */
+final class PathQuery {
+  private static final int MAX_ANSWERS = 2_000;
+  private static final int MAX_FLOORS = 32;
+  private static final String ROBOT = "robot";
+
+  private final Executor planning = work -> Thread.ofVirtual().name("path").start(work);
+  private final AsyncCache<PathKey, FloorPath> paths =
+      Caffeine.newBuilder().maximumSize(MAX_ANSWERS).executor(planning).buildAsync();
+  private final AsyncCache<TeamKey, Optional<Sentence>> teams =
+      Caffeine.newBuilder().maximumSize(MAX_ANSWERS).executor(planning).buildAsync();
+  private final Cache<FloorKey, EmptyFloor> emptyFloors =
+      Caffeine.newBuilder().maximumSize(MAX_FLOORS).executor(planning).build();
+
+  /**
+   * @param diameter of the robot, metres
+   */
+  private record FloorKey(OccupancyGrid grid, double diameter) {}
+
+  /**
+   * @param start metres, map frame
+   * @param goal metres, map frame
+   */
+  private record PathKey(FloorKey floor, Vec2 start, Vec2 goal) {}
+
+  private record TeamKey(OccupancyGrid grid, TeamQuestion question) {}
+
+  /**
+   * All on which it depends whether so many robots have room for a task.
+   *
+   * @param object where the load is
+   * @param size of the load; null: not told
+   */
+  record TeamQuestion(TaskPlace object, TaskPlace goal, int robots, @Nullable LoadSize size) {
+    static TeamQuestion of(Mission mission, int robots) {
+      return new TeamQuestion(
+          mission.object(), mission.task().goal(), robots, mission.task().size());
+    }
+  }
+
+  /**
+   * The path of one robot on a floor where nobody else is.
+   *
+   * @param start metres, map frame
+   * @param goal metres, map frame; in another cell
+   * @param diameter of the robot, metres
+   */
+  CompletableFuture<FloorPath> findPath(
+      OccupancyGrid grid, Vec2 start, Vec2 goal, double diameter) {
+    return paths.get(
+        new PathKey(new FloorKey(grid, diameter), start, goal), key -> emptyFloor(key).plan(key));
+  }
+
+  private EmptyFloor emptyFloor(PathKey key) {
+    return emptyFloors.get(key.floor(), EmptyFloor::new);
+  }
+
+  /** Why so many robots have no room for a task; empty if they have, or one does it. */
+  CompletableFuture<Optional<Sentence>> objectionToTeam(
+      OccupancyGrid grid, Mission mission, int robots) {
+    if (robots < 2) {
+      return CompletableFuture.completedFuture(Optional.empty());
+    }
+    return teams.get(
+        new TeamKey(grid, TeamQuestion.of(mission, robots)),
+        key -> new TeamRoomCheck(grid).objection(mission, robots));
+  }
+
+  /** A floor on which one robot is alone. Any thread may plan on it. */
+  private static final class EmptyFloor {
+    private final OccupancyGrid grid;
+    private final double diameter;
+    private final OccupancyGrid standable;
+
+    /** Each confined to the thread that has taken it out. */
+    private final Queue<FloorTraffic> idleTraffics = new ConcurrentLinkedQueue<>();
+
+    EmptyFloor(FloorKey key) {
+      this.grid = key.grid();
+      this.diameter = key.diameter();
+      this.standable = Inflation.inflate(grid, diameter / 2);
+    }
+
+    FloorPath plan(PathKey key) {
+      PlanResult planned =
+          new HeadingAStar()
+              .plan(standable, standable.cellAt(key.start()), standable.cellAt(key.goal()));
+      if (planned instanceof PlanResult.Found(var path)) {
+        return new FloorPath.Found(points(key.start(), path.waypoints(standable), key.goal()));
+      }
+      return hasPathInTraffic(key.start(), key.goal())
+          ? new FloorPath.FoundBetweenCells()
+          : new FloorPath.NotFound();
+    }
+
+    private static List<Vec2> points(Vec2 start, List<Waypoint> bends, Vec2 goal) {
+      List<Vec2> points = new ArrayList<>(List.of(start));
+      bends.subList(0, bends.size() - 1).forEach(bend -> points.add(bend.position()));
+      points.add(goal);
+      return points;
+    }
+
+    /** Whether the traffic would find a path for the robot: between the middles of cells too. */
+    private boolean hasPathInTraffic(Vec2 start, Vec2 goal) {
+      FloorTraffic idle = idleTraffics.poll();
+      FloorTraffic traffic =
+          idle == null ? new FloorTraffic(grid, new LacamJointPlanner(), Deadline::none) : idle;
+      traffic.reportStanding(ROBOT, new Pose(start.x(), start.y(), 0), diameter, Instant.EPOCH);
+      traffic.setMovable(ROBOT, true);
+      traffic.setGoal(ROBOT, goal, Instant.EPOCH);
+      traffic.decide(Instant.EPOCH);
+      boolean hasPath = traffic.waitReason(ROBOT) == null;
+      traffic.removeRobot(ROBOT);
+      idleTraffics.add(traffic);
+      return hasPath;
+    }
+  }
+}

@@ -1,0 +1,59 @@
+package org.toqa.fleet.manager;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.mission.TransportTask;
+
+/**
+ * Submitted orders whose checks are under way: whichever check ends first, they go on in the order
+ * in which they came. Confined to one agent.
+ */
+final class PendingOrders {
+  private final Deque<Pending> inOrder = new ArrayDeque<>();
+
+  /** An order, and what its check has said once it has ended. */
+  static final class Pending {
+    private final ManagerMessage.SubmitTask request;
+    private final long deadline;
+    private ManagerMessage.@Nullable OrderChecked result;
+
+    private Pending(ManagerMessage.SubmitTask request, long deadline) {
+      this.request = request;
+      this.deadline = deadline;
+    }
+
+    ManagerMessage.SubmitTask request() {
+      return request;
+    }
+
+    /** Until when it must be stored; of {@link System#nanoTime}. */
+    long deadline() {
+      return deadline;
+    }
+  }
+
+  /**
+   * @param deadline of {@link System#nanoTime}
+   */
+  Pending add(ManagerMessage.SubmitTask request, long deadline) {
+    Pending pending = new Pending(request, deadline);
+    inOrder.addLast(pending);
+    return pending;
+  }
+
+  void setResult(ManagerMessage.OrderChecked checked) {
+    checked.order().result = checked;
+  }
+
+  /** The order that came first, if it has been checked, goes out; null where it has not. */
+  ManagerMessage.@Nullable OrderChecked pollChecked() {
+    Pending first = inOrder.peekFirst();
+    if (first == null || first.result == null) {
+      return null;
+    }
+    inOrder.removeFirst();
+    return first.result;
+  }
+}
