@@ -3,7 +3,6 @@ package org.toqa.store;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.sql.SQLException;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalDate;
@@ -16,7 +15,6 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,34 +39,23 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** What is kept, found again and pruned; here on H2, in {@code MySqlHistoryTest} on MySQL. */
-class HistoryTest {
+class HistoryTest extends DatabaseTest {
   private static final Instant AT = Instant.parse("2026-11-21T10:00:00.123Z");
   private static final Filter ALL = new Filter(null, null, null, null, null, null, true);
 
   private static final Locale ARABIC = Locale.of("ar");
 
-  private Database database;
   private JdbiFleetStore store;
   private JdbiEventArchive history;
   private JdbiTrackStore tracks;
   private HistoryPruner pruning;
 
-  Database open() throws SQLException {
-    return Database.inMemory("history-" + System.nanoTime());
-  }
-
   @BeforeEach
-  void openStore() throws SQLException {
-    database = open();
+  void openStore() {
     store = new JdbiFleetStore(database.jdbi());
     history = new JdbiEventArchive(database.jdbi());
     tracks = new JdbiTrackStore(database.jdbi());
     pruning = new HistoryPruner(database.jdbi());
-  }
-
-  @AfterEach
-  void closeStore() {
-    database.close();
   }
 
   @Test

@@ -2,7 +2,6 @@ package org.toqa.store;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.sql.SQLException;
 import java.time.DayOfWeek;
 import java.time.Duration;
 import java.time.Instant;
@@ -13,7 +12,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.TaskOrder;
@@ -24,25 +22,14 @@ import org.toqa.geometry.Vec2;
 import org.toqa.mission.TransportTask.LoadSize;
 
 /** What every database must do for schedules; here H2, in {@code MySqlScheduleStoreTest} MySQL. */
-class ScheduleStoreTest {
+class ScheduleStoreTest extends DatabaseTest {
   private static final Instant AT = Instant.parse("2026-11-21T10:00:00.123Z");
 
-  private Database database;
   private JdbiScheduleStore store;
 
-  Database open() throws SQLException {
-    return Database.inMemory("schedule-store-" + System.nanoTime());
-  }
-
   @BeforeEach
-  void openStore() throws SQLException {
-    database = open();
+  void openStore() {
     store = new JdbiScheduleStore(database.jdbi());
-  }
-
-  @AfterEach
-  void closeStore() {
-    database.close();
   }
 
   @Test

@@ -3,7 +3,6 @@ package org.toqa.store;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
-import java.sql.SQLException;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalDate;
@@ -15,7 +14,6 @@ import java.util.Random;
 import java.util.UUID;
 import java.util.function.ToLongFunction;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.EventRecord;
@@ -37,35 +35,24 @@ import org.toqa.mission.TransportTask;
 import org.toqa.wording.Sentence;
 
 /** What a period is in numbers; here on H2, in {@code MySqlStatisticsTest} on MySQL. */
-class StatisticsTest {
+class StatisticsTest extends DatabaseTest {
   private static final ZoneId UTC = ZoneId.of("UTC");
   private static final ZoneId PARIS = ZoneId.of("Europe/Paris");
   private static final LocalDate DAY = LocalDate.of(2026, 11, 20);
   private static final Instant NOON = Instant.parse("2026-11-20T12:00:00Z");
 
-  private Database database;
   private JdbiFleetStore store;
   private JdbiUtilisationStore uses;
   private JdbiStatisticsArchive statistics;
 
-  Database open() throws SQLException {
-    return Database.inMemory("statistics-" + System.nanoTime());
-  }
-
   @BeforeEach
-  void openStore() throws SQLException {
-    database = open();
+  void openStore() {
     store = new JdbiFleetStore(database.jdbi());
     uses = new JdbiUtilisationStore(database.jdbi());
     statistics = new JdbiStatisticsArchive(database.jdbi());
     for (String robot : List.of("r1", "r2")) {
       store.saveRobot(new RobotRecord(robot, "lab", "127.0.0.1", 7275, 5, null, true, null));
     }
-  }
-
-  @AfterEach
-  void closeStore() {
-    database.close();
   }
 
   @Test

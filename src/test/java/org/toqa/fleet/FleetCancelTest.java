@@ -1,0 +1,102 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Objects;
+import org.junit.jupiter.api.Test;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.LoadChoice;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TaskState;
+
+/** Tasks that an operator cancels, in every state. */
+class FleetCancelTest extends HallFleetTest {
+  @Test
+  void aTaskCancelledBeforeThePickUpEndsAndItsRobotGoesHome() throws Exception {
+    long task = submit("East", "West");
+    until(
+        view -> task(view, task).state() == TaskState.TO_OBJECT && scriptedRobot("r1").isDriving());
+
+    TaskView cancelled =
+        accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
+
+    assertEquals(TaskState.CANCELLED, cancelled.state());
+    until(
+        view ->
+            !scriptedRobot("r1").isDriving()
+                && scriptedRobot("r1").position().distanceTo(WEST) < 1e-6);
+    assertEquals(List.of("Cancelled by Max"), history("task.cancelled"));
+    assertEquals(TaskState.CANCELLED, stage.store.task(task).orElseThrow().state());
+  }
+
+  @Test
+  void aQueuedTaskIsHeldAndCancelledWithoutARobot() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    long task = submit("East", "West");
+
+    assertTrue(accepted(stage.fleet.commandTask(task, new MissionEvent.Hold("Max"))).held());
+    stage.restart(); // and it survives a restart
+    accepted(stage.fleet.putInService("r1", "Max"));
+    until(view -> robot(view, "r1").state() == RobotState.IDLE && task(view, task).held());
+    assertEquals("On hold.", waitReason(stage.fleet.snapshots().latest(), task));
+    TaskView cancelled =
+        accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
+
+    assertEquals(TaskState.CANCELLED, cancelled.state());
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+    assertInstanceOf(
+        Answer.Conflict.class, answer(stage.fleet.commandTask(task, new MissionEvent.Hold("Max"))));
+  }
+
+  @Test
+  void withTheLoadOnBoardCancelAsksAndSetsItDownWhereTheRobotStops() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+
+    Answer<TaskView> asked =
+        answer(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
+    assertEquals(
+        List.of("here", "back"),
+        Objects.requireNonNull(assertInstanceOf(Answer.Conflict.class, asked).needs()).answers());
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+    Vec2 place =
+        Objects.requireNonNull(task(stage.fleet.snapshots().latest(), task).loadAt()).position();
+    assertTrue(place.x() > 0.5 && place.x() < 8.5, "on the way: " + place);
+    until(view -> scriptedRobot("r1").position().distanceTo(WEST) < 1e-6);
+    TaskView stored = stage.store.task(task).orElseThrow();
+    assertEquals(0, Objects.requireNonNull(stored.loadAt()).position().distanceTo(place), 1e-9);
+  }
+
+  @Test
+  void withTheLoadOnBoardCancelBringsItBack() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", LoadChoice.BACK)));
+
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+    assertEquals(0, scriptedRobot("r1").position().distanceTo(new Vec2(0.5, 2.5)), 1e-6);
+    until(
+        view ->
+            stage.store.history(task).stream()
+                .anyMatch(e -> e.text().equals("Brought back to West")));
+  }
+
+  @Test
+  void whatIsDeliveredIsNotCancelled() throws Exception {
+    long task = submit("West", "East");
+    until(view -> task(view, task).state() == TaskState.RETURNING);
+
+    Answer<TaskView> no =
+        answer(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+
+    assertInstanceOf(Answer.Conflict.class, no);
+    until(view -> task(view, task).state() == TaskState.DONE);
+  }
+}

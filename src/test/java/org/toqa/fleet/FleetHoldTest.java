@@ -1,0 +1,106 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
+
+/** Tasks, robots, floors and the whole fleet on hold. */
+class FleetHoldTest extends HallFleetTest {
+  @Test
+  void aTaskOnHoldStandsAndSaysSoAndGoesOnAfterARestart() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+
+    assertTrue(accepted(stage.fleet.commandTask(task, new MissionEvent.Hold("Max"))).held());
+    until(view -> scriptedRobot("r1").isHeld() && robot(view, "r1").state() == RobotState.HOLDING);
+    Vec2 stopped = scriptedRobot("r1").position();
+    stage.restart();
+    until(view -> !view.robots().isEmpty() && robot(view, "r1").state() == RobotState.HOLDING);
+    assertTrue(task(stage.fleet.snapshots().latest(), task).held());
+    assertEquals(
+        "Task " + task + " is on hold", waitReason(stage.fleet.snapshots().latest(), task));
+    assertEquals(stopped, scriptedRobot("r1").position());
+
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Resume("Max")));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of("Max put it on hold"), history("task.held"));
+    assertEquals(List.of("Max let it go on"), history("task.resumed"));
+  }
+
+  @Test
+  void aRobotOnHoldStandsUntilItIsLetGoOn() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+
+    assertTrue(accepted(stage.fleet.holdRobot("r1", "Max")).held());
+    until(view -> robot(view, "r1").state() == RobotState.HOLDING);
+    stage.restart();
+    until(view -> !view.robots().isEmpty() && robot(view, "r1").held());
+    assertEquals(TaskState.CARRYING, task(stage.fleet.snapshots().latest(), task).state());
+    accepted(stage.fleet.resumeRobot("r1", "Max"));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of("Max put r1 on hold"), history("robot.held"));
+  }
+
+  @Test
+  void whileAFloorIsOnHoldItsRobotsStandAlsoAfterARestart() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+    assertEquals(
+        new Answer.Unknown<>(Phrase.NO_SUCH_FLOOR.with("attic")),
+        stage.fleet.holdFloor("attic", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
+
+    assertEquals("Max", accepted(stage.fleet.holdFloor("hall", "Max")).orElseThrow().user());
+    until(view -> robot(view, "r1").state() == RobotState.HOLDING);
+    Vec2 stopped = scriptedRobot("r1").position();
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
+    FleetSnapshot held = stage.fleet.snapshots().latest();
+    assertEquals("Max", Objects.requireNonNull(held.floors().getFirst().hold()).user());
+    assertEquals(Phrase.FLOOR_HELD_BY.with("hall", "Max"), robot(held, "r1").doing());
+    assertEquals(Phrase.FLOOR_HELD_BY.with("hall", "Max"), task(held, task).waitingFor());
+    assertEquals(stopped, scriptedRobot("r1").position());
+
+    assertEquals(Optional.empty(), accepted(stage.fleet.resumeFloor("hall", "Boss")));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of("Max put all robots of hall on hold"), history("floor.held"));
+    assertEquals(List.of("Boss let the robots of hall go on"), history("floor.resumed"));
+  }
+
+  @Test
+  void whileAllArePausedNoRobotDrivesAndOneThatConnectsIsHeldToo() throws Exception {
+    long task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+
+    assertEquals("Max", accepted(stage.fleet.pauseAll("Max")).orElseThrow().user());
+    until(view -> scriptedRobot("r1").isHeld());
+    Vec2 stopped = scriptedRobot("r1").position();
+    reopenWith("r2", EAST, "P2");
+    until(
+        view ->
+            scriptedRobot("r2").isHeld()
+                && view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
+    assertEquals("Max", Objects.requireNonNull(stage.fleet.snapshots().latest().pause()).user());
+    assertEquals(stopped, scriptedRobot("r1").position());
+    assertEquals(
+        Phrase.ALL_PAUSED_BY.with("Max"), robot(stage.fleet.snapshots().latest(), "r1").doing());
+
+    accepted(stage.fleet.resumeAll("Boss"));
+
+    until(view -> task(view, task).state() == TaskState.DONE && view.pause() == null);
+    assertEquals(List.of("Max paused all robots"), history("fleet.paused"));
+    assertEquals(List.of("Boss let all robots go on"), history("fleet.resumed"));
+  }
+}

@@ -1,0 +1,83 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TaskState;
+
+/** Tasks that wait for robots: why, and in which order. */
+class FleetQueueTest extends HallFleetTest {
+  @Test
+  void aLoadTooHeavyForOneWaitsAndSaysWhatItNeeds() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    double most = robot(stage.fleet.snapshots().latest(), "r1").maxLoad();
+
+    stage.scriptedRobot("r2").breakDown("BUMPER");
+    until(view -> robot(view, "r2").state() == RobotState.ERROR);
+
+    long task = submit(order(1.5 * most));
+
+    until(
+        view ->
+            waitReason(view, task)
+                .equals("It needs 2 robots that carry it together, and 1 of 2 is free."));
+    Answer<TaskView> tooHeavy =
+        stage
+            .fleet
+            .submit(order(3 * most), "Clara")
+            .toCompletableFuture()
+            .get(10, TimeUnit.SECONDS);
+    assertInstanceOf(Answer.Rejected.class, tooHeavy);
+  }
+
+  @Test
+  void aTaskOfHigherPriorityComesFirstAlsoAfterARestart() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    long first = accepted(stage.fleet.submit(order(1), "Clara")).id();
+    long second = accepted(stage.fleet.submit(order(1), "Clara")).id();
+
+    TaskView changed =
+        accepted(stage.fleet.commandTask(second, new MissionEvent.Prioritise("Clara", 10)));
+
+    assertEquals(10, changed.task().priority());
+    EventRecord told = stage.store.history(second).getLast();
+    assertEquals("task.prioritised", told.kind());
+    assertEquals("Clara changed its priority from 0 to 10", told.text());
+    accepted(stage.fleet.commandTask(second, new MissionEvent.Prioritise("Clara", 10)));
+    assertEquals(told, stage.store.history(second).getLast(), "nothing to tell");
+    stage.restart();
+    until(view -> view.queuedCount() == 2 && task(view, second).task().priority() == 10);
+    accepted(stage.fleet.putInService("r1", "Max"));
+    until(view -> !task(view, second).robots().isEmpty());
+    assertEquals(TaskState.QUEUED, task(stage.fleet.snapshots().latest(), first).state());
+  }
+
+  @Test
+  void ofALongQueueTheFirstOnesAreShownAndAllAreCounted() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    long first = accepted(stage.fleet.submit(order(1), "Clara")).id();
+    for (int i = 1; i < 150; i++) {
+      accepted(stage.fleet.submit(order(1), "Clara"));
+    }
+    TaskOrder urgent =
+        new TaskOrder(
+            "urgent", 1, new Where.Station("West"), new Where.Station("East"), null, 9, null, null);
+    long last = accepted(stage.fleet.submit(urgent, "Clara")).id();
+
+    until(view -> view.queuedCount() == 151 && view.tasks().size() == 100);
+
+    FleetSnapshot view = stage.fleet.snapshots().latest();
+    assertEquals(last, view.tasks().getFirst().id());
+    assertEquals(first, view.tasks().getLast().id());
+    accepted(stage.fleet.putInService("r1", "Max"));
+    until(later -> later.tasks().stream().anyMatch(t -> t.id() == last && t.robots().size() == 1));
+    assertEquals(150, stage.fleet.snapshots().latest().queuedCount());
+  }
+}

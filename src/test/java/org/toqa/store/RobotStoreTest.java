@@ -1,0 +1,124 @@
+package org.toqa.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.ChargeRecord;
+import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.Hold;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.geometry.Pose;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/** What every database must do for robots; here H2, in {@code MySqlRobotStoreTest} MySQL. */
+class RobotStoreTest extends FleetDatabaseTest {
+  @Test
+  void robotsComeBackAsTheyWereStored() {
+    store.saveRobot(R1);
+    store.saveRobot(R2);
+    RobotRecord moved = new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null);
+    store.saveRobot(moved);
+    assertEquals(List.of(moved, R2), store.robots());
+  }
+
+  @Test
+  void aRobotStaysOutOfServiceWhenItsAddressChanges() {
+    store.saveRobot(R1);
+    store.saveRobot(R2);
+    assertEquals(Set.of(), store.robotsOutOfService());
+
+    store.saveService("r1", false, List.of());
+    store.saveService("r2", false, List.of());
+    store.saveService("r2", true, List.of());
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
+
+    assertEquals(Set.of("r1"), store.robotsOutOfService());
+    assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
+  }
+
+  @Test
+  void aRobotThatWasRemovedIsGoneUntilItIsAddedAgain() {
+    store.saveRobot(R1);
+    store.saveRobot(R2);
+    store.saveService("r1", false, List.of());
+
+    store.removeRobot("r1", List.of());
+
+    assertEquals(List.of(R2), store.robots());
+    store.removeRobot("r1", List.of()); // it may be repeated
+    assertThrows(StoreException.class, () -> store.removeRobot("nobody", List.of()));
+    store.saveRobot(R1);
+    assertEquals(Set.of("r1", "r2"), names(store.robots()));
+    assertEquals(Set.of(), store.robotsOutOfService());
+  }
+
+  private static Set<String> names(List<RobotRecord> robots) {
+    return robots.stream().map(RobotRecord::name).collect(Collectors.toSet());
+  }
+
+  @Test
+  void whatARobotHasWorkedAndWhereItChargesComesBack() {
+    store.saveRobot(R1);
+    ChargeRecord rested = new ChargeRecord("r1", Duration.ZERO, null);
+    assertEquals(List.of(rested), store.chargeRecords());
+
+    ChargeRecord waits = new ChargeRecord("r1", Duration.ofMinutes(90), new Turn("C1", AT));
+    store.saveCharge(waits, List.of());
+    store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
+
+    assertEquals(List.of(waits), store.chargeRecords());
+    store.saveCharge(rested, List.of());
+    assertEquals(List.of(rested), store.chargeRecords());
+  }
+
+  @Test
+  void whoIsOnHoldAndWhetherAllArePausedComesBack() {
+    store.saveRobot(R1);
+    store.saveHold("r1", true, List.of());
+    Hold pause = new Hold("Ann", AT);
+    store.savePause(pause, List.of());
+    store.savePause(pause, List.of()); // twice is as once
+    assertEquals(Set.of("r1"), store.heldRobots());
+    assertEquals(Optional.of(pause), store.pause());
+
+    store.saveHold("r1", false, List.of());
+    store.savePause(null, List.of());
+    assertEquals(Set.of(), store.heldRobots());
+    assertEquals(Optional.empty(), store.pause());
+  }
+
+  @Test
+  void floorsOnHoldComeBack() {
+    Hold hold = new Hold("Ann", AT);
+    store.saveFloorHold("hall", hold, List.of());
+    store.saveFloorHold("hall", hold, List.of()); // twice is as once
+    store.saveFloorHold("attic", new Hold("Max", AT), List.of());
+    store.saveFloorHold("attic", null, List.of());
+
+    assertEquals(Map.of("hall", hold), store.floorHolds());
+  }
+
+  @Test
+  void theLastDriveOfARobotComesBackExactly() {
+    store.saveRobot(R1);
+    assertEquals(Optional.empty(), store.drive("r1"));
+    Trajectory way =
+        new Trajectory(
+            new Pose(0.1, 1 / 3.0, -3),
+            List.of(new Segment(0.25, 0, 1.2), new Segment(0, 0.5, 0.1)));
+    store.saveDrive("r1", new StoredDrive(4, null, 0, way));
+    StoredDrive second = new StoredDrive(9, 77L, 2, way);
+    store.saveDrive("r1", second);
+    assertEquals(Optional.of(second), store.drive("r1"));
+  }
+}

@@ -1,0 +1,98 @@
+package org.toqa.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.TaskArchive.Filter;
+import org.toqa.fleet.TaskArchive.Sort;
+import org.toqa.fleet.TaskArchive.Sort.Column;
+import org.toqa.fleet.TaskView;
+import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask;
+import org.toqa.wording.Sentence;
+
+/** What every database must find of past tasks; here H2, in {@code MySqlTaskArchiveTest} MySQL. */
+class TaskArchiveTest extends FleetDatabaseTest {
+  @Test
+  void endedTasksAreOnlyInTheArchive() {
+    store.saveRobot(R1);
+    TransportTask first = added(task("first"));
+    TransportTask second = added(task("second"));
+    store.saveMission(
+        new Mission(
+            first,
+            TaskState.DONE,
+            List.of(new AssignedRobot("r1", 3, true, true)),
+            false,
+            null,
+            null,
+            null),
+        AT,
+        List.of());
+    assertEquals(
+        List.of(second.id()), store.openTasks().stream().map(t -> t.mission().id()).toList());
+    assertEquals(
+        List.of(second.id(), first.id()), store.tasks(0, 10).stream().map(t -> t.id()).toList());
+    assertEquals(List.of(first.id()), store.tasks(1, 10).stream().map(t -> t.id()).toList());
+    assertEquals(2, store.count());
+  }
+
+  @Test
+  void tasksAreFilteredAndSorted() {
+    store.saveRobot(R1);
+    long light = added(asked("Box 7%", 1, "Ann", AT)).id();
+    long heavy = added(asked("crate_2", 9, "Max", AT.plusSeconds(60))).id();
+    TransportTask third = added(asked("Other box", 5, "ann", AT.plusSeconds(120)));
+    store.saveMission(
+        Mission.queued(third).assign(List.of("r1"), Sentence.verbatim("near")).mission(),
+        AT,
+        List.of());
+
+    assertEquals(List.of(third.id(), heavy, light), found(Filter.ANY, Sort.NEWEST_FIRST));
+    assertEquals(List.of(third.id(), light), found(text("bOx")));
+    assertEquals(List.of(light), found(text("7%")), "no wildcard");
+    assertEquals(List.of(heavy), found(text("_")));
+    assertEquals(List.of(heavy), found(text(String.valueOf(heavy))));
+    assertEquals(
+        List.of(third.id(), light), found(new Filter(Set.of(), null, "ANN", null, null, null)));
+    assertEquals(List.of(third.id()), found(new Filter(Set.of(), "r1", null, null, null, null)));
+    assertEquals(
+        List.of(heavy, light),
+        found(new Filter(Set.of(TaskState.QUEUED, TaskState.DONE), null, null, null, null, null)));
+    assertEquals(
+        List.of(heavy),
+        found(new Filter(Set.of(), null, null, null, AT.plusSeconds(60), AT.plusSeconds(120))));
+    assertEquals(List.of(), found(new Filter(Set.of(), "r2", "ann", "box", AT, null)));
+    assertEquals(
+        List.of(light, third.id(), heavy), found(Filter.ANY, new Sort(Column.LOAD, false)));
+    assertEquals(List.of(third.id(), heavy, light), found(Filter.ANY, new Sort(Column.NAME, true)));
+    assertEquals(
+        List.of(third.id(), light, heavy), found(Filter.ANY, new Sort(Column.USER, false)));
+    assertEquals(
+        List.of(heavy, light, third.id()), found(Filter.ANY, new Sort(Column.STATE, false)));
+    assertEquals(
+        List.of(light, heavy, third.id()), found(Filter.ANY, new Sort(Column.CREATED, false)));
+  }
+
+  private static Filter text(String text) {
+    return new Filter(Set.of(), null, null, text, null, null);
+  }
+
+  private List<Long> found(Filter filter) {
+    List<Long> found = found(filter, Sort.NEWEST_FIRST);
+    assertEquals(found.size(), store.count(filter));
+    return found;
+  }
+
+  private List<Long> found(Filter filter, Sort sort) {
+    List<Long> all = store.tasks(filter, sort, 0, 10).stream().map(TaskView::id).toList();
+    assertEquals(
+        all.stream().skip(1).limit(1).toList(),
+        store.tasks(filter, sort, 1, 1).stream().map(TaskView::id).toList());
+    return all;
+  }
+}

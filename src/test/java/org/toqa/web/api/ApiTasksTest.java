@@ -1,0 +1,149 @@
+package org.toqa.web.api;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.net.http.HttpResponse;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.mission.TaskState;
+import tools.jackson.databind.JsonNode;
+
+/** Tasks that the API takes and lists. */
+class ApiTasksTest extends ApiTestServer {
+  @Test
+  void tasksAreFilteredSortedAndPaged() {
+    for (String name : List.of("a", "b", "c")) {
+      post(token, "api/v1/tasks", GOOD_TASK.replace(" Box of bolts ", name));
+    }
+    server.fleet().changeTask(2, TaskState.DONE, List.of("r1"), "r1 has parked.");
+
+    HttpResponse<String> open = get("api/v1/tasks?state=open&sort=id&limit=1&offset=1");
+
+    assertEquals("2", open.headers().firstValue("X-Total-Count").orElseThrow());
+    assertEquals("c", JSON.readTree(open.body()).get(0).get("name").stringValue());
+    assertEquals(2, JSON.readTree(get("api/v1/tasks?state=DONE").body()).get(0).get("id").asInt());
+    HttpResponse<String> wrong = get("api/v1/tasks?state=new&sort=x&until=soon");
+    assertEquals(422, wrong.statusCode());
+    assertEquals(3, JSON.readTree(wrong.body()).get("errors").size());
+  }
+
+  @Test
+  void aTaskIsStoredBeforeTheAnswer() {
+    HttpResponse<String> answer = post(token, "api/v1/tasks", GOOD_TASK);
+
+    assertEquals(201, answer.statusCode());
+    JsonNode task = JSON.readTree(answer.body());
+    assertEquals(
+        "/api/v1/tasks/" + task.get("id").asLong(),
+        answer.headers().firstValue("Location").orElseThrow());
+    assertEquals("Box of bolts", task.get("name").stringValue());
+    assertEquals("Dock A", task.get("start").get("station").stringValue());
+    assertEquals(1.05, task.get("start").get("x").doubleValue());
+    assertEquals("QUEUED", task.get("state").stringValue());
+    assertEquals("Max", task.get("user").stringValue());
+    assertTrue(server.fleet().task(task.get("id").asLong()).isPresent());
+  }
+
+  @Test
+  void aTaskHasAllThatIsPromised() {
+    long id = JSON.readTree(post(token, "api/v1/tasks", GOOD_TASK).body()).get("id").asLong();
+
+    JsonNode waiting = JSON.readTree(get("api/v1/tasks/" + id).body());
+    assertEquals("Looking for a robot.", waiting.get("waitingFor").stringValue());
+    assertTrue(waiting.get("needs").isNull());
+    assertFalse(waiting.get("held").booleanValue());
+    assertEquals(1, waiting.get("history").size());
+
+    server.fleet().changeTask(id, TaskState.CARRYING, List.of("r1"), "r1 carries it.");
+    JsonNode carried = JSON.readTree(get("api/v1/tasks/" + id).body());
+    assertEquals("CARRYING", carried.get("state").stringValue());
+    assertEquals("r1", carried.get("robots").get(0).stringValue());
+    assertTrue(carried.get("waitingFor").isNull());
+    assertEquals("r1 carries it.", carried.get("history").get(1).get("text").stringValue());
+  }
+
+  @Test
+  void tasksAreListedNewestFirst() {
+    for (int i = 0; i < 3; i++) {
+      post(token, "api/v1/tasks", GOOD_TASK);
+    }
+
+    HttpResponse<String> answer = get("api/v1/tasks?offset=1&limit=2");
+
+    assertEquals("3", answer.headers().firstValue("X-Total-Count").orElseThrow());
+    JsonNode tasks = JSON.readTree(answer.body());
+    assertEquals(2, tasks.get(0).get("id").asInt());
+    assertEquals(1, tasks.get(1).get("id").asInt());
+    assertEquals(400, get("api/v1/tasks?limit=0").statusCode());
+    assertEquals(400, get("api/v1/tasks?offset=x").statusCode());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          {"name":"x","load":"2","start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “load” must be a number without quotation marks.
+          {"name":7,"load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “name” must be a text in quotation marks.
+          {"name":"x","load":2,"start":"Dock A","goal":{"station":"Shelf 3"}} | 422 | “start” must be an object in braces.
+          {"name":"x","load":2,"start":{"x":1},"goal":{"station":"Shelf 3"}} | 422 | Choose a station, or enter x and y in metres.
+          {"name":"x","load":2,"start":{"x":1,"y":1,"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “start” needs either a station’s name or x and y in metres.
+          {"name":"x","load":2,"goal":{"station":"Shelf 3"}} | 422 | “start” needs either a station’s name or x and y in metres.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | The field “colour” is unknown. Known here: name, load, start, goal, floor, priority, deadline, size.
+          {"name":"x","load":2,"start":{"station":"Dock A","z":1},"goal":{"station":"Shelf 3"}} | 422 | The field “start.z” is unknown. Known here: station.
+          {"name":"x","load":0,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
+          {"name":"x","load":1e999,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
+          {"name":"x","load":2,"start":{"x":1e300,"y":1},"goal":{"station":"Shelf 3"}} | 422 | Coordinates must lie within 1,000,000 m of the map’s origin.
+          {"name":"  ","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | Give the task a name.
+          {"name":"a\\u0000b","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name has characters that cannot be shown, such as line breaks. Leave them out.
+          {"name":"\\ud800","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name has characters that cannot be shown, such as line breaks. Leave them out.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"priority":1.5} | 422 | The priority is a whole number from -100 to 100.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"deadline":"+99999-01-01T00:00:00Z"} | 422 | The deadline’s year must be from 2000 to 9998.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"deadline":"soon"} | 422 | The deadline is a time with its zone, as in 2026-11-21T15:00:00Z.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"size":{"length":1}} | 422 | The size needs a length and a width in metres.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"x":0.1,"y":0.1}} | 422 | The goal is not a free place of the floor. Choose another one.
+          {"name":"x","load":NaN} | 400 | The body is not valid JSON, at line 1, column 23. Mend it there.
+          {"name":"x","name":"y"} | 400 | The body is not valid JSON, at line 1, column 19. Mend it there.
+          {"name":"x"} {} | 400 | The body is not valid JSON, at line 1, column 14. Mend it there.
+          [1] | 400 | The body must be one JSON object in braces.
+          7 | 400 | The body must be one JSON object in braces.
+          """)
+  void aBadTaskGetsASentence(String body, int status, String sentence) {
+    HttpResponse<String> answer = post(token, "api/v1/tasks", body);
+
+    assertEquals(
+        "application/problem+json", answer.headers().firstValue("Content-Type").orElseThrow());
+    assertEquals(sentence, detail(answer));
+    assertEquals(status, answer.statusCode());
+    assertEquals(0, server.fleet().count());
+  }
+
+  @Test
+  void everyFieldAtFaultIsNamed() {
+    JsonNode problem = JSON.readTree(post(token, "api/v1/tasks", "{\"load\":-1}").body());
+
+    Set<String> fields =
+        problem.get("errors").values().stream()
+            .map(error -> error.get("field").stringValue())
+            .collect(Collectors.toCollection(TreeSet::new));
+    assertEquals(Set.of("name", "load", "start", "goal"), fields);
+  }
+
+  @Test
+  void aSilentStoreIsSaidWithoutATrace() {
+    server.fleet().stopAnswering();
+
+    HttpResponse<String> answer = post(token, "api/v1/tasks", GOOD_TASK);
+
+    assertEquals(503, answer.statusCode());
+    assertTrue(detail(answer).startsWith("The database does not answer, so nothing was changed."));
+    assertFalse(answer.body().contains("Exception"));
+  }
+}
