@@ -4,7 +4,7 @@
 <%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <fmt:message key="statistics.chart.${chart.name()}" var="title"/>
-<article class="chart"${chart.isHorizontal() ? ' data-lying' : ''}>
+<article class="chart"${chart.isHorizontal() ? ' data-horizontal' : ''}>
   <h2 id="${chart.name()}">${title}</h2>
   <p class="faint"><fmt:message key="statistics.means.${chart.name()}"/></p>
   <c:choose>

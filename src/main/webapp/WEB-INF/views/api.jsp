@@ -4,7 +4,7 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="api.title" var="title"/>
-<t:page title="${title}" here="api" script="api.js">
+<t:page title="${title}" here="api" script="api/api.js">
   <h1>${title}</h1>
   <p><fmt:message key="api.intro"/>${" "}<a href="${root}/users/${caller.account().id()}"><fmt:message key="api.tokens"/></a> · <a href="${root}/api/v1/openapi.json"><fmt:message key="api.document"/></a></p>
   <link rel="stylesheet" href="${root}/assets/swagger/swagger-ui.css">

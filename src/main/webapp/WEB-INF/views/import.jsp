@@ -5,7 +5,7 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="import.title" var="title"/>
-<t:page title="${title}" here="task" script="import.js">
+<t:page title="${title}" here="task" script="tasks/import.js">
   <h1>${title}</h1>
   <p class="faint"><fmt:message key="import.intro"/></p>
   <c:if test="${not empty errors}"><p class="notice bad" role="alert"><c:out value="${errors.file}"/></p></c:if>

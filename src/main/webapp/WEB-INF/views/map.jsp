@@ -13,10 +13,10 @@
 <fmt:message key="replay.label" var="replayLabel"/>
 <fmt:message key="replay.time" var="timeLabel"/>
 <fmt:message key="replay.back" var="back"/>
-<fmt:message key="replay.on" var="on"/>
-<t:page title="${title}" here="map" script="map.js" layout="live-map">
+<fmt:message key="replay.forward" var="forward"/>
+<t:page title="${title}" here="map" script="map/map.js" layout="live-map">
   <h1 class="unseen">${title}</h1>
-  <section class="board">
+  <section class="map-panel">
     <div class="summary">
       <ul id="counts" class="counts" aria-label="${countsLabel}"></ul>
       <c:if test="${fn:length(floors) > 1}">
@@ -25,7 +25,7 @@
         </label>
       </c:if>
       <div class="moment">
-        <button type="button" id="replay-open" class="outline" disabled><t:icon name="past"/> <fmt:message key="replay.open"/></button>
+        <button type="button" id="replay-open" class="outline" disabled><t:icon name="replay"/> <fmt:message key="replay.open"/></button>
         <p id="age" class="age" data-state="away"><fmt:message key="map.connecting"/></p>
       </div>
     </div>
@@ -35,7 +35,7 @@
     <noscript><p class="notice bad"><fmt:message key="map.noscript"/></p></noscript>
     <div class="canvas">
       <canvas id="map" tabindex="0" role="img" aria-label="${canvasLabel}"></canvas>
-      <p id="following" class="following" role="status" hidden><fmt:message key="map.following"/>${" "}<a><bdi></bdi></a>${" "}<button type="button" id="let-go"><fmt:message key="map.letGo"/></button></p>
+      <p id="following" class="following" role="status" hidden><fmt:message key="map.following"/>${" "}<a><bdi></bdi></a>${" "}<button type="button" id="stop-following"><fmt:message key="map.stopFollowing"/></button></p>
       <div class="zoom">
         <button type="button" id="zoom-in" aria-label="${zoomIn}" title="${zoomIn}">+</button>
         <button type="button" id="zoom-out" aria-label="${zoomOut}" title="${zoomOut}">−</button>
@@ -46,7 +46,7 @@
       <input type="range" id="replay-time" aria-label="${timeLabel}">
       <button type="button" id="replay-play"><fmt:message key="replay.play"/></button>
       <button type="button" id="replay-back" class="outline">${back}</button>
-      <button type="button" id="replay-on" class="outline">${on}</button>
+      <button type="button" id="replay-forward" class="outline">${forward}</button>
       <bdi id="replay-moment" class="number"></bdi>
       <label><span class="unseen"><fmt:message key="replay.speed"/></span>
         <select id="replay-speed"><c:forTokens items="1,10,60" delims="," var="speed"><option value="${speed}" dir="ltr">${speed}×</option></c:forTokens></select>
@@ -57,24 +57,24 @@
       <button type="button" id="replay-live"><fmt:message key="replay.live"/></button>
     </section>
   </section>
-  <aside class="lists">
-    <section id="needs" hidden>
-      <h2><fmt:message key="map.needsYou"/> <span id="needs-now" hidden><fmt:message key="replay.now"/></span></h2>
-      <ul id="needs-list" class="entries"></ul>
+  <aside class="side-lists">
+    <section id="attention" hidden>
+      <h2><fmt:message key="map.needsAttention"/> <span id="attention-now" hidden><fmt:message key="replay.now"/></span></h2>
+      <ul class="entries"></ul>
     </section>
-    <div id="then" hidden>
+    <div id="replay-lists" hidden>
       <section>
         <h2><fmt:message key="replay.robots"/></h2>
-        <ul id="then-robots" class="entries"></ul>
-        <p id="then-none" class="faint"></p>
+        <ul id="replay-robots" class="entries"></ul>
+        <p id="replay-no-robots" class="faint"></p>
       </section>
       <section>
         <h2><fmt:message key="replay.events"/></h2>
-        <ul id="then-events" class="history"></ul>
-        <p id="then-quiet" class="faint" hidden><fmt:message key="replay.quiet"/></p>
+        <ul id="replay-events" class="history"></ul>
+        <p id="replay-no-events" class="faint" hidden><fmt:message key="replay.quiet"/></p>
       </section>
     </div>
-    <div id="now">
+    <div id="live-lists">
       <section>
         <h2><fmt:message key="map.tasks"/></h2>
         <ul id="tasks" class="entries"></ul>
@@ -115,5 +115,5 @@
   </aside>
   <c:set var="stateKeys" value=""/>
   <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
-  <t:texts keys="map.live map.age replay.label replay.play replay.pause replay.drove replay.stood replay.task replay.loading replay.none map.away map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+  <t:texts keys="map.live map.age replay.label replay.play replay.pause replay.driving replay.stopped replay.task replay.loading replay.none map.away map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
 </t:page>

@@ -6,7 +6,7 @@
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="newTask.title" var="title"/>
 <fmt:message key="newTask.map" var="mapLabel"/>
-<t:page title="${title}" here="task" script="pick.js">
+<t:page title="${title}" here="task" script="tasks/new-task.js">
   <h1>${title}</h1>
   <p class="faint"><fmt:message key="newTask.intro"/></p>
   <t:errors/>

@@ -8,7 +8,7 @@
 <fmt:formatNumber value="${robot.maxLoad}" maxFractionDigits="2" var="maxLoad"/>
 <fmt:formatNumber value="${robot.footprint}" maxFractionDigits="3" var="footprint"/>
 <fmt:formatNumber value="${robot.speed}" maxFractionDigits="2" var="speed"/>
-<t:page title="${title}" here="robot" script="track.js">
+<t:page title="${title}" here="robot" script="robot/track.js">
   <t:errors/>
   <div id="live" data-live="robot" data-name="${fn:escapeXml(robot.name)}">
     <div class="heading">
@@ -62,8 +62,8 @@
     <a href="<c:out value="${history}"/>"><fmt:message key="robot.history"/></a>
   </article>
   <c:if test="${caller.isManager()}">
-    <article class="card" id="orders" data-live="orders" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.task ? '' : 'hidden'}>
-      <h2><fmt:message key="robot.orders"/></h2>
+    <article class="card" id="actions" data-live="robot-actions" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.task ? '' : 'hidden'}>
+      <h2><fmt:message key="robot.actions"/></h2>
       <div class="choices">
         <c:url value="/robots/${robot.name}/${robot.held ? 'resume' : 'hold'}" var="holdOrResume"/>
         <c:if test="${empty pause}">
@@ -94,13 +94,13 @@
         </form>
       </c:if>
       <c:if test="${not isOut or keepsPlace}">
-        <c:set var="wish" value="${isOut ? 'gone' : 'out'}"/>
+        <c:set var="action" value="${isOut ? 'release' : 'out'}"/>
         <details>
-          <summary role="button" class="outline secondary"><fmt:message key="robot.service.${wish}"/></summary>
+          <summary role="button" class="outline secondary"><fmt:message key="robot.service.${action}"/></summary>
           <form method="post" action="<c:out value="${outOfService}"/>">
             <t:csrf/>
-            <p><fmt:message key="robot.service.sure.${wish}"/></p>
-            <button class="danger"><fmt:message key="robot.service.submit.${wish}"/></button>
+            <p><fmt:message key="robot.service.sure.${action}"/></p>
+            <button class="danger"><fmt:message key="robot.service.submit.${action}"/></button>
           </form>
         </details>
       </c:if>

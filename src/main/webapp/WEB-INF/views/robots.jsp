@@ -5,7 +5,7 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="robots.title" var="title"/>
-<t:page title="${title}" here="robot" script="live.js">
+<t:page title="${title}" here="robot" script="shared/live.js">
   <div class="heading">
     <div>
       <h1>${title}</h1>

@@ -5,7 +5,7 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="schedules.title" var="title"/>
-<t:page title="${title}" here="task" script="live.js">
+<t:page title="${title}" here="task" script="shared/live.js">
   <div class="heading">
     <div>
       <h1>${title}</h1>
@@ -31,7 +31,7 @@
             <th scope="row"><bdi><c:out value="${schedule.order.name}"/></bdi></th>
             <td data-label="<fmt:message key="schedules.column.when"/>">
               <c:choose>
-                <c:when test="${entry.kind == 'once'}"><t:time at="${schedule.recurrence.at}"/></c:when>
+                <c:when test="${entry.kind == 'once'}"><fmt:message key="schedules.once"/>${" "}<t:time at="${schedule.recurrence.at}"/></c:when>
                 <c:when test="${entry.kind == 'every'}"><fmt:message key="schedules.every"><fmt:param value="${schedule.recurrence.interval.toMinutes()}"/></fmt:message>${" "}<t:time at="${schedule.recurrence.first}"/></c:when>
                 <c:otherwise>
                   <c:forEach items="${entry.days}" var="day" varStatus="at"><fmt:message key="schedule.day.${day}"/><c:if test="${not at.last}"><fmt:message key="common.comma"/></c:if></c:forEach>
@@ -52,11 +52,11 @@
             <td class="whole">
               <c:if test="${entry.mayChange}">
                 <div class="choices">
-                  <c:forTokens items="${empty schedule.due ? '' : schedule.paused ? 'resume,' : 'pause,'}delete" delims="," var="wish">
-                    <form method="post" action="${root}/schedules/${schedule.id}/${wish}">
+                  <c:forTokens items="${empty schedule.due ? '' : schedule.paused ? 'resume,' : 'pause,'}delete" delims="," var="action">
+                    <form method="post" action="${root}/schedules/${schedule.id}/${action}">
                       <t:csrf/>
-                      <c:if test="${wish == 'delete'}"><input type="hidden" name="version" value="${entry.version.text}"></c:if>
-                      <button class="outline"><fmt:message key="schedules.${wish}"/></button>
+                      <c:if test="${action == 'delete'}"><input type="hidden" name="version" value="${entry.version.text}"></c:if>
+                      <button class="outline"><fmt:message key="schedules.${action}"/></button>
                     </form>
                   </c:forTokens>
                 </div>

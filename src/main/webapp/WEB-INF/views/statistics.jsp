@@ -5,7 +5,7 @@
 <%@ taglib prefix="t" tagdir="/WEB-INF/tags" %>
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="statistics.title" var="title"/>
-<t:page title="${title}" here="statistics" script="statistics.js">
+<t:page title="${title}" here="statistics" script="statistics/statistics.js">
   <div class="heading">
     <div>
       <h1>${title}</h1>

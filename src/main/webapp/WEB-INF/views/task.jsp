@@ -7,7 +7,7 @@
 <fmt:message key="task.title" var="title"><fmt:param value="${task.task.id}"/></fmt:message>
 <fmt:formatNumber value="${task.task.load}" maxFractionDigits="2" var="load"/>
 <c:set var="usualPriority" value="${task.task.priority == 10 or task.task.priority == 0 or task.task.priority == -10}"/>
-<t:page title="${title}" here="task" script="live.js">
+<t:page title="${title}" here="task" script="shared/live.js">
   <t:errors/>
   <div id="live" data-live="task" data-name="${task.task.id}">
     <div class="heading">
@@ -25,8 +25,8 @@
       <p class="notice bad"><strong><fmt:message key="task.needs"/></strong>${" "}<t:said sentence="${task.needs.question}"/></p>
     </c:if>
     <c:if test="${reached >= 0}">
-      <fmt:message key="task.road" var="label"/>
-      <ol class="road" aria-label="${label}">
+      <fmt:message key="task.progress" var="label"/>
+      <ol class="steps" aria-label="${label}">
         <c:forEach items="${road}" var="state" varStatus="at">
           <li class="${at.index < reached or state == 'DONE' and reached == at.index ? 'passed' : at.index == reached ? 'here' : 'ahead'}" ${at.index == reached ? 'aria-current="step"' : ''}><fmt:message key="task.state.${state}"/></li>
         </c:forEach>
@@ -75,8 +75,8 @@
       </article>
     </div>
   </div>
-  <article class="card" id="wishes" data-live="wishes" data-name="${task.task.id}" ${mayChange and not task.state.isEnded() ? '' : 'hidden'}>
-    <h2><fmt:message key="task.wishes"/></h2>
+  <article class="card" id="actions" data-live="task-actions" data-name="${task.task.id}" ${mayChange and not task.state.isEnded() ? '' : 'hidden'}>
+    <h2><fmt:message key="task.actions"/></h2>
     <c:if test="${mayChange and not task.state.isEnded()}">
       <c:if test="${not empty task.needs}">
         <form class="choices" method="post" action="${root}/tasks/${task.task.id}/answer">

@@ -6,7 +6,7 @@
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="tasks.title" var="title"/>
 <c:set var="filters" value="state,text,user,robot,from,until"/>
-<t:page title="${title}" here="task" script="live.js">
+<t:page title="${title}" here="task" script="shared/live.js">
   <div class="heading">
     <div>
       <h1>${title}</h1>
@@ -60,7 +60,7 @@
       <table class="stacks">
         <thead>
           <tr>
-            <c:forTokens items="id,name,state,load,way,robots,user,created" delims="," var="column">
+            <c:forTokens items="id,name,state,load,fromTo,robots,user,created" delims="," var="column">
               <fmt:message key="tasks.column.${column}" var="head"/>
               <c:choose>
                 <c:when test="${columns.contains(column)}">
@@ -85,7 +85,7 @@
               <th scope="row"><a href="${root}/tasks/${view.task.id}"><bdi><c:out value="${view.task.name}"/></bdi></a></th>
               <td><t:state of="task" state="${view.state}"/></td>
               <td class="number" data-label="<fmt:message key="tasks.column.load"/>"><fmt:message key="common.kilograms"><fmt:param value="${load}"/></fmt:message></td>
-              <td data-label="<fmt:message key="tasks.column.way"/>"><t:place place="${view.task.start}"/> – <t:place place="${view.task.goal}"/></td>
+              <td data-label="<fmt:message key="tasks.column.fromTo"/>"><t:place place="${view.task.start}"/> – <t:place place="${view.task.goal}"/></td>
               <td data-label="<fmt:message key="tasks.column.robots"/>"><t:robots names="${view.robots}"/></td>
               <td data-label="<fmt:message key="tasks.column.user"/>"><bdi><c:out value="${view.task.user}"/></bdi></td>
               <td data-label="<fmt:message key="tasks.column.created"/>"><t:time at="${view.task.createdAt}"/></td>

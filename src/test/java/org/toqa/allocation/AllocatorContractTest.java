@@ -143,9 +143,9 @@ class AllocatorContractTest {
                 1,
                 Sentence.verbatim(
                     "None of the 2 robots that are strong enough can take it now:"
-                        + " r1 finds no way to the load and its goal that is wide enough for its"
+                        + " r1 finds no path to the load and its goal that is wide enough for"
                         + " 0.26 m,"
-                        + " r2 finds no way to the load and its goal that is wide enough for its"
+                        + " r2 finds no path to the load and its goal that is wide enough for"
                         + " 0.26 m."),
                 List.of())),
         Outcome.inEnglish(allocator.allocate(problem)));
@@ -247,7 +247,7 @@ class AllocatorContractTest {
             new Decision.Unassigned(
                 1,
                 Sentence.verbatim(
-                    "The only robot, r1, has 11 % and would not get to a charger after it."),
+                    "The only robot, r1, has 11 % and would not reach a charger afterwards."),
                 List.of("r1"))),
         Outcome.inEnglish(allocator.allocate(withChargerAtTheOtherEnd(0.11))));
     assertInstanceOf(
@@ -276,9 +276,9 @@ class AllocatorContractTest {
         Map.of(
             Availability.OUT_OF_SERVICE, "is out of service",
             Availability.CHARGING, "must charge first",
-            Availability.LOST, "is lost: nothing is heard from it",
-            Availability.HELD, "is held",
-            Availability.BUSY, "works on task 7");
+            Availability.LOST, "is lost",
+            Availability.HELD, "is on hold",
+            Availability.BUSY, "is working on task 7");
     sentences.forEach(
         (standing, words) ->
             assertEquals(
@@ -295,16 +295,14 @@ class AllocatorContractTest {
   void aLoadTooHeavyForOneSaysHowManyItNeeds(Allocator allocator) {
     Candidate[] robots = {free("r1", 5, 1), busy("r2", 3, 2, 7), free("r3", 4, 3)};
     // 9 / 2 = 4.5 kg are too much for r2 and r3, 9 / 3 = 3 kg are not; 10 / 3 = 3.3 kg are for r2
+    assertEquals("It needs 3 robots together; 2 of 3 are free.", why(allocator, 9, robots));
     assertEquals(
-        "It needs 3 robots that carry it together, and 2 of 3 are free.",
-        why(allocator, 9, robots));
-    assertEquals(
-        "The load weighs 10 kg, and no robots carry it in even shares.",
+        "The load weighs 10 kg; no group of robots can carry it in equal shares.",
         why(allocator, 10, robots));
     assertEquals(
-        "The load weighs 12.5 kg, and all 3 robots together carry 12 kg.",
+        "The load weighs 12.5 kg; all 3 robots together can carry 12 kg.",
         why(allocator, 12.5, robots));
-    assertEquals("No robot has been added yet.", why(allocator, 1));
+    assertEquals("No robots have been added yet.", why(allocator, 1));
   }
 
   @ParameterizedTest
@@ -312,7 +310,7 @@ class AllocatorContractTest {
   void ofManyRobotsThoseThatAreKeptAreCounted(Allocator allocator) {
     assertEquals(
         "None of the 4 robots that are strong enough can take it now:"
-            + " 2 work on other tasks, 1 is out of service, 1 is lost: nothing is heard from it.",
+            + " 2 are working on other tasks, 1 is out of service, 1 is lost.",
         why(
             allocator,
             1,

@@ -29,7 +29,7 @@ class ContractNetTest {
             new Decision.Assigned(
                 1,
                 List.of("r2"),
-                Sentence.verbatim("the least of 3 bids, 0.3 kJ; the next was r1 with 0.5 kJ"))),
+                Sentence.verbatim("the lowest of 3 bids, 0.3 kJ; next was r1 with 0.5 kJ"))),
         Outcome.inEnglish(
             new ContractNet()
                 .allocate(

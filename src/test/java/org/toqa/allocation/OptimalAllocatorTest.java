@@ -14,7 +14,7 @@ import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.wording.Sentence;
 
 class OptimalAllocatorTest {
-  private static final String LEAST = " m from the load; the least energy for all tasks together";
+  private static final String LEAST = " m from the load; least total energy for all tasks";
   private final Allocator allocator = new OptimalAllocator();
 
   @Test
@@ -23,11 +23,13 @@ class OptimalAllocatorTest {
     assertEquals(
         List.of(
             new Decision.Assigned(
-                1, List.of("r1"), Sentence.verbatim("4.0" + LEAST + " (2 to give, 2 robots free)")),
+                1,
+                List.of("r1"),
+                Sentence.verbatim("4.0" + LEAST + " (2 to assign, 2 robots free)")),
             new Decision.Assigned(
                 2,
                 List.of("r2"),
-                Sentence.verbatim("3.0" + LEAST + " (2 to give, 2 robots free)"))),
+                Sentence.verbatim("3.0" + LEAST + " (2 to assign, 2 robots free)"))),
         Outcome.inEnglish(
             allocator.allocate(
                 situation(
@@ -66,7 +68,7 @@ class OptimalAllocatorTest {
                 1,
                 List.of("r2"),
                 Sentence.verbatim(
-                    "1.0" + LEAST + " (0 to give, 1 robot free), taken over from r1"))),
+                    "1.0" + LEAST + " (0 to assign, 1 robot free), taken over from r1"))),
         Outcome.inEnglish(withFreeRobotAt(9, given)));
   }
 

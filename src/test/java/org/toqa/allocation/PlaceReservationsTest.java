@@ -32,7 +32,7 @@ class PlaceReservationsTest {
     assertEquals(
         Map.of(
             1L,
-            "It needs several robots, which need its start for themselves; task 7 uses it now."),
+            "It needs several robots, which need the start for themselves; task 7 is using it."),
         waiting(policy, List.of(job(1, 8, 10)), inUse));
   }
 
@@ -42,7 +42,7 @@ class PlaceReservationsTest {
     AllocationTask toPlace = new AllocationTask(1, 2, new Vec2(40, 5), PLACE, NOON);
     List<PlaceUse> inUse = List.of(new PlaceUse(7, PLACE, true));
     assertEquals(
-        Map.of(1L, "The robots that carry the load of task 7 together use its goal now."),
+        Map.of(1L, "The robots that carry the load of task 7 together are using the goal."),
         waiting(policy, List.of(toPlace), inUse));
   }
 
@@ -59,7 +59,7 @@ class PlaceReservationsTest {
     assertEquals(
         Map.of(
             2L,
-            "It needs several robots, which need its start for themselves; task 1 uses it now."),
+            "It needs several robots, which need the start for themselves; task 1 is using it."),
         waiting(policy, List.of(job(1, 8, 10), job(2, 8, 10)), List.of()));
   }
 
@@ -69,7 +69,7 @@ class PlaceReservationsTest {
     List<PlaceUse> inUse = List.of(new PlaceUse(7, PLACE, false));
     Map<Long, String> waiting =
         waiting(policy, List.of(job(1, 8, 10), job(2, 2, 10), job(3, 2, 60)), inUse);
-    assertEquals("Task 1 comes first at its start.", waiting.get(2L));
+    assertEquals("Task 1 comes first at the start.", waiting.get(2L));
     assertEquals(2, waiting.size());
   }
 

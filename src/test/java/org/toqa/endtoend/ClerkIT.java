@@ -54,8 +54,7 @@ class ClerkIT extends BrowserTest {
       click(page, map, 11.55, 1.05); // the station Goods-out
       assertThat(page.locator("#startStation")).hasValue("Goods-out");
       click(page, map, 9.45, 2.85); // a free place
-      page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task"))
-          .click();
+      page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
 
       assertThat(page.locator("h1")).hasText("Box of bolts");
       long task = Long.parseLong(page.url().replaceAll(".*/", ""));
@@ -65,7 +64,7 @@ class ClerkIT extends BrowserTest {
       Locator entry =
           page.locator("#robots li").filter(new Locator.FilterOptions().setHasText(robot));
       assertThat(entry)
-          .containsText(Pattern.compile("Drives to the load|Carries the load|Drives home"));
+          .containsText(Pattern.compile("Driving to the load|Carrying the load|Driving home"));
       Object before = page.evaluate("document.querySelector('#map').toDataURL()");
       page.waitForFunction("old => document.querySelector('#map').toDataURL() !== old", before);
 

@@ -115,7 +115,7 @@ class CrashMatrixIT {
       testbed.server.await("tasks/" + task, CrashMatrixIT::isStoredAsDone);
       assertEquals(1, testbed.server.eventCount(task, "Picked up"), () -> taskHistory(task));
       assertEquals(1, testbed.server.eventCount(task, "Delivered"), () -> taskHistory(task));
-      assertEquals(1, testbed.server.eventCount(task, "Asked for"), () -> taskHistory(task));
+      assertEquals(1, testbed.server.eventCount(task, "Created by"), () -> taskHistory(task));
       assertEquals(1, testbed.server.eventCount(task, "Done"), () -> taskHistory(task));
     }
     for (JsonNode task : testbed.server.api().get("tasks?limit=10")) {

@@ -86,7 +86,7 @@ class DatabaseOutageIT {
       awaitHealth(server.root(), 200);
       server.awaitState(task, "DONE");
       server.await("tasks/" + task, t -> t.toString().contains("\"Done\""));
-      assertEquals(1, server.eventCount(task, "Asked for"));
+      assertEquals(1, server.eventCount(task, "Created by"));
       assertEquals(1, server.eventCount(task, "Picked up"));
       assertEquals(1, server.eventCount(task, "Delivered"));
       assertEquals(1, server.api().get("tasks").size());

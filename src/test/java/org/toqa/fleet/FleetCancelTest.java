@@ -84,8 +84,7 @@ class FleetCancelTest extends HallFleetTest {
     assertEquals(0, scriptedRobot("r1").position().distanceTo(new Vec2(0.5, 2.5)), 1e-6);
     until(
         view ->
-            stage.store.history(task).stream()
-                .anyMatch(e -> e.text().equals("Brought back to West")));
+            stage.store.history(task).stream().anyMatch(e -> e.text().equals("Returned to West")));
   }
 
   @Test

@@ -33,8 +33,8 @@ class FleetHoldTest extends HallFleetTest {
     accepted(stage.fleet.commandTask(task, new MissionEvent.Resume("Max")));
 
     until(view -> task(view, task).state() == TaskState.DONE);
-    assertEquals(List.of("Max put it on hold"), history("task.held"));
-    assertEquals(List.of("Max let it go on"), history("task.resumed"));
+    assertEquals(List.of("Max put the task on hold"), history("task.held"));
+    assertEquals(List.of("Max resumed the task"), history("task.resumed"));
   }
 
   @Test
@@ -76,7 +76,7 @@ class FleetHoldTest extends HallFleetTest {
 
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(List.of("Max put all robots of hall on hold"), history("floor.held"));
-    assertEquals(List.of("Boss let the robots of hall go on"), history("floor.resumed"));
+    assertEquals(List.of("Boss resumed all robots of hall"), history("floor.resumed"));
   }
 
   @Test
@@ -101,6 +101,6 @@ class FleetHoldTest extends HallFleetTest {
 
     until(view -> task(view, task).state() == TaskState.DONE && view.pause() == null);
     assertEquals(List.of("Max paused all robots"), history("fleet.paused"));
-    assertEquals(List.of("Boss let all robots go on"), history("fleet.resumed"));
+    assertEquals(List.of("Boss resumed all robots"), history("fleet.resumed"));
   }
 }

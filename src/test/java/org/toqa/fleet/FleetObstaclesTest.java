@@ -30,10 +30,10 @@ class FleetObstaclesTest extends HallFleetTest {
         stage.now.toString());
     untilHistory(
         "floor.obstacle-gone",
-        "The obstacle at (6.50, 1.50) was not seen any more; robots may drive there again");
+        "The obstacle at (6.50, 1.50) is no longer detected; robots may drive there again");
     untilHistory(
         "floor.obstacle",
-        "r1 sees something at (6.50, 1.50) that the map does not show; robots go round it");
+        "r1 detects something at (6.50, 1.50) that is not on the map; robots drive around it");
   }
 
   @Test

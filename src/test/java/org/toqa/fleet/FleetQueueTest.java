@@ -22,10 +22,7 @@ class FleetQueueTest extends HallFleetTest {
 
     long task = submit(order(1.5 * most));
 
-    until(
-        view ->
-            waitReason(view, task)
-                .equals("It needs 2 robots that carry it together, and 1 of 2 is free."));
+    until(view -> waitReason(view, task).equals("It needs 2 robots together; 1 of 2 is free."));
     Answer<TaskView> tooHeavy =
         stage
             .fleet
@@ -48,7 +45,7 @@ class FleetQueueTest extends HallFleetTest {
     assertEquals(10, changed.task().priority());
     EventRecord told = stage.store.history(second).getLast();
     assertEquals("task.prioritised", told.kind());
-    assertEquals("Clara changed its priority from 0 to 10", told.text());
+    assertEquals("Clara changed the priority from 0 to 10", told.text());
     accepted(stage.fleet.commandTask(second, new MissionEvent.Prioritise("Clara", 10)));
     assertEquals(told, stage.store.history(second).getLast(), "nothing to tell");
     stage.restart();

@@ -31,7 +31,7 @@ class FleetRecoveryTest extends HallFleetTest {
         Map.of("r2", cells(new Cell(4, 1))),
         stage.fleet.snapshots().latest().floors().getFirst().silentRobotCells());
     long task = submit("West", "East");
-    until(view -> waitReason(view, task).startsWith("Waits for r2"));
+    until(view -> waitReason(view, task).startsWith("Waiting for r2"));
 
     RobotView taken = accepted(stage.fleet.takeOutOfService("r2", "Max"));
 
@@ -40,7 +40,7 @@ class FleetRecoveryTest extends HallFleetTest {
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(Map.of(), stage.fleet.snapshots().latest().floors().getFirst().silentRobotCells());
     assertEquals(
-        List.of("Max took r2 out of service; it does not stand any more where it was lost"),
+        List.of("Max took r2 out of service and released its place"),
         history("robot.out-of-service"));
   }
 
@@ -56,7 +56,7 @@ class FleetRecoveryTest extends HallFleetTest {
 
     long task = submit("West", "East");
 
-    until(view -> waitReason(view, task).startsWith("Waits for r2"));
+    until(view -> waitReason(view, task).startsWith("Waiting for r2"));
     assertEquals(RobotState.OUT_OF_SERVICE, robot(stage.fleet.snapshots().latest(), "r2").state());
   }
 
@@ -71,9 +71,7 @@ class FleetRecoveryTest extends HallFleetTest {
 
     until(view -> view.floors().getFirst().silentRobotCells().isEmpty());
     assertEquals(
-        List.of(
-            "Max took r1 out of service",
-            "Max took r1 out of service; it does not stand any more where it was lost"),
+        List.of("Max took r1 out of service", "Max took r1 out of service and released its place"),
         history("robot.out-of-service"));
   }
 
@@ -89,7 +87,7 @@ class FleetRecoveryTest extends HallFleetTest {
     until(view -> task(view, task).robots().equals(List.of("r2")));
     assertTrue(
         history("task.robot-failed")
-            .contains("r1 reports the error BUMPER; another robot is looked for"));
+            .contains("r1 reports the error BUMPER; looking for another robot"));
   }
 
   @Test
@@ -174,7 +172,7 @@ class FleetRecoveryTest extends HallFleetTest {
     scriptedRobot("r1").repair();
 
     until(view -> task(view, task).state() == TaskState.DONE);
-    assertEquals(List.of("r1 can go on"), history("task.robot-back"));
+    assertEquals(List.of("r1 can continue"), history("task.robot-back"));
   }
 
   @Test

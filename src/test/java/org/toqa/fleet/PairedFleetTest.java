@@ -225,7 +225,7 @@ class PairedFleetTest {
     try (var stranger = daemonNow().connect()) { // speaks without encryption
       stranger.say(new Drive(1, null, 0, new Pose(1.05, 1.05, 0), List.of(), 0, true, 0));
       assertEquals(
-          "r1 let somebody not in. 127.0.0.1 was refused: it does not encrypt.",
+          "r1 refused a connection. 127.0.0.1 was refused: it does not encrypt.",
           history("robot.stranger").text());
     }
     assertTrue(until(r -> !r.errors().isEmpty()).errors().getFirst().text().contains("127.0.0.1"));

@@ -90,7 +90,7 @@ class MissionTest {
     assertEquals(
         List.of(new MissionCommand.Unassign("r1"), new MissionCommand.Drive("r2", 1)),
         step.commands());
-    assertEquals(List.of("Given to r2 instead of r1: it is nearer"), said(step));
+    assertEquals(List.of("Reassigned to r2 from r1: it is nearer"), said(step));
     assertFalse(step.mission().apply(exchanged).hasChanges(), "repeated");
     assertFalse(carrying("r1").apply(exchanged).hasChanges(), "with the load on board");
     assertFalse(

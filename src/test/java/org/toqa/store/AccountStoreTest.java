@@ -247,7 +247,7 @@ class AccountStoreTest {
             "boss made ada a manager",
             "ada changed the password of ada",
             "boss added the user max",
-            "max deleted the user ada"),
+            "max deleted user ada"),
         texts());
   }
 

@@ -13,7 +13,7 @@ import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.MissionChange;
 import org.toqa.fleet.FleetStore.OpenTask;
-import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.persistence.StoreException;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.FleetStore;
@@ -88,7 +88,7 @@ class FleetStoreTest extends FleetDatabaseTest {
     assertTrue(stored.id() > 0);
     assertEquals(List.of(new OpenTask(Mission.queued(stored), AT)), store.openTasks());
     assertEquals(stored, store.task(stored.id()).orElseThrow().task());
-    assertEquals("Asked for by Ann", store.history(stored.id()).getFirst().text());
+    assertEquals("Created by Ann", store.history(stored.id()).getFirst().text());
   }
 
   @Test

@@ -72,7 +72,7 @@ class HistoryTest extends DatabaseTest {
         new JdbiEventArchive(database.jdbi()).events(ALL, 100, 1).getFirst().event();
 
     assertEquals(
-        "Cancelled by Max; the load stays at (1.50, -2.00); 18 % do not last for task 7",
+        "Cancelled by Max; the load stays at (1.50, -2.00); 18 % is not enough for task 7",
         found.text());
     assertEquals(said.text(ARABIC), found.sentence().text(ARABIC));
   }

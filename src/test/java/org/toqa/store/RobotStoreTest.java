@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
-import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.persistence.StoreException;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;

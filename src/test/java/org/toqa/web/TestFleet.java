@@ -293,7 +293,7 @@ public final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
     lock.lock();
     try {
       if (latest.robots().stream().anyMatch(r -> r.name().equals(order.name()))) {
-        return refused("name", "There is a robot of that name already. Choose another name.");
+        return refused("name", "There is already a robot of that name. Choose another name.");
       }
       RobotView robot =
           robot(order.name(), RobotState.CONNECTING, null, order.host(), order.port());

@@ -115,7 +115,7 @@ class TextsTest {
   @ParameterizedTest
   @CsvSource({"1, ساعة", "2, ساعتين", "4, 4 ساعات", "10, 10 ساعات", "11, 11 ساعة", "24, 24 ساعة"})
   void hoursAreCountedAsArabicCounts(int hours, String counted) {
-    assertEquals("أين كان في آخر " + counted, IN_ARABIC.get("robot.track", hours));
+    assertEquals("أثر الروبوت في آخر " + counted, IN_ARABIC.get("robot.track", hours));
   }
 
   @Test

@@ -173,9 +173,9 @@ class PairedDaemonTest {
     LinkRecorder heard = new LinkRecorder();
     try (RobotLink _ = link("server", heard)) {
       assertEquals(
-          "What answers at 127.0.0.1:%d is not r1: it has another key than the one recorded."
+          "The device at 127.0.0.1:%d is not r1: its key differs from the recorded one."
                   .formatted(daemon.port())
-              + " If r1 was set up anew, pair it again; if not, find out who answers there.",
+              + " If r1 was set up again, pair it again; otherwise find out which device answers there.",
           heard.await(LinkRecorder.Refusal.class).sentence());
     }
   }

@@ -174,7 +174,7 @@ class PairingTest {
   void codeOfAnotherRobotIsNotEvenTried() throws IOException {
     String robots = PairingCode.of(other.fingerprint(), new SecureRandom()).text();
     refused(
-        "The code is not that of what answers at 127.0.0.1:%d: check code, host and port."
+        "The code does not belong to the device at 127.0.0.1:%d. Check the code, address and port."
             .formatted(daemon().port()),
         pair(server, robots));
 

@@ -28,8 +28,8 @@ class ChargerWatchTest {
     assertTrue(watch.isFaulty(C1));
     assertFalse(watch.isFaulty(C2));
     assertEquals(
-        "Charger C1 does not charge: the battery of r1 has not risen for 10 min. Robots charge"
-            + " elsewhere where they can; look at the charger.",
+        "Charger C1 does not charge: the battery of r1 has not risen for 10 min. Robots use"
+            + " other chargers where they can. Check the charger.",
         watch.faultyChargers().getFirst().text().english());
   }
 

@@ -111,7 +111,7 @@ class TaskPreviewTest {
 
     assertEquals(1, told.robots());
     assertEquals(List.of(), told.chosen());
-    assertTrue(told.reason().english().contains("works on task 1"), told.reason()::english);
+    assertTrue(told.reason().english().contains("is working on task 1"), told.reason()::english);
   }
 
   @Test

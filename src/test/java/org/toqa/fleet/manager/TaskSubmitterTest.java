@@ -14,11 +14,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-<<<<<<< HEAD
 import org.toqa.fleet.FleetRuntime;
-import org.toqa.fleet.FleetStore.StoreException;
-=======
->>>>>>> w-store
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.TamperedStore;

@@ -66,7 +66,7 @@ class SchedulerTest {
     assertEquals("Clara", task.task().user());
     assertEquals(task.id(), schedule(id).lastTask());
     assertEquals(START.plusSeconds(60).plus(HALF_HOUR), schedule(id).due());
-    assertEquals("Schedule 1 of Clara put it in", stage.store.history(task.id()).getLast().text());
+    assertEquals("Created by schedule 1 of Clara", stage.store.history(task.id()).getLast().text());
     cancel(task.id());
     look(START.plusSeconds(60).plus(HALF_HOUR));
     assertEquals(2, stage.store.count());
@@ -82,7 +82,7 @@ class SchedulerTest {
 
     assertEquals(1, stage.store.count());
     assertEquals(
-        "Schedule 1 of Clara was skipped, since its last task 1 has not ended",
+        "Schedule 1 of Clara was skipped because its last task 1 has not ended",
         stage.store.history(first).getLast().text());
     assertEquals(START.plusSeconds(1).plus(HALF_HOUR.multipliedBy(2)), schedule(id).due());
   }
@@ -165,7 +165,8 @@ class SchedulerTest {
             .event()
             .text();
     assertTrue(
-        told.startsWith("Schedule 1 of Clara put in no task: There is no station Gone"), told);
+        told.startsWith("Schedule 1 of Clara could not create a task: There is no station Gone"),
+        told);
   }
 
   private void look(Instant at) {

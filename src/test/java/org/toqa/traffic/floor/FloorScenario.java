@@ -32,7 +32,7 @@ import org.toqa.grid.OccupancyGrid;
  * at 60 clear           of obstacles
  * within 300            seconds
  * expect a arrives
- * expect b waits: Waits for a
+ * expect b waits: Waiting for a
  * </pre>
  */
 final class FloorScenario {

@@ -206,7 +206,7 @@ class FloorTrafficPropertyTest {
       assertTrue(
           floor.isArrived(robot)
               || floor.lost.contains(robot)
-              || floor.reason(robot).startsWith("Waits for"),
+              || floor.reason(robot).startsWith("Waiting for"),
           () -> floor.reasons() + " on\n" + String.join("\n", picture(grid)));
     }
   }

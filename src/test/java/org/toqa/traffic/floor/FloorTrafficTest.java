@@ -91,7 +91,7 @@ class FloorTrafficTest {
     floor.drive(Duration.ofSeconds(20));
     Map<String, String> reasons = floor.reasons();
     assertEquals(8, reasons.size());
-    reasons.forEach((robot, reason) -> assertTrue(reason.startsWith("Waits"), robot + reason));
+    reasons.forEach((robot, reason) -> assertTrue(reason.startsWith("Waiting"), robot + reason));
   }
 
   @Test
@@ -143,7 +143,7 @@ class FloorTrafficTest {
       if (floor.isArrived(r)) {
         there.add(r);
       } else {
-        assertTrue(floor.reason(r).startsWith("Waits for"), floor.reason(r));
+        assertTrue(floor.reason(r).startsWith("Waiting for"), floor.reason(r));
       }
     }
     assertEquals(1, there.size());
@@ -161,7 +161,7 @@ class FloorTrafficTest {
     floor.send("b", new Cell(2, 2));
     floor.drive(Duration.ofSeconds(30));
     assertTrue(floor.isAt("b", new Cell(2, 2)));
-    assertTrue(floor.reason("a").startsWith("Waits"), floor.reason("a"));
+    assertTrue(floor.reason("a").startsWith("Waiting"), floor.reason("a"));
   }
 
   @Test

@@ -107,13 +107,13 @@ class ApiHistoryTest extends ApiTestServer {
       delimiter = '|',
       textBlock =
           """
-          floor=cellar | 404 | There is no floor of that name. There are: hall.
-          from=yesterday | 422 | Write a moment with its offset from UTC, such as 2026-11-21T08:00:00Z.
-          until=2026-11-21 | 422 | Write a moment with its offset from UTC, such as 2026-11-21T08:00:00Z.
-          until=%2B999999999-01-01T00:00:00Z | 422 | Write a moment with its offset from UTC, such as 2026-11-21T08:00:00Z.
-          from=1999-12-31T23:59:59Z | 422 | Write a moment with its offset from UTC, such as 2026-11-21T08:00:00Z.
-          from=2026-11-21T08:00:00Z&until=2026-11-21T08:00:00Z | 422 | The period must end after it begins, and last an hour at most.
-          from=2026-11-21T08:00:00Z&until=2026-11-21T09:00:01Z | 422 | The period must end after it begins, and last an hour at most.
+          floor=cellar | 404 | There is no floor with this name. Available: hall.
+          from=yesterday | 422 | Enter a time with its offset from UTC, such as 2026-11-21T08:00:00Z.
+          until=2026-11-21 | 422 | Enter a time with its offset from UTC, such as 2026-11-21T08:00:00Z.
+          until=%2B999999999-01-01T00:00:00Z | 422 | Enter a time with its offset from UTC, such as 2026-11-21T08:00:00Z.
+          from=1999-12-31T23:59:59Z | 422 | Enter a time with its offset from UTC, such as 2026-11-21T08:00:00Z.
+          from=2026-11-21T08:00:00Z&until=2026-11-21T08:00:00Z | 422 | The period must end after it begins, and last at most one hour.
+          from=2026-11-21T08:00:00Z&until=2026-11-21T09:00:01Z | 422 | The period must end after it begins, and last at most one hour.
           """)
   void aBadPeriodOfTracksGetsASentence(String query, int status, String sentence) {
     HttpResponse<String> answer = get("api/v1/tracks?" + query);

@@ -37,7 +37,7 @@ class ApiRequestsTest extends ApiTestServer {
         post(null, "api/v1/session", "{\"name\":\"Max\",\"password\":\"wrong\"}");
 
     assertEquals(401, answer.statusCode());
-    assertEquals("Name or password is wrong. Check both and try again.", detail(answer));
+    assertEquals("Wrong name or password. Check both and try again.", detail(answer));
   }
 
   @Test
@@ -80,7 +80,7 @@ class ApiRequestsTest extends ApiTestServer {
 
     assertEquals(405, answer.statusCode());
     assertEquals("GET, HEAD, POST", answer.headers().firstValue("Allow").orElseThrow());
-    assertTrue(detail(answer).contains("It takes: GET, HEAD, POST."));
+    assertTrue(detail(answer).contains("Allowed: GET, HEAD, POST."));
   }
 
   @ParameterizedTest

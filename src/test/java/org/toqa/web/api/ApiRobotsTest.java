@@ -63,7 +63,7 @@ class ApiRobotsTest extends ApiTestServer {
     assertEquals(0, map.get("occupied").get(0).asInt());
     assertEquals(41, map.get("occupied").get(1).asInt());
     assertEquals(404, get("api/v1/map?floor=roof").statusCode());
-    assertTrue(detail(get("api/v1/map?floor=roof")).contains("There are: hall."));
+    assertTrue(detail(get("api/v1/map?floor=roof")).contains("Available: hall."));
   }
 
   @Test
@@ -109,7 +109,7 @@ class ApiRobotsTest extends ApiTestServer {
     HttpResponse<String> ofClerk = post(tokenOf(WebTestServer.CLERK), path, "{}");
 
     assertEquals(403, ofClerk.statusCode());
-    assertTrue(detail(ofClerk).startsWith("Only a manager may do this."));
+    assertTrue(detail(ofClerk).startsWith("Only managers may do this."));
     assertEquals(401, post(null, path, "{}").statusCode());
     assertEquals("IDLE", state("r1"));
     assertEquals(404, post(token, "api/v1/robots/none/" + wish, "{}").statusCode());
@@ -141,7 +141,7 @@ class ApiRobotsTest extends ApiTestServer {
         WebTestServer.CLERK, JSON.readTree(paused.body()).get("pause").get("user").stringValue());
     HttpResponse<String> ofClerk = post(clerk, "api/v1/fleet/resume", "");
     assertEquals(403, ofClerk.statusCode());
-    assertTrue(detail(ofClerk).startsWith("Only a manager may do this."));
+    assertTrue(detail(ofClerk).startsWith("Only managers may do this."));
     HttpResponse<String> ofManager = post(token, "api/v1/fleet/resume", "");
     assertEquals(200, ofManager.statusCode());
     assertTrue(JSON.readTree(ofManager.body()).get("pause").isNull());

@@ -44,7 +44,7 @@ class ApiTaskCommandsTest extends ApiTestServer {
     HttpResponse<String> ofClerk = post(clerk, "api/v1/tasks/" + others + "/" + wish, body);
 
     assertEquals(403, ofClerk.statusCode());
-    assertTrue(detail(ofClerk).startsWith("This is another user’s task."));
+    assertTrue(detail(ofClerk).startsWith("This task belongs to another user."));
     assertEquals(401, post(null, "api/v1/tasks/" + others + "/" + wish, body).statusCode());
     assertEquals(404, post(token, "api/v1/tasks/999/" + wish, body).statusCode());
     assertEquals(404, post(token, "api/v1/tasks/x/" + wish, body).statusCode());
@@ -65,7 +65,7 @@ class ApiTaskCommandsTest extends ApiTestServer {
     assertEquals("CANCELLED", JSON.readTree(cancelled.body()).get("state").stringValue());
     HttpResponse<String> tooLate = post(token, path + "/hold", "");
     assertEquals(409, tooLate.statusCode());
-    assertTrue(detail(tooLate).endsWith("has ended; it cannot be changed any more."));
+    assertTrue(detail(tooLate).endsWith("has ended and can no longer be changed."));
   }
 
   @Test

@@ -96,22 +96,22 @@ class ApiTasksTest extends ApiTestServer {
           {"name":"x","load":2,"start":{"x":1},"goal":{"station":"Shelf 3"}} | 422 | Choose a station, or enter x and y in metres.
           {"name":"x","load":2,"start":{"x":1,"y":1,"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | “start” needs either a station’s name or x and y in metres.
           {"name":"x","load":2,"goal":{"station":"Shelf 3"}} | 422 | “start” needs either a station’s name or x and y in metres.
-          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | The field “colour” is unknown. Known here: name, load, start, goal, floor, priority, deadline, size.
-          {"name":"x","load":2,"start":{"station":"Dock A","z":1},"goal":{"station":"Shelf 3"}} | 422 | The field “start.z” is unknown. Known here: station.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"colour":"red"} | 422 | Unknown field “colour”. Allowed: name, load, start, goal, floor, priority, deadline, size.
+          {"name":"x","load":2,"start":{"station":"Dock A","z":1},"goal":{"station":"Shelf 3"}} | 422 | Unknown field “start.z”. Allowed: station.
           {"name":"x","load":0,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
           {"name":"x","load":1e999,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The weight must be above 0 and at most 100,000 kg.
           {"name":"x","load":2,"start":{"x":1e300,"y":1},"goal":{"station":"Shelf 3"}} | 422 | Coordinates must lie within 1,000,000 m of the map’s origin.
-          {"name":"  ","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | Give the task a name.
-          {"name":"a\\u0000b","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name has characters that cannot be shown, such as line breaks. Leave them out.
-          {"name":"\\ud800","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name has characters that cannot be shown, such as line breaks. Leave them out.
+          {"name":"  ","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | Enter a task name.
+          {"name":"a\\u0000b","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name contains characters that cannot be shown, such as line breaks. Remove them.
+          {"name":"\\ud800","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"}} | 422 | The task name contains characters that cannot be shown, such as line breaks. Remove them.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"priority":1.5} | 422 | The priority is a whole number from -100 to 100.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"deadline":"+99999-01-01T00:00:00Z"} | 422 | The deadline’s year must be from 2000 to 9998.
-          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"deadline":"soon"} | 422 | The deadline is a time with its zone, as in 2026-11-21T15:00:00Z.
-          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"size":{"length":1}} | 422 | The size needs a length and a width in metres.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"deadline":"soon"} | 422 | Enter the deadline with its time zone, such as 2026-11-21T15:00:00Z.
+          {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"station":"Shelf 3"},"size":{"length":1}} | 422 | Enter both length and width in metres.
           {"name":"x","load":2,"start":{"station":"Dock A"},"goal":{"x":0.1,"y":0.1}} | 422 | The goal is not a free place of the floor. Choose another one.
-          {"name":"x","load":NaN} | 400 | The body is not valid JSON, at line 1, column 23. Mend it there.
-          {"name":"x","name":"y"} | 400 | The body is not valid JSON, at line 1, column 19. Mend it there.
-          {"name":"x"} {} | 400 | The body is not valid JSON, at line 1, column 14. Mend it there.
+          {"name":"x","load":NaN} | 400 | The body is not valid JSON, at line 1, column 23. Correct it there.
+          {"name":"x","name":"y"} | 400 | The body is not valid JSON, at line 1, column 19. Correct it there.
+          {"name":"x"} {} | 400 | The body is not valid JSON, at line 1, column 14. Correct it there.
           [1] | 400 | The body must be one JSON object in braces.
           7 | 400 | The body must be one JSON object in braces.
           """)

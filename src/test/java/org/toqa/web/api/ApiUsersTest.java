@@ -30,7 +30,7 @@ class ApiUsersTest extends ApiTestServer {
     HttpResponse<String> login =
         post(null, "api/v1/session", "{\"name\":\"omar\",\"password\":\"another long one\"}");
     assertEquals(403, login.statusCode());
-    assertTrue(detail(login).startsWith("A manager has disabled this user."));
+    assertTrue(detail(login).startsWith("This user is disabled."));
 
     assertEquals(204, send("DELETE", path, "").statusCode());
     assertEquals(404, send("DELETE", path, "").statusCode());

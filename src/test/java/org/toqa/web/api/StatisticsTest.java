@@ -97,17 +97,17 @@ class StatisticsTest {
       delimiter = '|',
       textBlock =
           """
-          period=year                   | period | The period is one of these: today, 7d, 30d, 12m.
-          from=2026-11-21               | to     | Give a first and a last day
-          to=2026-11-21                 | from   | Give a first and a last day
-          from=1&to=2026-11-21          | from   | Give a first and a last day
-          from=2026-02-30&to=2026-11-21 | from   | Give a first and a last day
+          period=year                   | period | The period must be one of: today, 7d, 30d, 12m.
+          from=2026-11-21               | to     | Enter the first and the last day
+          to=2026-11-21                 | from   | Enter the first and the last day
+          from=1&to=2026-11-21          | from   | Enter the first and the last day
+          from=2026-02-30&to=2026-11-21 | from   | Enter the first and the last day
           from=1999-12-31&to=2000-01-01 | from   | in the years 2000 to 9998
           from=2026-01-01&to=%2B999999999-12-31 | to | in the years 2000 to 9998
-          from=2026-11-21&to=2026-11-20 | to     | The last day comes before the first.
+          from=2026-11-21&to=2026-11-20 | to     | The last day is before the first.
           from=2020-01-01&to=2025-01-01 | to     | longer than 5 years
-          zone=Nowhere/Land             | zone   | There is no such time zone.
-          zone=%00                      | zone   | There is no such time zone.
+          zone=Nowhere/Land             | zone   | Unknown time zone.
+          zone=%00                      | zone   | Unknown time zone.
           """)
   void aPeriodThatCannotBeIsSaidInASentence(String query, String field, String sentence) {
     for (String path : List.of("statistics", "statistics/series.csv", "statistics/robots.csv")) {
@@ -178,7 +178,7 @@ class StatisticsTest {
     assertTrue(page.contains("Nov 16, 2026 – Nov 22, 2026, time zone Europe/Paris"), page);
     assertTrue(page.contains("<p class=\"figure\">60 s</p>"), page); // median of 60 s and 160 s
     for (String chart :
-        List.of("Tasks", "Time to delivery", "Waiting", "Distance", "Use of each robot")) {
+        List.of("Tasks", "Time to delivery", "Waiting time", "Distance", "Robot utilisation")) {
       assertTrue(page.contains(">" + chart + "</h2>"), chart);
     }
     assertTrue(
@@ -196,9 +196,9 @@ class StatisticsTest {
   void aPeriodWithoutAnythingSaysSo() {
     String page = clerk.get("statistics?from=2025-01-01&to=2025-01-07").body();
 
-    assertTrue(page.contains("No task was ordered or ended in this period."));
-    assertTrue(page.contains("No robot was recorded in this period."));
-    assertTrue(page.contains("Nothing went wrong in this period."));
+    assertTrue(page.contains("No tasks were created or ended in this period."));
+    assertTrue(page.contains("No robots were recorded in this period."));
+    assertTrue(page.contains("No failures in this period."));
     assertFalse(page.contains("<canvas"));
   }
 

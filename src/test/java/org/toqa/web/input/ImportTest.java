@@ -129,7 +129,8 @@ class ImportTest {
         problem.get("errors").values().stream()
             .map(e -> e.get("line") + " " + e.get("field").stringValue())
             .toList());
-    assertTrue(problem.get("detail").stringValue().contains("Line 3, load: This is not a number."));
+    assertTrue(
+        problem.get("detail").stringValue().contains("Line 3, load: Enter a number, such as 2.5"));
     assertEquals(0, added());
   }
 
@@ -143,7 +144,7 @@ class ImportTest {
     assertEquals(422, answer.statusCode());
     String detail = JSON.readTree(answer.body()).get("detail").stringValue();
     assertTrue(detail.contains("Line 2, start: The start is not a free place"), detail);
-    assertTrue(detail.contains("Line 3, load: This is not a number."), detail);
+    assertTrue(detail.contains("Line 3, load: Enter a number, such as 2.5"), detail);
     assertTrue(detail.contains("Line 4, load: The robots cannot carry"), detail);
     answer = post("api/v1/tasks/import", GOOD + "c,60,Dock A,Shelf 3\n");
     assertTrue(answer.body().contains("Line 4, load"), answer.body());
@@ -155,11 +156,11 @@ class ImportTest {
       delimiter = '|',
       textBlock =
           """
-          name,load,start,goal,colour | Line 1, colour: The column “colour” is unknown. Known are: name,
+          name,load,start,goal,colour | Line 1, colour: Unknown column “colour”. Allowed: name,
           name,load,start,goal,Name   | The column “name” is there twice.
           name,load,start             | Line 1, goal: The column “goal” is missing, or goalX and goalY.
           name,start,goal,goalX       | Line 1, load: The column “load” is missing.
-          name,load,start,goal        | There is no task in this table.
+          name,load,start,goal        | There are no tasks in this file.
           """)
   void aWrongFirstLineIsToldBeforeAllOthers(String header, String sentence) {
     HttpResponse<String> answer = post("api/v1/tasks/import", header + "\n");
@@ -175,13 +176,13 @@ class ImportTest {
           """
           load     | -1               | The weight must be above 0
           load     | 1e999            | The weight must be above 0
-          load     | 2,5              | This is not a number.
-          load     | =1+1             | This is not a number.
+          load     | 2,5              | Enter a number, such as 2.5
+          load     | =1+1             | Enter a number, such as 2.5
           priority | 1.5              | The priority is a whole number
-          deadline | soon             | This is not a date with a time of day.
+          deadline | soon             | Enter a date and time
           deadline | 2001-01-01 10:00 | This time has passed.
-          length   | 1                | The size needs a length and a width
-          goalX    | 3                | Give a station in goal, or else a place in goalX and goalY, not both.
+          length   | 1                | Enter both length and width
+          goalX    | 3                | Enter either a station in goal or coordinates in goalX and goalY, not both.
           floor    | attic            | There is no floor attic.
           """)
   void aWrongCellIsToldAtItsColumn(String column, String value, String sentence) {
@@ -211,7 +212,7 @@ class ImportTest {
             noise,
             "not UTF-8",
             "PK\u0003\u0004\u0000".getBytes(StandardCharsets.UTF_8),
-            "This is not a table in CSV.",
+            "This is not a CSV file.",
             GOOD.getBytes(StandardCharsets.UTF_16),
             "not UTF-8",
             (GOOD + "\"open,1,Dock A,Shelf 3\nb,1,Dock A,Shelf 3").getBytes(StandardCharsets.UTF_8),
@@ -219,7 +220,7 @@ class ImportTest {
             (GOOD + "x,1,\"Dock\" A,Shelf 3\n").getBytes(StandardCharsets.UTF_8),
             "Line 4: In the text that begins here a quotation mark",
             new byte[0],
-            "There is no task in this table.",
+            "There are no tasks in this file.",
             "<script>alert(1)</script>".getBytes(StandardCharsets.UTF_8),
             "is unknown");
     files.forEach(
@@ -248,7 +249,7 @@ class ImportTest {
     byte[] file = (HEADER + line.repeat(220_000)).getBytes(StandardCharsets.UTF_8); // 5 MB
     HttpResponse<String> page = clerk.postFile("tasks/import", Map.of(), "tasks.csv", file);
     assertEquals(422, page.statusCode());
-    assertTrue(page.body().contains("The file is larger than 1,024 KiB. Split the table."));
+    assertTrue(page.body().contains("The file is larger than 1,024 KiB. Split it."));
     assertEquals(0, added());
   }
 
@@ -303,7 +304,7 @@ class ImportTest {
     answer =
         clerk.postFile("tasks/import", form, "tasks.csv", GOOD.getBytes(StandardCharsets.UTF_8));
     assertEquals(422, answer.statusCode());
-    assertTrue(answer.body().contains("This page was used for another table before."));
+    assertTrue(answer.body().contains("This page was already used for another file."));
     assertEquals(1, added());
   }
 
@@ -318,7 +319,7 @@ class ImportTest {
 
     assertEquals(422, answer.statusCode());
     assertTrue(answer.body().contains("Nothing was imported."), answer.body());
-    assertTrue(answer.body().contains("This is not a number."), answer.body());
+    assertTrue(answer.body().contains("Enter a number, such as 2.5"), answer.body());
     assertTrue(answer.body().contains("The start is not a free place"), answer.body());
     assertFalse(answer.body().contains("<script>alert"));
     byte[] unknown = (HEADER.strip() + ",<b>\n").getBytes(StandardCharsets.UTF_8);
@@ -342,7 +343,7 @@ class ImportTest {
   void aFormWithoutAFileOrATokenIsRefused() {
     HttpResponse<String> none = clerk.post("tasks/import", Map.of());
     assertEquals(422, none.statusCode());
-    assertTrue(none.body().contains("Choose a file with a table."));
+    assertTrue(none.body().contains("Choose a CSV file."));
     byte[] table = GOOD.getBytes(StandardCharsets.UTF_8);
     assertEquals(422, clerk.postFile("tasks/import", Map.of(), "x.csv", new byte[0]).statusCode());
     assertEquals(

@@ -209,11 +209,11 @@ class SchedulesTest {
   @CsvSource({
     "once, first, '', Give a time that is still to come",
     "once, first, 2001-01-01T10:00, This time has passed.",
-    "every, everyMinutes, often, This is not a number.",
+    "every, everyMinutes, often, Enter a number, such as 2.5",
     "every, everyMinutes, '', Give a whole number of minutes",
-    "weekly, time, late, Give a time of day",
+    "weekly, time, late, Enter a time of day",
     "weekly, weekday, SOMEDAY, Choose at least one day",
-    "weekly, zone, Nowhere/Land, There is no such time zone.",
+    "weekly, zone, Nowhere/Land, Unknown time zone.",
     "weekly, deadline, 2098-07-01T15:00, A task that is put in later has no deadline.",
     "someday, first, '', Give a time that is still to come"
   })

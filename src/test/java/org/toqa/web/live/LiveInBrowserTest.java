@@ -26,11 +26,11 @@ class LiveInBrowserTest extends BrowserTest {
   private static final String WATCH =
       """
       async () => {
-        const {follow} = await import('/assets/js/stream.js');
+        const {subscribe} = await import('/assets/js/shared/event-stream.js');
         window.together = {};
         window.whole = {};
         window.changes = 0;
-        follow((next) => { window.together[next.version] = JSON.stringify(next); });
+        subscribe((next) => { window.together[next.version] = JSON.stringify(next); });
         new EventSource('/api/v1/events').addEventListener('snapshot', ({data}) => {
           const next = JSON.parse(data);
           window.whole[next.version] = JSON.stringify(next);

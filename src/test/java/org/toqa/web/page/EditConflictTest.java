@@ -27,7 +27,7 @@ import org.toqa.web.WebTestServer;
 /** Two managers have the same form open: the second one replaces nothing that he has not seen. */
 class EditConflictTest {
   private static final String NOTHING_WAS_STORED =
-      "Somebody has changed this since you opened the page, so nothing was stored.";
+      "Someone changed this after you opened the page, so nothing was saved.";
 
   private WebTestServer server;
   private TestClient first;
@@ -66,10 +66,10 @@ class EditConflictTest {
     assertEquals(409, refused.statusCode());
     String page = refused.body();
     assertTrue(page.contains(NOTHING_WAS_STORED), page);
-    assertTrue(page.contains("There is now: 7300<"), page);
-    assertTrue(page.contains("There is now: 6 kg<"), page);
-    assertTrue(page.contains("There is now: None: it stays where its task ends<"), page);
-    assertFalse(page.contains("There is now: r1.lan"), "the address is the same");
+    assertTrue(page.contains("Current value: 7300<"), page);
+    assertTrue(page.contains("Current value: 6 kg<"), page);
+    assertTrue(page.contains("Current value: None: stays where its task ends<"), page);
+    assertFalse(page.contains("Current value: r1.lan"), "the address is the same");
     assertTrue(page.contains("value=\"8\""), "what was entered stays");
     assertEquals(7300, robot().port());
     assertEquals(6, robot().maxLoad());
@@ -92,7 +92,7 @@ class EditConflictTest {
     HttpResponse<String> refused = send(second, "robots/r1/pair", mine, seen);
 
     assertEquals(409, refused.statusCode());
-    assertTrue(refused.body().contains("There is now: other.lan<"), refused.body());
+    assertTrue(refused.body().contains("Current value: other.lan<"), refused.body());
     assertNull(robot().fingerprint());
   }
 
@@ -111,8 +111,8 @@ class EditConflictTest {
     assertEquals(409, refused.statusCode());
     String page = refused.body();
     assertTrue(page.contains(NOTHING_WAS_STORED), page);
-    assertTrue(page.contains("There is now: Manager<"), page);
-    assertTrue(page.contains("There is now: may log in<"), page);
+    assertTrue(page.contains("Current value: Manager<"), page);
+    assertTrue(page.contains("Current value: enabled<"), page);
     assertTrue(page.contains("<option value=\"MANAGER\" >"), "what was chosen stays");
     assertTrue(page.contains("name=\"disabled\" checked"), "what was checked stays");
     assertEquals(Role.MANAGER, user(id).role());
@@ -135,7 +135,7 @@ class EditConflictTest {
     HttpResponse<String> refused = send(second, form, mine, seen);
 
     assertEquals(409, refused.statusCode());
-    assertTrue(refused.body().contains("There is now: clara@example.org<"), refused.body());
+    assertTrue(refused.body().contains("Current value: clara@example.org<"), refused.body());
     assertTrue(refused.body().contains("value=\"clara@example.com\""), refused.body());
     assertEquals("clara@example.org", user(id).email());
 
@@ -154,7 +154,7 @@ class EditConflictTest {
     HttpResponse<String> refused = send(second, form, Map.of("priority", "-10"), seen);
 
     assertEquals(409, refused.statusCode());
-    assertTrue(refused.body().contains("There is now: High<"), refused.body());
+    assertTrue(refused.body().contains("Current value: High<"), refused.body());
     assertTrue(refused.body().contains("<option value=\"-10\" selected>"), refused.body());
     assertEquals(10, priority());
 
@@ -180,7 +180,7 @@ class EditConflictTest {
     HttpResponse<String> refused = send(second, "schedules/1/delete", Map.of(), seen);
 
     assertEquals(409, refused.statusCode());
-    assertTrue(refused.body().contains("Somebody has paused schedule 1"), refused.body());
+    assertTrue(refused.body().contains("Someone paused or resumed schedule 1"), refused.body());
     assertEquals(200, second.get("api/v1/schedules/1").statusCode());
     String now = version(refused.body(), "/schedules/1/delete");
     assertEquals(303, send(second, "schedules/1/delete", Map.of(), now).statusCode());

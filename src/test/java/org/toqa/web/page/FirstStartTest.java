@@ -39,7 +39,7 @@ class FirstStartTest {
     assertEquals(503, session.statusCode());
     assertTrue(session.body().contains("no manager yet"));
     assertEquals(200, visitor.get("api/v1/health").statusCode());
-    assertEquals(200, visitor.get("assets/toqa.css").statusCode());
+    assertEquals(200, visitor.get("assets/css/base.css").statusCode());
   }
 
   @Test
@@ -50,7 +50,7 @@ class FirstStartTest {
         visitor.post("first-start", Map.of("name", "Max", "password", "a sentence to remember"));
 
     assertEquals("/map", answer.headers().firstValue("Location").orElseThrow());
-    assertTrue(visitor.get("users").body().contains("Add a user"));
+    assertTrue(visitor.get("users").body().contains("Add user"));
     assertEquals("/", visitor.get("first-start").headers().firstValue("Location").orElseThrow());
     assertEquals(
         "/",

@@ -90,9 +90,9 @@ class HistoryInBrowserTest extends BrowserTest {
 
     select("robot").selectOption("");
     select("kind").selectOption("");
-    page().getByLabel("By (a user, or toqa)").fill("Ann");
-    page().getByLabel("From (day, UTC)").fill("2026-11-21");
-    page().getByLabel("Until (day, UTC)").fill("2026-11-21");
+    page().getByLabel("User (or toqa)").fill("Ann");
+    page().getByLabel("From (UTC)").fill("2026-11-21");
+    page().getByLabel("To (UTC)").fill("2026-11-21");
     show();
     assertThat(sentences()).hasText(new String[] {"Ann paused all robots"});
     assertEquals(List.of(), complaints());
@@ -106,12 +106,12 @@ class HistoryInBrowserTest extends BrowserTest {
     openHistory();
     assertThat(sentences()).hasCount(1);
 
-    page().getByLabel("From (day, UTC)").fill("2027-01-01");
+    page().getByLabel("From (UTC)").fill("2027-01-01");
     show();
 
     assertThat(sentences()).hasCount(0);
-    assertThat(page().getByText("Nothing of the kind has happened.")).isVisible();
-    assertThat(page().getByLabel("From (day, UTC)")).hasValue("2027-01-01");
+    assertThat(page().getByText("No matching events.")).isVisible();
+    assertThat(page().getByLabel("From (UTC)")).hasValue("2027-01-01");
     picture("history-empty");
   }
 
@@ -156,7 +156,7 @@ class HistoryInBrowserTest extends BrowserTest {
     Locator field = page().locator("input[name=task]");
     assertThat(field).hasAttribute("aria-invalid", "true");
     assertThat(field).hasValue("seven");
-    assertThat(page().getByText("This must be the number of a task or an event.")).isVisible();
+    assertThat(page().getByText("Enter the number of a task or an event.")).isVisible();
     assertThat(sentences()).hasCount(0);
     picture("history-refused");
     field.fill("");
@@ -169,9 +169,9 @@ class HistoryInBrowserTest extends BrowserTest {
       delimiter = '|',
       textBlock =
           """
-          from=yesterday | Write a day such as 2026-11-21
+          from=yesterday | Enter a day such as 2026-11-21
           kind=A         | A kind is a word such as task
-          before=-1      | This must be the number of a task or an event.
+          before=-1      | Enter the number of a task or an event.
           """)
   void aBadAddressIsSaidInASentence(String query, String sentence) {
     page().navigate(server.root() + "history?" + query);
@@ -183,7 +183,7 @@ class HistoryInBrowserTest extends BrowserTest {
   @Test
   void theTrackOfARobotIsDrawnOnItsPage() {
     page().navigate(server.root() + "robots/r1");
-    Locator none = page().getByText("Nothing is known of that time.");
+    Locator none = page().getByText("No track for this time.");
     assertThat(none).isVisible();
     Object empty = canvas();
     server
@@ -219,7 +219,7 @@ class HistoryInBrowserTest extends BrowserTest {
                 event(1, "robot.held", null, "r2", "Max", "Max put r2 on hold")));
     page().setViewportSize(390, 844);
     page().navigate(server.root() + "robots/r1");
-    link("Its history").click();
+    link("Show history").click();
 
     assertThat(sentences()).hasText(new String[] {"Max put r1 on hold"});
     picture("phone-history");
@@ -232,7 +232,7 @@ class HistoryInBrowserTest extends BrowserTest {
 
   private void show() {
     page()
-        .getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Show").setExact(true))
+        .getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Apply").setExact(true))
         .click();
   }
 

@@ -93,13 +93,13 @@ class LanguagesInBrowserTest extends BrowserTest {
 
     assertThat(page().locator("#preview"))
         .containsText(Pattern.compile("عدد الروبوتات التي تحملها معًا: 2\\."));
-    assertThat(page().locator("#preview")).containsText("تقطع الحمولة نحو 8.0 م.");
+    assertThat(page().locator("#preview")).containsText("المسافة المتوقعة للحمولة: 8.0 م.");
     picture("ar-new-task-picked");
-    page().getByRole(AriaRole.BUTTON, new GetByRoleOptions().setName("أسنِد المهمة")).click();
+    page().getByRole(AriaRole.BUTTON, new GetByRoleOptions().setName("أنشئ المهمة")).click();
 
     assertThat(page().locator("h1")).hasText("صندوق براغٍ (2)");
     assertThat(page().locator("[aria-current=step]")).hasText("في الانتظار");
-    assertThat(page().locator(".history")).containsText("طلبها");
+    assertThat(page().locator(".history")).containsText("أنشأها");
     assertThat(page().locator("main")).containsText("جارٍ البحث عن روبوت.");
     server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
     assertThat(page().locator("[aria-current=step]")).hasText("قيد النقل");
@@ -114,16 +114,17 @@ class LanguagesInBrowserTest extends BrowserTest {
     arabic();
     logIn();
 
-    assertThat(page().locator("#age")).containsText("مباشر · آخر تغيير قبل");
+    assertThat(page().locator("#age")).containsText("مباشر · حُدّث قبل");
     assertThat(page().locator("#robots li")).hasCount(6);
     assertThat(page().locator("#robots li").first()).containsText("84");
     assertThat(page().locator("#counts")).containsText("مجهول الموضع");
-    assertThat(page().locator("#needs")).containsText("لا يُسمع منه شيء والحمولة على متنه");
-    assertThat(page().locator("#robots .what").first()).hasText("ينقل حمولة المهمة 2");
+    assertThat(page().locator("#attention")).containsText("مفقود والحمولة على متنه");
+    assertThat(page().locator("#robots .sentence").first()).hasText("ينقل حمولة المهمة 2");
     assertThat(page().locator("#robots bdi[lang=en][dir=ltr]"))
         .hasText("The battery is nearly empty.");
     assertThat(page().locator("#tasks")).containsText("جارٍ البحث عن روبوت.");
-    assertEquals(List.of(), latin(page().locator(".what bdi:not([lang=en])").allTextContents()));
+    assertEquals(
+        List.of(), latin(page().locator(".sentence bdi:not([lang=en])").allTextContents()));
     assertThat(page().locator("#tasks")).containsText("في الانتظار");
     picture("ar-map-question");
   }

@@ -108,10 +108,10 @@ class PagesInBrowserTest {
     assertThat(page.locator("#preview"))
         .hasText(
             Pattern.compile(
-                "It takes 2 robots together. As things stand, r1, r2 would carry it now: that is"
-                    + " sooner. The load travels about 8.0 m."));
+                "Needs 2 robots together. Estimated assignment: r1, r2 (that is"
+                    + " sooner). Estimated distance of the load: 8.0 m."));
     picture(page, "new-task-picked");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task")).click();
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
 
     assertThat(page.locator("h1")).hasText("Box of bolts");
     assertThat(page.locator("time[datetime='2098-07-01T20:00:00Z']")).containsText("3:00");
@@ -136,7 +136,8 @@ class PagesInBrowserTest {
     choose(page, header + good + "Box of nuts;heavy;Dock A;\n");
     assertThat(page.locator("main .notice.bad")).containsText("Nothing was imported.");
     assertThat(page.locator("#faults tbody tr")).hasCount(2);
-    assertThat(page.locator("#faults tbody tr").first()).containsText("This is not a number.");
+    assertThat(page.locator("#faults tbody tr").first())
+        .containsText("Enter a number, such as 2.5");
     picture(page, name + "-tasks-import-refused");
 
     choose(page, header + good + "Box of nuts;1;Dock A;Shelf 3;\n");
@@ -157,23 +158,23 @@ class PagesInBrowserTest {
     page.locator("#startStation").selectOption("Dock A");
     page.locator("#goalStation").selectOption("Shelf 3");
     assertThat(page.locator("#time")).isHidden();
-    page.getByLabel("When").selectOption("weekly");
+    page.getByLabel("Schedule").selectOption("weekly");
     assertThat(page.locator("#first")).isHidden();
     page.getByLabel("Monday").check();
     page.getByLabel("Friday").check();
     picture(page, name + "-schedule-form");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task")).click();
-    assertThat(page.locator("#time-help")).containsText("Give a time of day");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
+    assertThat(page.locator("#time-help")).containsText("Enter a time of day");
     assertThat(page.getByLabel("Monday")).isChecked();
     page.locator("#time").fill("08:00");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Assign the task")).click();
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
 
     assertThat(page.locator(".notice.good")).hasText("The schedule was added.");
     assertThat(page.locator("tbody tr")).containsText("America/Bogota");
     picture(page, name + "-schedule-added");
     page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Pause").setExact(true))
         .click();
-    assertThat(page.locator("tbody tr")).containsText("paused");
+    assertThat(page.locator("tbody tr")).containsText("Paused");
     page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Delete")).click();
     assertThat(page.locator("tbody tr")).hasCount(0);
   }
@@ -199,11 +200,10 @@ class PagesInBrowserTest {
   }
 
   private static void choose(Page page, String table) {
-    page.getByLabel("Table (CSV)")
+    page.getByLabel("CSV file")
         .setInputFiles(
             new FilePayload("tasks.csv", "text/csv", table.getBytes(StandardCharsets.UTF_8)));
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Import the tasks"))
-        .click();
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Import tasks")).click();
   }
 
   @Test
@@ -230,7 +230,7 @@ class PagesInBrowserTest {
     move("r1", new Pose(8, 2.2, 0));
     page.waitForCondition(() -> !pictureOf(page).equals(before));
 
-    page.getByText("Let it go").click();
+    page.getByText("Stop following").click();
     assertThat(following).isHidden();
     map.click(); // in the middle, where the robot is
     assertThat(following).containsText("Following r1");
@@ -239,7 +239,7 @@ class PagesInBrowserTest {
     assertThat(following).isHidden();
 
     page.navigate(server.root() + "robots/r5");
-    page.getByText("See it on the map").click();
+    page.getByText("Show on map").click();
     assertThat(following).containsText("Following r5");
     following.getByText("r5").click();
     assertThat(page.locator("h1")).hasText("Robot r5");
@@ -259,16 +259,16 @@ class PagesInBrowserTest {
   void theMapShowsWhatIsInTheWay() {
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
     assertThat(page.locator("#robots li")).hasCount(6);
-    assertThat(page.locator("#needs")).not().containsText("Standstill");
+    assertThat(page.locator("#attention")).not().containsText("Standstill");
     Object before = pictureOf(page);
 
     server.fleet().changeFloor(TestFleet.crowdedFloor());
 
-    assertThat(page.locator("#needs")).containsText("r2, r3 at (2.25, 0.75)");
-    assertThat(page.locator("#needs")).containsText("Charger C1 does not charge");
+    assertThat(page.locator("#attention")).containsText("r2, r3 at (2.25, 0.75)");
+    assertThat(page.locator("#attention")).containsText("Charger C1 does not charge");
     page.waitForCondition(() -> !pictureOf(page).equals(before));
     page.getByText("Legend").click();
-    page.getByText("Does not get on").scrollIntoViewIfNeeded();
+    page.locator(".legend").getByText("Standstill").scrollIntoViewIfNeeded();
     picture(page, "map-in-the-way");
 
     Object crowded = pictureOf(page);
@@ -277,7 +277,7 @@ class PagesInBrowserTest {
         .changeFloor(new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of()));
 
     page.waitForCondition(() -> !pictureOf(page).equals(crowded));
-    assertThat(page.locator("#needs")).not().containsText("Standstill");
+    assertThat(page.locator("#attention")).not().containsText("Standstill");
   }
 
   @Test
@@ -285,7 +285,7 @@ class PagesInBrowserTest {
     server.fleet().changeFloor(TestFleet.crowdedFloor());
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
 
-    assertThat(page.locator("#needs-list strong"))
+    assertThat(page.locator("#attention-list strong"))
         .hasText(new String[] {"r5", "Standstill", "r6", "r4", "Charger"});
   }
 
@@ -302,13 +302,13 @@ class PagesInBrowserTest {
     assertThat(driving).hasAttribute("aria-pressed", "true");
     page.waitForCondition(() -> !pictureOf(page).equals(all));
     picture(page, "map-narrowed");
-    page.locator("#counts button").filter(having("Holding")).click();
+    page.locator("#counts button").filter(having("On hold")).click();
     assertThat(page.locator("#robots strong")).hasText(new String[] {"r1", "r3"});
     server.fleet().changeRobots(robots -> robots.subList(1, 6));
     assertThat(page.locator("#robots strong")).hasText(new String[] {"r3"});
     assertThat(driving).containsText("0");
     driving.click();
-    page.locator("#counts button").filter(having("Holding")).click();
+    page.locator("#counts button").filter(having("On hold")).click();
     assertThat(page.locator("#robots li")).hasCount(5);
     assertThat(driving).hasCount(0);
   }
@@ -326,14 +326,15 @@ class PagesInBrowserTest {
       Page page = loggedIn(width, 900, ColorScheme.LIGHT);
       assertThat(page.locator("#floors")).containsText("Floor hall");
 
-      page.getByText("Put its robots on hold").click();
-      assertThat(page.locator("#floors")).containsText("All its robots are on hold by Max");
+      page.getByText("Hold all robots of the floor").click();
+      assertThat(page.locator("#floors"))
+          .containsText("All robots of this floor are on hold by Max");
       page.getByText("Legend").scrollIntoViewIfNeeded();
       picture(page, "map-floor-on-hold-" + width);
 
       server.fleet().resumeFloor("hall", "Ann"); // elsewhere: the page follows
       assertThat(page.locator("#floors")).not().containsText("on hold by");
-      assertThat(page.getByText("Put its robots on hold")).isVisible();
+      assertThat(page.getByText("Hold all robots of the floor")).isVisible();
     }
   }
 
@@ -341,7 +342,7 @@ class PagesInBrowserTest {
   void theMapShowsWhoWasNotLetIn() {
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
     assertThat(page.locator("#robots li")).hasCount(6);
-    assertThat(page.locator("#needs li")).hasCount(3);
+    assertThat(page.locator("#attention li")).hasCount(3);
     Fault stranger =
         new Fault(
             "REFUSED", "10.0.0.9 was refused: it is neither this robot's server nor its leader.");
@@ -360,9 +361,9 @@ class PagesInBrowserTest {
                             })
                     .toList());
 
-    assertThat(page.locator("#needs li")).hasCount(5);
-    assertThat(page.locator("#needs")).containsText("10.0.0.9 was refused");
-    assertThat(page.locator("#needs")).containsText("r3 has another key.");
+    assertThat(page.locator("#attention li")).hasCount(5);
+    assertThat(page.locator("#attention")).containsText("10.0.0.9 was refused");
+    assertThat(page.locator("#attention")).containsText("r3 has another key.");
     picture(page, "map-not-let-in");
   }
 
@@ -370,12 +371,12 @@ class PagesInBrowserTest {
   void aRobotIsTakenOutOfServiceOnItsPage() {
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
     page.navigate(server.root() + "robots/r2");
-    page.getByText("Take it out of service").click();
+    page.getByText("Take out of service").click();
     assertThat(page.locator("#service")).containsText("make sure that it does not stand there");
-    page.getByText("Take this robot out of service").click();
+    page.getByText("Confirm out of service").click();
 
     assertThat(page.locator(".heading .state")).hasText("Out of service");
-    assertThat(page.getByText("Free its place")).hasCount(0);
+    assertThat(page.getByText("Confirm release")).hasCount(0);
     server
         .fleet()
         .changeFloor(
@@ -386,9 +387,9 @@ class PagesInBrowserTest {
                 Map.of("r2", new CellRuns(List.of(687, 1))),
                 List.of(),
                 List.of()));
-    page.getByText("It stands there no more").click();
+    page.getByText("Release its place").click();
     picture(page, "robot-out-of-service");
-    page.getByText("Put it back in service").click();
+    page.getByText("Put back in service").click();
     assertThat(page.locator(".heading .state")).hasText("Idle");
   }
 
@@ -398,15 +399,15 @@ class PagesInBrowserTest {
     Page page = loggedIn(width, height, ColorScheme.LIGHT);
     page.navigate(server.root() + "users");
     page.getByRole(AriaRole.LINK, link("Clara")).click();
-    page.getByLabel("May not log in").check();
+    page.getByLabel("Disabled").check();
     picture(page, name + "-users-change");
     page.locator("main").getByText("Save", exactly()).last().click();
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("The user was changed.");
-    assertThat(page.locator(".heading")).containsText("Clerk, may not log in");
+    assertThat(page.locator(".heading")).containsText("Clerk, disabled");
 
     page.getByText("All users").click();
     page.getByRole(AriaRole.LINK, link("Max")).click();
-    page.getByLabel("May not log in").check();
+    page.getByLabel("Disabled").check();
     page.locator("main").getByText("Save", exactly()).last().click();
     assertThat(page.locator("main").getByRole(AriaRole.ALERT))
         .containsText("This is the last manager.");
@@ -421,15 +422,15 @@ class PagesInBrowserTest {
     TestClient.signedIn(server.root(), WebTestServer.MANAGER).close();
     page.navigate(server.root() + "users");
     page.getByRole(AriaRole.LINK, link("Max")).click();
-    page.getByLabel("What it is for").fill("Night shift");
-    page.getByText("Make the token").click();
+    page.getByLabel("Token name").fill("Night shift");
+    page.getByText("Create token").click();
     assertThat(page.locator(".secret")).hasText(Pattern.compile("[A-Za-z0-9_-]{43}"));
     assertThat(page.locator("tbody tr")).hasCount(3);
     picture(page, name + "-user-token");
     assertFits(page);
     Locator other =
         page.locator("tbody tr")
-            .filter(new Locator.FilterOptions().setHasText("Browser").setHasNotText("this one"));
+            .filter(new Locator.FilterOptions().setHasText("Browser").setHasNotText("current"));
     other.getByText("End", exactly()).click();
     assertThat(page.locator("tbody tr")).hasCount(2);
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("The session has ended.");
@@ -437,7 +438,7 @@ class PagesInBrowserTest {
     page.getByText("All users").click();
     picture(page, name + "-users");
     page.getByRole(AriaRole.LINK, link("Clara")).click();
-    page.getByText("Make a link for a new password").click();
+    page.getByText("Create password link").click();
     String reset = page.locator(".secret").textContent();
     picture(page, name + "-user-link");
     assertFits(page);
@@ -445,8 +446,8 @@ class PagesInBrowserTest {
     page.navigate(server.root() + reset.substring(reset.indexOf("reset?")));
     picture(page, name + "-reset");
     page.getByLabel("New password").fill("a sentence of my own");
-    page.getByText("Replace the password").click();
-    assertThat(page.getByRole(AriaRole.STATUS)).containsText("The password was replaced.");
+    page.getByText("Reset password").click();
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("Your password was reset.");
     page.getByLabel("Name").fill("Clara");
     page.getByLabel("Password", new Page.GetByLabelOptions().setExact(true))
         .fill("a sentence of my own");
@@ -469,14 +470,14 @@ class PagesInBrowserTest {
     form.getByText("Save", exactly()).click();
     assertThat(page.locator("dl").first()).containsText("10.0.0.8:");
 
-    page.getByText("Take it out of service").click();
+    page.getByText("Take out of service").click();
     page.locator("#service button.danger").click();
     assertThat(page.locator(".heading .state")).hasText("Out of service");
-    form.getByText("Remove this robot").click();
+    form.getByText("Remove robot").click();
     form.scrollIntoViewIfNeeded();
     picture(page, name + "-robot-change");
     assertFits(page);
-    form.getByText("Remove it").click();
+    form.getByText("Confirm removal").click();
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("The robot was removed.");
     assertThat(page.locator("main")).not().containsText("r1");
   }
@@ -548,7 +549,7 @@ class PagesInBrowserTest {
         });
     page.navigate(server.root() + "robots/r1");
     page.waitForCondition(() -> refresh.get() != null);
-    Locator summary = page.getByText("Take it out of service");
+    Locator summary = page.getByText("Take out of service");
     summary.focus();
     page.keyboard().press("Enter");
     assertThat(page.locator("#service button.danger")).isVisible();
@@ -582,7 +583,7 @@ class PagesInBrowserTest {
 
     server.close();
 
-    assertThat(page.locator("#banner")).containsText("The connection to the server is lost.");
+    assertThat(page.locator("#banner")).containsText("Connection to the server lost.");
     picture(page, "map-away");
     try (WebTestServer _ = WebTestServer.start(port)) {
       // it is found again; its database is another one, without this session

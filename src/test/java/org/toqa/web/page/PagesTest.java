@@ -64,7 +64,7 @@ class PagesTest {
     HttpResponse<String> page = clerk.get(path);
 
     assertEquals(200, page.statusCode());
-    for (String entry : new String[] {"Task", "Robot", "Map", "User", "Statistics", "Log-out"}) {
+    for (String entry : new String[] {"Tasks", "Robots", "Map", "Users", "Statistics", "Log out"}) {
       assertTrue(page.body().contains("<span>" + entry + "</span>"), entry);
     }
     assertTrue(page.body().strip().endsWith("</html>"), "The page is whole.");
@@ -83,7 +83,7 @@ class PagesTest {
     assertTrue(page.contains("Dock A"));
     assertTrue(page.contains("10.35, 1.05 m"));
     assertTrue(page.contains("Looking for a robot."));
-    assertTrue(page.contains("Asked for by " + WebTestServer.CLERK));
+    assertTrue(page.contains("Created by " + WebTestServer.CLERK));
     assertTrue(clerk.get("tasks").body().contains("Box of bolts"));
   }
 
@@ -92,23 +92,23 @@ class PagesTest {
       delimiter = '|',
       textBlock =
           """
-          name  |                 | Give the task a name.
-          load  | heavy           | This is not a number.
-          load  | NaN             | This is not a number.
-          load  | 0x10            | This is not a number.
-          load  | 1,5             | This is not a number.
+          name  |                 | Enter a task name.
+          load  | heavy           | Enter a number, such as 2.5
+          load  | NaN             | Enter a number, such as 2.5
+          load  | 0x10            | Enter a number, such as 2.5
+          load  | 1,5             | Enter a number, such as 2.5
           load  | -1              | The weight must be above 0
           load  | 1e300           | The weight must be above 0
           load  | 1e999           | The weight must be above 0
           load  | 60              | The robots cannot carry 60 kg
-          goalX | east            | This is not a number.
+          goalX | east            | Enter a number, such as 2.5
           goalX | 1e30            | Coordinates must lie within
           goalX | 0.1             | The goal is not a free place
           goalX | 500             | The goal is not a free place
           goalY |                 | Choose a station, or enter x and y
           startStation | Nowhere  | The start is not a free place
-          deadline | tomorrow     | This is not a date with a time of day.
-          deadline | 2099-02-30T10:00 | This is not a date with a time of day.
+          deadline | tomorrow     | Enter a date and time
+          deadline | 2099-02-30T10:00 | Enter a date and time
           deadline | 2001-01-01T10:00 | This time has passed.
           deadline | 9999-12-31T10:00 | year must be from 2000 to 9998.
           deadline | +999999999-12-31T10:00 | year must be from 2000 to 9998.
@@ -155,7 +155,7 @@ class PagesTest {
             Long.parseLong(task.replaceAll("\\D", "")),
             Phrase.CANNOT_BE_IN_TIME.with("r1", Phrase.SECONDS.with(30)));
 
-    assertTrue(clerk.get(task).body().contains("r1 would deliver it 30 s after it"));
+    assertTrue(clerk.get(task).body().contains("r1 would deliver at least 30 s late"));
   }
 
   @Test
@@ -229,7 +229,7 @@ class PagesTest {
         page.contains("href=\"/tasks?page=2&amp;state=open&amp;text=Pallet&amp;sort=-load\""),
         page);
     assertTrue(page.contains("href=\"/tasks?state=open&amp;text=Pallet&amp;sort=load\""), page);
-    assertTrue(clerk.get("tasks?text=Elephant").body().contains("There is no such task."));
+    assertTrue(clerk.get("tasks?text=Elephant").body().contains("No matching tasks."));
     for (String wrong : new String[] {"state=NEW", "sort=colour", "from=yesterday"}) {
       HttpResponse<String> refused = clerk.get("tasks?" + wrong);
       assertEquals(422, refused.statusCode(), wrong);
@@ -260,7 +260,7 @@ class PagesTest {
     assertTrue(manager.get("robots/r7").body().contains("localhost:7275"));
     HttpResponse<String> again = manager.post("robots", fields);
     assertEquals(422, again.statusCode());
-    assertTrue(again.body().contains("There is a robot of that name already."));
+    assertTrue(again.body().contains("There is already a robot of that name."));
   }
 
   @ParameterizedTest
@@ -304,7 +304,7 @@ class PagesTest {
   void aManagerTakesARobotOutOfServiceAndPutsItBack() {
     String before = manager.get("robots/r1").body();
     assertTrue(before.contains("action=\"/robots/r1/out-of-service\""));
-    assertTrue(before.contains("make sure that it does not stand there any more"));
+    assertTrue(before.contains("make sure that the robot is not there any more"));
     assertFalse(before.contains("action=\"/robots/r1/in-service\""));
     assertFalse(clerk.get("robots/r1").body().contains("out-of-service"));
 
@@ -327,11 +327,11 @@ class PagesTest {
         Map.of("name", "r6", "host", "localhost", "port", "7275", "maxLoad", "5");
     manager.post("robots", fields);
     manager.post("robots/r6/out-of-service", Map.of());
-    assertFalse(manager.get("robots/r6").body().contains("Free its place"));
+    assertFalse(manager.get("robots/r6").body().contains("Confirm release"));
 
     server.fleet().changeFloor(TestFleet.crowdedFloor());
 
-    assertTrue(manager.get("robots/r6").body().contains("Free its place"));
+    assertTrue(manager.get("robots/r6").body().contains("Confirm release"));
   }
 
   @Test
@@ -344,7 +344,7 @@ class PagesTest {
     HttpResponse<String> taken =
         manager.post("users", Map.of("name", "OMAR", "password", "another long one"));
     assertEquals(422, taken.statusCode());
-    assertTrue(taken.body().contains("This name is taken."));
+    assertTrue(taken.body().contains("This name is already in use."));
 
     long omar = server.accounts().accountByName("omar").orElseThrow().id();
     assertEquals(303, manager.post("users/" + omar + "/delete", Map.of()).statusCode());
@@ -375,8 +375,8 @@ class PagesTest {
     HttpResponse<String> answer = clerk.get(path);
 
     assertEquals(status, answer.statusCode());
-    assertTrue(answer.body().contains("toqa.css"));
-    assertTrue(answer.body().contains("Not found"));
+    assertTrue(answer.body().contains("css/base.css"));
+    assertTrue(answer.body().contains("Page not found"));
     assertTrue(answer.body().contains("<span>Log-out</span>"), "The way back stays.");
   }
 
@@ -386,6 +386,6 @@ class PagesTest {
 
     assertEquals(405, answer.statusCode());
     assertEquals("GET, HEAD", answer.headers().firstValue("Allow").orElseThrow());
-    assertTrue(answer.body().contains("toqa.css"));
+    assertTrue(answer.body().contains("css/base.css"));
   }
 }

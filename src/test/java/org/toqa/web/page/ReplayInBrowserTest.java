@@ -94,7 +94,7 @@ class ReplayInBrowserTest extends BrowserTest {
   void aReaderGoesBackAndComesBack() {
     openMap(1280, 900, ColorScheme.LIGHT);
     lookBack();
-    assertThat(page().getByText("You are looking back, this is not live.")).isVisible();
+    assertThat(page().getByText("You are viewing a replay, not live data.")).isVisible();
     assertThat(page().locator("#age")).hasText("Replay");
     assertThat(thenRobots()).hasText(new String[] {"r1", "r2"}); // of r3 nothing is known
     assertThat(page().locator("#tasks")).isHidden();
@@ -104,9 +104,9 @@ class ReplayInBrowserTest extends BrowserTest {
       slider().press("ArrowLeft"); // 10 s each: r1 is at (6, 1)
     }
 
-    assertThat(entry("r1")).containsText("drove");
+    assertThat(entry("r1")).containsText("Driving");
     assertThat(entry("r1")).containsText("Task 7: r1 drives off");
-    assertThat(entry("r2")).containsText("stood");
+    assertThat(entry("r2")).containsText("Stopped");
     assertThat(events()).hasText(new String[] {"r1 drives off"});
     Object then = canvas();
     assertNotEquals(end, then);
@@ -121,8 +121,8 @@ class ReplayInBrowserTest extends BrowserTest {
 
     assertThat(page().locator("#age")).containsText("Live");
     assertThat(page().locator("#robots strong")).hasText(new String[] {"r2", "r3"});
-    assertThat(page().locator("#then")).isHidden();
-    assertThat(button("Look back")).isFocused();
+    assertThat(page().locator("#replay-lists")).isHidden();
+    assertThat(button("Replay")).isFocused();
     assertEquals(List.of(), complaints());
   }
 
@@ -152,7 +152,7 @@ class ReplayInBrowserTest extends BrowserTest {
     lookBack();
     String atTheEnd = slider().getAttribute("aria-valuetext");
     assertEquals(page().locator("#replay-moment").textContent(), atTheEnd);
-    page().getByLabel("How far back the slider reaches").selectOption("Last 1 h");
+    page().getByLabel("Time range").selectOption("Last 1 h");
 
     slider().press("Home");
 
@@ -161,28 +161,28 @@ class ReplayInBrowserTest extends BrowserTest {
         3_600_000L,
         Long.parseLong(slider().getAttribute("max")) - Long.parseLong(slider().inputValue()));
     assertThat(thenRobots()).hasText(new String[] {"r2"}); // r1 was not yet seen
-    page().getByLabel("How far back the slider reaches").selectOption("Last 4 h");
+    page().getByLabel("Time range").selectOption("Last 4 h");
     slider().press("Home");
-    assertThat(page().getByText("Nothing is known of the robots at that time.")).isVisible();
+    assertThat(page().getByText("No robot data for this time.")).isVisible();
   }
 
   @Test
   void whatCannotBeLoadedIsSaid() {
     openMap(1280, 900, ColorScheme.LIGHT);
     page().route("**/api/v1/tracks?*", route -> route.abort());
-    button("Look back").click();
-    Locator sentence = page().getByText("The past could not be loaded.");
+    button("Replay").click();
+    Locator sentence = page().getByText("The replay could not be loaded.");
     assertThat(sentence).isVisible();
     button("Back to live").click();
     assertThat(sentence).isHidden();
-    button("Look back").click();
+    button("Replay").click();
     assertThat(sentence).isVisible();
 
     page().unroute("**/api/v1/tracks?*");
     slider().press("ArrowLeft");
 
     assertThat(sentence).isHidden();
-    assertThat(entry("r1")).containsText("drove");
+    assertThat(entry("r1")).containsText("Driving");
   }
 
   @ParameterizedTest
@@ -232,7 +232,7 @@ class ReplayInBrowserTest extends BrowserTest {
   }
 
   private void lookBack() {
-    button("Look back").click();
+    button("Replay").click();
     assertThat(thenRobots().first()).isVisible();
   }
 
@@ -246,18 +246,18 @@ class ReplayInBrowserTest extends BrowserTest {
   }
 
   private Locator thenRobots() {
-    return page().locator("#then-robots strong");
+    return page().locator("#replay-robots strong");
   }
 
   private Locator entry(String robot) {
     return page()
-        .locator("#then-robots li")
+        .locator("#replay-robots li")
         .filter(new Locator.FilterOptions().setHasText(robot))
         .first();
   }
 
   private Locator events() {
-    return page().locator("#then-events p:first-child");
+    return page().locator("#replay-events p:first-child");
   }
 
   private Object canvas() {

@@ -118,12 +118,13 @@ class StatisticsInBrowserTest extends BrowserTest {
   void daysAreChosenAndTheirFileIsSaved() throws Exception {
     WorkHistory.in(server).addHour(Instant.parse("2026-11-20T12:00:00Z"));
     page().navigate(server.root() + "statistics?zone=UTC");
-    page().getByLabel("From (day)").fill("2026-11-19");
-    page().getByLabel("To (day)").fill("2026-11-21");
-    page().getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Show")).click();
+    page().getByLabel("From", new Page.GetByLabelOptions().setExact(true)).fill("2026-11-19");
+    page().getByLabel("To", new Page.GetByLabelOptions().setExact(true)).fill("2026-11-21");
+    page().getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Apply")).click();
 
     assertThat(page().locator("main")).containsText("Nov 19, 2026 – Nov 21, 2026");
-    assertThat(page().getByLabel("From (day)")).hasValue("2026-11-19");
+    assertThat(page().getByLabel("From", new Page.GetByLabelOptions().setExact(true)))
+        .hasValue("2026-11-19");
     assertThat(page().locator(".figure").first()).hasText("4");
     Download download =
         page()
@@ -132,7 +133,7 @@ class StatisticsInBrowserTest extends BrowserTest {
                     page()
                         .getByRole(
                             AriaRole.BUTTON,
-                            new Page.GetByRoleOptions().setName("Use of each robot"))
+                            new Page.GetByRoleOptions().setName("Robot utilisation"))
                         .click());
     assertEquals("toqa-robots-2026-11-19-to-2026-11-21.csv", download.suggestedFilename());
     assertEquals(3, Files.readAllLines(download.path()).size());
@@ -155,8 +156,9 @@ class StatisticsInBrowserTest extends BrowserTest {
     page().setViewportSize(1280, 800);
     page().navigate(server.root() + "statistics?from=2026-11-21&to=2026-11-20&zone=UTC");
 
-    assertThat(page().getByLabel("To (day)")).hasAttribute("aria-invalid", "true");
-    assertThat(page().locator("main")).containsText("The last day comes before the first.");
+    assertThat(page().getByLabel("To", new Page.GetByLabelOptions().setExact(true)))
+        .hasAttribute("aria-invalid", "true");
+    assertThat(page().locator("main")).containsText("The last day is before the first.");
     assertThat(charts()).hasCount(0);
     page()
         .screenshot(

@@ -90,10 +90,10 @@ class ViewsTest {
         Pattern.compile(
             "(?:textContent|innerText|innerHTML|ariaLabel|title|placeholder|alt)\\s*=\\s*"
                 + literal
-                + "|(?:write|append|replaceChildren|fillText)"
+                + "|(?:setText|append|replaceChildren|fillText)"
                 + "\\((?:(?:[^()'\"`,]|\\([^()]*\\))*,\\s*)?"
                 + literal
-                + "|element\\('[^']*', '[^']*', "
+                + "|createElement\\('[^']*', '[^']*', "
                 + literal
                 + "|drawLabel\\(\\w+, \\w+, "
                 + literal
@@ -105,10 +105,13 @@ class ViewsTest {
     }
   }
 
-  /** A style sheet for pages that run both ways names no left and no right. */
+  /** Style sheets for pages that run both ways name no left and no right. */
   @Test
-  void theStyleSheetIsLogical() {
-    String style = read(WEBAPP.resolve("assets/toqa.css"));
+  void theStyleSheetsAreLogical() throws IOException {
+    String style =
+        files(WEBAPP.resolve("assets/css"), ".css").stream()
+            .map(ViewsTest::read)
+            .collect(Collectors.joining("\n"));
 
     Pattern physical =
         Pattern.compile(

@@ -101,16 +101,16 @@ class AccessTest extends AccessTestServer {
 
   @Test
   void theStylesheetIsPublic() {
-    for (String asset : new String[] {"toqa.css", "pico/pico.blue.min.css", "icons.svg"}) {
+    for (String asset : new String[] {"css/base.css", "pico/pico.blue.min.css", "icons.svg"}) {
       assertEquals(200, anonymous.get("assets/" + asset).statusCode(), asset);
     }
     assertEquals(
         "text/javascript;charset=UTF-8",
-        anonymous.get("assets/js/map.js").headers().firstValue("Content-Type").orElseThrow());
+        anonymous.get("assets/js/map/map.js").headers().firstValue("Content-Type").orElseThrow());
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "map", "assets/toqa.css", "api/v1/map", "nothing"})
+  @ValueSource(strings = {"", "map", "assets/css/base.css", "api/v1/map", "nothing"})
   void everyAnswerHasTheSecurityHeaders(String path) {
     HttpResponse<String> answer = clerk.get(path);
 
@@ -145,7 +145,7 @@ class AccessTest extends AccessTestServer {
                   .build());
 
       assertTrue(answer.statusCode() >= 400 && answer.statusCode() < 500, "" + answer.statusCode());
-      assertTrue(answer.body().contains("toqa.css"), answer.body());
+      assertTrue(answer.body().contains("css/base.css"), answer.body());
       assertFalse(answer.body().contains("Exception"), answer.body());
     }
   }
@@ -206,6 +206,6 @@ class AccessTest extends AccessTestServer {
         .replace("{name}", "none")
         .replace("{session}", "1")
         .replace("{floor}", "none")
-        .replace("*", "toqa.css");
+        .replace("*", "css/base.css");
   }
 }

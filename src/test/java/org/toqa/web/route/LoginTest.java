@@ -66,7 +66,7 @@ class LoginTest extends AccessTestServer {
 
       assertEquals(422, answer.statusCode());
       assertTrue(
-          answer.body().contains("Name or password is wrong.")
+          answer.body().contains("Wrong name or password.")
               || answer.body().contains("Enter your password."));
       assertFalse(answer.body().contains("<span>Log-out</span>"));
     }
@@ -77,12 +77,12 @@ class LoginTest extends AccessTestServer {
     try (TestClient visitor = new TestClient(server.root())) {
       for (int i = 0; i < 5; i++) {
         HttpResponse<String> answer = visitor.post("", Map.of("name", "victim", "password", "x"));
-        assertTrue(answer.body().contains("Name or password is wrong."));
+        assertTrue(answer.body().contains("Wrong name or password."));
       }
 
       HttpResponse<String> answer = visitor.post("", Map.of("name", "VICTIM", "password", "x"));
 
-      assertTrue(answer.body().contains("Too many attempts failed. Try again in 1 s."));
+      assertTrue(answer.body().contains("Too many failed attempts. Try again in 1 s."));
       assertEquals("1", answer.headers().firstValue("Retry-After").orElseThrow());
     }
   }

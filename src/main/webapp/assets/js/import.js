@@ -1,2 +1,0 @@
-import './live.js';
-import './zone.js';

@@ -1,4 +1,0 @@
-import {showParts} from './parts.js';
-import {follow} from './stream.js';
-
-follow(showParts);

@@ -1,0 +1,28 @@
+import {updateLinkList} from '../shared/link-list.js';
+import {chargerEntry, refusalOf, robotEntry, standstillEntry, taskEntry} from './entries.js';
+
+/** What needs attention, the most urgent first. */
+const URGENCY = ['ERROR', 'question', 'standstill', 'LOST', 'NOT_LOCALISED', 'charger', 'alert'];
+const ALERT_STATES = new Set(['ERROR', 'NOT_LOCALISED', 'LOST']);
+
+/** Fills the list of what needs attention, and hides it where nothing does. */
+export function updateAttentionList(section, {floors, tasks, robots}) {
+  const entries = [
+    ...floors.flatMap(({standstills}) => standstills.map((one) => ranked('standstill', standstillEntry(one)))),
+    ...floors.flatMap(({faultyChargers}) => faultyChargers.map((one) => ranked('charger', chargerEntry(one)))),
+    ...tasks.filter(({needs}) => needs).map((task) => ranked('question', taskEntry(task))),
+    ...robots
+      .filter(needsAttention)
+      .map((robot) => ranked(ALERT_STATES.has(robot.state) ? robot.state : 'alert', robotEntry(robot))),
+  ].sort((a, b) => a.rank - b.rank);
+  updateLinkList(section.querySelector('ul'), entries);
+  section.hidden = entries.length === 0;
+}
+
+function needsAttention(robot) {
+  return ALERT_STATES.has(robot.state) || robot.alert !== null || refusalOf(robot) !== undefined;
+}
+
+function ranked(kind, entry) {
+  return {...entry, rank: URGENCY.indexOf(kind)};
+}

@@ -1,0 +1,56 @@
+import {locale} from '../shared/locale.js';
+import {text} from '../shared/texts.js';
+
+const percent = new Intl.NumberFormat(locale, {style: 'percent'});
+
+/** The fault of a robot that refused a connection, or undefined. */
+export function refusalOf({errors}) {
+  return errors.find(({code}) => code === 'REFUSED');
+}
+
+export function robotEntry(robot) {
+  return {
+    key: `robot ${robot.name}`,
+    href: `robots/${encodeURIComponent(robot.name)}`,
+    state: robot.state,
+    letter: text(`robot.letter.${robot.state}`),
+    title: robot.name,
+    side: robot.battery === null ? '' : percent.format(robot.battery),
+    sentence: robot.alert ?? robot.doing,
+    fault: robot.alert ? undefined : (refusalOf(robot) ?? robot.errors[0])?.text,
+  };
+}
+
+export function taskEntry(task) {
+  return {
+    key: `task ${task.id}`,
+    href: `tasks/${task.id}`,
+    state: task.state,
+    letter: String(task.id),
+    title: task.name,
+    side: text(`task.state.${task.state}`),
+    sentence: task.needs?.question ?? task.late ?? task.waitingFor ?? task.robots.join(text('common.comma')),
+  };
+}
+
+export function standstillEntry({robots: names, since, text: sentence}) {
+  return alertEntry({
+    key: `standstill ${since} ${names}`,
+    href: `robots/${encodeURIComponent(names[0])}`,
+    title: text('map.standstill'),
+    sentence,
+  });
+}
+
+export function chargerEntry({name, since, text: sentence}) {
+  return alertEntry({
+    key: `charger ${since} ${name}`,
+    href: 'history?kind=robot.charger-fails',
+    title: text('map.charger'),
+    sentence,
+  });
+}
+
+function alertEntry(entry) {
+  return {state: 'ERROR', letter: '!', side: '', ...entry};
+}

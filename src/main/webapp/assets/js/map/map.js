@@ -1,0 +1,174 @@
+import {FloorCanvas} from '../floor/floor-canvas.js';
+import {Floor} from '../floor/floor.js';
+import {updateReplayLists} from '../replay/replay-lists.js';
+import {Replay} from '../replay/replay.js';
+import {subscribe} from '../shared/event-stream.js';
+import {updateLiveRegions} from '../shared/live-regions.js';
+import {updateAttentionList} from './attention-list.js';
+import {ConnectionStatus} from './connection-status.js';
+import {FleetState} from './fleet-state.js';
+import {Following} from './following.js';
+import {drawBlockedCells, drawStandstills} from './hazards.js';
+import {updateLiveLists} from './live-lists.js';
+import {PoseInterpolator} from './pose-interpolator.js';
+import {drawRobots, drawTasks, replayedRobot} from './robots.js';
+import {StateFilter} from './state-filter.js';
+
+const $ = (selector) => document.querySelector(selector);
+
+/** The map page: a floor with its robots and tasks, live or as a replay, and the lists beside it. */
+class MapPage {
+  #floor; // undefined until it is loaded
+  #hasSnapshot = false;
+  #state = new FleetState();
+  #interpolator = new PoseInterpolator();
+  #replay = new Replay(() => this.#state.time, () => this.#floor.name, () => this.#showMode());
+  #status = new ConnectionStatus(() => this.#replay.isOpen);
+  #filter = new StateFilter($('#counts'), () => this.#showLive());
+  #canvas = new FloorCanvas($('#map'), this.#draw.bind(this), this.#followAt.bind(this));
+  #following = new Following($('#following'), this.#canvas, this.#state, (name) => this.#poseOf(name, performance.now()));
+
+  async start() {
+    this.#listenForZoomButtons();
+    const select = $('#floor');
+    select?.addEventListener('change', () => this.#showFloor(select.value));
+    await this.#showFloor(select?.value);
+    subscribe(this.#update.bind(this), (connection) => this.#status.change(connection));
+  }
+
+  #update(snapshot) {
+    const now = performance.now();
+    this.#state.update(snapshot);
+    updateLiveRegions(snapshot);
+    this.#status.markUpdated(now);
+    this.#interpolator.update(this.#state.robots, now);
+    if (!this.#hasSnapshot) {
+      this.#hasSnapshot = true;
+      this.#followRequested();
+    }
+    $('#replay-open').disabled = !this.#floor;
+    updateAttentionList($('#attention'), this.#state);
+    if (!this.#replay.isOpen) {
+      this.#showLive();
+    }
+  }
+
+  /** Shows the replay, or the live map after it. */
+  #showMode() {
+    const isReplay = this.#replay.isOpen;
+    $('#map').classList.toggle('replayed', isReplay);
+    for (const part of ['#counts', '#live-lists']) {
+      $(part).hidden = isReplay;
+    }
+    for (const part of ['#replay-lists', '#attention-now']) {
+      $(part).hidden = !isReplay;
+    }
+    if (isReplay) {
+      this.#status.show();
+      this.#canvas.requestFrame();
+      updateReplayLists(this.#robotsHere, this.#replay);
+    } else {
+      this.#showLive();
+    }
+  }
+
+  #showLive() {
+    this.#canvas.requestFrame();
+    this.#filter.update(this.#state.robots);
+    updateLiveLists(this.#state, (robot) => this.#filter.includes(robot));
+    this.#status.show();
+  }
+
+  #draw(context, viewport, colours, now) {
+    if (!this.#floor) {
+      return false;
+    }
+    viewport.centreOnTarget();
+    this.#following.showBar();
+    this.#floor.draw(context, viewport, colours);
+    return this.#replay.isOpen
+      ? this.#drawReplay(context, viewport, colours, now)
+      : this.#drawLive(context, viewport, colours, now);
+  }
+
+  #drawLive(context, viewport, colours, now) {
+    const view = this.#state.floor(this.#floor.name);
+    const poseOf = (name) => this.#interpolator.poseOf(name, now);
+    if (view) {
+      drawBlockedCells(context, viewport, colours, this.#floor, view);
+    }
+    const tasks = this.#state.tasksOn(this.#floor.name);
+    drawTasks(context, viewport, colours, tasks);
+    const robots = this.#robotsHere.map((robot) => ({...robot, faint: !this.#filter.includes(robot)}));
+    drawRobots(context, viewport, colours, robots, tasks, poseOf);
+    if (view) {
+      drawStandstills(context, viewport, colours, view, robots, poseOf);
+    }
+    return this.#interpolator.isMoving(now);
+  }
+
+  #drawReplay(context, viewport, colours, now) {
+    const isAdvancing = this.#replay.advance(now);
+    const poseOf = (name) => this.#replay.poseOf(name);
+    const robots = this.#robotsHere.map((robot) => replayedRobot(robot, poseOf(robot.name)));
+    drawRobots(context, viewport, colours, robots, [], poseOf);
+    return isAdvancing;
+  }
+
+  get #robotsHere() {
+    return this.#state.robotsOn(this.#floor.name);
+  }
+
+  #poseOf(name, now) {
+    return this.#replay.isOpen ? this.#replay.poseOf(name) : this.#interpolator.poseOf(name, now);
+  }
+
+  #followAt(x, y, metresPerPixel) {
+    this.#following.followAt(x, y, metresPerPixel, this.#floor?.name, !this.#replay.isOpen);
+  }
+
+  /** Follows what the page's address names, such as ?robot=r1. */
+  async #followRequested() {
+    const query = new URLSearchParams(location.search);
+    const robot = this.#state.robot(query.get('robot'));
+    const task = this.#state.task(query.get('task'));
+    const floor = robot?.floor ?? task?.floor;
+    if (floor && floor !== this.#floor.name) {
+      $('#floor').value = floor;
+      await this.#showFloor(floor);
+    }
+    if (robot) {
+      this.#following.followRobot(robot);
+    } else if (task) {
+      this.#following.followTask(task);
+    }
+  }
+
+  async #showFloor(name) {
+    try {
+      this.#floor = await Floor.load(name);
+      this.#canvas.viewport.setBounds(this.#floor.bounds);
+      this.#canvas.requestFrame();
+      this.#replay.changeFloor();
+    } catch {
+      this.#status.showLoadFailure();
+    }
+  }
+
+  #listenForZoomButtons() {
+    const {viewport} = this.#canvas;
+    const actions = {
+      '#zoom-in': () => viewport.zoom(1.4),
+      '#zoom-out': () => viewport.zoom(1 / 1.4),
+      '#zoom-fit': () => viewport.fit(),
+    };
+    for (const [button, zoom] of Object.entries(actions)) {
+      $(button).addEventListener('click', () => {
+        zoom();
+        this.#canvas.requestFrame();
+      });
+    }
+  }
+}
+
+await new MapPage().start();

@@ -1,0 +1,174 @@
+import {drawLabel} from '../floor/labels.js';
+import {text} from '../shared/texts.js';
+import {isOpen} from './fleet-state.js';
+
+const SMALLEST = 11; // pixels of a robot's radius
+const NOSE_ANGLE = 0.8; // radians from the heading at which the robot's disc ends and its nose begins
+const COLOURS = {
+  CONNECTING: 'state-silent',
+  IDLE: 'state-idle',
+  DRIVING: 'state-driving',
+  CHARGING: 'state-idle',
+  HOLDING: 'state-holding',
+  NOT_LOCALISED: 'state-lost-place',
+  ERROR: 'state-error',
+  LOST: 'state-silent',
+  OUT_OF_SERVICE: 'state-silent',
+  STOPPED: 'state-silent',
+};
+/** Draws loads that are not on a robot, and goals. */
+export function drawTasks(context, viewport, colours, tasks) {
+  for (const task of tasks.filter(isOpen)) {
+    if (task.state !== 'RETURNING') {
+      drawGoal(context, viewport, colours, task);
+    }
+    if (task.state !== 'CARRYING' || task.loadAt) {
+      const {x, y} = task.state === 'RETURNING' ? task.goal : (task.loadAt ?? task.start);
+      drawLoad(context, viewport.toScreen(x, y), 0, loadHalf(viewport, task), colours);
+    }
+  }
+}
+
+/** A robot as a replay shows it: of its state only whether it was moving is known. */
+export function replayedRobot(robot, pose) {
+  return {...robot, state: pose?.isMoving ? 'DRIVING' : 'STOPPED', letter: '', route: [], task: null};
+}
+
+/** @param poseOf answers the pose at which a robot is shown */
+export function drawRobots(context, viewport, colours, robots, tasks, poseOf) {
+  const seen = robots.map((robot) => [robot, poseOf(robot.name)]).filter(([, pose]) => pose);
+  for (const [robot, pose] of seen) {
+    drawRoute(context, viewport, colours, robot, pose);
+  }
+  for (const task of tasks.filter(({state, robots: team}) => state === 'CARRYING' && team.length > 1)) {
+    drawGroup(context, viewport, colours, task, task.robots.map(poseOf).filter((pose) => pose));
+  }
+  for (const [robot, pose] of seen) {
+    const carried = tasks.find((task) => task.id === robot.task && task.state === 'CARRYING');
+    if (carried?.robots.length === 1) {
+      const at = viewport.toScreen(pose.x, pose.y);
+      drawLoad(context, at, -pose.theta, loadHalf(viewport, carried, robot), colours);
+    }
+    context.globalAlpha = robot.faint ? 0.25 : 1;
+    drawRobot(context, viewport, colours, robot, pose);
+    context.globalAlpha = 1;
+  }
+}
+
+/** Pixels from a robot's centre to its edge. */
+export function radius(viewport, robot) {
+  return Math.max(SMALLEST, (robot.footprint / 2) * viewport.scale);
+}
+
+function drawRoute(context, viewport, colours, robot, pose) {
+  if (robot.route.length === 0) {
+    return;
+  }
+  const points = [pose, ...robot.route].map(({x, y}) => viewport.toScreen(x, y));
+  const line = (from, to) => {
+    context.beginPath();
+    points.slice(from, to).forEach(([x, y]) => context.lineTo(x, y));
+    context.stroke();
+  };
+  context.strokeStyle = colours[COLOURS[robot.state]];
+  context.lineJoin = 'round';
+  context.lineCap = 'round';
+  context.globalAlpha = 0.55;
+  context.lineWidth = 2;
+  context.setLineDash([3, 6]);
+  line(robot.released, points.length);
+  context.setLineDash([]);
+  context.globalAlpha = 0.75;
+  context.lineWidth = 4;
+  line(0, robot.released + 1);
+  context.globalAlpha = 1;
+}
+
+/** Draws a robot as a disc with a nose that points ahead; its colour and its letter show its state. */
+function drawRobot(context, viewport, colours, robot, pose) {
+  const [x, y] = viewport.toScreen(pose.x, pose.y);
+  const r = radius(viewport, robot);
+  const away = robot.state === 'LOST' || robot.state === 'CONNECTING';
+  const colour = colours[COLOURS[robot.state]];
+  context.save();
+  context.translate(x, y);
+  context.strokeStyle = colours['map-halo'];
+  context.lineWidth = 2.5;
+  context.beginPath();
+  if (pose.theta === undefined) {
+    context.arc(0, 0, r, 0, 2 * Math.PI);
+  } else {
+    context.rotate(-pose.theta);
+    context.arc(0, 0, r, NOSE_ANGLE, 2 * Math.PI - NOSE_ANGLE);
+    context.lineTo(1.75 * r, 0);
+  }
+  context.closePath();
+  context.stroke();
+  context.fillStyle = away ? colours['map-free'] : colour;
+  context.fill();
+  if (away) {
+    context.strokeStyle = colour;
+    context.setLineDash([4, 3]);
+    context.stroke();
+  }
+  context.restore();
+  context.fillStyle = away ? colour : '#fff';
+  context.font = `700 ${Math.max(11, 1.1 * r)}px ${colours.font}`;
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  context.fillText(robot.letter ?? text(`robot.letter.${robot.state}`), x, y + 0.05 * r);
+  drawLabel(context, colours, robot.name, x, y - 1.75 * r, 'bottom');
+}
+
+/** Draws a load in the middle of the robots that carry it together, with the heading of their leader. */
+function drawGroup(context, viewport, colours, task, poses) {
+  if (poses.length < task.robots.length) {
+    return;
+  }
+  const leader = viewport.toScreen(poses[0].x, poses[0].y);
+  context.strokeStyle = colours['map-load-line'];
+  context.lineWidth = 2;
+  for (const follower of poses.slice(1)) {
+    context.beginPath();
+    context.moveTo(...leader);
+    context.lineTo(...viewport.toScreen(follower.x, follower.y));
+    context.stroke();
+  }
+  const middle = (side) => poses.reduce((sum, pose) => sum + pose[side], 0) / poses.length;
+  const at = viewport.toScreen(middle('x'), middle('y'));
+  drawLoad(context, at, -poses[0].theta, loadHalf(viewport, task), colours);
+}
+
+/** Half of the load's length and width in pixels. */
+function loadHalf(viewport, task, carrier) {
+  const least = carrier ? 1.25 * radius(viewport, carrier) : 7;
+  const {length = 0.3, width = 0.3} = task.size ?? {};
+  return [length, width].map((side) => Math.max(least, (side / 2) * viewport.scale));
+}
+
+function drawLoad(context, [x, y], angle, [halfLength, halfWidth], colours) {
+  context.save();
+  context.translate(x, y);
+  context.rotate(angle);
+  context.beginPath();
+  context.roundRect(-halfLength, -halfWidth, 2 * halfLength, 2 * halfWidth, 3);
+  context.fillStyle = colours['map-load'];
+  context.strokeStyle = colours['map-load-line'];
+  context.lineWidth = 1.5;
+  context.fill();
+  context.stroke();
+  context.restore();
+}
+
+function drawGoal(context, viewport, colours, task) {
+  const [x, y] = viewport.toScreen(task.goal.x, task.goal.y);
+  context.strokeStyle = colours['map-goal'];
+  context.fillStyle = colours['map-goal'];
+  context.lineWidth = 2;
+  context.beginPath();
+  context.arc(x, y, 9, 0, 2 * Math.PI);
+  context.stroke();
+  context.beginPath();
+  context.arc(x, y, 3, 0, 2 * Math.PI);
+  context.fill();
+}

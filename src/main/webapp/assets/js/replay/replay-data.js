@@ -1,0 +1,102 @@
+import {fetchJson} from '../shared/server.js';
+import {Trajectory} from './trajectory.js';
+
+const CHUNK = 600_000; // milliseconds that are fetched at once
+const KEPT_CHUNKS = 12;
+const MAX_EVENTS = 1000; // of a chunk and the one before it
+
+const chunkOf = (time) => Math.floor(time / CHUNK) * CHUNK;
+
+/** Tracks and events of a floor, fetched in chunks as they are needed. Times are milliseconds since 1970. */
+export class ReplayData {
+  #floor;
+  #end;
+  #onLoad;
+  #chunks = new Map(); // by the time at which each begins
+  #requested = 0;
+  #isLoading = false;
+
+  /**
+   * @param end up to which there are data
+   * @param onLoad called when a chunk has been loaded
+   */
+  constructor(floor, end, onLoad) {
+    this.#floor = floor;
+    this.#end = end;
+    this.#onLoad = onLoad;
+  }
+
+  isLoaded(time) {
+    return this.#chunks.has(chunkOf(time));
+  }
+
+  /** Fetches the chunk of that time, and the next one. */
+  async load(time) {
+    this.#requested = time;
+    if (this.#isLoading) {
+      return;
+    }
+    this.#isLoading = true;
+    try {
+      for (let begin = this.#missing(); begin !== undefined; begin = this.#missing()) {
+        this.#store(begin, await this.#fetch(begin));
+      }
+    } finally {
+      this.#isLoading = false;
+    }
+  }
+
+  /** The pose of a robot; undefined where it is not known. */
+  poseOf(robot, time) {
+    return this.#chunks.get(chunkOf(time))?.trajectories.get(robot)?.poseAt(time);
+  }
+
+  /** The latest events before that time, newest first. */
+  events(time) {
+    const events = this.#chunks.get(chunkOf(time))?.events ?? [];
+    return events.filter(({at}) => Date.parse(at) <= time);
+  }
+
+  #missing() {
+    const begin = chunkOf(this.#requested);
+    return [begin, begin + CHUNK].find((time) => time < this.#end && !this.#chunks.has(time));
+  }
+
+  #store(begin, chunk) {
+    this.#chunks.set(begin, chunk);
+    if (this.#chunks.size > KEPT_CHUNKS) {
+      this.#chunks.delete(this.#chunks.keys().next().value);
+    }
+    this.#onLoad();
+  }
+
+  async #fetch(begin) {
+    const until = new Date(begin + CHUNK).toISOString();
+    const before = new Date(begin - CHUNK).toISOString();
+    const [points, {events}] = await Promise.all([
+      this.#fetchPoints(begin, until),
+      fetchJson(`api/v1/history?from=${before}&until=${until}&limit=${MAX_EVENTS}`),
+    ]);
+    return {
+      trajectories: new Map([...points].map(([robot, track]) => [robot, new Trajectory(track)])),
+      events: events.filter(({kind}) => !kind.startsWith('user.')),
+    };
+  }
+
+  /** The points of each robot; the server answers for a shorter time where there are very many. */
+  async #fetchPoints(begin, until) {
+    const all = new Map();
+    for (let from = begin; from < Date.parse(until); ) {
+      const query = new URLSearchParams({floor: this.#floor, from: new Date(from).toISOString(), until});
+      const answer = await fetchJson(`api/v1/tracks?${query}`);
+      for (const {robot, points} of answer.robots) {
+        const track = all.get(robot) ?? [];
+        const last = track.at(-1)?.[0] ?? -Infinity;
+        const added = points.map(([after, x, y]) => [from + after, x, y]);
+        all.set(robot, [...track, ...added.filter(([at]) => at > last)]);
+      }
+      from = Date.parse(answer.until);
+    }
+    return all;
+  }
+}

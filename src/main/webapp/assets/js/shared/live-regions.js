@@ -1,0 +1,108 @@
+import {showTimes} from './times.js';
+
+/** Milliseconds between two refreshes at least. */
+const REFRESH_INTERVAL = 1_000;
+
+/** What each kind of region shows of a snapshot: when that changes, the region is fetched anew. */
+const SUBJECTS = {
+  tasks: ({tasks, queued}) => [queued, ...tasks.map((task) => [task.id, task.state, task.robots, task.held])],
+  task: ({tasks}, name) => tasks.find((task) => String(task.id) === name),
+  robots: ({robots}) => robots.map(({state, task, doing, battery}) => [state, task, doing, Math.round(100 * battery)]),
+  robot: ({robots}, name) => {
+    const robot = robots.find((candidate) => candidate.name === name);
+    return robot && {...robot, lastSeen: null, route: null};
+  },
+  'task-actions': ({tasks}, name) => {
+    const task = tasks.find((candidate) => String(candidate.id) === name);
+    return task && [task.state, task.held, task.priority, task.needs];
+  },
+  'robot-actions': ({robots, pause}, name) => {
+    const robot = robots.find((candidate) => candidate.name === name);
+    return robot && [robot.held, robot.task, pause];
+  },
+  pause: ({pause}) => pause,
+  floors: ({floors}) => floors.map(({floor, hold}) => [floor, hold]),
+  service: ({robots, floors}, name) => [
+    robots.find((robot) => robot.name === name)?.state === 'OUT_OF_SERVICE',
+    floors.some(({kept}) => kept.some(({robot}) => robot === name)),
+  ],
+};
+
+/** The parts of a page marked by data-live, which follow the fleet. */
+class LiveRegions {
+  #subjects = new Map(); // by the region's id, as JSON
+  #outdated = new Set(); // ids of regions
+  #isRefreshing = false;
+
+  update(snapshot) {
+    showAlerts(snapshot.alerts);
+    for (const {id, dataset} of document.querySelectorAll('[data-live]')) {
+      const subject = JSON.stringify(SUBJECTS[dataset.live](snapshot, dataset.name)) ?? '';
+      if (subject !== this.#subjects.get(id)) {
+        this.#subjects.set(id, subject);
+        this.#outdated.add(id);
+      }
+    }
+    this.#refresh();
+  }
+
+  async #refresh() {
+    if (this.#isRefreshing || this.#outdated.size === 0) {
+      return;
+    }
+    this.#isRefreshing = true;
+    const ids = [...this.#outdated];
+    this.#outdated.clear();
+    try {
+      const answer = await fetch(location.href, {headers: {accept: 'text/html'}});
+      const page = new DOMParser().parseFromString(await answer.text(), 'text/html');
+      for (const id of answer.ok ? ids : []) {
+        const fresh = page.getElementById(id);
+        if (fresh) {
+          showTimes(fresh);
+          replace(document.getElementById(id), fresh);
+        }
+      }
+    } finally {
+      setTimeout(() => {
+        this.#isRefreshing = false;
+        this.#refresh();
+      }, REFRESH_INTERVAL);
+    }
+  }
+}
+
+/** Replaces a region: what was open stays open, and the focus stays on what had it. */
+function replace(old, fresh) {
+  const nameOf = (disclosure) => disclosure.querySelector('summary').textContent;
+  const open = [...old.querySelectorAll('details[open]')].map(nameOf);
+  for (const disclosure of fresh.querySelectorAll('details')) {
+    disclosure.open ||= open.includes(nameOf(disclosure));
+  }
+  if (fresh.isEqualNode(old)) {
+    return; // a button that is being pressed must not be replaced
+  }
+  const focused = old.contains(document.activeElement) ? document.activeElement : null;
+  const successor = focused && [...fresh.querySelectorAll('*')].find((element) => element.isEqualNode(focused));
+  old.replaceWith(fresh);
+  successor?.focus({preventScroll: true});
+}
+
+function showAlerts(alerts) {
+  const place = document.getElementById('alerts');
+  if (place && place.innerText.trim() !== alerts.join('\n')) {
+    place.replaceChildren(...alerts.map((alert) => {
+      const line = document.createElement('p');
+      line.className = 'notice bad';
+      line.textContent = alert;
+      return line;
+    }));
+  }
+}
+
+const regions = new LiveRegions();
+
+/** Fetches those live regions of the page anew whose subject differs from what they show. */
+export function updateLiveRegions(snapshot) {
+  regions.update(snapshot);
+}

@@ -1,0 +1,4 @@
+import {updateLiveRegions} from './live-regions.js';
+import {subscribe} from './event-stream.js';
+
+subscribe(updateLiveRegions);

@@ -1,0 +1,2 @@
+import '../shared/live.js';
+import '../shared/time-zone.js';

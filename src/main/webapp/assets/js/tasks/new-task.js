@@ -1,0 +1,189 @@
+import {FloorCanvas} from '../floor/floor-canvas.js';
+import {Floor} from '../floor/floor.js';
+import {drawLabel} from '../floor/labels.js';
+import {numberIn} from '../shared/locale.js';
+import {text} from '../shared/texts.js';
+import '../shared/time-zone.js';
+import {TaskPreview} from './task-preview.js';
+
+const SNAP = 14; // pixels around a station that select it
+const $ = (selector) => document.querySelector(selector);
+
+/** The fields of a task's start or goal. */
+class PlaceFields {
+  /** @param name start or goal */
+  constructor(name) {
+    this.name = name;
+    this.station = $(`#${name}Station`);
+    this.x = $(`#${name}X`);
+    this.y = $(`#${name}Y`);
+    this.choice = $(`input[name="picks"][value="${name}"]`);
+  }
+
+  /** As the API takes it; undefined while it is incomplete. */
+  get value() {
+    if (this.station.value) {
+      return {station: this.station.value};
+    }
+    const point = {x: numberIn(this.x), y: numberIn(this.y)};
+    return point.x === undefined || point.y === undefined ? undefined : point;
+  }
+
+  /** Its map point; undefined while it is incomplete. */
+  pointOn(floor) {
+    const {value} = this;
+    return value?.station ? floor.stations.find(({name}) => name === value.station) : value;
+  }
+
+  setStation(name) {
+    this.station.value = name;
+    this.x.value = '';
+    this.y.value = '';
+  }
+
+  setPoint(x, y) {
+    this.station.value = '';
+    this.x.value = x.toFixed(2);
+    this.y.value = y.toFixed(2);
+  }
+
+  onChange(listener) {
+    this.station.addEventListener('change', () => {
+      if (this.station.value) {
+        this.setStation(this.station.value);
+      }
+      listener();
+    });
+    for (const coordinate of [this.x, this.y]) {
+      coordinate.addEventListener('input', () => {
+        this.station.value = '';
+        listener();
+      });
+    }
+  }
+}
+
+/** The form of a new task, with a map on which start and goal are set and the preview is shown. */
+class NewTaskPage {
+  #floor; // undefined until it is loaded
+  #path = []; // of the load
+  #start = new PlaceFields('start');
+  #goal = new PlaceFields('goal');
+  #canvas = new FloorCanvas($('#map'), this.#draw.bind(this), this.#pick.bind(this));
+  #preview = new TaskPreview($('form.task'), $('#preview'), () => this.#order, (path) => this.#showPath(path));
+
+  async start() {
+    for (const place of this.#places) {
+      place.onChange(() => this.#changePlaces());
+    }
+    $('select#floor')?.addEventListener('change', (event) => {
+      const page = new URL(location.href);
+      page.searchParams.set('floor', event.target.value);
+      location.assign(page);
+    });
+    await this.#showFloor($('#map').dataset.floor);
+    this.#preview.request();
+  }
+
+  get #places() {
+    return [this.#start, this.#goal];
+  }
+
+  #draw(context, viewport, colours) {
+    if (!this.#floor) {
+      return false;
+    }
+    this.#floor.draw(context, viewport, colours);
+    context.strokeStyle = colours['map-goal'];
+    context.lineWidth = 2.5;
+    context.lineJoin = 'round';
+    context.setLineDash([7, 5]);
+    context.beginPath();
+    this.#path.forEach(({x, y}) => context.lineTo(...viewport.toScreen(x, y)));
+    context.stroke();
+    context.setLineDash([]);
+    for (const place of this.#places) {
+      const point = place.pointOn(this.#floor);
+      if (point) {
+        drawPlace(context, viewport, colours, place.name, point);
+      }
+    }
+    return false;
+  }
+
+  #pick(x, y, metresPerPixel) {
+    const place = this.#places.find(({choice}) => choice.checked);
+    const near = this.#floor?.stations.find(
+      (station) => Math.hypot(station.x - x, station.y - y) <= SNAP * metresPerPixel);
+    if (near) {
+      place.setStation(near.name);
+    } else {
+      place.setPoint(x, y);
+    }
+    if (place === this.#start) {
+      this.#goal.choice.checked = true;
+    }
+    this.#changePlaces();
+  }
+
+  /** The path shown is outdated as soon as its ends change. */
+  #changePlaces() {
+    this.#showPath([]);
+    this.#preview.request();
+  }
+
+  #showPath(path) {
+    this.#path = path;
+    this.#canvas.requestFrame();
+  }
+
+  /** The form's task as the API takes it; undefined while load, start or goal are missing. */
+  get #order() {
+    const load = number('load');
+    const [start, goal] = this.#places.map(({value}) => value);
+    if (load === undefined || !start || !goal) {
+      return undefined;
+    }
+    const [length, width] = [number('length'), number('width')];
+    return {
+      name: $('#name').value.trim() || '?',
+      load, start, goal,
+      floor: this.#floor?.name,
+      priority: number('priority'),
+      size: length && width ? {length, width} : undefined,
+    };
+  }
+
+  async #showFloor(name) {
+    try {
+      this.#floor = await Floor.load(name);
+      this.#canvas.viewport.setBounds(this.#floor.bounds);
+      this.#canvas.requestFrame();
+    } catch {
+      $('.picker small').textContent = text('map.failed');
+    }
+  }
+}
+
+function number(id) {
+  return numberIn($(`#${id}`));
+}
+
+function drawPlace(context, viewport, colours, name, point) {
+  const [x, y] = viewport.toScreen(point.x, point.y);
+  context.beginPath();
+  if (name === 'start') {
+    context.roundRect(x - 8, y - 8, 16, 16, 3);
+    context.fillStyle = colours['map-load'];
+    context.strokeStyle = colours['map-load-line'];
+    context.fill();
+  } else {
+    context.arc(x, y, 9, 0, 2 * Math.PI);
+    context.strokeStyle = colours['map-goal'];
+  }
+  context.lineWidth = 2.5;
+  context.stroke();
+  drawLabel(context, colours, text(`newTask.${name}`), x, y - 12, 'bottom');
+}
+
+await new NewTaskPage().start();
