@@ -3,7 +3,6 @@ package org.toqa.fleet.floor;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
@@ -12,7 +11,7 @@ import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.fleet.EventRecord;
-import org.toqa.fleet.floor.FloorRobot.DriveGoal;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Place;
 import org.toqa.mission.AssignedRobot;
@@ -55,10 +54,7 @@ final class ChargingDispatcher {
   void recover(ChargeRecord record) {
     FloorRobot robot = state.robots.get(record.robot());
     if (robot != null) {
-      robot.workedSinceCharge = record.worked();
-      robot.storedWork = record.worked();
-      robot.turn = record.turn();
-      robot.turnStored = true;
+      robot.charging.recover(record);
     }
   }
 
@@ -72,11 +68,12 @@ final class ChargingDispatcher {
     state.chargers.forgetExpired(state.now);
     for (FloorRobot robot : state.robots.values()) {
       addWork(robot, passed);
-      if (robot.turn == null) {
+      Optional<Turn> turn = robot.charging.turn();
+      if (turn.isEmpty()) {
         chargingReason(robot)
             .ifPresentOrElse(why -> begin(robot, why), () -> setStatus(robot, null));
-      } else if (robot.turnStored) {
-        continueTurn(robot, robot.turn);
+      } else if (robot.charging.isTurnStored()) {
+        continueTurn(robot, turn.get());
       }
     }
   }
@@ -85,8 +82,8 @@ final class ChargingDispatcher {
   void requestRecharge(FloorMessage.RechargeRobots m) {
     for (String name : m.robots()) {
       FloorRobot robot = state.robots.get(name);
-      if (robot != null && robot.turn == null) {
-        robot.taskBeyondBattery = m.task();
+      if (robot != null && !robot.charging.hasTurn()) {
+        robot.charging.setTaskBeyondBattery(m.task());
       }
     }
   }
@@ -94,19 +91,17 @@ final class ChargingDispatcher {
   /** That is safe: now the robot may move for it. */
   void turnStored(FloorMessage.ChargeStored m) {
     FloorRobot robot = state.robots.get(m.robot());
-    if (robot != null && Objects.equals(robot.turn, m.turn())) {
-      robot.turnStored = true;
+    if (robot != null) {
+      robot.charging.confirmStored(m.turn());
     }
   }
 
   private void addWork(FloorRobot robot, Duration passed) {
-    if (robot.driveGoal == null || robot.turn != null) {
+    if (robot.drive.goal() == null || robot.charging.hasTurn()) {
       return;
     }
-    robot.workedSinceCharge = robot.workedSinceCharge.plus(passed);
-    if (robot.workedSinceCharge.minus(robot.storedWork).compareTo(WRITE_INTERVAL) >= 0) {
-      robot.storedWork = robot.workedSinceCharge;
-      ChargeRecord record = record(robot);
+    if (robot.charging.addWork(passed, WRITE_INTERVAL)) {
+      ChargeRecord record = robot.charging.record(robot.name());
       state.writer.write(() -> state.store.saveCharge(record, List.of()), () -> {});
     }
   }
@@ -115,7 +110,7 @@ final class ChargingDispatcher {
 
   /** A clause; empty while it need not charge or cannot be taken from its task. */
   private Optional<Sentence> chargingReason(FloorRobot robot) {
-    Double battery = robot.battery;
+    Double battery = robot.reported.battery();
     if (battery == null || !robot.isFit()) {
       return Optional.empty();
     }
@@ -138,22 +133,25 @@ final class ChargingDispatcher {
     if (battery < rules.below()) {
       return Phrase.BATTERY_HAS.with(percent(battery));
     }
-    if (robot.workedSinceCharge.compareTo(rules.work()) >= 0) {
-      return Phrase.HAS_WORKED_FOR.with(robot.workedSinceCharge.toSeconds() / 3600.0);
+    Duration worked = robot.charging.workedSinceCharge();
+    if (worked.compareTo(rules.work()) >= 0) {
+      return Phrase.HAS_WORKED_FOR.with(worked.toSeconds() / 3600.0);
     }
-    return robot.taskBeyondBattery != null && battery < rules.until()
-        ? Phrase.NOT_ENOUGH_FOR_TASK.with(percent(battery), robot.taskBeyondBattery)
+    Long task = robot.charging.taskBeyondBattery();
+    return task != null && battery < rules.until()
+        ? Phrase.NOT_ENOUGH_FOR_TASK.with(percent(battery), task)
         : null;
   }
 
   private boolean isBatteryEnoughFor(Mission mission, FloorRobot robot, double battery) {
-    if (robot.pose == null) {
+    Pose pose = robot.reported.pose();
+    if (pose == null) {
       return true;
     }
     Vec2 object = mission.object().position();
     Vec2 goal = mission.destination().position();
     double used =
-        Energy.joules(queues.metres(robot, robot.pose.position(), object), 0)
+        Energy.joules(queues.metres(robot, pose.position(), object), 0)
             + Energy.joules(queues.metres(robot, object, goal), mission.task().load())
             + Energy.joules(queues.metresToCharger(robot, goal), 0);
     return used < battery * Energy.BATTERY_JOULES;
@@ -178,8 +176,7 @@ final class ChargingDispatcher {
   }
 
   private void takeTurn(FloorRobot robot, Place point, Sentence why) {
-    robot.turn = new Turn(point.name(), state.now);
-    robot.taskBeyondBattery = null;
+    robot.charging.takeTurn(new Turn(point.name(), state.now));
     List<FloorRobot> ahead = queues.robotsAhead(robot, point);
     if (ahead.isEmpty()) {
       Sentence text = Phrase.ROBOT_DRIVES_TO_CHARGER.with(robot.name(), point.name(), why);
@@ -198,7 +195,7 @@ final class ChargingDispatcher {
         state.floor.charging().stream().filter(p -> p.name().equals(turn.point())).findFirst();
     if (point.isEmpty()) {
       abandonTurn(robot, Phrase.CHARGER_IS_GONE.with(turn.point()));
-    } else if (!robot.inService) {
+    } else if (!robot.settings.isInService()) {
       abandonTurn(robot, Phrase.LEFT_SERVICE.with());
     } else if (robot.isHeard() && !switchFromFaultyCharger(robot, point.get())) {
       List<FloorRobot> ahead = queues.robotsAhead(robot, point.get());
@@ -229,21 +226,22 @@ final class ChargingDispatcher {
     boolean isThere = queues.isAt(robot, point) && robot.isStanding();
     if (!isThere) {
       setStatus(robot, Phrase.DRIVES_TO_CHARGER.with(point.name()));
-    } else if (!robot.charging) {
+    } else if (!robot.charging.isCharging()) {
       setStatus(robot, Phrase.CHARGES_AT.with(point.name()));
-      if (robot.driveGoal != null) { // else it stood there when the server started
+      if (robot.drive.goal() != null) { // else it stood there when the server started
         addToHistory(
             robot, "robot.charging", Phrase.ROBOT_CHARGES.with(robot.name(), point.name()));
       }
     }
-    robot.charging = isThere;
-    robot.driveGoal = DriveGoal.toCharger(point.position());
-    if (!isThere || robot.battery == null) {
+    robot.charging.setCharging(isThere);
+    robot.drive.setGoal(DriveGoal.toCharger(point.position()));
+    Double battery = robot.reported.battery();
+    if (!isThere || battery == null) {
       state.chargers.robotLeft(robot.name());
-    } else if (robot.battery >= rules.until()) {
-      finishCharging(robot, point, robot.battery);
-    } else if (robot.battery + ChargerWatch.MIN_RISE < rules.until()) {
-      watchBattery(robot, point, robot.battery);
+    } else if (battery >= rules.until()) {
+      finishCharging(robot, point, battery);
+    } else if (battery + ChargerWatch.MIN_RISE < rules.until()) {
+      watchBattery(robot, point, battery);
     }
   }
 
@@ -265,10 +263,8 @@ final class ChargingDispatcher {
   }
 
   private void waitForTurn(FloorRobot robot, Place point, List<FloorRobot> ahead) {
-    robot.charging = false;
-    if (robot.driveGoal != null && robot.driveGoal.task() == null) {
-      robot.driveGoal = null; // it may drive home meanwhile
-    }
+    robot.charging.setCharging(false);
+    robot.drive.dropGoalWithoutTask(); // it may drive home meanwhile
     setStatus(robot, Phrase.AWAITS_CHARGER.with(chargerSentence(point, ahead)));
     if (!robot.isFit()) {
       return;
@@ -288,8 +284,7 @@ final class ChargingDispatcher {
   }
 
   private void finishCharging(FloorRobot robot, Place point, double battery) {
-    robot.workedSinceCharge = Duration.ZERO;
-    robot.storedWork = Duration.ZERO;
+    robot.charging.resetWork();
     endTurn(
         robot,
         "robot.charged",
@@ -301,28 +296,19 @@ final class ChargingDispatcher {
   }
 
   private void endTurn(FloorRobot robot, String kind, Sentence text) {
-    robot.turn = null;
-    robot.charging = false;
+    robot.charging.endTurn();
     state.chargers.robotLeft(robot.name());
-    robot.chargingStatus = null;
-    if (robot.driveGoal != null && robot.driveGoal.task() == null) {
-      robot.driveGoal = null;
-    }
+    robot.drive.dropGoalWithoutTask();
     saveTurn(robot, kind, text);
   }
 
   private void saveTurn(FloorRobot robot, String kind, Sentence text) {
-    robot.turnStored = false;
     state.changed = true;
-    ChargeRecord record = record(robot);
+    ChargeRecord record = robot.charging.record(robot.name());
     EventRecord event = event(robot, kind, text);
     state.writer.write(
         () -> state.store.saveCharge(record, List.of(event)),
         () -> self.tell(new FloorMessage.ChargeStored(robot.name(), record.turn())));
-  }
-
-  private static ChargeRecord record(FloorRobot robot) {
-    return new ChargeRecord(robot.name(), robot.workedSinceCharge, robot.turn);
   }
 
   private void addToHistory(FloorRobot robot, String kind, Sentence text) {
@@ -334,10 +320,7 @@ final class ChargingDispatcher {
   }
 
   private void setStatus(FloorRobot robot, @Nullable Sentence sentence) {
-    if (!Objects.equals(sentence, robot.chargingStatus)) {
-      robot.chargingStatus = sentence;
-      state.changed = true;
-    }
+    state.changed |= robot.charging.setStatus(sentence);
   }
 
   private static long percent(double battery) {

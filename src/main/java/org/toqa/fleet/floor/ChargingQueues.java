@@ -2,10 +2,12 @@ package org.toqa.fleet.floor;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.ChargingRules;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Place;
 
@@ -64,14 +66,14 @@ final class ChargingQueues {
         .filter(other -> hasTurnAt(other, point) && (other.isFit() || isAt(other, point)))
         .sorted(
             Comparator.comparing((FloorRobot r) -> !isAt(r, point))
-                .thenComparing(r -> r.turn().map(Turn::since).orElseThrow())
+                .thenComparing(r -> r.charging.turn().map(Turn::since).orElseThrow())
                 .thenComparing(FloorRobot::name))
         .takeWhile(other -> other != robot)
         .toList();
   }
 
   private static boolean hasTurnAt(FloorRobot robot, Place point) {
-    return robot.turn().filter(turn -> turn.point().equals(point.name())).isPresent();
+    return robot.charging.turn().filter(turn -> turn.point().equals(point.name())).isPresent();
   }
 
   boolean isAt(FloorRobot robot, Place point) {
@@ -84,23 +86,22 @@ final class ChargingQueues {
   }
 
   private double driveSeconds(FloorRobot robot, Place point) {
-    return isAt(robot, point) ? 0 : metres(robot, point.position()) / robot.speeds.forward();
+    return isAt(robot, point) ? 0 : metres(robot, point.position()) / robot.reported.capabilities().speeds().forward();
   }
 
   private double chargeSeconds(FloorRobot robot) {
-    double battery = robot.battery == null ? UNKNOWN_BATTERY : robot.battery;
+    double battery = Objects.requireNonNullElse(robot.reported.battery(), UNKNOWN_BATTERY);
     return Math.max(0, rules.until() - battery) * rules.toFull().toSeconds();
   }
 
   private double metres(FloorRobot robot, Vec2 place) {
-    return robot.pose == null
-        ? Double.POSITIVE_INFINITY
-        : metres(robot, robot.pose.position(), place);
+    Pose pose = robot.reported.pose();
+    return pose == null ? Double.POSITIVE_INFINITY : metres(robot, pose.position(), place);
   }
 
   /** The length of a robot's way, metres; infinite where there is none. */
   double metres(FloorRobot robot, Vec2 from, Vec2 to) {
-    return distances.lengthsFrom(to, robot.footprint).applyAsDouble(from);
+    return distances.lengthsFrom(to, robot.reported.footprint()).applyAsDouble(from);
   }
 
   /** From a place to the charging point nearest to it. */

@@ -2,10 +2,8 @@ package org.toqa.fleet.floor;
 
 import java.time.Duration;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.floor.FloorRobot.DriveGoal;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
@@ -44,18 +42,18 @@ final class DriveDispatcher {
     }
     DriveGoal goal = robot.activeGoal();
     boolean isOnOtherDrive = !robot.isStanding() && (goal == null || !robot.isDrivingTo(goal));
-    boolean mayEnd =
-        robot.toldDrive != null && robot.toldDrive.task() == null && robot.toldGoal == null;
-    boolean isStray = (isOnOtherDrive && !(robot.inService && mayEnd)) || updateObstructed(robot);
+    boolean isStray =
+        (isOnOtherDrive && !(robot.settings.isInService() && isSteppingAside(robot)))
+            || updateObstructed(robot);
     if (isStray) {
       cancelUnwantedDrive(robot);
     }
     boolean isWaiting =
-        robot.notBefore.isAfter(state.now)
+        robot.drive.isPostponed(state.now)
             || isAwaitingFollowers(robot)
             || isGoalOutdated(robot, goal);
     state.traffic.setMovable(
-        robot.name(), robot.isFit() && robot.holdReason == null && !isStray && !isWaiting);
+        robot.name(), robot.isFit() && !robot.hold.isHeld() && !isStray && !isWaiting);
     state.traffic.setGoal(
         robot.name(),
         goal == null || isOnOtherDrive ? null : goal.goal(),
@@ -73,23 +71,24 @@ final class DriveDispatcher {
     }
   }
 
+  /** Whether it only drives out of the way of others; that may end. */
+  private static boolean isSteppingAside(FloorRobot robot) {
+    DriveOrder order = robot.drive.order();
+    return order.knownGoal() == null && order.storedDrive().filter(d -> d.task() == null).isPresent();
+  }
+
   /**
    * Whether it has stood for a while before something on a part of its way that it cannot be told
    * otherwise any more: it is stopped, and begins anew round that.
    */
   private boolean updateObstructed(FloorRobot robot) {
+    RobotReport report = robot.reported.report();
     boolean isStopped =
-        robot.role == Role.ALONE
-            && robot.mode == Mode.DRIVING
-            && robot.errors.stream().anyMatch(fault -> fault.code().equals(OBSTACLE))
+        report.role() == Role.ALONE
+            && report.mode() == Mode.DRIVING
+            && report.errors().stream().anyMatch(fault -> fault.code().equals(OBSTACLE))
             && state.traffic.isObstacleAhead(robot.name());
-    if (!isStopped) {
-      robot.obstructedSince = null;
-    } else if (robot.obstructedSince == null) {
-      robot.obstructedSince = state.now;
-    }
-    return robot.obstructedSince != null
-        && !robot.obstructedSince.plus(OBSTACLE_PATIENCE).isAfter(state.now);
+    return robot.obstructed.update(isStopped, OBSTACLE_PATIENCE, state.now);
   }
 
   /** Nobody wants its drive any more, as when a returning robot is needed elsewhere. */
@@ -100,7 +99,7 @@ final class DriveDispatcher {
             .carryingMission(robot.name())
             .filter(state.formations::isMoving)
             .isPresent();
-    if (!robot.drivePending && robot.drive != 0 && !tearsAtLoad) {
+    if (!robot.drive.order().isPending() && robot.reported.drive() != 0 && !tearsAtLoad) {
       robot.cancelDrive();
     }
   }
@@ -135,17 +134,16 @@ final class DriveDispatcher {
 
   /** A follower has no way of its own: it is told its place, and its leader does the rest. */
   private void keepInFormation(FloorRobot robot, Mission mission) {
-    boolean isWaiting = robot.notBefore.isAfter(state.now);
+    boolean isWaiting = robot.drive.isPostponed(state.now);
     if (state.traffic.hasRobot(robot.name())) {
       state.traffic.setGoal(robot.name(), null, state.now);
       state.traffic.setMovable(robot.name(), false);
     }
-    if (hasEndedPhase(robot.name(), mission) || isWaiting || robot.holdReason != null) {
+    if (hasEndedPhase(robot.name(), mission) || isWaiting || robot.hold.isHeld()) {
       return;
     }
     if (robot.isStanding() && robot.isFit()) {
-      robot.drivePending = true;
-      robot.toldGoal = null;
+      robot.drive.setTold(null);
       robot.agent.tell(state.formations.followOrder(mission, robot));
     }
     setWaitReason(robot, null);
@@ -157,8 +155,8 @@ final class DriveDispatcher {
 
   private void arrived(FloorRobot robot, DriveGoal goal) {
     if (goal.task() == null) {
-      if (robot.turn == null) { // else it stays while it charges
-        robot.driveGoal = null;
+      if (!robot.charging.hasTurn()) { // else it stays while it charges
+        robot.drive.dropGoalWithoutTask();
         state.changed = true;
       }
     } else {
@@ -175,10 +173,7 @@ final class DriveDispatcher {
   }
 
   private void setWaitReason(FloorRobot robot, @Nullable Sentence reason) {
-    if (!Objects.equals(robot.waitReason, reason)) {
-      robot.waitReason = reason;
-      state.changed = true;
-    }
+    state.changed |= robot.drive.setWaitReason(reason);
   }
 
   /** Lets the traffic decide. */
@@ -195,9 +190,8 @@ final class DriveDispatcher {
   private void sendDecision(FloorRobot robot, DriveCommand decision) {
     switch (decision) {
       case DriveCommand.Begin begin -> {
-        DriveGoal goal = robot.driveGoal;
-        robot.drivePending = true;
-        robot.toldGoal = goal == null ? null : goal.goal();
+        DriveGoal goal = robot.drive.goal();
+        robot.drive.setTold(goal == null ? null : goal.goal());
         state
             .formations
             .carryingMission(robot.name())

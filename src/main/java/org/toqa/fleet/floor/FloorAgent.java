@@ -108,15 +108,18 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     holds = new HoldDispatcher(state, memory.pause());
     homing = new HomeDispatcher(state);
     charging = new ChargingDispatcher(state, missions, rules.charging(), context.getSelf());
-    operatorCommands =
-        new OperatorCommandHandler(state, reports, missions, holds, homing, context.getSelf());
     robotEventHandler = new RobotEventHandler(state, missions, holds, watch);
+    operatorCommands =
+        new OperatorCommandHandler(
+            state, reports, missions, holds, homing, robotEventHandler, context.getSelf());
     robotEvents = context.messageAdapter(RobotEvent.class, FloorMessage.FromRobot::new);
     drives = new DriveDispatcher(state, missions);
     for (RobotRecord record : memory.robots()) {
-      FloorRobot robot = startRobot(record);
-      robot.inService = !memory.robotsOutOfService().contains(record.name());
-      robot.held = memory.heldRobots().contains(record.name());
+      startRobot(
+          record,
+          new OperatorSettings(
+              !memory.robotsOutOfService().contains(record.name()),
+              memory.heldRobots().contains(record.name())));
     }
     memory.charges().forEach(charging::recover);
     memory.begunTasks().forEach(missions::recover);
@@ -157,7 +160,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   }
 
   private void addRobot(FloorMessage.AddRobot m) {
-    FloorRobot robot = startRobot(m.robot());
+    FloorRobot robot = startRobot(m.robot(), new OperatorSettings(true, false));
     reports.send();
     manager.tell(new FloorEvent.RobotJoined(reports.view(robot), m.replyTo()));
   }
@@ -176,14 +179,14 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     manager.tell(new FloorEvent.RobotRemoved(reports.view(robot), m.command().replyTo()));
   }
 
-  private FloorRobot startRobot(RobotRecord record) {
+  private FloorRobot startRobot(RobotRecord record, OperatorSettings settings) {
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
                 RobotAgent.of(
                     record, robotEvents, state.store, links, state.now, state.runtime),
                 "robot-" + ++joined);
-    FloorRobot robot = new FloorRobot(record, agent, state.now);
+    FloorRobot robot = new FloorRobot(record, settings, agent, state.now);
     state.robots.put(record.name(), robot);
     state.changed = true;
     return robot;

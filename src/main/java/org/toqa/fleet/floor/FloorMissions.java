@@ -5,7 +5,6 @@ import static java.util.stream.Collectors.toSet;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -25,7 +24,7 @@ import org.toqa.mission.TaskState;
 
 /**
  * Lets a floor's missions go on: an event makes a step, the step is stored, and only then its
- * commands become errands of robots.
+ * commands become goals of drives.
  */
 final class FloorMissions {
   private final FloorState state;
@@ -117,7 +116,7 @@ final class FloorMissions {
     for (AssignedRobot c : mission.assignedRobots()) {
       FloorRobot robot = state.robots.get(c.robot());
       if (c.isDriving() && robot != null && !mission.isStopping()) {
-        robot.driveGoal = state.formations.driveGoal(mission, c.robot());
+        robot.drive.setGoal(state.formations.driveGoal(mission, c.robot()));
       }
     }
   }
@@ -134,7 +133,7 @@ final class FloorMissions {
 
   private boolean isFree(String robot) {
     FloorRobot known = state.robots.get(robot);
-    return known != null && known.inService && known.turn == null;
+    return known != null && known.settings.isInService() && !known.charging.hasTurn();
   }
 
   void applyEvent(long task, MissionEvent event) {
@@ -202,22 +201,12 @@ final class FloorMissions {
     }
     long task = step.mission().id();
     switch (command) {
-      case MissionCommand.Drive drive -> {
-        robot.driveGoal = state.formations.driveGoal(step.mission(), drive.robot());
-        robot.waitReason = null;
-        robot.notBefore = Instant.MIN;
-      }
-      case MissionCommand.Stop stop -> dropGoal(robot, task);
-      case MissionCommand.Unassign letGo -> dropGoal(robot, task);
+      case MissionCommand.Drive drive ->
+          robot.drive.setGoalNow(state.formations.driveGoal(step.mission(), drive.robot()));
+      case MissionCommand.Stop stop -> robot.drive.dropGoal(task);
+      case MissionCommand.Unassign letGo -> robot.drive.dropGoal(task);
     }
     state.changed = true;
-  }
-
-  private static void dropGoal(FloorRobot robot, long task) {
-    if (robot.driveGoal != null && Objects.equals(robot.driveGoal.task(), task)) {
-      robot.driveGoal = null;
-      robot.waitReason = null;
-    }
   }
 
   /** Tells the robot's mission what it must know of the robot. */
@@ -229,7 +218,7 @@ final class FloorMissions {
     robotWatch
         .missionEvent(robot, state.formations.loadPlace(mission.get(), robot), state.now)
         .ifPresent(event -> applyEvent(mission.get(), event));
-    if (mission.get().isStopping() && robot.driveGoal == null && robot.hasStopped()) {
+    if (mission.get().isStopping() && robot.drive.goal() == null && robot.hasStopped()) {
       TaskPlace place = state.formations.loadPlace(mission.get(), robot);
       if (place != null) {
         applyEvent(mission.get().id(), new MissionEvent.Stopped(robot.name(), place));

@@ -10,7 +10,6 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
-import org.toqa.fleet.floor.FloorRobot.DriveGoal;
 import org.toqa.grid.CellRuns;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
@@ -61,7 +60,7 @@ final class FloorReporter {
             .missions
             .missionOf(robot.name())
             .map(m -> state.formations.driveGoal(m, robot.name()))
-            .orElse(robot.driveGoal);
+            .orElse(robot.drive.goal());
     return robot.view(state.floor.name(), work, path);
   }
 
@@ -85,18 +84,16 @@ final class FloorReporter {
             reasons.add(Phrase.ROBOT_AND_CLAUSE.with(robot.name(), Phrase.REPORTS_ERROR.with()));
         case OUT_OF_SERVICE -> reasons.add(Phrase.OUT_OF_SERVICE.with(robot.name()));
         case IDLE, DRIVING, HOLDING, CHARGING -> {
-          if (robot.holdReason != null) {
-            reasons.add(robot.holdReason);
-          } else if (robot.waitReason != null) {
-            reasons.add(robot.waitReason);
-          } else {
-            Optional.ofNullable(robot.groupStopReason())
-                .map(Sentence::verbatim)
-                .ifPresent(reasons::add);
-          }
+          operationalWaitReason(robot).ifPresent(reasons::add);
         }
       }
     }
     return reasons.isEmpty() ? null : Sentence.joined(Phrase.LISTED_APART, reasons);
+  }
+
+  private static Optional<Sentence> operationalWaitReason(FloorRobot robot) {
+    return Optional.ofNullable(robot.hold.reason())
+        .or(() -> Optional.ofNullable(robot.drive.waitReason()))
+        .or(() -> Optional.ofNullable(robot.groupStopReason()).map(Sentence::verbatim));
   }
 }

@@ -70,13 +70,13 @@ public final class FloorState {
   /** The robot's parking point. */
   Optional<Vec2> parkingPoint(String robot) {
     return Optional.ofNullable(robots.get(robot))
-        .map(r -> r.record.parking())
+        .map(r -> r.record().parking())
         .flatMap(floor::place)
         .map(Place::position);
   }
 
   boolean isAt(FloorRobot robot, Vec2 place) {
-    Pose pose = robot.pose;
+    Pose pose = robot.reported.pose();
     return pose != null
         && (pose.position().distanceTo(place) < ARRIVAL_DISTANCE
             || floor.grid().cellAt(pose.position()).equals(floor.grid().cellAt(place)));

@@ -6,7 +6,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.floor.FloorRobot.DriveGoal;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -58,7 +57,7 @@ final class Formations {
     return mission.assignedRobots().stream()
             .map(c -> state.robots.get(c.robot()))
             .filter(Objects::nonNull)
-            .mapToDouble(r -> r.footprint)
+            .mapToDouble(r -> r.reported.footprint())
             .max()
             .orElse(FloorRobot.UNKNOWN_FOOTPRINT)
         / 2;
@@ -112,16 +111,16 @@ final class Formations {
     return followedMission(robot)
         .filter(this::isTogether)
         .map(m -> state.robots.get(leader(m)))
-        .filter(leader -> leader.pose != null)
+        .filter(leader -> leader.reported.pose() != null)
         .isPresent();
   }
 
   private boolean isTogether(Mission mission) {
     FloorRobot leader = state.robots.get(leader(mission));
     return leader != null
-        && leader.localised
-        && leader.lastSeen != null
-        && (leader.role == Role.LEADER || isFollowedByAll(mission));
+        && leader.reported.report().localised()
+        && leader.reported.report().at() != null
+        && (leader.reported.report().role() == Role.LEADER || isFollowedByAll(mission));
   }
 
   /** Whether every follower was told its place and says that it keeps it. */
@@ -133,25 +132,28 @@ final class Formations {
   }
 
   static boolean isFollowing(FloorRobot robot, Mission mission) {
-    return robot.role == Role.FOLLOWER
-        && Objects.equals(robot.reportedTask, mission.id())
-        && robot.drive != 0;
+    RobotReport report = robot.reported.report();
+    return report.role() == Role.FOLLOWER
+        && Objects.equals(report.task(), mission.id())
+        && report.drive() != 0;
   }
 
   /** Lets the traffic know groups that carry, and again each robot of those that do not. */
   void updateTraffic() {
     formations.keySet().removeIf(key -> state.missions.get(key.task()).isEmpty());
     for (FloorRobot robot : state.robots.values()) {
-      Pose pose = robot.pose;
-      if (pose == null || robot.lastSeen == null) {
+      RobotReport report = robot.reported.report();
+      Pose pose = report.pose();
+      if (pose == null || report.at() == null) {
         continue;
       }
       if (isCoveredByLeader(robot.name())) {
         if (state.traffic.hasRobot(robot.name())) {
           state.traffic.removeRobot(robot.name());
         }
-      } else if (!state.traffic.hasRobot(robot.name()) && robot.role == Role.FOLLOWER) {
-        state.traffic.reportStanding(robot.name(), pose, robot.footprint, state.now);
+      } else if (!state.traffic.hasRobot(robot.name()) && report.role() == Role.FOLLOWER) {
+        state.traffic.reportStanding(
+            robot.name(), pose, robot.reported.footprint(), state.now);
       }
       if (state.traffic.hasRobot(robot.name())) {
         state.traffic.setFormation(
@@ -170,7 +172,7 @@ final class Formations {
         leader == null ? null : leader.fingerprint(),
         formation.offset(index(mission, robot.name())),
         Formation.TOLERANCE,
-        Objects.requireNonNull(robot.pose));
+        Objects.requireNonNull(robot.reported.pose()));
   }
 
   /** The order for the leader. */
@@ -180,7 +182,7 @@ final class Formations {
             .skip(1)
             .map(c -> state.robots.get(c.robot()))
             .filter(Objects::nonNull)
-            .map(r -> new Follower(r.name(), r.record.host(), r.record.port(), r.fingerprint()))
+            .map(r -> new Follower(r.name(), r.record().host(), r.record().port(), r.fingerprint()))
             .toList();
     return new RobotMessage.Lead(mission.id(), Formation.TOLERANCE, followers);
   }
@@ -188,14 +190,16 @@ final class Formations {
   /** Where the load of a group is while it is on board; null where nobody knows. */
   @Nullable Pose loadPose(Mission mission) {
     FloorRobot leader = state.robots.get(leader(mission));
-    Pose pose = leader == null ? null : leader.pose;
+    Pose pose = leader == null ? null : leader.reported.pose();
     return pose == null ? null : of(mission).map(f -> f.shape().loadAt(pose)).orElse(null);
   }
 
   /** Where a robot's load is: under it, or in the midst of its group. */
   @Nullable TaskPlace loadPlace(Mission mission, FloorRobot robot) {
     Pose load =
-        isGroup(mission) && mission.state() == TaskState.CARRYING ? loadPose(mission) : robot.pose;
+        isGroup(mission) && mission.state() == TaskState.CARRYING
+            ? loadPose(mission)
+            : robot.reported.pose();
     return load == null ? null : new TaskPlace(load.position(), null);
   }
 
@@ -214,7 +218,7 @@ final class Formations {
   boolean isMoving(Mission mission) {
     return mission.assignedRobots().stream()
         .map(c -> state.robots.get(c.robot()))
-        .anyMatch(r -> r != null && r.isHeard() && r.moving);
+        .anyMatch(r -> r != null && r.isHeard() && r.reported.isMoving());
   }
 
   /**
@@ -229,12 +233,18 @@ final class Formations {
       return Phrase.STOPS_TO_SET_DOWN.with(mission.id());
     }
     FloorRobot leader = state.robots.get(leader(mission));
-    boolean goesElsewhere =
-        leader != null
-            && leader.drive != 0
-            && leader.toldGoal != null
-            && Objects.equals(leader.reportedTask, mission.id())
-            && !leader.toldGoal.equals(mission.destination().position());
-    return goesElsewhere ? Phrase.STOPS_TO_GO_ELSEWHERE.with() : null;
+    return leader != null && isDrivingElsewhere(leader, mission)
+        ? Phrase.STOPS_TO_GO_ELSEWHERE.with()
+        : null;
+  }
+
+  /** Whether it drives for the mission, but not where that leads now. */
+  private static boolean isDrivingElsewhere(FloorRobot leader, Mission mission) {
+    Vec2 goal = leader.drive.order().knownGoal();
+    RobotReport report = leader.reported.report();
+    return goal != null
+        && report.drive() != 0
+        && Objects.equals(report.task(), mission.id())
+        && !goal.equals(mission.destination().position());
   }
 }

@@ -1,9 +1,9 @@
 package org.toqa.fleet.floor;
 
 import java.time.Duration;
-import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.floor.HoldState.Instruction;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.mission.Mission;
@@ -41,20 +41,23 @@ final class HoldDispatcher {
   /** Tells the robot to hold or to go on, until it says that it does. */
   void updateHold(FloorRobot robot) {
     Sentence reason = holdReason(robot);
-    state.changed |= !Objects.equals(reason, robot.holdReason);
-    robot.holdReason = reason;
+    state.changed |= robot.hold.setReason(reason, state.now);
     boolean shouldHold = reason != null;
-    if (shouldHold) {
-      robot.lastHeld = state.now;
-    }
-    boolean isHolding = robot.mode == Mode.ERROR ? robot.toldToHold : robot.mode == Mode.HOLDING;
+    Instruction told = robot.hold.instruction();
+    Mode mode = robot.reported.mode();
+    boolean isHolding = mode == Mode.ERROR ? told.hold() : mode == Mode.HOLDING;
     boolean isToldAlready =
-        robot.toldToHold == shouldHold && robot.toldToHoldAt.plus(RESEND_AFTER).isAfter(state.now);
+        told.hold() == shouldHold && told.at().plus(RESEND_AFTER).isAfter(state.now);
     if (robot.isHeard() && shouldHold != isHolding && !isToldAlready) {
-      robot.toldToHold = shouldHold;
-      robot.toldToHoldAt = state.now;
+      robot.hold.setInstruction(new Instruction(shouldHold, state.now));
       robot.agent.tell(new RobotMessage.Hold(shouldHold));
     }
+  }
+
+  /** A robot that is connected anew is told anew. */
+  void robotConnected(FloorRobot robot) {
+    robot.hold.setInstruction(Instruction.NONE);
+    updateHold(robot);
   }
 
   private @Nullable Sentence holdReason(FloorRobot robot) {
@@ -64,7 +67,7 @@ final class HoldDispatcher {
     if (state.hold != null) {
       return Phrase.FLOOR_HELD_BY.with(state.floor.name(), state.hold.user());
     }
-    if (robot.held) {
+    if (robot.settings.isHeld()) {
       return Phrase.HELD_BY_A_PERSON.with();
     }
     return state.missions.missionOf(robot.name()).map(this::holdReason).orElse(null);
@@ -79,6 +82,6 @@ final class HoldDispatcher {
   /** A robot on hold does not get on, and needs a while when it goes on. */
   boolean isRecentlyHeld(String name) {
     FloorRobot robot = state.robots.get(name);
-    return robot != null && robot.lastHeld.plus(STARTS_WITHIN).isAfter(state.now);
+    return robot != null && robot.hold.lastHeld().plus(STARTS_WITHIN).isAfter(state.now);
   }
 }

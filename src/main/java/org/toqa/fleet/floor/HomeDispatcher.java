@@ -3,7 +3,6 @@ package org.toqa.fleet.floor;
 import java.time.Duration;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.floor.FloorRobot.DriveGoal;
 import org.toqa.mission.Mission;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -22,7 +21,7 @@ final class HomeDispatcher {
   void sendHome(FloorRobot robot) {
     state
         .parkingPoint(robot.name())
-        .ifPresent(parking -> robot.driveGoal = DriveGoal.toParking(parking));
+        .ifPresent(parking -> robot.drive.setGoal(DriveGoal.toParking(parking)));
   }
 
   /** Why a person cannot send the robot home now; null if it can be. */
@@ -31,13 +30,13 @@ final class HomeDispatcher {
     if (mission.isPresent()) {
       return Phrase.HOME_AFTER_TASK.with(robot.name(), mission.get().id());
     }
-    if (robot.turn != null) {
+    if (robot.charging.hasTurn()) {
       return Phrase.HOME_AFTER_CHARGING.with(robot.name());
     }
     if (state.parkingPoint(robot.name()).isEmpty()) {
       return Phrase.HAS_NO_HOME.with(robot.name());
     }
-    if (robot.holdReason != null) {
+    if (robot.hold.isHeld()) {
       return Phrase.LET_IT_GO_ON_FIRST.with(robot.name());
     }
     return robot.isFit() ? null : Phrase.CANNOT_DRIVE_NOW.with(robot.name());
@@ -46,20 +45,16 @@ final class HomeDispatcher {
   /** Parking when idle. */
   void sendIdleHome(FloorRobot robot) {
     boolean isIdle =
-        robot.driveGoal == null
+        robot.drive.goal() == null
             && robot.isStanding()
             && robot.isFit()
-            && robot.holdReason == null
+            && !robot.hold.isHeld()
             && state.missions.missionOf(robot.name()).isEmpty();
-    if (!isIdle) {
-      robot.idleSince = null;
-    } else if (robot.idleSince == null) {
-      robot.idleSince = state.now;
-    } else if (!robot.idleSince.plus(HOME_AFTER).isAfter(state.now)) {
+    if (robot.idle.update(isIdle, HOME_AFTER, state.now)) {
       state
           .parkingPoint(robot.name())
           .filter(parking -> !state.isAt(robot, parking))
-          .ifPresent(parking -> robot.driveGoal = DriveGoal.toParking(parking));
+          .ifPresent(parking -> robot.drive.setGoal(DriveGoal.toParking(parking)));
     }
   }
 }

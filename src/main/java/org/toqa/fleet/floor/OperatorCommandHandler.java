@@ -18,6 +18,7 @@ final class OperatorCommandHandler {
   private final FloorMissions missions;
   private final HoldDispatcher holds;
   private final HomeDispatcher homing;
+  private final RobotEventHandler robotEvents;
   private final ActorRef<FloorMessage> self;
 
   OperatorCommandHandler(
@@ -26,12 +27,14 @@ final class OperatorCommandHandler {
       FloorMissions missions,
       HoldDispatcher holding,
       HomeDispatcher homing,
+      RobotEventHandler robotEvents,
       ActorRef<FloorMessage> self) {
     this.state = state;
     this.reports = reports;
     this.missions = missions;
     this.holds = holding;
     this.homing = homing;
+    this.robotEvents = robotEvents;
     this.self = self;
   }
 
@@ -42,10 +45,10 @@ final class OperatorCommandHandler {
       m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot().name())));
       return;
     }
-    boolean isElsewhere = !m.robot().address().equals(robot.record.address());
+    boolean isElsewhere = !m.robot().address().equals(robot.record().address());
     robot.setRecord(m.robot());
-    if (isElsewhere || robot.alert != null) {
-      robot.alert = null;
+    if (isElsewhere || robot.reported.alert() != null) {
+      robotEvents.forgetAlert(robot);
       robot.agent.tell(new RobotMessage.Reconnect(m.robot()));
     }
     reports.send();
@@ -74,10 +77,10 @@ final class OperatorCommandHandler {
   }
 
   private @Nullable Sentence objectionToRemoval(FloorRobot robot) {
-    if (robot.record.simulated()) {
+    if (robot.record().simulated()) {
       return Phrase.SIMULATED_CANNOT_BE_REMOVED.with(robot.name());
     }
-    if (robot.inService) {
+    if (robot.settings.isInService()) {
       return Phrase.TAKE_OUT_FIRST.with(robot.name());
     }
     return state
@@ -96,10 +99,10 @@ final class OperatorCommandHandler {
     if (robot == null) {
       return FloorState.unknownRobot(m.robot());
     }
-    if (!robot.connected) {
+    if (!robot.reported.isConnected()) {
       return new Answer.Rejected<>(null, Phrase.LOCATE_WHEN_CONNECTED.with(m.robot()));
     }
-    if (robot.drive != 0 || robot.drivePending) {
+    if (robot.reported.drive() != 0 || robot.drive.order().isPending()) {
       return new Answer.Rejected<>(null, Phrase.LOCATE_WHEN_ARRIVED.with(m.robot()));
     }
     if (!state.floor.grid().isFree(m.pose().position())) {
@@ -118,8 +121,9 @@ final class OperatorCommandHandler {
       m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
       return;
     }
-    List<EventRecord> events = robot.held == m.hold() ? List.of() : List.of(holdEvent(m));
-    robot.held = m.hold();
+    List<EventRecord> events =
+        robot.settings.isHeld() == m.hold() ? List.of() : List.of(holdEvent(m));
+    robot.settings.setHeld(m.hold());
     holds.updateHold(robot);
     reports.send();
     RobotView view = reports.view(robot);
@@ -168,7 +172,7 @@ final class OperatorCommandHandler {
       return;
     }
     boolean clears = !m.inService() && state.hasReservedCells(robot);
-    if (robot.inService == m.inService() && !clears) {
+    if (robot.settings.isInService() == m.inService() && !clears) {
       m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));
       return;
     }
@@ -197,12 +201,11 @@ final class OperatorCommandHandler {
       m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
       return;
     }
-    robot.inService = m.inService();
+    robot.settings.setInService(m.inService());
     missions.checkRobot(robot); // while its place is known
     if (clears && state.hasReservedCells(robot)) {
       state.traffic.removeRobot(robot.name());
-      robot.pose = null;
-      robot.drivePending = false;
+      robotEvents.forgetPose(robot);
     }
     reports.send();
     m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));

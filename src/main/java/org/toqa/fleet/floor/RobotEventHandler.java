@@ -49,22 +49,15 @@ final class RobotEventHandler {
     state.changed = true;
     switch (event) {
       case RobotEvent.Connected m -> connected(robot, m.hello(), m.drive());
-      case RobotEvent.Disconnected m -> {
-        markSilent(robot);
-        robot.connected = false;
-      }
+      case RobotEvent.Disconnected m -> robot.reported.setDisconnected(state.now);
       case RobotEvent.LinkRefused m -> {
-        markSilent(robot);
-        robot.connected = false;
-        robot.alert = m.why();
+        robot.reported.setDisconnected(state.now);
+        robot.reported.setAlert(m.why());
         addToHistory(robot, "robot.link-refused", m.why());
       }
-      case RobotEvent.FellSilent m -> {
-        markSilent(robot);
-        robot.silent = true;
-      }
+      case RobotEvent.FellSilent m -> robot.reported.setSilent(state.now);
       case RobotEvent.HeardAgain m -> {
-        robot.silent = false;
+        robot.reported.setHeardAgain();
         cancelForeignTask(robot);
       }
       case RobotEvent.StateReported m -> stateReported(robot, m.state());
@@ -75,15 +68,20 @@ final class RobotEventHandler {
     }
   }
 
-  private void markSilent(FloorRobot robot) {
-    if (robot.isHeard()) {
-      robot.silentSince = state.now;
-    }
+  /** The robot has another certificate or address: what was refused was the old one. */
+  void forgetAlert(FloorRobot robot) {
+    robot.reported.setAlert(null);
+  }
+
+  /** A person said of a lost robot that it does not stand there any more. */
+  void forgetPose(FloorRobot robot) {
+    robot.reported.forgetPose();
+    robot.drive.settle();
   }
 
   /** A robot that comes back with a task that it has no more is sent {@code cancel} first. */
   private void cancelForeignTask(FloorRobot robot) {
-    Long task = robot.reportedTask;
+    Long task = robot.reported.report().task();
     if (task != null
         && state.missions.missionOf(robot.name()).filter(m -> m.id() == task).isEmpty()) {
       robot.cancelDrive();
@@ -92,55 +90,56 @@ final class RobotEventHandler {
 
   /** Compares what the robot says with what was stored, and goes on from there. */
   private void connected(FloorRobot robot, Hello hello, Optional<StoredDrive> stored) {
-    robot.update(hello, state.clock.instant());
-    robot.alert = null;
-    robot.drivePending = false;
-    robot.cancelling = false;
-    robot.toldToHold = false;
-    robot.toldToHoldAt = Instant.MIN;
-    robot.rejectedChange = null;
-    robot.toldDrive = stored.filter(d -> d.seq() == hello.drive()).orElse(null);
+    robot.reported.connected(hello, state.clock.instant());
+    Optional<StoredDrive> drive = stored.filter(d -> d.seq() == hello.drive());
+    robot.drive.reconnect(drive);
     if (!state.formations.isCoveredByLeader(robot.name())) {
       state.traffic.reportStanding(robot.name(), hello.pose(), hello.footprint(), state.now);
-      state.traffic.setSpeeds(robot.name(), robot.speeds);
+      state.traffic.setSpeeds(robot.name(), robot.reported.capabilities().speeds());
       state.formations.updateTraffic();
-      if (robot.toldDrive != null && robot.role != Role.FOLLOWER) {
-        resumeDriveInTraffic(
-            robot, robot.toldDrive, hello.pose(), hello.segment(), hello.released());
+      if (drive.isPresent() && hello.role() != Role.FOLLOWER) {
+        resumeDriveInTraffic(robot, drive.get(), hello.pose(), hello.segment(), hello.released());
       }
     }
     if (hello.done() != null) {
       phaseEnded(robot, hello.done());
     }
     cancelForeignTask(robot);
-    holds.updateHold(robot);
+    holds.robotConnected(robot);
   }
 
   private void stateReported(FloorRobot robot, AgentMessage.State said) {
-    robot.update(said, state.clock.instant());
+    robot.reported.setReport(said, state.clock.instant());
     recordStrangers(robot);
-    RobotEvent.CommandRejected refusal = robot.rejectedChange;
-    robot.rejectedChange = null;
+    RobotEvent.CommandRejected refusal = robot.reported.takeRejectedChange();
     if (refusal != null && Objects.equals(refusal.changing(), said.drive())) {
       abandonCommand(robot, refusal.reason());
     } // else the change and the end of the drive had crossed
     if (state.formations.isCoveredByLeader(robot.name())) {
-      boolean isTold = robot.toldDrive != null && said.drive() == robot.toldDrive.seq();
-      robot.drivePending &= !isTold;
-      robot.cancelling &= said.drive() != 0;
-    } else if (robot.toldDrive != null && said.drive() == robot.toldDrive.seq()) {
-      robot.drivePending = false;
+      if (robot.drive.order().isOf(said.drive())) {
+        robot.drive.settle();
+      }
+      if (said.drive() == 0) {
+        robot.drive.endCancelling();
+      }
+    } else if (robot.drive.order().isOf(said.drive())) {
+      robot.drive.settle();
       if (state.traffic.hasRobot(robot.name())) {
         state.traffic.reportProgress(robot.name(), said.pose(), said.segment(), state.now);
       } else {
-        resumeDriveInTraffic(robot, robot.toldDrive, said.pose(), said.segment(), said.released());
+        resumeDriveInTraffic(
+            robot,
+            robot.drive.order().storedDrive().orElseThrow(),
+            said.pose(),
+            said.segment(),
+            said.released());
       }
-    } else if (!robot.drivePending && !isBraking(robot)) {
+    } else if (!robot.drive.order().isPending() && !isBraking(robot)) {
       if (said.drive() == 0) {
-        robot.toldDrive = null;
-        robot.cancelling = false;
+        robot.drive.end();
       }
-      state.traffic.reportStanding(robot.name(), said.pose(), robot.footprint, state.now);
+      state.traffic.reportStanding(
+          robot.name(), said.pose(), robot.reported.footprint(), state.now);
     }
     if (said.localised()) {
       state.addToHistory(
@@ -156,15 +155,18 @@ final class RobotEventHandler {
   /** Tells the history whom the robot did not let in; of many, a few. */
   private void recordStrangers(FloorRobot robot) {
     Optional<Fault> refusal =
-        robot.errors.stream().filter(e -> e.code().equals(REFUSED)).findFirst();
-    if (refusal.isPresent() && !robot.strangerNotedAt.plus(STRANGERS_INTERVAL).isAfter(state.now)) {
-      robot.strangerNotedAt = state.now;
+        robot.reported.report().errors().stream()
+            .filter(e -> e.code().equals(REFUSED))
+            .findFirst();
+    Instant notedAt = robot.reported.strangerNotedAt();
+    if (refusal.isPresent() && !notedAt.plus(STRANGERS_INTERVAL).isAfter(state.now)) {
+      robot.reported.setStrangerNotedAt(state.now);
       addToHistory(
           robot,
           "robot.stranger",
           Phrase.STRANGER_NOT_LET_IN.with(robot.name(), refusal.get().text()));
     } else if (refusal.isEmpty()) {
-      robot.strangerNotedAt = Instant.MIN;
+      robot.reported.setStrangerNotedAt(Instant.MIN);
     }
   }
 
@@ -173,13 +175,20 @@ final class RobotEventHandler {
   }
 
   private static boolean isBraking(FloorRobot robot) {
-    return robot.mode == Mode.DRIVING || (robot.mode == Mode.HOLDING && robot.moving);
+    RobotReport report = robot.reported.report();
+    return report.mode() == Mode.DRIVING || (report.mode() == Mode.HOLDING && report.moving());
   }
 
   private void resumeDriveInTraffic(
       FloorRobot robot, StoredDrive drive, Pose pose, int segment, int released) {
     state.traffic.adoptTrajectory(
-        robot.name(), pose, robot.footprint, drive.trajectory(), segment, released, state.now);
+        robot.name(),
+        pose,
+        robot.reported.footprint(),
+        drive.trajectory(),
+        segment,
+        released,
+        state.now);
   }
 
   private void phaseEnded(FloorRobot robot, PhaseEnd end) {
@@ -195,7 +204,7 @@ final class RobotEventHandler {
   }
 
   private void driveBegun(FloorRobot robot, StoredDrive drive) {
-    robot.toldDrive = drive;
+    robot.drive.setBegun(drive);
     if (drive.task() != null) {
       missions.applyEvent(drive.task(), new MissionEvent.DriveStarted(robot.name(), drive.phase()));
     }
@@ -203,10 +212,10 @@ final class RobotEventHandler {
 
   /** A drive may be so short that no state of the robot ever tells of it. */
   private static void driveAccepted(FloorRobot robot, long drive) {
-    if (robot.toldDrive != null && robot.toldDrive.seq() == drive) {
-      robot.drivePending = false;
-      robot.drive = drive;
-      robot.reportedTask = robot.toldDrive.task(); // a cancel must name it
+    Optional<StoredDrive> told = robot.drive.order().storedDrive().filter(d -> d.seq() == drive);
+    if (told.isPresent()) {
+      robot.drive.settle();
+      robot.reported.setDrive(drive, told.get().task()); // a cancel must name it
     }
   }
 
@@ -215,21 +224,22 @@ final class RobotEventHandler {
     if (m.changing() == null) {
       abandonCommand(robot, m.reason());
     } else {
-      robot.rejectedChange = m;
+      robot.reported.setRejectedChange(m);
     }
   }
 
   /** What the robot refused is given up: it stands, and is asked anew a little later. */
   private void abandonCommand(FloorRobot robot, String reason) {
-    robot.drivePending = false;
-    robot.cancelling = false;
-    robot.waitReason = Phrase.REFUSED_A_COMMAND.with(robot.name(), reason);
-    robot.notBefore = state.now.plus(RETRY_AFTER);
-    if (robot.drive != 0) {
+    robot.drive.settle();
+    robot.drive.endCancelling();
+    robot.drive.postpone(
+        state.now.plus(RETRY_AFTER), Phrase.REFUSED_A_COMMAND.with(robot.name(), reason));
+    Pose pose = robot.reported.pose();
+    if (robot.reported.drive() != 0) {
       robot.cancelDrive();
-    } else if (robot.pose != null) {
-      robot.toldDrive = null;
-      state.traffic.reportStanding(robot.name(), robot.pose, robot.footprint, state.now);
+    } else if (pose != null) {
+      robot.drive.end();
+      state.traffic.reportStanding(robot.name(), pose, robot.reported.footprint(), state.now);
     }
   }
 }

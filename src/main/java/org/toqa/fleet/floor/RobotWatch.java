@@ -2,8 +2,10 @@ package org.toqa.fleet.floor;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.MissionEvent.OfRobot;
@@ -34,17 +36,18 @@ final class RobotWatch {
    *     knows
    */
   Optional<OfRobot> missionEvent(FloorRobot robot, @Nullable TaskPlace place, Instant now) {
-    if (!robot.inService) {
+    if (!robot.settings.isInService()) {
       if (robot.isHeard() && !robot.hasStopped()) {
         return Optional.empty(); // where it will stand is not known yet
       }
       return Optional.of(new MissionEvent.RobotWithdrawn(robot.name(), place));
     }
-    if (!robot.isHeard()) {
-      return lostEvent(robot, place, now);
+    Optional<Instant> silentSince = robot.reported.contact().silentSince();
+    if (silentSince.isPresent()) {
+      return lostEvent(robot, place, Duration.between(silentSince.get(), now));
     }
-    if (robot.mode == Mode.ERROR) {
-      if (robot.moving) {
+    if (robot.reported.mode() == Mode.ERROR) {
+      if (robot.reported.isMoving()) {
         return Optional.empty();
       }
       return Optional.of(new MissionEvent.RobotFailed(robot.name(), errorClause(robot), place));
@@ -54,8 +57,8 @@ final class RobotWatch {
         : Optional.empty();
   }
 
-  private Optional<OfRobot> lostEvent(FloorRobot robot, @Nullable TaskPlace place, Instant now) {
-    Duration silence = Duration.between(robot.silentSince, now);
+  private Optional<OfRobot> lostEvent(
+      FloorRobot robot, @Nullable TaskPlace place, Duration silence) {
     if (silence.compareTo(reassignAfter) >= 0) {
       return Optional.of(
           new MissionEvent.RobotFailed(robot.name(), Phrase.IS_NOT_HEARD_OF.with(), place));
@@ -66,10 +69,11 @@ final class RobotWatch {
   }
 
   private static Sentence errorClause(FloorRobot robot) {
-    if (robot.errors.isEmpty()) {
+    List<Fault> errors = robot.reported.report().errors();
+    if (errors.isEmpty()) {
       return Phrase.REPORTS_ERROR.with();
     }
-    String code = robot.errors.getFirst().code();
+    String code = errors.getFirst().code();
     return Phrase.REPORTS_CODE.with(
         code.length() > LONGEST_CODE ? code.substring(0, LONGEST_CODE) : code);
   }

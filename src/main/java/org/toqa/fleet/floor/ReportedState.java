@@ -1,0 +1,157 @@
+package org.toqa.fleet.floor;
+
+import java.time.Instant;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.robot.RobotEvent.CommandRejected;
+import org.toqa.geometry.Pose;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.motion.DriveSpeeds;
+import org.toqa.wording.Sentence;
+
+/** What a robot has said of itself. Only {@link RobotEventHandler} changes it. */
+final class ReportedState {
+  private Contact contact;
+  private RobotReport report = RobotReport.NONE;
+  private Capabilities capabilities = Capabilities.UNKNOWN;
+  private @Nullable Sentence alert;
+  private @Nullable CommandRejected rejectedChange;
+  private Instant strangerNotedAt = Instant.MIN;
+
+  /**
+   * @param footprint diameter, metres
+   * @param maxLoad kilograms that it says it carries
+   */
+  record Capabilities(double footprint, DriveSpeeds speeds, double maxLoad) {
+    static final Capabilities UNKNOWN =
+        new Capabilities(FloorRobot.UNKNOWN_FOOTPRINT, DriveSpeeds.DEFAULT, Double.MAX_VALUE);
+  }
+
+  /**
+   * @param now since when it is not heard
+   */
+  ReportedState(Instant now) {
+    contact = new Contact.Disconnected(now);
+  }
+
+  Contact contact() {
+    return contact;
+  }
+
+  boolean isHeard() {
+    return contact instanceof Contact.Heard;
+  }
+
+  boolean isConnected() {
+    return contact.isConnected();
+  }
+
+  RobotReport report() {
+    return report;
+  }
+
+  /** Map frame; null while nobody knows where it is. */
+  @Nullable Pose pose() {
+    return report.pose();
+  }
+
+  /** 0 to 1; null while it has not said it. */
+  @Nullable Double battery() {
+    return report.battery();
+  }
+
+  Mode mode() {
+    return report.mode();
+  }
+
+  boolean isMoving() {
+    return report.moving();
+  }
+
+  /** The number of the drive that it has, 0 without one. */
+  long drive() {
+    return report.drive();
+  }
+
+  Capabilities capabilities() {
+    return capabilities;
+  }
+
+  /** Its diameter, metres. */
+  double footprint() {
+    return capabilities.footprint();
+  }
+
+  /** Why it and the server do not trust each other; null: they do, or never met. */
+  @Nullable Sentence alert() {
+    return alert;
+  }
+
+  /** When the history was last told whom it did not let in. */
+  Instant strangerNotedAt() {
+    return strangerNotedAt;
+  }
+
+  void connected(Hello hello, Instant now) {
+    contact = new Contact.Heard();
+    report = report.with(hello, now);
+    capabilities =
+        new Capabilities(
+            hello.footprint(), DriveSpeeds.DEFAULT.atMost(hello.maxSpeed()), hello.maxLoad());
+    alert = null;
+    rejectedChange = null;
+  }
+
+  void setReport(AgentMessage.State state, Instant now) {
+    contact = contact.heardAgain();
+    report = RobotReport.of(state, now);
+  }
+
+  void setHeardAgain() {
+    contact = contact.heardAgain();
+  }
+
+  /**
+   * @param now of the time that ticks bring
+   */
+  void setSilent(Instant now) {
+    contact = contact.fallenSilent(now);
+  }
+
+  /**
+   * @param now of the time that ticks bring
+   */
+  void setDisconnected(Instant now) {
+    contact = contact.disconnected(now);
+  }
+
+  /** It has taken this drive, though no report tells of it yet. */
+  void setDrive(long drive, @Nullable Long task) {
+    report = report.withDrive(drive, task);
+  }
+
+  /** A person has said that it does not stand there any more. */
+  void forgetPose() {
+    report = report.withoutPose();
+  }
+
+  void setAlert(@Nullable Sentence why) {
+    alert = why;
+  }
+
+  void setStrangerNotedAt(Instant at) {
+    strangerNotedAt = at;
+  }
+
+  /** A change of its drive was refused; its next report tells whether it still drives that. */
+  void setRejectedChange(CommandRejected rejection) {
+    rejectedChange = rejection;
+  }
+
+  @Nullable CommandRejected takeRejectedChange() {
+    CommandRejected taken = rejectedChange;
+    rejectedChange = null;
+    return taken;
+  }
+}

@@ -1,0 +1,89 @@
+package org.toqa.fleet.floor;
+
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.Role;
+
+/**
+ * What a robot reported last.
+ *
+ * @param pose map frame; null: it was never heard of, or a person said that it is not there any
+ *     more
+ * @param battery 0 to 1; null: it has not said it yet
+ * @param drive the number of the drive that it has, 0 without one
+ * @param task the task that it drives for, if any
+ * @param at when it was heard last; null: never
+ */
+record RobotReport(
+    boolean localised,
+    @Nullable Pose pose,
+    @Nullable Double battery,
+    Mode mode,
+    Role role,
+    boolean moving,
+    long drive,
+    @Nullable Long task,
+    List<Fault> errors,
+    @Nullable Instant at) {
+
+  /** Of a robot that was never heard of. */
+  static final RobotReport NONE =
+      new RobotReport(false, null, null, Mode.IDLE, Role.ALONE, false, 0, null, List.of(), null);
+
+  /** Metres a second that a standing robot may still report. */
+  private static final double STANDING_SPEED = 0.02;
+
+  /** Radians a second that a standing robot may still report. */
+  private static final double STANDING_TURN = 0.05;
+
+  RobotReport {
+    errors = List.copyOf(errors);
+  }
+
+  static RobotReport of(AgentMessage.State state, Instant now) {
+    boolean moves =
+        Math.abs(state.twist().v()) > STANDING_SPEED || Math.abs(state.twist().w()) > STANDING_TURN;
+    return new RobotReport(
+        state.localised(),
+        state.pose(),
+        state.battery(),
+        state.mode(),
+        state.role(),
+        moves,
+        state.drive(),
+        state.task(),
+        state.errors(),
+        now);
+  }
+
+  /** What a hello does not tell stays as it was. */
+  RobotReport with(Hello hello, Instant now) {
+    return new RobotReport(
+        hello.localised(),
+        hello.pose(),
+        battery,
+        hello.mode(),
+        hello.role(),
+        moving,
+        hello.drive(),
+        hello.task(),
+        errors,
+        now);
+  }
+
+  RobotReport withDrive(long newDrive, @Nullable Long newTask) {
+    return new RobotReport(
+        localised, pose, battery, mode, role, moving, newDrive, newTask, errors, at);
+  }
+
+  RobotReport withoutPose() {
+    return new RobotReport(
+        localised, null, battery, mode, role, moving, drive, task, errors, at);
+  }
+}
