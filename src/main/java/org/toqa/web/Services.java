@@ -9,7 +9,7 @@ import org.toqa.fleet.Fleet;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.history.EventArchive;
 import org.toqa.fleet.history.TrackStore;
-import org.toqa.fleet.schedule.ScheduleStore;
+import org.toqa.fleet.ScheduleStore;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiStatisticsArchive;

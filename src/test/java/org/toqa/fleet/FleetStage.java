@@ -25,6 +25,7 @@ import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiScheduleStore;
 import org.toqa.wording.Sentence;
 
 /** The agents over a real store, with robots that the test plays, in time that the test brings. */
@@ -107,6 +108,7 @@ public final class FleetStage implements AutoCloseable {
     return new AgentFleet(
         List.of(floor),
         tamper.apply(store),
+        new JdbiScheduleStore(database.jdbi()),
         links,
         allocator,
         new FleetRules(REASSIGN_AFTER, charging, 1),

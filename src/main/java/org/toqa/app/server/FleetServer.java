@@ -117,10 +117,12 @@ public final class FleetServer implements AutoCloseable {
     if (simulated != null) {
       parts.push(simulated);
     }
+    JdbiScheduleStore schedules = new JdbiScheduleStore(database.jdbi());
     AgentFleet fleet =
         new AgentFleet(
             List.of(floor),
             store,
+            schedules,
             new TcpRobotLinkFactory(
                 new LinkTls(IdentityFile.open(configuration.data())), configuration.plainLinks()),
             configuration.allocationPolicy().allocator(),
@@ -148,7 +150,6 @@ public final class FleetServer implements AutoCloseable {
     Metrics metrics = new Metrics(fleet.snapshots());
     parts.push(metrics);
     database.bindMetrics(metrics.registry());
-    JdbiScheduleStore schedules = new JdbiScheduleStore(database.jdbi());
     Scheduler scheduler = new Scheduler(schedules, store, fleet, wallClock);
     parts.push(new PeriodicWork("schedules", SCHEDULE_PERIOD, scheduler::runDueSchedules));
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());

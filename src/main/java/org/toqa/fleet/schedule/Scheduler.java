@@ -17,6 +17,8 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetStore.StoreException;
+import org.toqa.fleet.Schedule;
+import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
 import org.toqa.wording.Phrase;
