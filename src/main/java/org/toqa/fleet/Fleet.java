@@ -94,6 +94,8 @@ public interface Fleet {
 
   CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user);
 
+  Schedules schedules();
+
   /** All floors, the first one the default. */
   List<FloorMap> floors();
 

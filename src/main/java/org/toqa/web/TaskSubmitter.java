@@ -13,9 +13,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
-import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
@@ -40,33 +40,22 @@ public final class TaskSubmitter {
     this.archive = archive;
   }
 
-  /** What became of an order. */
-  public sealed interface Outcome {
-    record Answered(Answer<TaskView> answer) implements Outcome {}
-
-    /** It came before, and this is its task. */
-    record Repeated(TaskView task) implements Outcome {}
-
-    /** Its key came before with another order. */
-    record KeyReused() implements Outcome {}
-  }
-
-  /** The key of a user's wish, which nobody else's is. */
+  /** The key of a user's order, which nobody else's is. */
   public static UUID idempotencyKey(Account user, String given) {
     return UUID.nameUUIDFromBytes((user.id() + " " + given).getBytes(StandardCharsets.UTF_8));
   }
 
-  public Outcome submit(TaskOrder order, Account user, UUID key) {
+  public KeyedAnswer<TaskView> submit(TaskOrder order, Account user, UUID key) {
     Lock lock = locks[Math.floorMod(key.hashCode(), STRIPES)];
     lock.lock();
     try {
       Optional<TaskView> before = archive.taskByKey(key);
       if (before.isEmpty()) {
-        return new Outcome.Answered(FleetAnswers.await(fleet.submit(order, user.name(), key)));
+        return new KeyedAnswer.Answered<>(FleetAnswers.await(fleet.submit(order, user.name(), key)));
       }
       return isSameOrder(order, before.get().task())
-          ? new Outcome.Repeated(before.get())
-          : new Outcome.KeyReused();
+          ? new KeyedAnswer.Repeated<>(before.get())
+          : new KeyedAnswer.KeyReused<>();
     } finally {
       lock.unlock();
     }

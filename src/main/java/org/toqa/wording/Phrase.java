@@ -204,6 +204,11 @@ public enum Phrase {
   SAME_PLACE,
   NO_WAY_BETWEEN,
 
+  // Why a schedule is not added or changed
+  NO_SUCH_SCHEDULE,
+  SCHEDULE_NEVER_DUE,
+  TOO_MANY_SCHEDULES,
+
   // Why a robot and the server do not come together
   NOT_PAIRED,
   HAS_ANOTHER_KEY,

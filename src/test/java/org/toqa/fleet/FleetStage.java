@@ -24,6 +24,7 @@ import org.toqa.link.trust.Fingerprint;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiScheduleStore;
 import org.toqa.wording.Sentence;
 
 /**
@@ -118,6 +119,7 @@ public final class FleetStage implements AutoCloseable {
         new AgentFleet(
             List.of(floor),
             tamper.apply(store),
+            new JdbiScheduleStore(database.jdbi()),
             links,
             allocator,
             new FleetRules(REASSIGN_AFTER, charging, 1),

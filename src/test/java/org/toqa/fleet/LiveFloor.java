@@ -25,6 +25,7 @@ import org.toqa.sim.SimulatedRobot;
 import org.toqa.sim.VirtualClock;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiScheduleStore;
 
 /** A fleet with a real daemon over a simulated body at each parking point of a floor. */
 final class LiveFloor {
@@ -68,6 +69,7 @@ final class LiveFloor {
         new AgentFleet(
             List.of(floor),
             store,
+            new JdbiScheduleStore(database.jdbi()),
             new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false),
             Policy.OPTIMAL.allocator(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, speed),

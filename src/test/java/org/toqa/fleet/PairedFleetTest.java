@@ -39,6 +39,7 @@ import org.toqa.link.trust.PairingCode;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiScheduleStore;
 import org.toqa.wording.Sentence;
 
 /** The fleet over a real store, and a robot's daemon in a process of its own that is paired. */
@@ -91,6 +92,7 @@ class PairedFleetTest {
     return new AgentFleet(
         List.of(FloorReader.read(Path.of("maps/lab.yaml"))),
         new JdbiFleetStore(database.jdbi()),
+        new JdbiScheduleStore(database.jdbi()),
         new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(data)), false),
         new OptimalAllocator(),
         new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, 1),

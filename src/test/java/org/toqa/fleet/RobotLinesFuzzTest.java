@@ -43,6 +43,7 @@ import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiScheduleStore;
 import org.toqa.testbed.FuzzRun;
 import org.toqa.testbed.LineFuzzer;
 
@@ -89,6 +90,7 @@ class RobotLinesFuzzTest {
         new AgentFleet(
             List.of(FLOOR),
             store,
+            new JdbiScheduleStore(database.jdbi()),
             new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(keys)), false),
             Policy.OPTIMAL.allocator(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, 1),

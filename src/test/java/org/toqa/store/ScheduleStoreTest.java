@@ -16,8 +16,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
-import org.toqa.fleet.schedule.Recurrence;
-import org.toqa.fleet.schedule.Schedule;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TransportTask.LoadSize;
 

@@ -2,6 +2,7 @@ package org.toqa.web;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collections;
@@ -31,12 +32,15 @@ import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.ScheduleStore;
+import org.toqa.fleet.Schedules;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
+import org.toqa.fleet.schedule.StoredSchedules;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
@@ -74,6 +78,17 @@ public final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   private boolean silent;
   private List<Sentence> alerts = List.of();
   private @Nullable Hold pause;
+
+  private final Schedules schedules;
+
+  TestFleet(ScheduleStore scheduleStore) {
+    this.schedules = new StoredSchedules(scheduleStore, this, InstantSource.system());
+  }
+
+  @Override
+  public Schedules schedules() {
+    return schedules;
+  }
 
   /** From now on the store does not answer. */
   public void stopAnswering() {

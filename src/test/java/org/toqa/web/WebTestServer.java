@@ -53,7 +53,7 @@ public final class WebTestServer implements AutoCloseable {
 
   private static final String PASSWORD_HASH = PASSWORDS.hash(PASSWORD);
 
-  private final TestFleet fleet = new TestFleet();
+  private final TestFleet fleet;
   private final TestMailbox mailbox = new TestMailbox();
   private final AccountStore accounts;
   private final JdbiFleetStore store;
@@ -120,6 +120,8 @@ public final class WebTestServer implements AutoCloseable {
       throws IOException, LifecycleException {
     this.database = database;
     Jdbi jdbi = database.jdbi();
+    JdbiScheduleStore schedules = new JdbiScheduleStore(jdbi);
+    fleet = new TestFleet(schedules);
     accounts = new JdbiAccountStore(jdbi, InstantSource.system());
     SessionStore sessions = new JdbiSessionStore(jdbi, InstantSource.system());
     PasswordLinks links =
@@ -136,7 +138,7 @@ public final class WebTestServer implements AutoCloseable {
             fleet,
             new JdbiEventArchive(jdbi),
             tracks,
-            new JdbiScheduleStore(jdbi),
+            schedules,
             new JdbiStatisticsArchive(jdbi),
             accounts,
             sessions,

@@ -119,10 +119,12 @@ public final class FleetServer implements AutoCloseable {
     if (simulated != null) {
       parts.push(simulated);
     }
+    JdbiScheduleStore schedules = new JdbiScheduleStore(database.jdbi());
     AgentFleet fleet =
         new AgentFleet(
             List.of(floor),
             store,
+            schedules,
             new TcpRobotLinkFactory(
                 new LinkTls(IdentityFile.open(configuration.data())), configuration.plainLinks()),
             configuration.allocationPolicy().allocator(),
@@ -150,7 +152,6 @@ public final class FleetServer implements AutoCloseable {
     Metrics metrics = new Metrics(fleet.snapshots());
     parts.push(metrics);
     database.bindMetrics(metrics.registry());
-    JdbiScheduleStore schedules = new JdbiScheduleStore(database.jdbi());
     Scheduler scheduler = new Scheduler(schedules, store, fleet, wallClock);
     parts.push(new PeriodicWork("schedules", SCHEDULE_PERIOD, scheduler::runDueSchedules));
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());

@@ -32,10 +32,13 @@ import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.ScheduleStore;
+import org.toqa.fleet.Schedules;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
+import org.toqa.fleet.schedule.StoredSchedules;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
@@ -68,29 +71,34 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   private final List<FloorMap> floors;
   private final LatestSnapshot latestSnapshot;
+  private final Schedules schedules;
   private final ActorSystem<ManagerMessage> system;
 
   /**
    * Reads the store and goes on with what is in it.
    *
    * @param floors at least one; the first is the default
+   * @param scheduleStore what {@link #schedules} writes to
    * @param clock for the times in the history
    * @param now of the time that {@link #tick} brings
    */
   public AgentFleet(
       List<FloorMap> floors,
       FleetStore store,
+      ScheduleStore scheduleStore,
       RobotLinkFactory links,
       Allocator allocator,
       FleetRules rules,
       InstantSource clock,
       Instant now) {
-    this(floors, store, links, allocator, rules, clock, now, FleetRuntime.USUAL);
+    this(
+        floors, store, scheduleStore, links, allocator, rules, clock, now, FleetRuntime.USUAL);
   }
 
   public AgentFleet(
       List<FloorMap> floors,
       FleetStore store,
+      ScheduleStore scheduleStore,
       RobotLinkFactory links,
       Allocator allocator,
       FleetRules rules,
@@ -123,6 +131,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 .map(ExecutionContext::fromExecutor)
                 .map(setup::withDefaultExecutionContext)
                 .orElse(setup));
+    this.schedules = new StoredSchedules(scheduleStore, this, clock);
   }
 
   /** Time goes on: timers fire, robots are pinged, waiting tasks are looked at. */
@@ -232,6 +241,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   private <T> CompletionStage<T> ask(Function<ActorRef<StatusReply<T>>, ManagerMessage> message) {
     return AskPattern.askWithStatus(system, message::apply, ANSWER_LIMIT, system.scheduler());
+  }
+
+  @Override
+  public Schedules schedules() {
+    return schedules;
   }
 
   @Override

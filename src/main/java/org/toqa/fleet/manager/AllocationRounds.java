@@ -127,19 +127,20 @@ final class AllocationRounds {
         CompletableFuture.supplyAsync(
                 () -> runRound(floor, problem, missions),
                 fleet.runtime.threadPerTaskExecutor("allocation-" + floor.name()))
+            .thenCompose(round -> round)
             .whenComplete(
                 (decided, failure) -> self.tell(roundMessage(floor.name(), decided, failure)));
   }
 
   /**
-   * Waits for plans, so it is given a thread of its own.
+   * Allocates on a thread of its own, and asks for room for the teams that came out.
    *
    * @param missions the problem's waiting tasks, by task
    */
-  private ManagerMessage.AllocationDecided runRound(
+  private CompletableFuture<ManagerMessage.AllocationDecided> runRound(
       FloorMap floor, AllocationProblem problem, Map<Long, Mission> missions) {
     List<Decision> decisions = allocator.allocate(problem);
-    Map<Long, TeamFinding> teams = new HashMap<>();
+    Map<Long, CompletableFuture<TeamFinding>> teams = new HashMap<>();
     for (Decision decision : decisions) {
       if (decision instanceof Decision.Assigned(long id, List<String> chosen, Sentence _)) {
         Mission mission = missions.get(id);
@@ -148,13 +149,23 @@ final class AllocationRounds {
         }
       }
     }
-    return new ManagerMessage.AllocationDecided(floor.name(), decisions, teams);
+    return CompletableFuture.allOf(teams.values().toArray(CompletableFuture[]::new))
+        .thenApply(
+            _ ->
+                new ManagerMessage.AllocationDecided(
+                    floor.name(), decisions,
+                    teams.entrySet().stream()
+                        .collect(
+                            Collectors.toMap(
+                                Map.Entry::getKey, team -> team.getValue().join()))));
   }
 
-  private TeamFinding teamFinding(FloorMap floor, Mission mission, int robots) {
-    return new TeamFinding(
-        PathQuery.TeamQuestion.of(mission, robots),
-        paths.objectionToTeam(floor.grid(), mission, robots).join());
+  private CompletableFuture<TeamFinding> teamFinding(FloorMap floor, Mission mission, int robots) {
+    return paths
+        .objectionToTeam(floor.grid(), mission, robots)
+        .thenApply(
+            objection ->
+                new TeamFinding(PathQuery.TeamQuestion.of(mission, robots), objection));
   }
 
   /** What a robot that is free, or may be by an exchange, carries; nothing while none is free. */

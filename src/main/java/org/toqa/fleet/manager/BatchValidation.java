@@ -3,6 +3,7 @@ package org.toqa.fleet.manager;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer.Rejection;
 import org.toqa.fleet.TaskOrder;
@@ -31,25 +32,36 @@ record BatchValidation(
     }
   }
 
-  Result run() {
+  /** Checks one order after the other. */
+  CompletableFuture<Result> run() {
     List<TransportTask> tasks = new ArrayList<>();
     List<Rejection> rejections = new ArrayList<>();
+    CompletableFuture<Void> checked = CompletableFuture.completedFuture(null);
     for (int place = 0; place < orders.size(); place++) {
-      Answer<TransportTask> checked =
-          validator
-              .checkTask(orders.get(place), user, now, totalCapacity)
-              .toCompletableFuture()
-              .join();
-      switch (checked) {
-        case Answer.Accepted<TransportTask>(TransportTask task) -> tasks.add(task);
-        case Answer.Rejected<TransportTask>(String field, Sentence sentence) ->
-            rejections.add(new Rejection(place, field, sentence));
-        case Answer.Conflict<TransportTask>(Sentence sentence, var needs) ->
-            rejections.add(new Rejection(place, null, sentence));
-        case Answer.Unknown<TransportTask>(Sentence sentence) ->
-            rejections.add(new Rejection(place, null, sentence));
-      }
+      int index = place;
+      checked =
+          checked.thenCompose(
+              _ ->
+                  validator
+                      .checkTask(orders.get(index), user, now, totalCapacity)
+                      .thenAccept(answer -> add(answer, index, tasks, rejections)));
     }
-    return new Result(tasks, rejections);
+    return checked.thenApply(_ -> new Result(tasks, rejections));
+  }
+
+  private static void add(
+      Answer<TransportTask> checked,
+      int place,
+      List<TransportTask> tasks,
+      List<Rejection> rejections) {
+    switch (checked) {
+      case Answer.Accepted<TransportTask>(TransportTask task) -> tasks.add(task);
+      case Answer.Rejected<TransportTask>(String field, Sentence sentence) ->
+          rejections.add(new Rejection(place, field, sentence));
+      case Answer.Conflict<TransportTask>(Sentence sentence, var needs) ->
+          rejections.add(new Rejection(place, null, sentence));
+      case Answer.Unknown<TransportTask>(Sentence sentence) ->
+          rejections.add(new Rejection(place, null, sentence));
+    }
   }
 }

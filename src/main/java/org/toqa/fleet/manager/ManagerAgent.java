@@ -89,7 +89,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.holdCommands = new HoldCommandHandler(store, fleet.writer, clock, self, fleet.floors);
     List<OpenTask> open = store.openTasks();
     Set<Long> toldBefore = open.stream().map(t -> t.mission().id()).collect(Collectors.toSet());
-    PathQuery paths = new PathQuery();
+    PathQuery paths = new PathQuery(runtime.threadPerTaskExecutor("path"));
     OrderValidator check = new OrderValidator(floorMaps, paths);
     this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore));
     this.rounds = new AllocationRounds(fleet, allocator, paths, self);

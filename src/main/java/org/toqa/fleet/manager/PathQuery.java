@@ -41,13 +41,18 @@ final class PathQuery {
   private static final int MAX_FLOORS = 32;
   private static final String ROBOT = "robot";
 
-  private final Executor planning = work -> Thread.ofVirtual().name("path").start(work);
-  private final AsyncCache<PathKey, FloorPath> paths =
-      Caffeine.newBuilder().maximumSize(MAX_ANSWERS).executor(planning).buildAsync();
-  private final AsyncCache<TeamKey, Optional<Sentence>> teams =
-      Caffeine.newBuilder().maximumSize(MAX_ANSWERS).executor(planning).buildAsync();
-  private final Cache<FloorKey, EmptyFloor> emptyFloors =
-      Caffeine.newBuilder().maximumSize(MAX_FLOORS).executor(planning).build();
+  private final AsyncCache<PathKey, FloorPath> paths;
+  private final AsyncCache<TeamKey, Optional<Sentence>> teams;
+  private final Cache<FloorKey, EmptyFloor> emptyFloors;
+
+  /**
+   * @param planning what plans; it may plan several things beside each other
+   */
+  PathQuery(Executor planning) {
+    paths = Caffeine.newBuilder().maximumSize(MAX_ANSWERS).executor(planning).buildAsync();
+    teams = Caffeine.newBuilder().maximumSize(MAX_ANSWERS).executor(planning).buildAsync();
+    emptyFloors = Caffeine.newBuilder().maximumSize(MAX_FLOORS).executor(planning).build();
+  }
 
   /**
    * @param diameter of the robot, metres

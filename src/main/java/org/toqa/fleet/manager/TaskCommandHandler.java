@@ -174,7 +174,8 @@ final class TaskCommandHandler {
       List<TaskOrder> orders, String user) {
     BatchValidation batch =
         new BatchValidation(validator, orders, user, fleet.clock.instant(), totalCapacity());
-    return CompletableFuture.supplyAsync(batch::run, fleet.runtime.threadPerTaskExecutor("batch"));
+    return CompletableFuture.supplyAsync(batch::run, fleet.runtime.threadPerTaskExecutor("batch"))
+        .thenCompose(result -> result);
   }
 
   private static List<Submission> submissions(List<TransportTask> tasks, List<UUID> keys) {
@@ -217,6 +218,7 @@ final class TaskCommandHandler {
         CompletableFuture.supplyAsync(
                 () -> new TaskPreviewer(allocator, paths, floor.grid()).preview(task, problem),
                 fleet.runtime.threadPerTaskExecutor("preview"))
+            .thenCompose(preview -> preview)
             .whenComplete(
                 (preview, failure) ->
                     request

@@ -1,6 +1,7 @@
 package org.toqa.fleet.manager;
 
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Decision;
@@ -32,19 +33,20 @@ final class TaskPreviewer {
   /**
    * @param problem of the floor, where this task is the only one that waits
    */
-  TaskPreview preview(TransportTask task, AllocationProblem problem) {
+  CompletableFuture<TaskPreview> preview(TransportTask task, AllocationProblem problem) {
     Decision decision = allocator.allocate(problem).getFirst();
     List<String> chosen = chosen(decision);
     int robots =
         chosen.isEmpty()
             ? TeamSize.smallest(task.load(), problem.robots()).orElse(0)
             : chosen.size();
-    List<Vec2> path = path(task);
-    return paths
-        .objectionToTeam(grid, Mission.queued(task), robots)
-        .join()
-        .map(noRoom -> new TaskPreview(robots, List.of(), noRoom, path))
-        .orElseGet(() -> new TaskPreview(robots, chosen, decision.reason(), path));
+    return path(task)
+        .thenCombine(
+            paths.objectionToTeam(grid, Mission.queued(task), robots),
+            (path, noRoom) ->
+                noRoom
+                    .map(objection -> new TaskPreview(robots, List.of(), objection, path))
+                    .orElseGet(() -> new TaskPreview(robots, chosen, decision.reason(), path)));
   }
 
   private static List<String> chosen(Decision decision) {
@@ -54,18 +56,18 @@ final class TaskPreviewer {
     };
   }
 
-  private List<Vec2> path(TransportTask task) {
-    FloorPath path =
-        paths
-            .findPath(
-                grid,
-                task.start().position(),
-                task.goal().position(),
-                2 * OrderValidator.SMALLEST_RADIUS)
-            .join();
-    return switch (path) {
-      case FloorPath.Found(List<Vec2> points) -> points;
-      case FloorPath.FoundBetweenCells _, FloorPath.NotFound _ -> List.of();
-    };
+  private CompletableFuture<List<Vec2>> path(TransportTask task) {
+    return paths
+        .findPath(
+            grid,
+            task.start().position(),
+            task.goal().position(),
+            2 * OrderValidator.SMALLEST_RADIUS)
+        .thenApply(
+            path ->
+                switch (path) {
+                  case FloorPath.Found(List<Vec2> points) -> points;
+                  case FloorPath.FoundBetweenCells _, FloorPath.NotFound _ -> List.of();
+                });
   }
 }

@@ -16,6 +16,8 @@ import org.slf4j.LoggerFactory;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
+import org.toqa.fleet.Schedule;
+import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
 import org.toqa.persistence.StoreException;

@@ -1,4 +1,4 @@
-/** Tasks that come by the calendar: schedules, their recurrence, and who submits what is due. */
+/** Tasks that come by the calendar: changes of schedules, and what submits the tasks that are due. */
 @NullMarked
 package org.toqa.fleet.schedule;
 

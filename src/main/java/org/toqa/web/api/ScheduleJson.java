@@ -10,8 +10,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
-import org.toqa.fleet.schedule.Recurrence;
-import org.toqa.fleet.schedule.Schedule;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
 import org.toqa.mission.TransportTask.LoadSize;
 
 /**

@@ -7,14 +7,15 @@ import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.OffsetDateTime;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.TaskOrder;
-import org.toqa.fleet.schedule.Recurrence;
-import org.toqa.fleet.schedule.Schedule;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
+import org.toqa.web.FleetAnswers;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.RecurrenceRules;
-import org.toqa.web.input.ScheduleCommands;
 
 /** All schedules, and new ones. */
 public final class SchedulesServlet extends ApiServlet {
@@ -44,11 +45,19 @@ public final class SchedulesServlet extends ApiServlet {
     }
     throwIfAny(errors);
     Schedule schedule =
-        switch (new ScheduleCommands(services(), texts)
-            .add(order, recurrence, until, Caller.of(request), IdempotencyKey.of(request))) {
-          case ScheduleCommands.Outcome.Answered(var answer) -> acceptedValue(request, answer);
-          case ScheduleCommands.Outcome.Repeated(Schedule before) -> before;
-          case ScheduleCommands.Outcome.KeyReused() ->
+        switch (FleetAnswers.await(
+            services()
+                .fleet()
+                .schedules()
+                .add(
+                    order,
+                    recurrence,
+                    until,
+                    Caller.of(request).name(),
+                    IdempotencyKey.of(request)))) {
+          case KeyedAnswer.Answered<Schedule>(var answer) -> acceptedValue(request, answer);
+          case KeyedAnswer.Repeated<Schedule>(Schedule before) -> before;
+          case KeyedAnswer.KeyReused<Schedule>() ->
               throw Problem.of(422, texts.get("problem.idempotencyKey.used")).exception();
         };
     response.setHeader("Location", request.getContextPath() + "/api/v1/schedules/" + schedule.id());

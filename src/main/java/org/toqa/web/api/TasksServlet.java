@@ -5,11 +5,11 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.List;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.TaskArchive.Filter;
 import org.toqa.fleet.TaskArchive.Sort;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
-import org.toqa.web.TaskSubmitter;
 import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
@@ -48,10 +48,10 @@ public final class TasksServlet extends ApiServlet {
         switch (services()
             .taskSubmitter()
             .submit(order, Caller.of(request).account(), IdempotencyKey.of(request))) {
-          case TaskSubmitter.Outcome.Answered(var answer) -> acceptedValue(request, answer);
-          case TaskSubmitter.Outcome.Repeated(TaskView before) ->
+          case KeyedAnswer.Answered<TaskView>(var answer) -> acceptedValue(request, answer);
+          case KeyedAnswer.Repeated<TaskView>(TaskView before) ->
               new Tasks(services()).task(before.id()).orElse(before);
-          case TaskSubmitter.Outcome.KeyReused() ->
+          case KeyedAnswer.KeyReused<TaskView>() ->
               throw Problem.of(422, Texts.of(request).get("problem.idempotencyKey.used"))
                   .exception();
         };

@@ -12,7 +12,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.schedule.Recurrence;
+import org.toqa.fleet.Recurrence;
 import org.toqa.web.Texts;
 
 /**

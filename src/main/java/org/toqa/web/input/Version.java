@@ -6,7 +6,7 @@ import org.toqa.accounts.Account;
 import org.toqa.accounts.Secret;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
-import org.toqa.fleet.schedule.Schedule;
+import org.toqa.fleet.Schedule;
 
 /**
  * The version of what people change, so that nobody overwrites what somebody else has changed since

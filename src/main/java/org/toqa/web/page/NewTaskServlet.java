@@ -12,11 +12,12 @@ import java.util.Optional;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
+import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
-import org.toqa.fleet.schedule.Recurrence;
-import org.toqa.fleet.schedule.Schedule;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -27,7 +28,6 @@ import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
 import org.toqa.web.input.RecurrenceRules;
-import org.toqa.web.input.ScheduleCommands;
 
 /** Assigns a transport task: carry this load from here to there. */
 public final class NewTaskServlet extends PageServlet {
@@ -78,15 +78,27 @@ public final class NewTaskServlet extends PageServlet {
     }
     Caller user = Caller.of(request);
     UUID key = TaskSubmitter.idempotencyKey(user.account(), "schedule " + idempotencyKey(request));
-    ScheduleCommands schedules = new ScheduleCommands(services(), texts);
-    return switch (schedules.add(order.orElseThrow(), recurrence, until, user, key)) {
-      case ScheduleCommands.Outcome.Answered(var answer) -> acceptedValue(request, answer, errors);
-      case ScheduleCommands.Outcome.Repeated(Schedule before) -> Optional.of(before);
-      case ScheduleCommands.Outcome.KeyReused() ->
-          acceptedValue(
-              request,
-              schedules.create(order.get(), recurrence, until, user, UUID.randomUUID()),
-              errors);
+    KeyedAnswer<Schedule> answer = add(order.orElseThrow(), recurrence, until, user, key);
+    return added(
+        answer instanceof KeyedAnswer.KeyReused<Schedule>
+            ? add(order.get(), recurrence, until, user, UUID.randomUUID())
+            : answer,
+        request,
+        errors);
+  }
+
+  private KeyedAnswer<Schedule> add(
+      TaskOrder order, Recurrence recurrence, @Nullable Instant until, Caller user, UUID key) {
+    return FleetAnswers.await(
+        services().fleet().schedules().add(order, recurrence, until, user.name(), key));
+  }
+
+  private static Optional<Schedule> added(
+      KeyedAnswer<Schedule> answer, HttpServletRequest request, FieldErrors errors) {
+    return switch (answer) {
+      case KeyedAnswer.Answered<Schedule>(var first) -> acceptedValue(request, first, errors);
+      case KeyedAnswer.Repeated<Schedule>(Schedule before) -> Optional.of(before);
+      case KeyedAnswer.KeyReused<Schedule>() -> Optional.empty();
     };
   }
 
@@ -111,9 +123,9 @@ public final class NewTaskServlet extends PageServlet {
         .taskSubmitter()
         .submit(
             order, user, TaskSubmitter.idempotencyKey(user, "form " + idempotencyKey(request)))) {
-      case TaskSubmitter.Outcome.Answered(var answer) -> acceptedValue(request, answer, errors);
-      case TaskSubmitter.Outcome.Repeated(TaskView before) -> Optional.of(before);
-      case TaskSubmitter.Outcome.KeyReused() ->
+      case KeyedAnswer.Answered<TaskView>(var answer) -> acceptedValue(request, answer, errors);
+      case KeyedAnswer.Repeated<TaskView>(TaskView before) -> Optional.of(before);
+      case KeyedAnswer.KeyReused<TaskView>() ->
           acceptedValue(
               request, FleetAnswers.await(services().fleet().submit(order, user.name())), errors);
     };

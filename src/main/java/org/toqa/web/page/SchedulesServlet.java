@@ -7,17 +7,19 @@ import java.io.IOException;
 import java.time.DayOfWeek;
 import java.util.List;
 import java.util.Optional;
-import org.toqa.fleet.schedule.Recurrence;
-import org.toqa.fleet.schedule.Schedule;
+import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.Schedule;
+import org.toqa.fleet.Schedules;
 import org.toqa.web.ErrorResponse;
+import org.toqa.web.FleetAnswers;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
-import org.toqa.web.input.ScheduleCommands;
+import org.toqa.web.input.ScheduleAccess;
 import org.toqa.web.input.Version;
 
-/** All schedules, and what people want of them. */
+/** All schedules, and operator commands to them. */
 public final class SchedulesServlet extends PageServlet {
 
   /**
@@ -38,7 +40,7 @@ public final class SchedulesServlet extends PageServlet {
 
     private static Entry of(Schedule schedule, String kind, List<DayOfWeek> days, Caller caller) {
       return new Entry(
-          schedule, Version.of(schedule), kind, days, ScheduleCommands.canChange(caller, schedule));
+          schedule, Version.of(schedule), kind, days, ScheduleAccess.canChange(caller, schedule));
     }
   }
 
@@ -65,7 +67,7 @@ public final class SchedulesServlet extends PageServlet {
       return;
     }
     Caller caller = Caller.of(request);
-    if (!ScheduleCommands.canChange(caller, schedule.get())) {
+    if (!ScheduleAccess.canChange(caller, schedule.get())) {
       ErrorResponse.send(request, response, 403, Texts.of(request).get("problem.notYourSchedule"));
       return;
     }
@@ -76,12 +78,15 @@ public final class SchedulesServlet extends PageServlet {
       showConflict(request, response, "schedules", errors);
       return;
     }
-    ScheduleCommands schedules = new ScheduleCommands(services(), Texts.of(request));
-    switch (RequestPath.lastSegment(request)) {
-      case "pause" -> schedules.pause(schedule.get(), caller);
-      case "resume" -> schedules.resume(schedule.get(), caller);
-      default -> schedules.delete(schedule.get(), caller);
-    }
+    Schedules schedules = services().fleet().schedules();
+    long id = schedule.get().id();
+    var _ =
+        FleetAnswers.await(
+            switch (RequestPath.lastSegment(request)) {
+              case "pause" -> schedules.pause(id, caller.name());
+              case "resume" -> schedules.resume(id, caller.name());
+              default -> schedules.delete(id, caller.name());
+            });
     redirect(request, response, "/schedules");
   }
 }

@@ -43,6 +43,7 @@ import org.toqa.sim.VirtualClock;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiScheduleStore;
 
 /** One robot parked in its dock, and one that stands where no dock is. */
 @Timeout(120)
@@ -89,6 +90,7 @@ class SimulatedDocksTest {
         new AgentFleet(
             List.of(floor),
             store,
+            new JdbiScheduleStore(database.jdbi()),
             new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false),
             Policy.OPTIMAL.allocator(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, SPEED),

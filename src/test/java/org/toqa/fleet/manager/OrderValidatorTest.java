@@ -38,7 +38,7 @@ class OrderValidatorTest {
             0,
             null,
             null);
-    return new OrderValidator(List.of(floor), new PathQuery())
+    return new OrderValidator(List.of(floor), new PathQuery(Runnable::run))
         .checkTask(order, "clerk", Instant.EPOCH, 100)
         .toCompletableFuture()
         .join();

@@ -1,9 +1,8 @@
-package org.toqa.fleet.schedule;
+package org.toqa.fleet;
 
 import java.time.Instant;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.TaskOrder;
 
 /**
  * A task that is to be put in by itself, once or again and again.

@@ -1,11 +1,10 @@
-package org.toqa.fleet.schedule;
+package org.toqa.fleet;
 
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.EventRecord;
 
 /**
  * Keeps schedules. Each call is one transaction; it throws {@link
@@ -26,7 +25,7 @@ public interface ScheduleStore {
   List<Schedule> due(Instant now);
 
   /**
-   * @param key names the wish: what comes again with it is stored once
+   * @param key idempotency key: what comes again with it is stored once
    * @return its id
    */
   long add(Schedule schedule, UUID key);

@@ -1,4 +1,4 @@
-package org.toqa.fleet.schedule;
+package org.toqa.fleet;
 
 import java.time.DayOfWeek;
 import java.time.Duration;

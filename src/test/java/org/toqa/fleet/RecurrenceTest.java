@@ -1,4 +1,4 @@
-package org.toqa.fleet.schedule;
+package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

@@ -1,0 +1,14 @@
+package org.toqa.web.input;
+
+import org.toqa.fleet.Schedule;
+import org.toqa.web.access.Caller;
+
+/** Who may change a schedule. */
+public final class ScheduleAccess {
+  private ScheduleAccess() {}
+
+  /** A clerk changes his own schedules, a manager all. */
+  public static boolean canChange(Caller caller, Schedule schedule) {
+    return caller.isManager() || caller.name().equalsIgnoreCase(schedule.user());
+  }
+}
