@@ -38,7 +38,7 @@ final class TaskOrderReader {
     Texts texts = Texts.of(request);
     TaskOrder order =
         new TaskOrderReader(fields, new InputRules(texts, errors), errors, texts).read();
-    ApiServlet.throwIfAny(errors);
+    ApiHandler.throwIfAny(errors);
     return order;
   }
 
