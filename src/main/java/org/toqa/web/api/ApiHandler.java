@@ -1,7 +1,9 @@
 package org.toqa.web.api;
 
 import jakarta.servlet.http.HttpServletRequest;
+import java.io.IOException;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.toqa.fleet.Answer;
 import org.toqa.grid.FloorMap;
@@ -9,6 +11,7 @@ import org.toqa.mission.Question;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.Fields;
 import org.toqa.web.input.Version;
 import org.toqa.wording.Sentence;
 
@@ -25,6 +28,20 @@ public abstract class ApiHandler {
     if (!errors.isEmpty()) {
       throw Problem.of(errors).exception();
     }
+  }
+
+  /**
+   * Reads the request's body.
+   *
+   * @throws Problem.ProblemException when it is no JSON object, or with a sentence for each field
+   *     that is wrong
+   */
+  static <T> T readBody(HttpServletRequest request, Function<Fields, T> reader)
+      throws IOException {
+    FieldErrors errors = new FieldErrors();
+    T read = reader.apply(JsonFields.of(request, errors));
+    throwIfAny(errors);
+    return read;
   }
 
   /**

@@ -3,7 +3,6 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.util.Optional;
 import java.util.concurrent.CompletionStage;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.PairingOrder;
@@ -14,9 +13,9 @@ import org.toqa.web.FleetAnswers;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
-import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.Fields;
 import org.toqa.web.input.InputRules;
-import org.toqa.web.input.PairingFields;
+import org.toqa.web.input.RobotOrderReader;
 import org.toqa.web.input.Version;
 
 /** One robot, and the commands that a manager may give. */
@@ -46,17 +45,7 @@ public final class RobotResource extends ApiHandler {
       throws IOException {
     RobotView robot = robot(request);
     requireVersion(Version.of(robot), request);
-    FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
-    InputRules rules = new InputRules(Texts.of(request), errors);
-    RobotChange change =
-        new RobotChange(
-            rules.host("host", fields.text("host")),
-            rules.port("port", fields.number("port")),
-            rules.load("maxLoad", fields.number("maxLoad")),
-            fields.text("parking"));
-    fields.refuseUnknown();
-    throwIfAny(errors);
+    RobotChange change = readBody(request, RobotOrderReader::readChange);
     String user = Caller.of(request).name();
     send(
         request,
@@ -98,7 +87,7 @@ public final class RobotResource extends ApiHandler {
 
   public static void pair(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    PairingOrder order = pairing(request);
+    PairingOrder order = readBody(request, RobotOrderReader::readPairing).orElseThrow();
     command(
         request,
         response,
@@ -107,7 +96,7 @@ public final class RobotResource extends ApiHandler {
 
   public static void locate(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Pose pose = pose(request);
+    Pose pose = readBody(request, RobotResource::readPose);
     command(
         request,
         response,
@@ -133,28 +122,14 @@ public final class RobotResource extends ApiHandler {
             command.send(RequestPath.parameter(request, "name"), Caller.of(request).name())));
   }
 
-  private static PairingOrder pairing(HttpServletRequest request) throws IOException {
-    FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
-    Optional<PairingOrder> order =
-        new PairingFields(fields.text("host"), fields.number("port"), fields.text("code"))
-            .read(Texts.of(request), errors);
-    fields.refuseUnknown();
-    throwIfAny(errors);
-    return order.orElseThrow();
-  }
-
-  private static Pose pose(HttpServletRequest request) throws IOException {
-    FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
-    InputRules rules = new InputRules(Texts.of(request), errors);
+  private static Pose readPose(Fields fields) {
+    InputRules rules = fields.rules();
     Pose pose =
         new Pose(
             rules.coordinate("x", fields.number("x")),
             rules.coordinate("y", fields.number("y")),
             rules.angle("theta", fields.number("theta")));
     fields.refuseUnknown();
-    throwIfAny(errors);
     return pose;
   }
 }

@@ -8,10 +8,8 @@ import java.nio.charset.StandardCharsets;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotView;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
-import org.toqa.web.input.FieldErrors;
-import org.toqa.web.input.InputRules;
+import org.toqa.web.input.RobotOrderReader;
 
 /** All robots by name, and new ones. */
 public final class RobotsResource extends ApiHandler {
@@ -26,10 +24,7 @@ public final class RobotsResource extends ApiHandler {
 
   public static void add(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
-    RobotOrder order = read(fields, Texts.of(request), errors);
-    throwIfAny(errors);
+    RobotOrder order = readBody(request, RobotOrderReader::readOrder);
     RobotView robot =
         acceptedValue(
             request,
@@ -40,19 +35,5 @@ public final class RobotsResource extends ApiHandler {
             + "/api/v1/robots/"
             + URLEncoder.encode(robot.name(), StandardCharsets.UTF_8));
     Json.send(request, response, HttpServletResponse.SC_CREATED, RobotJson.of(robot));
-  }
-
-  private static RobotOrder read(JsonFields fields, Texts texts, FieldErrors errors) {
-    InputRules rules = new InputRules(texts, errors);
-    RobotOrder order =
-        new RobotOrder(
-            rules.robotName("name", fields.text("name")),
-            rules.host("host", fields.text("host")),
-            rules.port("port", fields.number("port")),
-            rules.load("maxLoad", fields.number("maxLoad")),
-            fields.text("parking"),
-            rules.pairingCode("code", fields.text("code")));
-    fields.refuseUnknown();
-    return order;
   }
 }

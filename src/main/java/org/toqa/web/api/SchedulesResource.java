@@ -3,18 +3,13 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.time.DateTimeException;
 import java.time.Instant;
-import java.time.OffsetDateTime;
-import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.TaskOrder;
-import org.toqa.fleet.schedule.Recurrence;
 import org.toqa.fleet.schedule.Schedule;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
-import org.toqa.web.input.FieldErrors;
-import org.toqa.web.input.RecurrenceRules;
 import org.toqa.web.input.ScheduleCommands;
+import org.toqa.web.input.ScheduleOrder;
+import org.toqa.web.input.ScheduleReader;
 
 /** All schedules, and new ones. */
 public final class SchedulesResource extends ApiHandler {
@@ -30,20 +25,16 @@ public final class SchedulesResource extends ApiHandler {
   public static void add(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Texts texts = Texts.of(request);
-    FieldErrors errors = new FieldErrors();
-    JsonFields fields = JsonFields.of(request, errors);
-    TaskOrder order = TaskOrderReader.read("task", fields, texts, errors);
-    RecurrenceRules rules = new RecurrenceRules(texts, errors, services(request).clock().instant());
-    Recurrence recurrence = recurrence(fields, rules, texts, errors);
-    Instant until = rules.until("until", moment("until", fields, texts, errors));
-    fields.refuseUnknown();
-    if (order.deadline() != null) {
-      errors.add("task.deadline", texts.get("error.schedule.deadline"));
-    }
-    throwIfAny(errors);
+    Instant now = services(request).clock().instant();
+    ScheduleOrder order = readBody(request, fields -> ScheduleReader.readJson(fields, now));
     Schedule schedule =
         switch (new ScheduleCommands(services(request), texts)
-            .add(order, recurrence, until, Caller.of(request), IdempotencyKey.of(request))) {
+            .add(
+                order.order(),
+                order.recurrence(),
+                order.until(),
+                Caller.of(request),
+                IdempotencyKey.of(request))) {
           case ScheduleCommands.Outcome.Answered(var answer) -> acceptedValue(request, answer);
           case ScheduleCommands.Outcome.Repeated(Schedule before) -> before;
           case ScheduleCommands.Outcome.KeyReused() ->
@@ -51,30 +42,5 @@ public final class SchedulesResource extends ApiHandler {
         };
     response.setHeader("Location", request.getContextPath() + "/api/v1/schedules/" + schedule.id());
     Json.send(request, response, HttpServletResponse.SC_CREATED, ScheduleJson.of(schedule));
-  }
-
-  private static Recurrence recurrence(
-      JsonFields fields, RecurrenceRules rules, Texts texts, FieldErrors errors) {
-    if (fields.has("everyMinutes")) {
-      return rules.every(
-          "from",
-          moment("from", fields, texts, errors),
-          "everyMinutes",
-          fields.number("everyMinutes"));
-    }
-    return fields.has("weekdays")
-        ? rules.weekly(fields.texts("weekdays"), fields.text("time"), "zone", fields.text("zone"))
-        : rules.once("at", moment("at", fields, texts, errors));
-  }
-
-  private static @Nullable Instant moment(
-      String name, JsonFields fields, Texts texts, FieldErrors errors) {
-    String given = fields.text(name);
-    try {
-      return given == null ? null : OffsetDateTime.parse(given).toInstant();
-    } catch (DateTimeException e) {
-      errors.add(name, texts.get("error.schedule.moment"));
-      return null;
-    }
   }
 }

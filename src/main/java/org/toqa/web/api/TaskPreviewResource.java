@@ -8,12 +8,13 @@ import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.TaskOrderReader;
 
 /** What would become of a task; nothing is stored. */
 public final class TaskPreviewResource extends ApiHandler {
   public static void preview(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    TaskOrder order = TaskOrderReader.read(request);
+    TaskOrder order = readBody(request, TaskOrderReader::read);
     TaskPreview preview =
         acceptedValue(
             request,

@@ -14,6 +14,7 @@ import org.toqa.web.Tasks;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.TaskOrderReader;
 import org.toqa.web.input.TaskQueryReader;
 
 /** The tasks, all of them or some, and new ones. */
@@ -41,7 +42,7 @@ public final class TasksResource extends ApiHandler {
 
   public static void add(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    TaskOrder order = TaskOrderReader.read(request);
+    TaskOrder order = readBody(request, TaskOrderReader::read);
     TaskView task =
         switch (services(request)
             .taskSubmitter()

@@ -10,24 +10,20 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
-import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.fleet.TaskOrder;
-import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
-import org.toqa.fleet.schedule.Recurrence;
 import org.toqa.fleet.schedule.Schedule;
-import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
-import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.TaskSubmitter;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
-import org.toqa.web.input.InputRules;
-import org.toqa.web.input.RecurrenceRules;
 import org.toqa.web.input.ScheduleCommands;
+import org.toqa.web.input.ScheduleOrder;
+import org.toqa.web.input.ScheduleReader;
+import org.toqa.web.input.TaskOrderReader;
 
 /** Assigns a transport task: carry this load from here to there. */
 public final class NewTaskPage extends PageHandler {
@@ -41,12 +37,15 @@ public final class NewTaskPage extends PageHandler {
   public static void submit(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
+    Instant now = services(request).clock().instant();
     Optional<String> next =
         isImmediate(request)
-            ? read(request, errors)
+            ? readForm(request, errors, fields -> TaskOrderReader.readEntered(fields, now))
                 .flatMap(order -> submit(order, request, errors))
                 .map(task -> "/tasks/" + task.id())
-            : schedule(request, errors).map(schedule -> "/schedules?added=" + schedule.id());
+            : readForm(request, errors, fields -> ScheduleReader.readForm(fields, now))
+                .flatMap(order -> schedule(order, request, errors))
+                .map(schedule -> "/schedules?added=" + schedule.id());
     if (next.isPresent()) {
       redirect(request, response, next.get());
     } else {
@@ -61,44 +60,21 @@ public final class NewTaskPage extends PageHandler {
     return when == null || when.isEmpty() || when.equals("now");
   }
 
-  private static Optional<Schedule> schedule(HttpServletRequest request, FieldErrors errors) {
-    Texts texts = Texts.of(request);
-    FormFields fields = new FormFields(request, errors);
-    RecurrenceRules rules = new RecurrenceRules(texts, errors, services(request).clock().instant());
-    Optional<TaskOrder> order = read(request, errors);
-    Recurrence recurrence = recurrence(fields, rules);
-    Instant until = rules.until("until", fields.moment("until", "zone"));
-    if (fields.text("deadline") != null) {
-      errors.add("deadline", texts.get("error.schedule.deadline"));
-    }
-    if (!errors.isEmpty()) {
-      return Optional.empty();
-    }
+  private static Optional<Schedule> schedule(
+      ScheduleOrder order, HttpServletRequest request, FieldErrors errors) {
     Caller user = Caller.of(request);
     UUID key = TaskSubmitter.idempotencyKey(user.account(), "schedule " + idempotencyKey(request));
-    ScheduleCommands schedules = new ScheduleCommands(services(request), texts);
-    return switch (schedules.add(order.orElseThrow(), recurrence, until, user, key)) {
+    ScheduleCommands schedules = new ScheduleCommands(services(request), Texts.of(request));
+    return switch (schedules.add(
+        order.order(), order.recurrence(), order.until(), user, key)) {
       case ScheduleCommands.Outcome.Answered(var answer) -> acceptedValue(request, answer, errors);
       case ScheduleCommands.Outcome.Repeated(Schedule before) -> Optional.of(before);
       case ScheduleCommands.Outcome.KeyReused() ->
           acceptedValue(
               request,
-              schedules.create(order.get(), recurrence, until, user, UUID.randomUUID()),
+              schedules.create(
+                  order.order(), order.recurrence(), order.until(), user, UUID.randomUUID()),
               errors);
-    };
-  }
-
-  private static Recurrence recurrence(FormFields fields, RecurrenceRules rules) {
-    return switch (fields.text("when")) {
-      case "every" ->
-          rules.every(
-              "first",
-              fields.moment("first", "zone"),
-              "everyMinutes",
-              fields.number("everyMinutes"));
-      case "weekly" ->
-          rules.weekly(fields.texts("weekday"), fields.text("time"), "time", fields.text("zone"));
-      case null, default -> rules.once("first", fields.moment("first", "zone"));
     };
   }
 
@@ -117,47 +93,10 @@ public final class NewTaskPage extends PageHandler {
     };
   }
 
-  /** The same form that was sent twice, as by a double click, wishes for one task. */
+  /** The same form that was sent twice, as by a double click, orders one task. */
   private static String idempotencyKey(HttpServletRequest request) {
     return Objects.requireNonNullElseGet(
         request.getParameter("wish"), () -> UUID.randomUUID().toString());
-  }
-
-  private static Optional<TaskOrder> read(HttpServletRequest request, FieldErrors errors) {
-    FormFields fields = new FormFields(request, errors);
-    InputRules rules = new InputRules(Texts.of(request), errors);
-    TaskOrder order =
-        new TaskOrder(
-            rules.taskName("name", fields.text("name")),
-            rules.load("load", fields.number("load")),
-            where("start", fields, rules),
-            where("goal", fields, rules),
-            fields.text("floor"),
-            rules.priority("priority", fields.number("priority")),
-            rules.futureDeadline(
-                "deadline", fields.moment("deadline", "zone"), services(request).clock().instant()),
-            size(fields, rules));
-    return errors.isEmpty() ? Optional.of(order) : Optional.empty();
-  }
-
-  /** Both sides, or neither. */
-  private static @Nullable LoadSize size(FormFields fields, InputRules rules) {
-    boolean isGiven = fields.text("length") != null || fields.text("width") != null;
-    return isGiven
-        ? rules.size("size", fields.number("length", "size"), fields.number("width", "size"))
-        : null;
-  }
-
-  /** A station goes before coordinates. */
-  private static Where where(String field, FormFields fields, InputRules rules) {
-    String station = fields.text(field + "Station");
-    if (station != null) {
-      return new Where.Station(station);
-    }
-    return new Where.Point(
-        new Vec2(
-            rules.coordinate(field, fields.number(field + "X", field)),
-            rules.coordinate(field, fields.number(field + "Y", field))));
   }
 
   /** The chosen floor's stations can be selected; without a choice, the first floor's. */

@@ -5,6 +5,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
+import java.util.function.Function;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.mission.Question;
@@ -14,6 +15,7 @@ import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.access.CsrfToken;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.Fields;
 import org.toqa.wording.Sentence;
 
 /**
@@ -86,6 +88,13 @@ abstract class PageHandler {
   static void sendNotFound(HttpServletRequest request, HttpServletResponse response, String key)
       throws IOException {
     ErrorResponse.send(request, response, 404, Texts.of(request).get(key));
+  }
+
+  /** What a form orders; empty, with a sentence in the errors, where a field is wrong. */
+  static <T> Optional<T> readForm(
+      HttpServletRequest request, FieldErrors errors, Function<Fields, T> reader) {
+    T read = reader.apply(new FormFields(request, errors));
+    return errors.isEmpty() ? Optional.of(read) : Optional.empty();
   }
 
   /** The value, if the fleet said yes; its no is filed under the field it names, or the form. */

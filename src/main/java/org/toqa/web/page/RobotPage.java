@@ -6,12 +6,10 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.concurrent.CompletionStage;
-import java.util.function.BiFunction;
+import java.util.function.Function;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
-import org.toqa.fleet.PairingOrder;
-import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.FleetAnswers;
@@ -19,8 +17,9 @@ import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.Fields;
 import org.toqa.web.input.InputRules;
-import org.toqa.web.input.PairingFields;
+import org.toqa.web.input.RobotOrderReader;
 import org.toqa.web.input.Version;
 
 /** One robot: its state, and the commands that a manager may give. */
@@ -68,17 +67,17 @@ public final class RobotPage extends PageHandler {
 
   public static void change(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    command(request, response, "change", RobotPage::change, Fleet::changeRobot);
+    command(request, response, "change", form(RobotOrderReader::readChange), Fleet::changeRobot);
   }
 
   public static void pair(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    command(request, response, "pair", RobotPage::pairing, Fleet::pairRobot);
+    command(request, response, "pair", RobotOrderReader::readPairing, Fleet::pairRobot);
   }
 
   public static void locate(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    command(request, response, "locate", RobotPage::pose, Fleet::locateRobot);
+    command(request, response, "locate", form(RobotPage::readPose), Fleet::locateRobot);
   }
 
   /** A command that needs nothing but the robot. */
@@ -100,7 +99,7 @@ public final class RobotPage extends PageHandler {
         request,
         response,
         form,
-        (sent, errors) -> Optional.of(form),
+        fields -> Optional.of(form),
         (fleet, robot, none, user) -> command.send(fleet, robot, user));
   }
 
@@ -112,7 +111,7 @@ public final class RobotPage extends PageHandler {
       HttpServletRequest request,
       HttpServletResponse response,
       String form,
-      BiFunction<HttpServletRequest, FieldErrors, Optional<T>> reader,
+      Function<Fields, Optional<T>> reader,
       CommandWith<T> command)
       throws ServletException, IOException {
     Optional<RobotView> now = addRobotAttributes(request);
@@ -132,7 +131,7 @@ public final class RobotPage extends PageHandler {
     String user = Caller.of(request).name();
     Optional<RobotView> robot =
         reader
-            .apply(request, errors)
+            .apply(new FormFields(request, errors))
             .map(value -> FleetAnswers.await(command.send(fleet, name, value, user)))
             .flatMap(answer -> acceptedValue(request, answer, errors));
     if (robot.isPresent()) {
@@ -142,6 +141,14 @@ public final class RobotPage extends PageHandler {
     } else {
       showAgain(request, response, "robot", errors);
     }
+  }
+
+  /** Nothing where the reader has filed a sentence. */
+  private static <T> Function<Fields, Optional<T>> form(Function<Fields, T> reader) {
+    return fields -> {
+      T read = reader.apply(fields);
+      return fields.errors().isEmpty() ? Optional.of(read) : Optional.empty();
+    };
   }
 
   private static FieldErrors differences(RobotView robot, HttpServletRequest request) {
@@ -154,34 +161,13 @@ public final class RobotPage extends PageHandler {
         .differences();
   }
 
-  private static Optional<PairingOrder> pairing(HttpServletRequest request, FieldErrors errors) {
-    FormFields fields = new FormFields(request, errors);
-    return new PairingFields(fields.text("host"), fields.number("port"), fields.text("code"))
-        .read(Texts.of(request), errors);
-  }
-
-  private static Optional<RobotChange> change(HttpServletRequest request, FieldErrors errors) {
-    FormFields fields = new FormFields(request, errors);
-    InputRules rules = new InputRules(Texts.of(request), errors);
-    RobotChange change =
-        new RobotChange(
-            rules.host("host", fields.text("host")),
-            rules.port("port", fields.number("port")),
-            rules.load("maxLoad", fields.number("maxLoad")),
-            fields.text("parking"));
-    return errors.isEmpty() ? Optional.of(change) : Optional.empty();
-  }
-
   /** The form has degrees. */
-  private static Optional<Pose> pose(HttpServletRequest request, FieldErrors errors) {
-    FormFields fields = new FormFields(request, errors);
-    InputRules rules = new InputRules(Texts.of(request), errors);
-    Pose pose =
-        new Pose(
-            rules.coordinate("x", fields.number("x")),
-            rules.coordinate("y", fields.number("y")),
-            Math.toRadians(rules.angle("heading", fields.number("heading"))));
-    return errors.isEmpty() ? Optional.of(pose) : Optional.empty();
+  private static Pose readPose(Fields fields) {
+    InputRules rules = fields.rules();
+    return new Pose(
+        rules.coordinate("x", fields.number("x")),
+        rules.coordinate("y", fields.number("y")),
+        Math.toRadians(rules.angle("heading", fields.number("heading"))));
   }
 
   private static Optional<RobotView> addRobotAttributes(HttpServletRequest request) {

@@ -8,10 +8,9 @@ import java.util.Optional;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotView;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
-import org.toqa.web.input.InputRules;
+import org.toqa.web.input.RobotOrderReader;
 
 /** All robots; managers add some. */
 public final class RobotsPage extends PageHandler {
@@ -24,7 +23,9 @@ public final class RobotsPage extends PageHandler {
   public static void add(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
-    Optional<RobotView> robot = read(request, errors).flatMap(order -> add(order, request, errors));
+    Optional<RobotView> robot =
+        readForm(request, errors, RobotOrderReader::readOrder)
+            .flatMap(order -> add(order, request, errors));
     if (robot.isPresent()) {
       redirect(request, response, "/robots/" + robot.get().name());
     } else {
@@ -38,20 +39,6 @@ public final class RobotsPage extends PageHandler {
     String user = Caller.of(request).name();
     return acceptedValue(
         request, FleetAnswers.await(services(request).fleet().addRobot(order, user)), errors);
-  }
-
-  private static Optional<RobotOrder> read(HttpServletRequest request, FieldErrors errors) {
-    FormFields fields = new FormFields(request, errors);
-    InputRules rules = new InputRules(Texts.of(request), errors);
-    RobotOrder order =
-        new RobotOrder(
-            rules.robotName("name", fields.text("name")),
-            rules.host("host", fields.text("host")),
-            rules.port("port", fields.number("port")),
-            rules.load("maxLoad", fields.number("maxLoad")),
-            fields.text("parking"),
-            rules.pairingCode("code", fields.text("code")));
-    return errors.isEmpty() ? Optional.of(order) : Optional.empty();
   }
 
   private static void addFleetAttributes(HttpServletRequest request) {
