@@ -52,14 +52,4 @@ public final class RequestPath {
     return url.substring(0, url.length() - request.getRequestURI().length())
         + request.getContextPath();
   }
-
-  public static boolean hasParameter(ServletRequest request, String name) {
-    return ((Map<?, ?>) request.getAttribute(PARAMETERS)).containsKey(name);
-  }
-
-  /** What the request asks of the thing in its path: the path's last segment. */
-  public static String lastSegment(HttpServletRequest request) {
-    String path = Objects.requireNonNull(request.getPathInfo());
-    return path.substring(path.lastIndexOf('/') + 1);
-  }
 }

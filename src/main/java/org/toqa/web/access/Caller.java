@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.Role;
 import org.toqa.accounts.Session;
 
 /** The user whose request it is, and how he proved it. */
@@ -20,11 +21,20 @@ public record Caller(Account account, Session session, Credential credential) {
     return account.isManager();
   }
 
+  /** Whether the caller may use a route that asks for that permission. */
+  public boolean has(Permission permission) {
+    return switch (permission) {
+      case ANONYMOUS, SIGNED_IN -> true;
+      case CLERK -> account.role() == Role.CLERK || isManager();
+      case MANAGER -> isManager();
+    };
+  }
+
   void storeIn(ServletRequest request) {
     request.setAttribute(ATTRIBUTE, this);
   }
 
-  /** Behind a door that strangers cannot pass. */
+  /** The caller of a route that only who is signed in may use. */
   public static Caller of(ServletRequest request) {
     return Objects.requireNonNull((@Nullable Caller) request.getAttribute(ATTRIBUTE));
   }

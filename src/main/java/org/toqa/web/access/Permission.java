@@ -2,11 +2,11 @@ package org.toqa.web.access;
 
 /** Who may use a route. */
 public enum Permission {
-  /** Also strangers, and before the first manager exists. */
-  PUBLIC,
-  /** Strangers, once there is a manager. */
+  /** Everybody, also who is not signed in. */
   ANONYMOUS,
-  /** Every user who is logged in. */
+  /** Everybody who is signed in, whatever the account's role. */
   SIGNED_IN,
+  /** Clerks, and managers. */
+  CLERK,
   MANAGER
 }

@@ -2,13 +2,21 @@ package org.toqa.web.api;
 
 import jakarta.servlet.http.HttpServletRequest;
 import java.io.IOException;
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.time.OffsetDateTime;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.Fields;
+import org.toqa.web.input.InputRules;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.TokenStreamLocation;
 import tools.jackson.core.exc.StreamConstraintsException;
@@ -19,7 +27,7 @@ import tools.jackson.databind.JsonNode;
  * for is unknown, and {@link #refuseUnknown} says so. A field of the wrong type gets a sentence and
  * counts as missing, as does null.
  */
-final class JsonFields {
+final class JsonFields implements Fields {
   /** Bytes of a body. */
   private static final int MAX_BODY_BYTES = 64 * 1024;
 
@@ -65,7 +73,8 @@ final class JsonFields {
         && (request.getContentLengthLong() > 0 || request.getHeader("Transfer-Encoding") != null);
   }
 
-  @Nullable String text(String name) {
+  @Override
+  public @Nullable String text(String name) {
     return value(name)
         .flatMap(
             value ->
@@ -76,7 +85,8 @@ final class JsonFields {
   }
 
   /** Infinite when it is beyond what a double holds. */
-  @Nullable Double number(String name) {
+  @Override
+  public @Nullable Double number(String name) {
     return value(name)
         .flatMap(
             value ->
@@ -97,8 +107,9 @@ final class JsonFields {
         .orElse(false);
   }
 
-  /** A list of texts; empty where it is missing. */
-  List<String> texts(String name) {
+  /** A list of texts. */
+  @Override
+  public List<String> choices(String name) {
     return value(name)
         .flatMap(
             value ->
@@ -108,7 +119,20 @@ final class JsonFields {
         .orElse(List.of());
   }
 
-  Optional<JsonFields> object(String name) {
+  /** It must be there. */
+  @Override
+  public JsonFields object(String name) {
+    return optionalObject(name)
+        .orElseGet(
+            () -> {
+              errors.add(path(name), texts.get("error.type.object", path(name)));
+              // one sentence for all that is not there
+              return new JsonFields(
+                  Json.MAPPER.createObjectNode(), path(name) + ".", texts, new FieldErrors());
+            });
+  }
+
+  private Optional<JsonFields> optionalObject(String name) {
     return value(name)
         .flatMap(
             value ->
@@ -117,16 +141,20 @@ final class JsonFields {
                     : refuseType(name, "error.type.object"));
   }
 
-  boolean has(String name) {
+  /** Also where it is null. */
+  @Override
+  public boolean has(String name) {
     return object.has(name);
   }
 
   /** The field's name from the top, as errors name it. */
-  String path(String name) {
+  @Override
+  public String path(String name) {
     return prefix + name;
   }
 
-  void refuseUnknown() {
+  @Override
+  public void refuseUnknown() {
     for (String name : object.propertyNames()) {
       if (!known.contains(name)) {
         String shown = name.length() > 60 ? name.substring(0, 60) + "…" : name;
@@ -134,6 +162,71 @@ final class JsonFields {
             path(shown), texts.get("error.unknownField", path(shown), String.join(", ", known)));
       }
     }
+  }
+
+  /** With its offset from UTC. */
+  @Override
+  public @Nullable Instant moment(String name, String errorKey) {
+    String given = text(name);
+    try {
+      return given == null ? null : OffsetDateTime.parse(given).toInstant();
+    } catch (DateTimeException e) {
+      errors.add(path(name), texts.get(errorKey));
+      return null;
+    }
+  }
+
+  /** An object with the name of a station, or with coordinates. */
+  @Override
+  public Where place(String name) {
+    Optional<JsonFields> place = optionalObject(name);
+    if (place.isEmpty()) {
+      errors.add(path(name), texts.get("error.place.missing", name));
+      return new Where.Station("");
+    }
+    return place(name, place.get());
+  }
+
+  private Where place(String name, JsonFields place) {
+    String station = place.text("station");
+    if (!place.has("station")) {
+      InputRules rules = rules();
+      Vec2 position =
+          new Vec2(
+              rules.coordinate(place.path("x"), place.number("x")),
+              rules.coordinate(place.path("y"), place.number("y")));
+      place.refuseUnknown();
+      return new Where.Point(position);
+    }
+    if (station == null || place.has("x") || place.has("y")) {
+      errors.add(path(name), texts.get("error.place.missing", name));
+    } else {
+      place.refuseUnknown();
+    }
+    return new Where.Station(station == null ? "" : station);
+  }
+
+  @Override
+  public @Nullable LoadSize size(String name) {
+    return optionalObject(name)
+        .map(
+            size -> {
+              LoadSize read =
+                  rules().size(path(name), size.number("length"), size.number("width"));
+              size.refuseUnknown();
+              return read;
+            })
+        .orElse(null);
+  }
+
+  @Override
+  public Texts texts() {
+    return texts;
+  }
+
+  @Override
+  public FieldErrors errors() {
+    return errors;
   }
 
   private Optional<JsonNode> value(String name) {

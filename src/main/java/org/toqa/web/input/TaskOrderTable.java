@@ -107,7 +107,8 @@ final class TaskOrderTable {
     }
     FieldErrors errors = new FieldErrors();
     TaskOrder order =
-        new TaskOrderRow(cells, table.separator() == ';', zone, now, texts, errors).read();
+        TaskOrderReader.readEntered(
+            new CsvFields(cells, table.separator() == ';', zone, texts, errors), now);
     if (errors.isEmpty()) {
       rows.add(new Row(line.number(), order));
     } else {

@@ -41,12 +41,11 @@ final class EditConflict {
    */
   EditConflict compareText(String field, @Nullable String stored, String none) {
     String storedText = stored == null ? "" : stored;
-    return compareEntry(
-        field, request.getParameter(field), storedText, storedText.isEmpty() ? none : storedText);
+    return compareEntry(field, storedText, storedText.isEmpty() ? none : storedText);
   }
 
   /**
-   * @param shown how {@code now} is shown
+   * @param shown how {@code stored} is shown
    */
   EditConflict compareNumber(String field, double stored, String shown) {
     String entered = request.getParameter(field);
@@ -57,11 +56,27 @@ final class EditConflict {
   }
 
   /**
-   * @param entered null: the form has no such field
-   * @param shown how {@code now} is shown
+   * Compares an entry of the form, if it has that field.
+   *
+   * @param shown how {@code stored} is shown
    */
-  EditConflict compareEntry(String field, @Nullable String entered, String stored, String shown) {
+  EditConflict compareEntry(String field, String stored, String shown) {
+    String entered = request.getParameter(field);
     return compare(field, entered == null || entered.strip().equals(stored), shown);
+  }
+
+  /**
+   * Compares a box of the form, which is sent only where it is ticked.
+   *
+   * @param shown how {@code stored} is shown
+   */
+  EditConflict compareFlag(String field, boolean stored, String shown) {
+    return compare(field, request.getParameter(field) != null == stored, shown);
+  }
+
+  /** A text in the reader's language, to show what is stored. */
+  String text(String key) {
+    return texts.get(key);
   }
 
   private EditConflict compare(String field, boolean isSame, String shown) {

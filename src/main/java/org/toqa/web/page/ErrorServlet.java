@@ -3,6 +3,7 @@ package org.toqa.web.page;
 import jakarta.servlet.DispatcherType;
 import jakarta.servlet.RequestDispatcher;
 import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServlet;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
@@ -15,7 +16,7 @@ import org.toqa.web.access.Caller;
 import org.toqa.web.api.Problem;
 
 /** Shows every error as a page in the style of the others, or as a problem where the API was. */
-public final class ErrorServlet extends PageServlet {
+public final class ErrorServlet extends HttpServlet {
   @Override
   protected void service(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
@@ -35,9 +36,9 @@ public final class ErrorServlet extends PageServlet {
     request.setAttribute("sentence", sentence);
     request.setAttribute("heading", texts.get(headingKey(status)));
     if (Caller.find(request).isPresent()) {
-      show(request, response, "error");
+      PageHandler.show(request, response, "error");
     } else {
-      showWithoutForm(request, response, "error");
+      PageHandler.showWithoutForm(request, response, "error");
     }
   }
 

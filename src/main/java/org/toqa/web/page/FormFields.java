@@ -8,12 +8,17 @@ import java.time.ZoneId;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
 import org.toqa.web.input.Digits;
 import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.Fields;
+import org.toqa.web.input.InputRules;
 
-/** The fields of a form that somebody sent. An empty one counts as missing. */
-final class FormFields {
+/** The fields of a form that somebody sent. */
+final class FormFields implements Fields {
   private final HttpServletRequest request;
   private final FieldErrors errors;
 
@@ -22,26 +27,27 @@ final class FormFields {
     this.errors = errors;
   }
 
-  @Nullable String text(String name) {
+  @Override
+  public @Nullable String text(String name) {
     String given = request.getParameter(name);
     return given == null || given.isBlank() ? null : given;
   }
 
-  /** What was chosen of several. */
-  List<String> texts(String name) {
+  @Override
+  public List<String> choices(String name) {
     String[] given = request.getParameterValues(name);
     return given == null ? List.of() : List.of(given);
   }
 
-  /** A field that holds no number gets a sentence and counts as missing. */
-  @Nullable Double number(String name) {
+  @Override
+  public @Nullable Double number(String name) {
     return number(name, name);
   }
 
   /**
    * @param shownAt the field that gets the sentence
    */
-  @Nullable Double number(String name, String shownAt) {
+  private @Nullable Double number(String name, String shownAt) {
     String given = text(name);
     if (given == null) {
       return null;
@@ -53,24 +59,53 @@ final class FormFields {
     return number.orElse(null);
   }
 
-  /**
-   * A date and a time of day. One that is none gets a sentence and counts as missing.
-   *
-   * @param zone the field that names the time zone; where it is empty, UTC
-   */
-  @Nullable Instant moment(String name, String zone) {
+  /** A date and a time of day in the time zone that the field {@code zone} names, or in UTC. */
+  @Override
+  public @Nullable Instant moment(String name, String errorKey) {
     String given = text(name);
     if (given == null) {
       return null;
     }
-    String place = text(zone);
+    String zone = text("zone");
     try {
       return LocalDateTime.parse(Digits.latin(given))
-          .atZone(ZoneId.of(place == null ? "UTC" : place))
+          .atZone(ZoneId.of(zone == null ? "UTC" : zone))
           .toInstant();
     } catch (DateTimeException e) {
       errors.add(name, Texts.of(request).get("error.notATime"));
       return null;
     }
+  }
+
+  /** A station goes before coordinates. */
+  @Override
+  public Where place(String name) {
+    String station = text(name + "Station");
+    if (station != null) {
+      return new Where.Station(station);
+    }
+    InputRules rules = rules();
+    return new Where.Point(
+        new Vec2(
+            rules.coordinate(name, number(name + "X", name)),
+            rules.coordinate(name, number(name + "Y", name))));
+  }
+
+  @Override
+  public @Nullable LoadSize size(String name) {
+    boolean isGiven = text("length") != null || text("width") != null;
+    return isGiven
+        ? rules().size(name, number("length", name), number("width", name))
+        : null;
+  }
+
+  @Override
+  public Texts texts() {
+    return Texts.of(request);
+  }
+
+  @Override
+  public FieldErrors errors() {
+    return errors;
   }
 }

@@ -3,7 +3,10 @@ package org.toqa.web.route;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.toqa.web.Handler;
 import org.toqa.web.RequestPath;
 import org.toqa.web.access.Permission;
 
@@ -12,12 +15,43 @@ import org.toqa.web.access.Permission;
  *
  * @param path from the application's root; a segment in braces stands for any one segment, a last
  *     segment {@code *} for any rest
+ * @param handler null: files are there, which the container's own servlet sends
  */
-public record Route(String method, String path, Permission permission) {
+public record Route(
+    String method,
+    String path,
+    Permission permission,
+    @Nullable Handler handler,
+    Set<Option> options) {
+
+  /** What holds for few routes. */
+  public enum Option {
+    /** It is answered also while there is no manager yet. */
+    BEFORE_FIRST_START,
+    /** Its form sends a file. */
+    MULTIPART
+  }
 
   /** Routes of the API answer in JSON, the others in pages. */
   public boolean isApi() {
     return RequestPath.isApi(path);
+  }
+
+  boolean has(Option option) {
+    return options.contains(option);
+  }
+
+  Route with(Option option) {
+    return new Route(method, path, permission, handler, Set.of(option));
+  }
+
+  /** The pattern of the Servlet specification (12.2) under which the container knows the path. */
+  String urlPattern() {
+    int firstBrace = path.indexOf('{');
+    if (firstBrace >= 0) {
+      return path.substring(0, firstBrace) + "*";
+    }
+    return path.equals("/") ? "" : path;
   }
 
   /** What stands in the place of each segment in braces, if the path fits. */
@@ -40,5 +74,11 @@ public record Route(String method, String path, Permission permission) {
       }
     }
     return Optional.of(parameters);
+  }
+
+  /** Without the handler, which has no name to show. */
+  @Override
+  public String toString() {
+    return method + " " + path + " " + permission;
   }
 }

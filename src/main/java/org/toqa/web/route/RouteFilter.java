@@ -18,13 +18,15 @@ import org.toqa.web.access.CsrfToken;
 import org.toqa.web.access.Permission;
 
 /**
- * Stands before everything and lets through who may pass, by the list of {@link Routes}.
+ * Finds the route of every request in the table of {@link Routes}, and refuses what it does not
+ * permit.
  *
  * <ol>
- *   <li>No door there: 404. Not with that method: 405.
- *   <li>No manager yet: everything but the first start is closed.
- *   <li>A stranger where users go: to the login, or 401. A clerk where managers go: 403.
- *   <li>A write without the session's token: 403.
+ *   <li>No route at that path: 404. None with that method: 405.
+ *   <li>No manager yet: to the first start, or 503.
+ *   <li>A caller who is not signed in, where one must be: to the login, or 401. One who has not the
+ *       route's permission: 403.
+ *   <li>A write without the session's CSRF token: 403.
  * </ol>
  */
 public final class RouteFilter extends HttpFilter {
@@ -47,6 +49,7 @@ public final class RouteFilter extends HttpFilter {
       return;
     }
     RequestPath.storeParameters(request, match.get().parameters());
+    RouterServlet.storeRoute(request, route.get());
     if (checkPermission(route.get(), path, request, response)) {
       chain.doFilter(request, response);
     }
@@ -55,7 +58,7 @@ public final class RouteFilter extends HttpFilter {
   private static boolean checkPermission(
       Route route, String path, HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    if (route.permission() == Permission.PUBLIC) {
+    if (route.has(Route.Option.BEFORE_FIRST_START)) {
       return checkCsrf(route, request, response);
     }
     if (!Services.of(request.getServletContext()).accounts().hasManager()) {
@@ -67,16 +70,16 @@ public final class RouteFilter extends HttpFilter {
       }
       return false;
     }
-    Optional<Caller> caller = Caller.find(request);
-    boolean needsCaller =
-        route.permission() == Permission.SIGNED_IN || route.permission() == Permission.MANAGER;
-    if (needsCaller && caller.isEmpty()) {
-      requestLogin(route, path, request, response);
-      return false;
-    }
-    if (route.permission() == Permission.MANAGER && !caller.orElseThrow().isManager()) {
-      ErrorResponse.sendText(request, response, 403, "problem.managersOnly");
-      return false;
+    if (route.permission() != Permission.ANONYMOUS) {
+      Optional<Caller> caller = Caller.find(request);
+      if (caller.isEmpty()) {
+        requestLogin(route, path, request, response);
+        return false;
+      }
+      if (!caller.get().has(route.permission())) {
+        ErrorResponse.sendText(request, response, 403, "problem.managersOnly");
+        return false;
+      }
     }
     return checkCsrf(route, request, response);
   }

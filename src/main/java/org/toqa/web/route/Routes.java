@@ -1,138 +1,214 @@
 package org.toqa.web.route;
 
 import static org.toqa.web.access.Permission.ANONYMOUS;
+import static org.toqa.web.access.Permission.CLERK;
 import static org.toqa.web.access.Permission.MANAGER;
-import static org.toqa.web.access.Permission.PUBLIC;
 import static org.toqa.web.access.Permission.SIGNED_IN;
+import static org.toqa.web.route.Route.Option.BEFORE_FIRST_START;
+import static org.toqa.web.route.Route.Option.MULTIPART;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import org.toqa.web.Handler;
+import org.toqa.web.RequestPath;
+import org.toqa.web.access.Permission;
+import org.toqa.web.api.FleetResource;
+import org.toqa.web.api.FloorResource;
+import org.toqa.web.api.HealthResource;
+import org.toqa.web.api.HistoryResource;
+import org.toqa.web.api.ImportResource;
+import org.toqa.web.api.MapResource;
+import org.toqa.web.api.MetricsResource;
+import org.toqa.web.api.OpenApiResource;
+import org.toqa.web.api.PasswordResetResource;
+import org.toqa.web.api.ProblemHandler;
+import org.toqa.web.api.RobotResource;
+import org.toqa.web.api.RobotsResource;
+import org.toqa.web.api.ScheduleResource;
+import org.toqa.web.api.SchedulesResource;
+import org.toqa.web.api.SessionResource;
+import org.toqa.web.api.StatisticsCsvResource;
+import org.toqa.web.api.StatisticsResource;
+import org.toqa.web.api.TaskPreviewResource;
+import org.toqa.web.api.TaskResource;
+import org.toqa.web.api.TasksResource;
+import org.toqa.web.api.TrackResource;
+import org.toqa.web.api.TracksResource;
+import org.toqa.web.api.UserResource;
+import org.toqa.web.api.UsersResource;
+import org.toqa.web.live.EventsResource;
+import org.toqa.web.page.ApiDocumentPage;
+import org.toqa.web.page.FirstStartPage;
+import org.toqa.web.page.FleetForms;
+import org.toqa.web.page.FloorForms;
+import org.toqa.web.page.ForgottenPasswordPage;
+import org.toqa.web.page.HistoryPage;
+import org.toqa.web.page.ImportPage;
+import org.toqa.web.page.LanguageSwitch;
+import org.toqa.web.page.LoginPage;
+import org.toqa.web.page.LogoutForm;
+import org.toqa.web.page.MapPage;
+import org.toqa.web.page.NewTaskPage;
+import org.toqa.web.page.ResetPasswordPage;
+import org.toqa.web.page.RobotPage;
+import org.toqa.web.page.RobotsPage;
+import org.toqa.web.page.SchedulesPage;
+import org.toqa.web.page.StatisticsPage;
+import org.toqa.web.page.TaskPage;
+import org.toqa.web.page.TasksPage;
+import org.toqa.web.page.UserPage;
+import org.toqa.web.page.UsersPage;
 
 /** Every route of the server and who may use it. What is not in this list is not found. */
 public final class Routes {
-  /** A path with a fixed segment stands before one that would also take it as a parameter. */
+  /**
+   * A path with a fixed segment stands before one that would also take it as a parameter. {@link
+   * RouteListener} registers them all.
+   */
   private static final List<Route> ALL =
       List.of(
-          new Route("GET", "/assets/*", PUBLIC),
-          new Route("GET", "/language/{language}", PUBLIC),
-          new Route("GET", "/first-start", PUBLIC),
-          new Route("POST", "/first-start", PUBLIC),
-          new Route("GET", "/", ANONYMOUS),
-          new Route("POST", "/", ANONYMOUS),
-          new Route("POST", "/logout", SIGNED_IN),
-          new Route("GET", "/forgotten", ANONYMOUS),
-          new Route("POST", "/forgotten", ANONYMOUS),
-          new Route("GET", "/reset", ANONYMOUS),
-          new Route("POST", "/reset", ANONYMOUS),
-          new Route("GET", "/map", SIGNED_IN),
-          new Route("GET", "/tasks", SIGNED_IN),
-          new Route("GET", "/tasks/new", SIGNED_IN),
-          new Route("POST", "/tasks/new", SIGNED_IN),
-          new Route("GET", "/tasks/import", SIGNED_IN),
-          new Route("POST", "/tasks/import", SIGNED_IN),
-          new Route("GET", "/tasks/{id}", SIGNED_IN),
-          new Route("POST", "/tasks/{id}/cancel", SIGNED_IN),
-          new Route("POST", "/tasks/{id}/hold", SIGNED_IN),
-          new Route("POST", "/tasks/{id}/resume", SIGNED_IN),
-          new Route("POST", "/tasks/{id}/priority", SIGNED_IN),
-          new Route("POST", "/tasks/{id}/answer", SIGNED_IN),
-          new Route("GET", "/schedules", SIGNED_IN),
-          new Route("POST", "/schedules/{id}/pause", SIGNED_IN),
-          new Route("POST", "/schedules/{id}/resume", SIGNED_IN),
-          new Route("POST", "/schedules/{id}/delete", SIGNED_IN),
-          new Route("GET", "/robots", SIGNED_IN),
-          new Route("POST", "/robots", MANAGER),
-          new Route("GET", "/robots/{name}", SIGNED_IN),
-          new Route("POST", "/robots/{name}/locate", MANAGER),
-          new Route("POST", "/robots/{name}/out-of-service", MANAGER),
-          new Route("POST", "/robots/{name}/in-service", MANAGER),
-          new Route("POST", "/robots/{name}/hold", MANAGER),
-          new Route("POST", "/robots/{name}/resume", MANAGER),
-          new Route("POST", "/robots/{name}/home", MANAGER),
-          new Route("POST", "/robots/{name}/pair", MANAGER),
-          new Route("POST", "/robots/{name}/change", MANAGER),
-          new Route("POST", "/robots/{name}/remove", MANAGER),
-          new Route("POST", "/fleet/pause", SIGNED_IN),
-          new Route("POST", "/fleet/resume", MANAGER),
-          new Route("POST", "/floors/{floor}/hold", MANAGER),
-          new Route("POST", "/floors/{floor}/resume", MANAGER),
-          new Route("GET", "/users", SIGNED_IN),
-          new Route("POST", "/users", MANAGER),
-          new Route("GET", "/users/{id}", SIGNED_IN),
-          new Route("POST", "/users/{id}/change", MANAGER),
-          new Route("POST", "/users/{id}/password", SIGNED_IN),
-          new Route("POST", "/users/{id}/email", SIGNED_IN),
-          new Route("POST", "/users/{id}/tokens", SIGNED_IN),
-          new Route("POST", "/users/{id}/sessions/{session}/end", SIGNED_IN),
-          new Route("POST", "/users/{id}/reset-link", MANAGER),
-          new Route("POST", "/users/{id}/delete", MANAGER),
-          new Route("GET", "/statistics", SIGNED_IN),
-          new Route("GET", "/history", SIGNED_IN),
-          new Route("GET", "/api", SIGNED_IN),
-          new Route("GET", "/api/v1/health", PUBLIC),
-          new Route("POST", "/api/v1/session", ANONYMOUS),
-          new Route("DELETE", "/api/v1/session", SIGNED_IN),
-          new Route("POST", "/api/v1/forgotten-password", ANONYMOUS),
-          new Route("POST", "/api/v1/reset-password", ANONYMOUS),
-          new Route("GET", "/api/v1/openapi.json", SIGNED_IN),
-          new Route("GET", "/api/v1/metrics", SIGNED_IN),
-          new Route("GET", "/api/v1/map", SIGNED_IN),
-          new Route("GET", "/api/v1/events", SIGNED_IN),
-          new Route("GET", "/api/v1/tasks", SIGNED_IN),
-          new Route("POST", "/api/v1/tasks", SIGNED_IN),
-          new Route("POST", "/api/v1/tasks/preview", SIGNED_IN),
-          new Route("POST", "/api/v1/tasks/import", SIGNED_IN),
-          new Route("GET", "/api/v1/tasks/import/example.csv", SIGNED_IN),
-          new Route("GET", "/api/v1/tasks/{id}", SIGNED_IN),
-          new Route("POST", "/api/v1/tasks/{id}/cancel", SIGNED_IN),
-          new Route("POST", "/api/v1/tasks/{id}/hold", SIGNED_IN),
-          new Route("POST", "/api/v1/tasks/{id}/resume", SIGNED_IN),
-          new Route("POST", "/api/v1/tasks/{id}/priority", SIGNED_IN),
-          new Route("POST", "/api/v1/tasks/{id}/answer", SIGNED_IN),
-          new Route("GET", "/api/v1/schedules", SIGNED_IN),
-          new Route("POST", "/api/v1/schedules", SIGNED_IN),
-          new Route("GET", "/api/v1/schedules/{id}", SIGNED_IN),
-          new Route("DELETE", "/api/v1/schedules/{id}", SIGNED_IN),
-          new Route("POST", "/api/v1/schedules/{id}/pause", SIGNED_IN),
-          new Route("POST", "/api/v1/schedules/{id}/resume", SIGNED_IN),
-          new Route("GET", "/api/v1/robots", SIGNED_IN),
-          new Route("POST", "/api/v1/robots", MANAGER),
-          new Route("GET", "/api/v1/robots/{name}", SIGNED_IN),
-          new Route("PUT", "/api/v1/robots/{name}", MANAGER),
-          new Route("DELETE", "/api/v1/robots/{name}", MANAGER),
-          new Route("POST", "/api/v1/robots/{name}/locate", MANAGER),
-          new Route("POST", "/api/v1/robots/{name}/out-of-service", MANAGER),
-          new Route("POST", "/api/v1/robots/{name}/in-service", MANAGER),
-          new Route("POST", "/api/v1/robots/{name}/hold", MANAGER),
-          new Route("POST", "/api/v1/robots/{name}/resume", MANAGER),
-          new Route("POST", "/api/v1/robots/{name}/home", MANAGER),
-          new Route("POST", "/api/v1/robots/{name}/pair", MANAGER),
-          new Route("GET", "/api/v1/users", SIGNED_IN),
-          new Route("POST", "/api/v1/users", MANAGER),
-          new Route("GET", "/api/v1/users/{id}", SIGNED_IN),
-          new Route("PUT", "/api/v1/users/{id}", MANAGER),
-          new Route("DELETE", "/api/v1/users/{id}", MANAGER),
-          new Route("POST", "/api/v1/users/{id}/password", SIGNED_IN),
-          new Route("POST", "/api/v1/users/{id}/email", SIGNED_IN),
-          new Route("GET", "/api/v1/users/{id}/sessions", SIGNED_IN),
-          new Route("DELETE", "/api/v1/users/{id}/sessions/{session}", SIGNED_IN),
-          new Route("POST", "/api/v1/users/{id}/tokens", SIGNED_IN),
-          new Route("POST", "/api/v1/users/{id}/reset-link", MANAGER),
-          new Route("GET", "/api/v1/tracks", SIGNED_IN),
-          new Route("GET", "/api/v1/tracks/{name}", SIGNED_IN),
-          new Route("GET", "/api/v1/history", SIGNED_IN),
-          new Route("GET", "/api/v1/statistics", SIGNED_IN),
-          new Route("GET", "/api/v1/statistics/series.csv", SIGNED_IN),
-          new Route("GET", "/api/v1/statistics/robots.csv", SIGNED_IN),
-          new Route("GET", "/api/v1/fleet", SIGNED_IN),
-          new Route("POST", "/api/v1/fleet/pause", SIGNED_IN),
-          new Route("POST", "/api/v1/fleet/resume", MANAGER),
-          new Route("POST", "/api/v1/floors/{floor}/hold", MANAGER),
-          new Route("POST", "/api/v1/floors/{floor}/resume", MANAGER));
+          new Route("GET", "/assets/*", ANONYMOUS, null, Set.of(BEFORE_FIRST_START)),
+          get("/language/{language}", ANONYMOUS, LanguageSwitch::choose).with(BEFORE_FIRST_START),
+          get("/first-start", ANONYMOUS, FirstStartPage::show).with(BEFORE_FIRST_START),
+          post("/first-start", ANONYMOUS, FirstStartPage::createManager).with(BEFORE_FIRST_START),
+          get("/", ANONYMOUS, LoginPage::show),
+          post("/", ANONYMOUS, LoginPage::signIn),
+          post("/logout", SIGNED_IN, LogoutForm::signOut),
+          get("/forgotten", ANONYMOUS, ForgottenPasswordPage::show),
+          post("/forgotten", ANONYMOUS, ForgottenPasswordPage::sendLink),
+          get("/reset", ANONYMOUS, ResetPasswordPage::show),
+          post("/reset", ANONYMOUS, ResetPasswordPage::replacePassword),
+          get("/map", CLERK, MapPage::show),
+          get("/tasks", CLERK, TasksPage::show),
+          get("/tasks/new", CLERK, NewTaskPage::show),
+          post("/tasks/new", CLERK, NewTaskPage::submit),
+          get("/tasks/import", CLERK, ImportPage::show),
+          post("/tasks/import", CLERK, ImportPage::submit).with(MULTIPART),
+          get("/tasks/{id}", CLERK, TaskPage::show),
+          post("/tasks/{id}/cancel", CLERK, TaskPage::cancel),
+          post("/tasks/{id}/hold", CLERK, TaskPage::hold),
+          post("/tasks/{id}/resume", CLERK, TaskPage::resume),
+          post("/tasks/{id}/priority", CLERK, TaskPage::prioritise),
+          post("/tasks/{id}/answer", CLERK, TaskPage::answer),
+          get("/schedules", CLERK, SchedulesPage::show),
+          post("/schedules/{id}/pause", CLERK, SchedulesPage::pause),
+          post("/schedules/{id}/resume", CLERK, SchedulesPage::resume),
+          post("/schedules/{id}/delete", CLERK, SchedulesPage::delete),
+          get("/robots", CLERK, RobotsPage::show),
+          post("/robots", MANAGER, RobotsPage::add),
+          get("/robots/{name}", CLERK, RobotPage::show),
+          post("/robots/{name}/locate", MANAGER, RobotPage::locate),
+          post("/robots/{name}/out-of-service", MANAGER, RobotPage::takeOutOfService),
+          post("/robots/{name}/in-service", MANAGER, RobotPage::putInService),
+          post("/robots/{name}/hold", MANAGER, RobotPage::hold),
+          post("/robots/{name}/resume", MANAGER, RobotPage::resume),
+          post("/robots/{name}/home", MANAGER, RobotPage::sendHome),
+          post("/robots/{name}/pair", MANAGER, RobotPage::pair),
+          post("/robots/{name}/change", MANAGER, RobotPage::change),
+          post("/robots/{name}/remove", MANAGER, RobotPage::remove),
+          post("/fleet/pause", CLERK, FleetForms::pause),
+          post("/fleet/resume", MANAGER, FleetForms::resume),
+          post("/floors/{floor}/hold", MANAGER, FloorForms::hold),
+          post("/floors/{floor}/resume", MANAGER, FloorForms::resume),
+          get("/users", SIGNED_IN, UsersPage::show),
+          post("/users", MANAGER, UsersPage::add),
+          get("/users/{id}", SIGNED_IN, UserPage::show),
+          post("/users/{id}/change", MANAGER, UserPage::change),
+          post("/users/{id}/password", SIGNED_IN, UserPage::changePassword),
+          post("/users/{id}/email", SIGNED_IN, UserPage::changeEmail),
+          post("/users/{id}/tokens", SIGNED_IN, UserPage::createToken),
+          post("/users/{id}/sessions/{session}/end", SIGNED_IN, UserPage::endSession),
+          post("/users/{id}/reset-link", MANAGER, UserPage::createLink),
+          post("/users/{id}/delete", MANAGER, UserPage::delete),
+          get("/statistics", CLERK, StatisticsPage::show),
+          get("/history", CLERK, HistoryPage::show),
+          get("/api", SIGNED_IN, ApiDocumentPage::show),
+          get("/api/v1/health", ANONYMOUS, HealthResource::get).with(BEFORE_FIRST_START),
+          post("/api/v1/session", ANONYMOUS, SessionResource::begin),
+          delete("/api/v1/session", SIGNED_IN, SessionResource::end),
+          post("/api/v1/forgotten-password", ANONYMOUS, PasswordResetResource::sendLink),
+          post("/api/v1/reset-password", ANONYMOUS, PasswordResetResource::replacePassword),
+          get("/api/v1/openapi.json", SIGNED_IN, OpenApiResource::get),
+          get("/api/v1/metrics", CLERK, MetricsResource::get),
+          get("/api/v1/map", CLERK, MapResource::get),
+          get("/api/v1/events", CLERK, EventsResource::stream),
+          get("/api/v1/tasks", CLERK, TasksResource::list),
+          post("/api/v1/tasks", CLERK, TasksResource::add),
+          post("/api/v1/tasks/preview", CLERK, TaskPreviewResource::preview),
+          post("/api/v1/tasks/import", CLERK, ImportResource::importTable),
+          get("/api/v1/tasks/import/example.csv", CLERK, ImportResource::example),
+          get("/api/v1/tasks/{id}", CLERK, TaskResource::get),
+          post("/api/v1/tasks/{id}/cancel", CLERK, TaskResource::cancel),
+          post("/api/v1/tasks/{id}/hold", CLERK, TaskResource::hold),
+          post("/api/v1/tasks/{id}/resume", CLERK, TaskResource::resume),
+          post("/api/v1/tasks/{id}/priority", CLERK, TaskResource::prioritise),
+          post("/api/v1/tasks/{id}/answer", CLERK, TaskResource::answer),
+          get("/api/v1/schedules", CLERK, SchedulesResource::list),
+          post("/api/v1/schedules", CLERK, SchedulesResource::add),
+          get("/api/v1/schedules/{id}", CLERK, ScheduleResource::get),
+          delete("/api/v1/schedules/{id}", CLERK, ScheduleResource::delete),
+          post("/api/v1/schedules/{id}/pause", CLERK, ScheduleResource::pause),
+          post("/api/v1/schedules/{id}/resume", CLERK, ScheduleResource::resume),
+          get("/api/v1/robots", CLERK, RobotsResource::list),
+          post("/api/v1/robots", MANAGER, RobotsResource::add),
+          get("/api/v1/robots/{name}", CLERK, RobotResource::get),
+          put("/api/v1/robots/{name}", MANAGER, RobotResource::change),
+          delete("/api/v1/robots/{name}", MANAGER, RobotResource::remove),
+          post("/api/v1/robots/{name}/locate", MANAGER, RobotResource::locate),
+          post("/api/v1/robots/{name}/out-of-service", MANAGER, RobotResource::takeOutOfService),
+          post("/api/v1/robots/{name}/in-service", MANAGER, RobotResource::putInService),
+          post("/api/v1/robots/{name}/hold", MANAGER, RobotResource::hold),
+          post("/api/v1/robots/{name}/resume", MANAGER, RobotResource::resume),
+          post("/api/v1/robots/{name}/home", MANAGER, RobotResource::sendHome),
+          post("/api/v1/robots/{name}/pair", MANAGER, RobotResource::pair),
+          get("/api/v1/users", SIGNED_IN, UsersResource::list),
+          post("/api/v1/users", MANAGER, UsersResource::add),
+          get("/api/v1/users/{id}", SIGNED_IN, UserResource::get),
+          put("/api/v1/users/{id}", MANAGER, UserResource::change),
+          delete("/api/v1/users/{id}", MANAGER, UserResource::delete),
+          post("/api/v1/users/{id}/password", SIGNED_IN, UserResource::changePassword),
+          post("/api/v1/users/{id}/email", SIGNED_IN, UserResource::changeEmail),
+          get("/api/v1/users/{id}/sessions", SIGNED_IN, UserResource::sessions),
+          delete("/api/v1/users/{id}/sessions/{session}", SIGNED_IN, UserResource::endSession),
+          post("/api/v1/users/{id}/tokens", SIGNED_IN, UserResource::createToken),
+          post("/api/v1/users/{id}/reset-link", MANAGER, UserResource::createLink),
+          get("/api/v1/tracks", CLERK, TracksResource::get),
+          get("/api/v1/tracks/{name}", CLERK, TrackResource::get),
+          get("/api/v1/history", CLERK, HistoryResource::get),
+          get("/api/v1/statistics", CLERK, StatisticsResource::get),
+          get("/api/v1/statistics/series.csv", CLERK, StatisticsCsvResource::series),
+          get("/api/v1/statistics/robots.csv", CLERK, StatisticsCsvResource::robots),
+          get("/api/v1/fleet", CLERK, FleetResource::get),
+          post("/api/v1/fleet/pause", CLERK, FleetResource::pause),
+          post("/api/v1/fleet/resume", MANAGER, FleetResource::resume),
+          post("/api/v1/floors/{floor}/hold", MANAGER, FloorResource::hold),
+          post("/api/v1/floors/{floor}/resume", MANAGER, FloorResource::resume));
 
   private Routes() {}
+
+  private static Route get(String path, Permission permission, Handler handler) {
+    return route("GET", path, permission, handler);
+  }
+
+  private static Route post(String path, Permission permission, Handler handler) {
+    return route("POST", path, permission, handler);
+  }
+
+  private static Route put(String path, Permission permission, Handler handler) {
+    return route("PUT", path, permission, handler);
+  }
+
+  private static Route delete(String path, Permission permission, Handler handler) {
+    return route("DELETE", path, permission, handler);
+  }
+
+  private static Route route(String method, String path, Permission permission, Handler handler) {
+    Handler answering = RequestPath.isApi(path) ? new ProblemHandler(handler) : handler;
+    return new Route(method, path, permission, answering, Set.of());
+  }
 
   /**
    * What is found at a path.
@@ -180,7 +256,7 @@ public final class Routes {
   static boolean isPage(String path) {
     return find(path)
         .flatMap(match -> match.route("GET"))
-        .filter(route -> !route.isApi() && route.permission() != PUBLIC)
+        .filter(route -> !route.isApi() && !route.has(BEFORE_FIRST_START))
         .isPresent();
   }
 }

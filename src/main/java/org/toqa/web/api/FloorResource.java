@@ -1,0 +1,52 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.Hold;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
+import org.toqa.web.access.Caller;
+
+/** A floor: whether its robots are on hold. */
+public final class FloorResource extends ApiHandler {
+
+  /**
+   * @param hold null while its robots may drive
+   */
+  private record FloorHoldJson(String floor, @Nullable HoldJson hold) {}
+
+  public static void hold(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    String floor = RequestPath.parameter(request, "floor");
+    send(
+        request,
+        response,
+        floor,
+        services(request).fleet().holdFloor(floor, Caller.of(request).name()));
+  }
+
+  public static void resume(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    String floor = RequestPath.parameter(request, "floor");
+    send(
+        request,
+        response,
+        floor,
+        services(request).fleet().resumeFloor(floor, Caller.of(request).name()));
+  }
+
+  private static void send(
+      HttpServletRequest request,
+      HttpServletResponse response,
+      String floor,
+      CompletionStage<Answer<Optional<Hold>>> answer)
+      throws IOException {
+    Hold hold = acceptedValue(request, FleetAnswers.await(answer)).orElse(null);
+    Json.send(request, response, 200, new FloorHoldJson(floor, HoldJson.of(hold)));
+  }
+}

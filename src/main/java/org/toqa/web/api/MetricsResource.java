@@ -1,0 +1,14 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+
+/** What is measured, for Prometheus. */
+public final class MetricsResource extends ApiHandler {
+  public static void get(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    response.setContentType("text/plain;version=0.0.4;charset=UTF-8");
+    response.getWriter().write(services(request).metrics().scrape());
+  }
+}

@@ -1,0 +1,25 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.toqa.persistence.StoreException;
+import org.toqa.web.Handler;
+import org.toqa.web.Texts;
+
+/** Answers as another handler does; the problems that it raises become answers. */
+public record ProblemHandler(Handler handler) implements Handler {
+
+  @Override
+  public void handle(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    try {
+      handler.handle(request, response);
+    } catch (Problem.ProblemException e) {
+      e.problem().send(request, response);
+    } catch (StoreException e) {
+      Problem.of(503, Texts.of(request).get("problem.databaseAway")).send(request, response);
+    }
+  }
+}

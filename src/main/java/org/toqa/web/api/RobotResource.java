@@ -1,0 +1,135 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.concurrent.CompletionStage;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Pose;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.input.Fields;
+import org.toqa.web.input.InputRules;
+import org.toqa.web.input.RobotOrderReader;
+import org.toqa.web.input.Version;
+
+/** One robot, and the commands that a manager may give. */
+public final class RobotResource extends ApiHandler {
+  public static void get(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    send(request, response, robot(request));
+  }
+
+  private static RobotView robot(HttpServletRequest request) {
+    String name = RequestPath.parameter(request, "name");
+    return services(request).fleet().snapshots().latest().robots().stream()
+        .filter(r -> r.name().equals(name))
+        .findFirst()
+        .orElseThrow(
+            () -> Problem.of(404, Texts.of(request).get("problem.noSuchRobot")).exception());
+  }
+
+  private static void send(
+      HttpServletRequest request, HttpServletResponse response, RobotView robot)
+      throws IOException {
+    response.setHeader("ETag", Version.of(robot).tag());
+    Json.send(request, response, 200, RobotJson.of(robot));
+  }
+
+  public static void change(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    RobotView robot = robot(request);
+    requireVersion(Version.of(robot), request);
+    RobotChange change = readBody(request, RobotOrderReader::readChange);
+    String user = Caller.of(request).name();
+    send(
+        request,
+        response,
+        acceptedValue(
+            request,
+            FleetAnswers.await(services(request).fleet().changeRobot(robot.name(), change, user))));
+  }
+
+  public static void remove(HttpServletRequest request, HttpServletResponse response) {
+    await(request, services(request).fleet()::removeRobot);
+    response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+  }
+
+  public static void takeOutOfService(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    command(request, response, services(request).fleet()::takeOutOfService);
+  }
+
+  public static void putInService(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    command(request, response, services(request).fleet()::putInService);
+  }
+
+  public static void hold(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    command(request, response, services(request).fleet()::holdRobot);
+  }
+
+  public static void resume(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    command(request, response, services(request).fleet()::resumeRobot);
+  }
+
+  public static void sendHome(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    command(request, response, services(request).fleet()::sendHome);
+  }
+
+  public static void pair(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    PairingOrder order = readBody(request, RobotOrderReader::readPairing).orElseThrow();
+    command(
+        request,
+        response,
+        (robot, user) -> services(request).fleet().pairRobot(robot, order, user));
+  }
+
+  public static void locate(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Pose pose = readBody(request, RobotResource::readPose);
+    command(
+        request,
+        response,
+        (robot, user) -> services(request).fleet().locateRobot(robot, pose, user));
+  }
+
+  /** Sends the fleet a command for the robot of that name. */
+  @FunctionalInterface
+  private interface Command {
+    CompletionStage<Answer<RobotView>> send(String robot, String user);
+  }
+
+  private static void command(
+      HttpServletRequest request, HttpServletResponse response, Command command)
+      throws IOException {
+    Json.send(request, response, 200, RobotJson.of(await(request, command)));
+  }
+
+  private static RobotView await(HttpServletRequest request, Command command) {
+    return acceptedValue(
+        request,
+        FleetAnswers.await(
+            command.send(RequestPath.parameter(request, "name"), Caller.of(request).name())));
+  }
+
+  private static Pose readPose(Fields fields) {
+    InputRules rules = fields.rules();
+    Pose pose =
+        new Pose(
+            rules.coordinate("x", fields.number("x")),
+            rules.coordinate("y", fields.number("y")),
+            rules.angle("theta", fields.number("theta")));
+    fields.refuseUnknown();
+    return pose;
+  }
+}

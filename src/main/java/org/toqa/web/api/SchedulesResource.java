@@ -1,0 +1,52 @@
+package org.toqa.web.api;
+
+import org.toqa.fleet.KeyedAnswer;
+import org.toqa.web.FleetAnswers;
+
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.time.Instant;
+import org.toqa.fleet.Schedule;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.input.ScheduleOrder;
+import org.toqa.web.input.ScheduleReader;
+
+/** All schedules, and new ones. */
+public final class SchedulesResource extends ApiHandler {
+  public static void list(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Json.send(
+        request,
+        response,
+        200,
+        services(request).schedules().schedules().stream().map(ScheduleJson::of).toList());
+  }
+
+  public static void add(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Texts texts = Texts.of(request);
+    Instant now = services(request).clock().instant();
+    ScheduleOrder order = readBody(request, fields -> ScheduleReader.readJson(fields, now));
+    Schedule schedule =
+        switch (FleetAnswers.await(
+            services(request)
+                .fleet()
+                .schedules()
+                .add(
+                    order.order(),
+                    order.recurrence(),
+                    order.until(),
+                    Caller.of(request).name(),
+                    IdempotencyKey.of(request)))) {
+          case KeyedAnswer.Answered<Schedule>(var answer) -> acceptedValue(request, answer);
+          case KeyedAnswer.Repeated<Schedule>(Schedule before) -> before;
+          case KeyedAnswer.KeyReused<Schedule>() ->
+              throw Problem.of(422, texts.get("problem.idempotencyKey.used")).exception();
+        };
+    response.setHeader("Location", request.getContextPath() + "/api/v1/schedules/" + schedule.id());
+    Json.send(request, response, HttpServletResponse.SC_CREATED, ScheduleJson.of(schedule));
+  }
+}

@@ -1,0 +1,114 @@
+package org.toqa.web.api;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.function.BiFunction;
+import org.toqa.fleet.TaskView;
+import org.toqa.mission.MissionEvent;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
+import org.toqa.web.Tasks;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.TaskCommandReader;
+
+/** One task with its history, and the commands that an operator may give. */
+public final class TaskResource extends ApiHandler {
+  public static void get(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    send(request, response, task(request));
+  }
+
+  public static void hold(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    change(request, response, user -> new MissionEvent.Hold(user.name()));
+  }
+
+  public static void resume(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    change(request, response, user -> new MissionEvent.Resume(user.name()));
+  }
+
+  public static void prioritise(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    change(
+        request,
+        response,
+        user ->
+            read(request, (reader, fields) -> reader.readPriority(user, fields.number("priority"))));
+  }
+
+  /** A body is needed only where the load's place must be said. */
+  public static void cancel(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    change(
+        request,
+        response,
+        user ->
+            JsonFields.hasBody(request)
+                ? read(request, (reader, fields) -> reader.readCancel(user, fields.text("load")))
+                : new MissionEvent.Cancel(user.name(), null));
+  }
+
+  public static void answer(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    change(
+        request,
+        response,
+        user -> read(request, (reader, fields) -> reader.readAnswer(user, fields.text("answer"))));
+  }
+
+  /** Reads a command from the body, if it has one. */
+  @FunctionalInterface
+  private interface BodyReader {
+    MissionEvent.OperatorCommand read(Caller user) throws IOException;
+  }
+
+  private static void change(
+      HttpServletRequest request, HttpServletResponse response, BodyReader body)
+      throws IOException {
+    TaskView task = task(request);
+    Caller caller = Caller.of(request);
+    if (!TaskCommandReader.canChange(caller, task)) {
+      throw Problem.of(403, Texts.of(request).get("problem.notYourTask")).exception();
+    }
+    MissionEvent.OperatorCommand command = body.read(caller);
+    send(
+        request,
+        response,
+        acceptedValue(
+            request,
+            FleetAnswers.await(services(request).fleet().commandTask(task.id(), command))));
+  }
+
+  private static MissionEvent.OperatorCommand read(
+      HttpServletRequest request,
+      BiFunction<TaskCommandReader, JsonFields, MissionEvent.OperatorCommand> reader)
+      throws IOException {
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    MissionEvent.OperatorCommand command =
+        reader.apply(new TaskCommandReader(Texts.of(request), errors), fields);
+    fields.refuseUnknown();
+    throwIfAny(errors);
+    return command;
+  }
+
+  private static TaskView task(HttpServletRequest request) {
+    return new Tasks(services(request))
+        .task(RequestPath.number(request, "id"))
+        .orElseThrow(
+            () -> Problem.of(404, Texts.of(request).get("problem.noSuchTask")).exception());
+  }
+
+  private static void send(HttpServletRequest request, HttpServletResponse response, TaskView task)
+      throws IOException {
+    Json.send(
+        request,
+        response,
+        200,
+        TaskJson.withHistory(task, services(request).archive().history(task.id())));
+  }
+}

@@ -1,0 +1,170 @@
+package org.toqa.web.api;
+
+
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Map;
+import java.util.Optional;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Role;
+import org.toqa.accounts.SessionStore;
+import org.toqa.web.RequestPath;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
+import org.toqa.web.input.UserCommands;
+import org.toqa.web.input.Version;
+
+/** One user: his sessions and tokens, password and e-mail address, what he may do, and the end. */
+public final class UserResource extends ApiHandler {
+  public static void get(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    send(request, response, user(request));
+  }
+
+  public static void sessions(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Account user = user(request);
+    Json.send(
+        request,
+        response,
+        200,
+        services(request).sessions().sessions(user.id()).stream().map(SessionJson::of).toList());
+  }
+
+  private static void send(HttpServletRequest request, HttpServletResponse response, Account user)
+      throws IOException {
+    response.setHeader("ETag", Version.of(user).tag());
+    Json.send(request, response, 200, UserJson.of(user));
+  }
+
+  public static void change(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Account user = user(request);
+    requireVersion(Version.of(user), request);
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    Texts texts = Texts.of(request);
+    if (fields.text("role") == null) {
+      errors.add("role", texts.get("error.role"));
+    }
+    Role role = new InputRules(texts, errors).role("role", fields.text("role"));
+    boolean disabled = fields.flag("disabled");
+    fields.refuseUnknown();
+    throwIfAny(errors);
+    refuseUnlessDone(
+        services(request).accounts().update(user.id(), role, disabled, Caller.of(request).name()),
+        request);
+    send(request, response, user(request));
+  }
+
+  public static void delete(HttpServletRequest request, HttpServletResponse response) {
+    refuseUnlessDone(
+        services(request).accounts().delete(user(request).id(), Caller.of(request).name()),
+        request);
+    response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+  }
+
+  public static void endSession(HttpServletRequest request, HttpServletResponse response) {
+    if (!services(request)
+        .sessions()
+        .end(user(request), RequestPath.number(request, "session"), Caller.of(request).name())) {
+      throw Problem.of(404, Texts.of(request).get("problem.noSuchSession")).exception();
+    }
+    response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+  }
+
+  public static void changePassword(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Account user = user(request);
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    String password = fields.text("password");
+    String old = fields.text("old");
+    fields.refuseUnknown();
+    throwIfAny(errors);
+    new UserCommands(services(request), Texts.of(request), errors)
+        .changePassword(Caller.of(request), user, password, old);
+    throwIfAny(errors);
+    response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+  }
+
+  public static void changeEmail(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Account user = user(request);
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    String email = fields.text("email");
+    String password = fields.text("password");
+    fields.refuseUnknown();
+    throwIfAny(errors);
+    new UserCommands(services(request), Texts.of(request), errors)
+        .changeEmail(Caller.of(request), user, email, "password", password);
+    throwIfAny(errors);
+    response.setStatus(HttpServletResponse.SC_NO_CONTENT);
+  }
+
+  public static void createToken(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Account user = user(request);
+    Texts texts = Texts.of(request);
+    if (!UserCommands.isSelf(Caller.of(request), user)) {
+      throw Problem.of(403, texts.get("problem.notYourToken")).exception();
+    }
+    FieldErrors errors = new FieldErrors();
+    JsonFields fields = JsonFields.of(request, errors);
+    String name = fields.text("name");
+    Double days = fields.number("days");
+    fields.refuseUnknown();
+    throwIfAny(errors);
+    Optional<SessionStore.NewSession> created =
+        new UserCommands(services(request), texts, errors)
+            .createToken(Caller.of(request), user, "name", name, days, request);
+    throwIfAny(errors);
+    SessionStore.NewSession token = created.orElseThrow();
+    Json.send(
+        request,
+        response,
+        HttpServletResponse.SC_CREATED,
+        new TokenJson(token.secret(), SessionJson.of(token.session())));
+  }
+
+  /**
+   * @param token told but once
+   */
+  private record TokenJson(String token, SessionJson session) {}
+
+  public static void createLink(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Account user = user(request);
+    String link =
+        services(request)
+            .passwordLinks()
+            .createLink(user, RequestPath.baseUrl(request), Caller.of(request).name());
+    Json.send(request, response, HttpServletResponse.SC_CREATED, Map.of("link", link));
+  }
+
+  /** Of others a clerk knows nothing. */
+  private static Account user(HttpServletRequest request) {
+    Caller caller = Caller.of(request);
+    return services(request)
+        .accounts()
+        .account(RequestPath.number(request, "id"))
+        .filter(user -> UserCommands.canSee(caller, user))
+        .orElseThrow(
+            () -> Problem.of(404, Texts.of(request).get("problem.noSuchUser")).exception());
+  }
+
+  private static void refuseUnlessDone(AccountStore.ChangeResult outcome, HttpServletRequest request) {
+    new UserCommands(services(request), Texts.of(request), new FieldErrors())
+        .refusal(outcome)
+        .ifPresent(
+            sentence -> {
+              throw Problem.of(409, sentence).exception();
+            });
+  }
+}

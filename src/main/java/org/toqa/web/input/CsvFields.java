@@ -1,0 +1,105 @@
+package org.toqa.web.input;
+
+import java.time.DateTimeException;
+import java.time.Instant;
+import java.time.LocalDateTime;
+import java.time.OffsetDateTime;
+import java.time.ZoneId;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.web.Texts;
+
+/**
+ * The fields in one line of a table.
+ *
+ * @param cells by their column
+ * @param hasDecimalComma whether a number may have a decimal comma
+ * @param zone of moments that name none
+ */
+record CsvFields(
+    Map<String, String> cells,
+    boolean hasDecimalComma,
+    ZoneId zone,
+    Texts texts,
+    FieldErrors errors)
+    implements Fields {
+
+  @Override
+  public @Nullable String text(String column) {
+    String given = cells.getOrDefault(column, "").strip();
+    return given.isEmpty() ? null : given;
+  }
+
+  @Override
+  public List<String> choices(String column) {
+    return Stream.ofNullable(text(column)).toList();
+  }
+
+  @Override
+  public @Nullable Double number(String column) {
+    String given = text(column);
+    if (given == null) {
+      return null;
+    }
+    Optional<Double> number = Digits.number(hasDecimalComma ? given.replace(',', '.') : given);
+    if (number.isEmpty()) {
+      errors.add(column, texts.get("error.notANumber"));
+    }
+    return number.orElse(null);
+  }
+
+  /** With its offset from UTC, or in the table's time zone. */
+  @Override
+  public @Nullable Instant moment(String column, String errorKey) {
+    String given = text(column);
+    if (given == null) {
+      return null;
+    }
+    String moment = Digits.latin(given).replaceFirst("(?<=\\d) +(?=\\d)", "T");
+    try {
+      return moment.matches(".*(Z|[+-]\\d\\d:\\d\\d)")
+          ? OffsetDateTime.parse(moment).toInstant()
+          : LocalDateTime.parse(moment).atZone(zone).toInstant();
+    } catch (DateTimeException e) {
+      errors.add(column, texts.get("error.import.deadline"));
+      return null;
+    }
+  }
+
+  /** The name of a station in one column, or coordinates in two more. */
+  @Override
+  public Where place(String end) {
+    String station = text(end);
+    String x = end + "X";
+    String y = end + "Y";
+    boolean hasPoint = text(x) != null || text(y) != null;
+    if (station == null && hasPoint) {
+      return new Where.Point(
+          new Vec2(rules().coordinate(x, number(x)), rules().coordinate(y, number(y))));
+    }
+    if (station == null || hasPoint) {
+      errors.add(end, texts.get("error.import.place", end));
+    }
+    return new Where.Station(station == null ? "" : station);
+  }
+
+  /** The sides have columns of their own. */
+  @Override
+  public @Nullable LoadSize size(String name) {
+    if (text("length") == null && text("width") == null) {
+      return null;
+    }
+    FieldErrors ofSize = new FieldErrors();
+    LoadSize size = new InputRules(texts, ofSize).size(name, number("length"), number("width"));
+    ofSize
+        .sentences()
+        .forEach((field, sentence) -> errors.add(field.replace(name + ".", ""), sentence));
+    return size;
+  }
+}

@@ -1,0 +1,63 @@
+package org.toqa.web.input;
+
+import java.time.Instant;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.web.Texts;
+
+/**
+ * The fields of what somebody sent: a form, a JSON object or a line of a table. A field that is
+ * empty counts as missing; one that is not of the kind that is asked for gets a sentence and counts
+ * as missing.
+ */
+public interface Fields {
+
+  @Nullable String text(String name);
+
+  /** What was chosen of several; empty where nothing was. */
+  List<String> choices(String name);
+
+  @Nullable Double number(String name);
+
+  /**
+   * A moment as this kind of input writes it.
+   *
+   * @param errorKey of the sentence for what is no moment, where this kind of input has none of its
+   *     own
+   */
+  @Nullable Instant moment(String name, String errorKey);
+
+  /** A station or coordinates, as this kind of input writes them. */
+  Where place(String name);
+
+  /** Both sides, or null where neither is given. */
+  @Nullable LoadSize size(String name);
+
+  Texts texts();
+
+  /** Where the sentences are filed. */
+  FieldErrors errors();
+
+  default InputRules rules() {
+    return new InputRules(texts(), errors());
+  }
+
+  default boolean has(String name) {
+    return text(name) != null;
+  }
+
+  /** The fields of an object in these; where no objects are written, these fields themselves. */
+  default Fields object(String name) {
+    return this;
+  }
+
+  /** The name under which sentences for that field are filed. */
+  default String path(String name) {
+    return name;
+  }
+
+  /** Files a sentence for each field that nobody asked for, where such a one is a mistake. */
+  default void refuseUnknown() {}
+}

@@ -1,0 +1,56 @@
+package org.toqa.web.input;
+
+import java.util.Optional;
+import org.toqa.fleet.PairingOrder;
+import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotOrder;
+import org.toqa.link.trust.PairingCode;
+
+/**
+ * Reads what a manager orders for a robot. What it reads means something only where no sentence was
+ * filed.
+ */
+public final class RobotOrderReader {
+  private RobotOrderReader() {}
+
+  public static RobotOrder readOrder(Fields fields) {
+    InputRules rules = fields.rules();
+    RobotOrder order =
+        new RobotOrder(
+            rules.robotName("name", fields.text("name")),
+            rules.host("host", fields.text("host")),
+            rules.port("port", fields.number("port")),
+            rules.load("maxLoad", fields.number("maxLoad")),
+            fields.text("parking"),
+            rules.pairingCode("code", fields.text("code")));
+    fields.refuseUnknown();
+    return order;
+  }
+
+  public static RobotChange readChange(Fields fields) {
+    InputRules rules = fields.rules();
+    RobotChange change =
+        new RobotChange(
+            rules.host("host", fields.text("host")),
+            rules.port("port", fields.number("port")),
+            rules.load("maxLoad", fields.number("maxLoad")),
+            fields.text("parking"));
+    fields.refuseUnknown();
+    return change;
+  }
+
+  /** What pairs a robot that is known; empty where a sentence was filed. */
+  public static Optional<PairingOrder> readPairing(Fields fields) {
+    String givenHost = fields.text("host");
+    Double givenPort = fields.number("port");
+    String givenCode = fields.text("code");
+    InputRules rules = fields.rules();
+    String host = rules.host("host", givenHost);
+    int port = rules.port("port", givenPort);
+    PairingCode code = rules.pairingCode("code", givenCode == null ? "" : givenCode);
+    fields.refuseUnknown();
+    return code == null || !fields.errors().isEmpty()
+        ? Optional.empty()
+        : Optional.of(new PairingOrder(host, port, code));
+  }
+}

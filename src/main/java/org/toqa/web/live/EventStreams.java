@@ -1,0 +1,104 @@
+package org.toqa.web.live;
+
+import jakarta.servlet.AsyncContext;
+import jakarta.servlet.AsyncEvent;
+import jakarta.servlet.AsyncListener;
+import jakarta.servlet.ServletContext;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.toqa.web.Language;
+import org.toqa.web.Metrics;
+import org.toqa.web.Services;
+import org.toqa.web.access.Caller;
+
+/** The streams of live events that are open. Closing it ends them. */
+public final class EventStreams implements AutoCloseable {
+  /** The servlet context's attribute that holds them. */
+  public static final String ATTRIBUTE = EventStreams.class.getName();
+
+  private final Map<Locale, SnapshotEventWriter> writers =
+      Arrays.stream(Language.values())
+          .map(Language::locale)
+          .collect(Collectors.toMap(Function.identity(), SnapshotEventWriter::new));
+  private final Set<Thread> threads = ConcurrentHashMap.newKeySet();
+
+  public static EventStreams of(ServletContext context) {
+    return (EventStreams)
+        Objects.requireNonNull(
+            context.getAttribute(ATTRIBUTE), "The event streams are not in the servlet context.");
+  }
+
+  /**
+   * Writes events as the response of that request, until the reader has gone or may no longer see
+   * them.
+   *
+   * @param changesOnly whether the reader puts snapshots together from what changed
+   * @param lastId what the reader says it has; an id that is none counts as nothing
+   */
+  void start(
+      AsyncContext async,
+      Services services,
+      Caller caller,
+      Locale locale,
+      boolean changesOnly,
+      @Nullable String lastId) {
+    Thread thread =
+        Thread.ofVirtual()
+            .name("events of " + caller.name())
+            .unstarted(
+                new EventStream(
+                    async,
+                    services,
+                    caller,
+                    Objects.requireNonNull(writers.get(locale)),
+                    changesOnly,
+                    lastId,
+                    threads::size));
+    async.addListener(new StreamEndListener(thread, services.metrics()));
+    threads.add(thread);
+    services.metrics().recordStreamStart();
+    thread.start();
+  }
+
+  @Override
+  public void close() {
+    threads.forEach(Thread::interrupt);
+  }
+
+  /** The container ended the request, perhaps because the reader has gone: so ends its thread. */
+  private final class StreamEndListener implements AsyncListener {
+    private final Thread thread;
+    private final Metrics metrics;
+
+    StreamEndListener(Thread thread, Metrics metrics) {
+      this.thread = thread;
+      this.metrics = metrics;
+    }
+
+    @Override
+    public void onComplete(AsyncEvent event) {
+      if (threads.remove(thread)) {
+        metrics.recordStreamEnd();
+      }
+      thread.interrupt();
+    }
+
+    @Override
+    public void onError(AsyncEvent event) {
+      thread.interrupt();
+    }
+
+    @Override
+    public void onTimeout(AsyncEvent event) {}
+
+    @Override
+    public void onStartAsync(AsyncEvent event) {}
+  }
+}

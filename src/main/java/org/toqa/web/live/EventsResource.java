@@ -1,0 +1,49 @@
+package org.toqa.web.live;
+
+import jakarta.servlet.AsyncContext;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.util.Objects;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.api.ApiHandler;
+import org.toqa.web.api.Problem;
+
+/** Live events: the fleet's snapshots as a stream. */
+public final class EventsResource extends ApiHandler {
+
+  public static void stream(HttpServletRequest request, HttpServletResponse response) {
+    if (request.getMethod().equals("HEAD")) {
+      setHeaders(response);
+      return;
+    }
+    boolean changesOnly = wantsChangesOnly(request);
+    setHeaders(response);
+    AsyncContext async = request.startAsync();
+    async.setTimeout(0);
+    EventStreams.of(request.getServletContext())
+        .start(
+            async,
+            services(request),
+            Caller.of(request),
+            Texts.of(request).locale(),
+            changesOnly,
+            request.getHeader("Last-Event-ID"));
+  }
+
+  private static boolean wantsChangesOnly(HttpServletRequest request) {
+    return switch (Objects.requireNonNullElse(request.getParameter("changes"), "false")) {
+      case "true" -> true;
+      case "false" -> false;
+      default ->
+          throw Problem.of(400, Texts.of(request).get("problem.queryFlag", "changes")).exception();
+    };
+  }
+
+  private static void setHeaders(HttpServletResponse response) {
+    response.setContentType("text/event-stream");
+    response.setCharacterEncoding("UTF-8");
+    response.setHeader("Cache-Control", "no-store, no-transform");
+    response.setHeader("X-Accel-Buffering", "no");
+  }
+}

@@ -1,0 +1,50 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.Hold;
+import org.toqa.web.ErrorResponse;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.wording.Sentence;
+
+/** The forms on the live map that put a floor's robots on hold and let them go on. */
+public final class FloorForms extends PageHandler {
+  public static void hold(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    command(request, response, Fleet::holdFloor);
+  }
+
+  public static void resume(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    command(request, response, Fleet::resumeFloor);
+  }
+
+  @FunctionalInterface
+  private interface FloorCommand {
+    CompletionStage<Answer<Optional<Hold>>> send(Fleet fleet, String floor, String user);
+  }
+
+  private static void command(
+      HttpServletRequest request, HttpServletResponse response, FloorCommand command)
+      throws IOException {
+    Answer<?> answer =
+        FleetAnswers.await(
+            command.send(
+                services(request).fleet(),
+                RequestPath.parameter(request, "floor"),
+                Caller.of(request).name()));
+    if (answer instanceof Answer.Unknown<?>(Sentence sentence)) {
+      ErrorResponse.send(request, response, 404, Texts.of(request).text(sentence));
+    } else {
+      redirect(request, response, "/map");
+    }
+  }
+}

@@ -1,0 +1,15 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.toqa.web.access.SessionCookie;
+
+/** The way out. */
+public final class LogoutForm extends PageHandler {
+  public static void signOut(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    SessionCookie.signOut(request, services(request));
+    redirect(request, response, "/");
+  }
+}

@@ -1,0 +1,18 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import org.toqa.fleet.RobotState;
+
+/** The live map; its scripts draw it from the API. */
+public final class MapPage extends PageHandler {
+  public static void show(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    request.setAttribute("floors", services(request).fleet().floors());
+    request.setAttribute("floorViews", services(request).fleet().snapshots().latest().floors());
+    request.setAttribute("robotStates", RobotState.values());
+    show(request, response, "map");
+  }
+}

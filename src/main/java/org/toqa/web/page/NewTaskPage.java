@@ -1,0 +1,130 @@
+package org.toqa.web.page;
+
+import org.toqa.fleet.KeyedAnswer;
+
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.time.DayOfWeek;
+import java.time.Instant;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.UUID;
+import org.toqa.accounts.Account;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskView;
+import org.toqa.fleet.Schedule;
+import org.toqa.grid.FloorMap;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.TaskSubmitter;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.ScheduleOrder;
+import org.toqa.web.input.ScheduleReader;
+import org.toqa.web.input.TaskOrderReader;
+
+/** Assigns a transport task: carry this load from here to there. */
+public final class NewTaskPage extends PageHandler {
+  public static void show(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    addFloorAttributes(request);
+    request.setAttribute("wish", UUID.randomUUID());
+    show(request, response, "new-task");
+  }
+
+  public static void submit(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    FieldErrors errors = new FieldErrors();
+    Instant now = services(request).clock().instant();
+    Optional<String> next =
+        isImmediate(request)
+            ? readForm(request, errors, fields -> TaskOrderReader.readEntered(fields, now))
+                .flatMap(order -> submit(order, request, errors))
+                .map(task -> "/tasks/" + task.id())
+            : readForm(request, errors, fields -> ScheduleReader.readForm(fields, now))
+                .flatMap(order -> schedule(order, request, errors))
+                .map(schedule -> "/schedules?added=" + schedule.id());
+    if (next.isPresent()) {
+      redirect(request, response, next.get());
+    } else {
+      addFloorAttributes(request);
+      request.setAttribute("wish", idempotencyKey(request));
+      showAgain(request, response, "new-task", errors);
+    }
+  }
+
+  private static boolean isImmediate(HttpServletRequest request) {
+    String when = request.getParameter("when");
+    return when == null || when.isEmpty() || when.equals("now");
+  }
+
+  private static Optional<Schedule> schedule(
+      ScheduleOrder order, HttpServletRequest request, FieldErrors errors) {
+    Caller user = Caller.of(request);
+    UUID key = TaskSubmitter.idempotencyKey(user.account(), "schedule " + idempotencyKey(request));
+    KeyedAnswer<Schedule> answer = add(order, user, key, request);
+    return added(
+        answer instanceof KeyedAnswer.KeyReused<Schedule>
+            ? add(order, user, UUID.randomUUID(), request)
+            : answer,
+        request,
+        errors);
+  }
+
+  private static KeyedAnswer<Schedule> add(
+      ScheduleOrder order, Caller user, UUID key, HttpServletRequest request) {
+    return FleetAnswers.await(
+        services(request)
+            .fleet()
+            .schedules()
+            .add(order.order(), order.recurrence(), order.until(), user.name(), key));
+  }
+
+  private static Optional<Schedule> added(
+      KeyedAnswer<Schedule> answer, HttpServletRequest request, FieldErrors errors) {
+    return switch (answer) {
+      case KeyedAnswer.Answered<Schedule>(var first) -> acceptedValue(request, first, errors);
+      case KeyedAnswer.Repeated<Schedule>(Schedule before) -> Optional.of(before);
+      case KeyedAnswer.KeyReused<Schedule>() -> Optional.empty();
+    };
+  }
+
+  private static Optional<TaskView> submit(
+      TaskOrder order, HttpServletRequest request, FieldErrors errors) {
+    Account user = Caller.of(request).account();
+    return switch (services(request)
+        .taskSubmitter()
+        .submit(
+            order, user, TaskSubmitter.idempotencyKey(user, "form " + idempotencyKey(request)))) {
+      case KeyedAnswer.Answered<TaskView>(var answer) -> acceptedValue(request, answer, errors);
+      case KeyedAnswer.Repeated<TaskView>(TaskView before) -> Optional.of(before);
+      case KeyedAnswer.KeyReused<TaskView>() ->
+          acceptedValue(
+              request, FleetAnswers.await(services(request).fleet().submit(order, user.name())), errors);
+    };
+  }
+
+  /** The same form that was sent twice, as by a double click, orders one task. */
+  private static String idempotencyKey(HttpServletRequest request) {
+    return Objects.requireNonNullElseGet(
+        request.getParameter("wish"), () -> UUID.randomUUID().toString());
+  }
+
+  /** The chosen floor's stations can be selected; without a choice, the first floor's. */
+  private static void addFloorAttributes(HttpServletRequest request) {
+    List<FloorMap> floors = services(request).fleet().floors();
+    String wanted = request.getParameter("floor");
+    FloorMap floor =
+        floors.stream()
+            .filter(f -> f.name().equals(wanted))
+            .findFirst()
+            .orElseGet(floors::getFirst);
+    request.setAttribute("weekdays", DayOfWeek.values());
+    request.setAttribute("floors", floors);
+    request.setAttribute("floor", floor);
+  }
+}

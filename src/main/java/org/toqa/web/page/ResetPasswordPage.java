@@ -1,0 +1,67 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Objects;
+import java.util.Optional;
+import org.toqa.accounts.Account;
+import org.toqa.web.Texts;
+import org.toqa.web.access.SessionCookie;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.InputRules;
+
+/** Where a link leads by which a forgotten password is replaced. */
+public final class ResetPasswordPage extends PageHandler {
+  private static final int GONE = 410;
+
+  public static void show(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    Optional<Account> user = services(request).passwordLinks().user(secret(request));
+    if (user.isEmpty()) {
+      response.setStatus(GONE);
+    }
+    showForm(user, request, response);
+  }
+
+  public static void replacePassword(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    Optional<Account> user = services(request).passwordLinks().user(secret(request));
+    if (user.isEmpty()) {
+      response.setStatus(GONE);
+      showForm(user, request, response);
+      return;
+    }
+    FieldErrors errors = new FieldErrors();
+    String password =
+        new InputRules(Texts.of(request), errors)
+            .newPassword(
+                "password", new FormFields(request, errors).text("password"), user.get().name());
+    if (!errors.isEmpty()) {
+      request.setAttribute("user", user.get());
+      showAgain(request, response, "reset", errors);
+      return;
+    }
+    if (services(request)
+        .passwordLinks()
+        .replacePassword(secret(request), services(request).passwordHasher().hash(password))) {
+      SessionCookie.signOut(request, services(request));
+      redirect(request, response, "/?done=reset");
+    } else {
+      response.setStatus(GONE);
+      showForm(Optional.empty(), request, response);
+    }
+  }
+
+  private static void showForm(
+      Optional<Account> user, HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    user.ifPresent(account -> request.setAttribute("user", account));
+    show(request, response, "reset");
+  }
+
+  private static String secret(HttpServletRequest request) {
+    return Objects.requireNonNullElse(request.getParameter("secret"), "");
+  }
+}

@@ -1,0 +1,190 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.Fleet;
+import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Pose;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.Fields;
+import org.toqa.web.input.InputRules;
+import org.toqa.web.input.RobotOrderReader;
+import org.toqa.web.input.Version;
+
+/** One robot: its state, and the commands that a manager may give. */
+public final class RobotPage extends PageHandler {
+  private static final int TRACK_HOURS = 4;
+
+  public static void show(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    if (addRobotAttributes(request).isPresent()) {
+      show(request, response, "robot");
+    } else {
+      sendNotFound(request, response, "problem.noSuchRobot");
+    }
+  }
+
+  public static void takeOutOfService(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "out-of-service", Fleet::takeOutOfService);
+  }
+
+  public static void putInService(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "in-service", Fleet::putInService);
+  }
+
+  public static void hold(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "hold", Fleet::holdRobot);
+  }
+
+  public static void resume(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "resume", Fleet::resumeRobot);
+  }
+
+  public static void sendHome(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "home", Fleet::sendHome);
+  }
+
+  public static void remove(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "remove", Fleet::removeRobot);
+  }
+
+  public static void change(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "change", form(RobotOrderReader::readChange), Fleet::changeRobot);
+  }
+
+  public static void pair(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "pair", RobotOrderReader::readPairing, Fleet::pairRobot);
+  }
+
+  public static void locate(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "locate", form(RobotPage::readPose), Fleet::locateRobot);
+  }
+
+  /** A command that needs nothing but the robot. */
+  @FunctionalInterface
+  private interface Command {
+    CompletionStage<Answer<RobotView>> send(Fleet fleet, String robot, String user);
+  }
+
+  /** A command that says how. */
+  @FunctionalInterface
+  private interface CommandWith<T> {
+    CompletionStage<Answer<RobotView>> send(Fleet fleet, String robot, T value, String user);
+  }
+
+  private static void command(
+      HttpServletRequest request, HttpServletResponse response, String form, Command command)
+      throws ServletException, IOException {
+    command(
+        request,
+        response,
+        form,
+        fields -> Optional.of(form),
+        (fleet, robot, none, user) -> command.send(fleet, robot, user));
+  }
+
+  /**
+   * @param form names the form that was sent, where the page shows it again
+   * @param reader answers nothing, with a sentence in the errors, where a field is wrong
+   */
+  private static <T> void command(
+      HttpServletRequest request,
+      HttpServletResponse response,
+      String form,
+      Function<Fields, Optional<T>> reader,
+      CommandWith<T> command)
+      throws ServletException, IOException {
+    Optional<RobotView> now = addRobotAttributes(request);
+    if (now.isEmpty()) {
+      sendNotFound(request, response, "problem.noSuchRobot");
+      return;
+    }
+    request.setAttribute("sent", form);
+    FieldErrors differences = differences(now.get(), request);
+    if (!differences.isEmpty()) {
+      showConflict(request, response, "robot", differences);
+      return;
+    }
+    FieldErrors errors = new FieldErrors();
+    Fleet fleet = services(request).fleet();
+    String name = now.get().name();
+    String user = Caller.of(request).name();
+    Optional<RobotView> robot =
+        reader
+            .apply(new FormFields(request, errors))
+            .map(value -> FleetAnswers.await(command.send(fleet, name, value, user)))
+            .flatMap(answer -> acceptedValue(request, answer, errors));
+    if (robot.isPresent()) {
+      boolean isRemoved = form.equals("remove");
+      redirect(
+          request, response, isRemoved ? "/robots?done=removed" : "/robots/" + robot.get().name());
+    } else {
+      showAgain(request, response, "robot", errors);
+    }
+  }
+
+  /** Nothing where the reader has filed a sentence. */
+  private static <T> Function<Fields, Optional<T>> form(Function<Fields, T> reader) {
+    return fields -> {
+      T read = reader.apply(fields);
+      return fields.errors().isEmpty() ? Optional.of(read) : Optional.empty();
+    };
+  }
+
+  private static FieldErrors differences(RobotView robot, HttpServletRequest request) {
+    Texts texts = Texts.of(request);
+    return new EditConflict(request, Version.of(robot))
+        .compareText("host", robot.host(), "")
+        .compareNumber("port", robot.port(), String.valueOf(robot.port()))
+        .compareNumber("maxLoad", robot.maxLoad(), texts.get("common.kilograms", robot.maxLoad()))
+        .compareText("parking", robot.parking(), texts.get("robot.parking.none"))
+        .differences();
+  }
+
+  /** The form has degrees. */
+  private static Pose readPose(Fields fields) {
+    InputRules rules = fields.rules();
+    return new Pose(
+        rules.coordinate("x", fields.number("x")),
+        rules.coordinate("y", fields.number("y")),
+        Math.toRadians(rules.angle("heading", fields.number("heading"))));
+  }
+
+  private static Optional<RobotView> addRobotAttributes(HttpServletRequest request) {
+    String name = RequestPath.parameter(request, "name");
+    FleetSnapshot fleet = services(request).fleet().snapshots().latest();
+    Optional<RobotView> robot =
+        fleet.robots().stream().filter(r -> r.name().equals(name)).findFirst();
+    robot.ifPresent(
+        r -> {
+          request.setAttribute("robot", r);
+          request.setAttribute("version", Version.of(r));
+        });
+    request.setAttribute("floors", services(request).fleet().floors());
+    request.setAttribute("trackHours", TRACK_HOURS);
+    request.setAttribute(
+        "keepsPlace",
+        fleet.floors().stream().anyMatch(floor -> floor.silentRobotCells().containsKey(name)));
+    return robot;
+  }
+}

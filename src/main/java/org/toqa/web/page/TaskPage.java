@@ -1,0 +1,150 @@
+package org.toqa.web.page;
+
+import jakarta.servlet.ServletException;
+import jakarta.servlet.http.HttpServletRequest;
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.toqa.fleet.TaskView;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TaskState;
+import org.toqa.web.ErrorResponse;
+import org.toqa.web.FleetAnswers;
+import org.toqa.web.RequestPath;
+import org.toqa.web.Tasks;
+import org.toqa.web.Texts;
+import org.toqa.web.access.Caller;
+import org.toqa.web.input.FieldErrors;
+import org.toqa.web.input.TaskCommandReader;
+import org.toqa.web.input.Version;
+
+/** One task: its state, its robots, what happened, and the commands that an operator may give. */
+public final class TaskPage extends PageHandler {
+  /** The states of a task that goes well, in order. */
+  private static final List<TaskState> TIMELINE =
+      List.of(
+          TaskState.QUEUED,
+          TaskState.ASSIGNED,
+          TaskState.TO_OBJECT,
+          TaskState.CARRYING,
+          TaskState.RETURNING,
+          TaskState.DONE);
+
+  /** Those that have a name. */
+  private static final Set<Integer> NAMED_PRIORITIES = Set.of(10, 0, -10);
+
+  public static void show(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    Optional<TaskView> task = task(request);
+    if (task.isEmpty()) {
+      sendNotFound(request, response, "problem.noSuchTask");
+      return;
+    }
+    addAttributes(request, task.get());
+    show(request, response, "task");
+  }
+
+  public static void hold(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    change(request, response, (reader, fields, user) -> new MissionEvent.Hold(user.name()));
+  }
+
+  public static void resume(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    change(request, response, (reader, fields, user) -> new MissionEvent.Resume(user.name()));
+  }
+
+  public static void prioritise(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    change(
+        request,
+        response,
+        (reader, fields, user) -> reader.readPriority(user, fields.number("priority")));
+  }
+
+  public static void cancel(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    change(
+        request,
+        response,
+        (reader, fields, user) -> reader.readCancel(user, fields.text("load")));
+  }
+
+  public static void answer(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    change(
+        request,
+        response,
+        (reader, fields, user) -> reader.readAnswer(user, fields.text("answer")));
+  }
+
+  /** Reads a command from the fields of a form. */
+  @FunctionalInterface
+  private interface FormReader {
+    MissionEvent.OperatorCommand read(TaskCommandReader reader, FormFields fields, Caller user);
+  }
+
+  private static void change(
+      HttpServletRequest request, HttpServletResponse response, FormReader form)
+      throws ServletException, IOException {
+    Optional<TaskView> task = task(request);
+    if (task.isEmpty()) {
+      sendNotFound(request, response, "problem.noSuchTask");
+      return;
+    }
+    if (!TaskCommandReader.canChange(Caller.of(request), task.get())) {
+      ErrorResponse.send(request, response, 403, Texts.of(request).get("problem.notYourTask"));
+      return;
+    }
+    FieldErrors differences = differences(task.get(), request);
+    if (!differences.isEmpty()) {
+      addAttributes(request, task.get());
+      showConflict(request, response, "task", differences);
+      return;
+    }
+    FieldErrors errors = new FieldErrors();
+    MissionEvent.OperatorCommand command =
+        form.read(
+            new TaskCommandReader(Texts.of(request), errors),
+            new FormFields(request, errors),
+            Caller.of(request));
+    long id = task.get().id();
+    Optional<TaskView> changed =
+        errors.isEmpty()
+            ? acceptedValue(
+                request, FleetAnswers.await(services(request).fleet().commandTask(id, command)), errors)
+            : Optional.empty();
+    if (changed.isPresent()) {
+      redirect(request, response, "/tasks/" + id);
+    } else {
+      addAttributes(request, task(request).orElse(task.get()));
+      showAgain(request, response, "task", errors);
+    }
+  }
+
+  private static FieldErrors differences(TaskView task, HttpServletRequest request) {
+    int priority = task.task().priority();
+    String shown =
+        NAMED_PRIORITIES.contains(priority)
+            ? Texts.of(request).get("newTask.priority." + priority)
+            : String.valueOf(priority);
+    return new EditConflict(request, Version.of(task))
+        .compareNumber("priority", priority, shown)
+        .differences();
+  }
+
+  private static Optional<TaskView> task(HttpServletRequest request) {
+    return new Tasks(services(request)).task(RequestPath.number(request, "id"));
+  }
+
+  private static void addAttributes(HttpServletRequest request, TaskView task) {
+    request.setAttribute("task", task);
+    request.setAttribute("version", Version.of(task));
+    request.setAttribute("mayChange", TaskCommandReader.canChange(Caller.of(request), task));
+    request.setAttribute("history", services(request).archive().history(task.id()));
+    request.setAttribute("road", TIMELINE);
+    request.setAttribute("reached", TIMELINE.indexOf(task.state()));
+  }
+}
