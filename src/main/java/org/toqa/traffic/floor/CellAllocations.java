@@ -26,7 +26,7 @@ final class CellAllocations {
 
   void refresh() {
     Arrays.fill(holders, NOBODY);
-    robots.forEach(m -> m.forEachAllocated(cells -> allocate(m, cells)));
+    robots.forEach(robot -> robot.forEachAllocated(cells -> allocate(robot, cells)));
   }
 
   void allocate(TrafficRobot robot, CellSet cells) {
@@ -45,10 +45,10 @@ final class CellAllocations {
           int number = holders[cell];
           if (number == SEVERAL) {
             robots.stream()
-                .filter(m -> m.allocatedCells().get(cell))
-                .forEach(m -> addTo(others, robot, m));
+                .filter(other -> other.allocatedCells().get(cell))
+                .forEach(other -> addTo(others, robot, other));
           } else if (number != NOBODY && number != robot.number) {
-            robots.stream().filter(m -> m.number == number).forEach(m -> addTo(others, robot, m));
+            robots.stream().filter(other -> other.number == number).forEach(other -> addTo(others, robot, other));
           }
         });
     return others;

@@ -122,22 +122,22 @@ final class FormationPlanner {
    * @param goal where the load is carried, metres, map frame
    */
   Optional<List<Section>> path(
-      TrafficRobot m, FormationFootprint formation, Vec2 goal, BitSet blocked) {
-    Pose start = m.releasedEnd();
-    TrajectoryRules rules = new TrajectoryRules(formation.shape(), m.speeds.forward());
-    SegmentFitter arcs = new SegmentFitter(m.speeds, rules.cornerLength(EIGHTH));
+      TrafficRobot robot, FormationFootprint formation, Vec2 goal, BitSet blocked) {
+    Pose start = robot.releasedEnd();
+    TrajectoryRules rules = new TrajectoryRules(formation.shape(), robot.speeds().forward());
+    SegmentFitter arcs = new SegmentFitter(robot.speeds(), rules.cornerLength(EIGHTH));
     return new Search(formation, start, goal, blocked, arcs)
         .waypoints()
         .map(way -> rules.slowed(arcs.fit(start, way)))
         .filter(way -> rules.firstBreach(way).isEmpty())
-        .map(way -> sections(m, way))
+        .map(way -> sections(robot, way))
         .filter(
             way -> !way.isEmpty() && way.stream().noneMatch(s -> s.cells().intersects(blocked)));
   }
 
-  private List<Section> sections(TrafficRobot m, Trajectory trajectory) {
+  private List<Section> sections(TrafficRobot robot, Trajectory trajectory) {
     return fitter.split(
-        m,
+        robot,
         trajectory,
         new PassingPlaces.Spaced(Math.max(PASSING_PLACE_SPACING, grid.resolution())));
   }

@@ -118,10 +118,10 @@ final class GoalAssignment {
     return IntStream.range(0, planned.size())
         .boxed()
         .sorted(
-            Comparator.<Integer, Boolean>comparing(i -> planned.get(i).goal == null)
+            Comparator.<Integer, Boolean>comparing(i -> planned.get(i).goal() == null)
                 .thenComparing(i -> planned.get(i).needsPath())
                 .thenComparing(
-                    i -> planned.get(i).waitingSince,
+                    i -> planned.get(i).waiting.since(),
                     nullsLast(Comparator.<Instant>naturalOrder())))
         .toList();
   }
@@ -160,38 +160,38 @@ final class GoalAssignment {
   }
 
   private int goal(int i) {
-    TrafficRobot m = planned.get(i);
-    m.goalTakenBy = null;
-    if (m.goal == null) {
+    TrafficRobot robot = planned.get(i);
+    robot.waiting.setGoalTakenBy(null);
+    if (robot.goal() == null) {
       return nearestOpen(starts[i], starts[i]);
     }
-    int vertex = approach(m, m.goal, starts[i]);
+    int vertex = approach(robot, robot.goal(), starts[i]);
     if (vertex == RoadGraph.NONE) {
       unreachableCount++;
       return nearestOpen(starts[i], starts[i]);
     }
-    m.goalTakenBy = taken.get(vertex);
+    robot.waiting.setGoalTakenBy(taken.get(vertex));
     if (!isOpen(vertex)) {
       return nearestOpen(vertex, starts[i]);
     }
-    lastLeg(roads.cell(vertex), m, m.goal).addTo(lastLegs);
+    lastLeg(roads.cell(vertex), robot, robot.goal()).addTo(lastLegs);
     return vertex;
   }
 
   /** What a robot touches between the middle of a lane cell and its goal, or that of its cell. */
-  private CellSet lastLeg(Cell from, TrafficRobot m, Vec2 goal) {
+  private CellSet lastLeg(Cell from, TrafficRobot robot, Vec2 goal) {
     OccupancyGrid floor = freeSpace.grid();
     Vec2 end = lanes.isFloorGrid() ? floor.centre(floor.cellAt(goal)) : goal;
-    return SweptCells.alongLine(floor, lanes.lattice().centre(from), end, m.radius);
+    return SweptCells.alongLine(floor, lanes.lattice().centre(from), end, robot.radius());
   }
 
   /** The nearest lane cell to its goal from which it can go straight there. */
-  private int approach(TrafficRobot m, Vec2 goal, int start) {
+  private int approach(TrafficRobot robot, Vec2 goal, int start) {
     for (Cell cell : lanes.near(goal)) {
       int vertex = roads.vertex(cell);
       if (vertex != RoadGraph.NONE
           && roads.isConnected(start, vertex)
-          && !lastLeg(cell, m, goal).intersects(blocked)) {
+          && !lastLeg(cell, robot, goal).intersects(blocked)) {
         return vertex;
       }
     }

@@ -69,15 +69,15 @@ final class JointPlan {
   void adopt(SectionFitter fitter) {
     List<List<Cell>> visits = new ArrayList<>();
     Map<Cell, List<Visit>> byCell = new HashMap<>();
-    for (int m = 0; m < robots.size(); m++) {
-      visits.add(visitsOf(m, byCell));
-      assignPath(robots.get(m), visits.get(m), fitter);
+    for (int robot = 0; robot < robots.size(); robot++) {
+      visits.add(visitsOf(robot, byCell));
+      assignPath(robots.get(robot), visits.get(robot), fitter);
     }
     byCell.values().forEach(v -> v.sort(Comparator.comparingInt(Visit::enters)));
-    for (int m = 0; m < robots.size(); m++) {
-      ReservedPath path = robots.get(m).path;
+    for (int robot = 0; robot < robots.size(); robot++) {
+      ReservedPath path = robots.get(robot).drive.path();
       if (path != null && !path.visits().isEmpty()) {
-        robots.get(m).path = path.withDependencies(dependencies(m, visits.get(m), byCell));
+        robots.get(robot).drive.setDependencies(dependencies(robot, visits.get(robot), byCell));
       }
     }
   }
@@ -137,21 +137,21 @@ final class JointPlan {
   }
 
   private List<@Nullable Dependency> dependencies(
-      int m, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
+      int robot, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
     List<@Nullable Dependency> dependencies = new ArrayList<>();
     for (int index = 0; index < visits.size(); index++) {
       Visit before = null;
       for (Visit v : byCell.getOrDefault(visits.get(index), List.of())) {
-        if (v.robot() == m && v.index() == index) {
+        if (v.robot() == robot && v.index() == index) {
           break;
         }
-        before = v.robot() == m ? before : v;
+        before = v.robot() == robot ? before : v;
       }
       TrafficRobot other = before == null ? null : robots.get(before.robot());
       dependencies.add(
           before == null || other == null
               ? null
-              : new Dependency(other.name, other.pathNumber, before.index()));
+              : new Dependency(other.name, other.drive.pathNumber(), before.index()));
     }
     return dependencies;
   }

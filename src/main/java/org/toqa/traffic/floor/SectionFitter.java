@@ -26,7 +26,7 @@ final class SectionFitter {
       List<Waypoint> waypoints,
       double cornerLength,
       PassingPlaces passingPlaces) {
-    SegmentFitter segments = new SegmentFitter(robot.speeds, cornerLength);
+    SegmentFitter segments = new SegmentFitter(robot.speeds(), cornerLength);
     Double heading =
         waypoints.isEmpty() ? null : robot.requiredHeadingAt(waypoints.getLast().position());
     return split(

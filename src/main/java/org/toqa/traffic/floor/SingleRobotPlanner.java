@@ -52,34 +52,34 @@ final class SingleRobotPlanner {
   }
 
   /** As if no other robot were there; empty where the floor has no way. */
-  Optional<List<Section>> pathAlone(TrafficRobot m) {
-    Cell goal = m.goalCell();
+  Optional<List<Section>> pathAlone(TrafficRobot robot) {
+    Cell goal = robot.goalCell();
     if (goal == null) {
       return Optional.empty();
     }
-    FormationFootprint formation = m.formation();
+    FormationFootprint formation = robot.formation();
     if (formation != null) {
-      return formationPath(m, formation, freeSpace.blocked());
+      return formationPath(robot, formation, freeSpace.blocked());
     }
-    OccupancyGrid free = freeSpace.freeCells(m.radius, new BitSet(), List.of(), m.releasedCell());
-    return fittedPath(alone, free, m, goal, sections -> true);
+    OccupancyGrid free = freeSpace.freeCells(robot.radius(), new BitSet(), List.of(), robot.releasedCell());
+    return fittedPath(alone, free, robot, goal, sections -> true);
   }
 
   /** As if all other robots made room that can. */
-  Optional<List<Section>> pathAroundNotMovable(TrafficRobot m, Collection<TrafficRobot> robots) {
+  Optional<List<Section>> pathAroundNotMovable(TrafficRobot robot, Collection<TrafficRobot> robots) {
     BitSet notMovable = new BitSet();
-    robots.stream().filter(o -> o != m && !o.movable).forEach(o -> o.addClaimedTo(notMovable));
-    return notMovable.isEmpty() ? pathAlone(m) : pathAmong(m, robots, notMovable);
+    robots.stream().filter(o -> o != robot && !o.isMovable()).forEach(o -> o.addClaimedTo(notMovable));
+    return notMovable.isEmpty() ? pathAlone(robot) : pathAmong(robot, robots, notMovable);
   }
 
   /** The points of its way, were there neither robots nor obstacles; empty where there is none. */
-  List<Vec2> pointsWithoutObstacles(TrafficRobot m) {
-    Cell goal = m.goalCell();
+  List<Vec2> pointsWithoutObstacles(TrafficRobot robot) {
+    Cell goal = robot.goalCell();
     OccupancyGrid grid = freeSpace.grid();
-    OccupancyGrid free = freeSpace.freeOfWalls(m.radius);
+    OccupancyGrid free = freeSpace.freeOfWalls(robot.radius());
     return goal == null
         ? List.of()
-        : path(alone, free, entry(free, m), goal).stream()
+        : path(alone, free, entry(free, robot), goal).stream()
             .flatMap(path -> path.cells().stream())
             .map(grid::centre)
             .toList();
@@ -91,27 +91,27 @@ final class SingleRobotPlanner {
    * @param claimed the cells that others have or will need
    */
   Optional<List<Section>> pathAmong(
-      TrafficRobot m, Collection<TrafficRobot> others, BitSet claimed) {
-    Cell goal = m.goalCell();
-    FormationFootprint formation = m.formation();
+      TrafficRobot robot, Collection<TrafficRobot> others, BitSet claimed) {
+    Cell goal = robot.goalCell();
+    FormationFootprint formation = robot.formation();
     if (goal == null) {
       return Optional.empty();
     }
     if (formation != null) {
       BitSet blocked = (BitSet) freeSpace.blocked().clone();
       blocked.or(claimed);
-      return formationPath(m, formation, blocked);
+      return formationPath(robot, formation, blocked);
     }
-    return pathAmong(m, others, claimed, (free, start) -> goal);
+    return pathAmong(robot, others, claimed, (free, start) -> goal);
   }
 
   /** What it touches already it may leave. */
   private Optional<List<Section>> formationPath(
-      TrafficRobot m, FormationFootprint formation, BitSet cells) {
+      TrafficRobot robot, FormationFootprint formation, BitSet cells) {
     BitSet blocked = (BitSet) cells.clone();
-    m.cellsAt(m.releasedEnd()).forEach(blocked::clear);
-    Vec2 goal = m.goal;
-    return goal == null ? Optional.empty() : formationPlanner.path(m, formation, goal, blocked);
+    robot.cellsAt(robot.releasedEnd()).forEach(blocked::clear);
+    Vec2 goal = robot.goal();
+    return goal == null ? Optional.empty() : formationPlanner.path(robot, formation, goal, blocked);
   }
 
   /**
@@ -120,11 +120,11 @@ final class SingleRobotPlanner {
    * @param left what it has to leave
    */
   Optional<List<Section>> pathOutOf(
-      TrafficRobot m, Collection<TrafficRobot> others, BitSet claimed, BitSet left) {
-    return m.formation() != null
+      TrafficRobot robot, Collection<TrafficRobot> others, BitSet claimed, BitSet left) {
+    return robot.formation() != null
         ? Optional.empty()
         : pathAmong(
-            m, others, claimed, (free, start) -> nearestOutside(free, start, m.radius, left));
+            robot, others, claimed, (free, start) -> nearestOutside(free, start, robot.radius(), left));
   }
 
   /** Where to go on a floor, if anywhere. */
@@ -156,94 +156,94 @@ final class SingleRobotPlanner {
   }
 
   private Optional<List<Section>> pathAmong(
-      TrafficRobot m, Collection<TrafficRobot> others, BitSet claimed, GoalChoice aim) {
-    List<TrafficRobot> touching = touchingRobots(m, others);
+      TrafficRobot robot, Collection<TrafficRobot> others, BitSet claimed, GoalChoice aim) {
+    List<TrafficRobot> touching = touchingRobots(robot, others);
     BitSet taken = claimed;
     if (!touching.isEmpty()) {
       taken = (BitSet) claimed.clone();
-      m.standingCells().forEach(taken::clear);
+      robot.standingCells().forEach(taken::clear);
     }
     BitSet notOwn = taken;
     List<PlacedDisc> discs = touching.stream().flatMap(o -> o.discs().stream()).toList();
-    OccupancyGrid free = freeSpace.freeCells(m.radius, notOwn, discs, m.releasedCell());
-    Cell goal = aim.from(free, entry(free, m));
+    OccupancyGrid free = freeSpace.freeCells(robot.radius(), notOwn, discs, robot.releasedCell());
+    Cell goal = aim.from(free, entry(free, robot));
     if (goal == null) {
       return Optional.empty();
     }
     return fittedPath(
-        amongOthers, free, m, goal, sections -> isClearOfRobots(m, sections, touching, notOwn));
+        amongOthers, free, robot, goal, sections -> isClearOfRobots(robot, sections, touching, notOwn));
   }
 
   /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */
   private Optional<List<Section>> fittedPath(
       PathPlanner planner,
       OccupancyGrid free,
-      TrafficRobot m,
+      TrafficRobot robot,
       Cell goal,
       Predicate<List<Section>> isAcceptable) {
-    Predicate<List<Section>> isClearAndRight = way -> isClear(m, way) && isAcceptable.test(way);
-    return straightToGoal(m, goal)
-        .flatMap(way -> firstFit(m, way, isClearAndRight))
+    Predicate<List<Section>> isClearAndRight = way -> isClear(robot, way) && isAcceptable.test(way);
+    return straightToGoal(robot, goal)
+        .flatMap(way -> firstFit(robot, way, isClearAndRight))
         .or(
             () ->
-                waypoints(planner, free, m, goal)
+                waypoints(planner, free, robot, goal)
                     .flatMap(
                         way ->
-                            firstFit(m, way, isClearAndRight)
+                            firstFit(robot, way, isClearAndRight)
                                 .or(
                                     () ->
                                         firstFit(
-                                            m, viaCellCentre(free, m, way), isClearAndRight))));
+                                            robot, viaCellCentre(free, robot, way), isClearAndRight))));
   }
 
   /** From beside the middle of a cell the next one may lie behind a corner; from the middle not. */
   private List<Waypoint> viaCellCentre(
-      OccupancyGrid free, TrafficRobot m, List<Waypoint> waypoints) {
+      OccupancyGrid free, TrafficRobot robot, List<Waypoint> waypoints) {
     List<Waypoint> longer = new ArrayList<>(waypoints);
-    longer.addFirst(new Waypoint(freeSpace.grid().centre(entry(free, m)), true));
+    longer.addFirst(new Waypoint(freeSpace.grid().centre(entry(free, robot)), true));
     return longer;
   }
 
   /** In an aisle hardly wider than the robot no cell's middle may be far enough from the walls. */
-  private Optional<List<Waypoint>> straightToGoal(TrafficRobot m, Cell goal) {
-    Vec2 point = m.goal;
-    int side = LaneGrid.side(freeSpace.grid(), 2 * m.radius);
+  private Optional<List<Waypoint>> straightToGoal(TrafficRobot robot, Cell goal) {
+    Vec2 point = robot.goal();
+    int side = LaneGrid.side(freeSpace.grid(), 2 * robot.radius());
     double near = NEAR * side * freeSpace.grid().resolution();
     return side > 1
             && point != null
-            && goal.equals(m.goalCell())
-            && m.releasedEnd().position().distanceTo(point) < near
+            && goal.equals(robot.goalCell())
+            && robot.releasedEnd().position().distanceTo(point) < near
         ? Optional.of(List.of(new Waypoint(point, false)))
         : Optional.empty();
   }
 
   /** Robots so near to it that they touch the same cell. */
   private static List<TrafficRobot> touchingRobots(
-      TrafficRobot m, Collection<TrafficRobot> others) {
-    if (m.isDriving()) {
+      TrafficRobot robot, Collection<TrafficRobot> others) {
+    if (robot.drive.isDriving()) {
       return List.of();
     }
     BitSet under = new BitSet();
-    m.standingCells().addTo(under);
-    return others.stream().filter(o -> o != m && o.standingCells().intersects(under)).toList();
+    robot.standingCells().addTo(under);
+    return others.stream().filter(o -> o != robot && o.standingCells().intersects(under)).toList();
   }
 
   /**
    * Whether it touches nothing that stands fast. What it touches already, as it may have been
    * stopped anywhere and stands a little beside where it should, it comes no nearer to.
    */
-  private boolean isClear(TrafficRobot m, List<Section> sections) {
+  private boolean isClear(TrafficRobot robot, List<Section> sections) {
     OccupancyGrid grid = freeSpace.grid();
-    Pose pose = m.releasedEnd();
+    Pose pose = robot.releasedEnd();
     BitSet touched = new BitSet();
-    SweptCells.at(grid, pose.position(), m.radius).addTo(touched);
+    SweptCells.at(grid, pose.position(), robot.radius()).addTo(touched);
     touched.and(freeSpace.blocked());
     if (touched.isEmpty()) {
       return isClearOf(sections, freeSpace.blocked());
     }
     BitSet others = (BitSet) freeSpace.blocked().clone();
     others.andNot(touched);
-    double gap = m.radius;
+    double gap = robot.radius();
     for (int i = touched.nextSetBit(0); i >= 0; i = touched.nextSetBit(i + 1)) {
       gap = Math.min(gap, Disc.distanceToCell(grid, pose.position(), grid.cell(i)));
     }
@@ -266,10 +266,10 @@ final class SingleRobotPlanner {
   }
 
   private static boolean isClearOfRobots(
-      TrafficRobot m, List<Section> sections, List<TrafficRobot> touching, BitSet taken) {
+      TrafficRobot robot, List<Section> sections, List<TrafficRobot> touching, BitSet taken) {
     return isClearOf(sections, taken)
         && touching.stream()
-            .allMatch(o -> Clearance.isKept(m, m.releasedEnd(), sections.getFirst(), o));
+            .allMatch(o -> Clearance.isKept(robot, robot.releasedEnd(), sections.getFirst(), o));
   }
 
   private static boolean isClearOf(List<Section> sections, BitSet cells) {
@@ -278,18 +278,18 @@ final class SingleRobotPlanner {
 
   /** Where the way of a robot bends and ends; empty where there is none. */
   private Optional<List<Waypoint>> waypoints(
-      PathPlanner planner, OccupancyGrid free, TrafficRobot m, Cell goal) {
+      PathPlanner planner, OccupancyGrid free, TrafficRobot robot, Cell goal) {
     OccupancyGrid grid = freeSpace.grid();
-    Cell entry = entry(free, m);
-    Cell exit = exit(free, m, goal);
+    Cell entry = entry(free, robot);
+    Cell exit = exit(free, robot, goal);
     List<Waypoint> waypoints = new ArrayList<>();
-    if (!entry.equals(m.releasedCell())) {
+    if (!entry.equals(robot.releasedCell())) {
       waypoints.add(new Waypoint(grid.centre(entry), false));
     }
     Optional<Path> path = path(planner, free, entry, exit);
     path.ifPresent(p -> waypoints.addAll(p.waypoints(grid)));
-    if (!exit.equals(goal) && m.goal != null) {
-      waypoints.add(new Waypoint(m.goal, false));
+    if (!exit.equals(goal) && robot.goal() != null) {
+      waypoints.add(new Waypoint(robot.goal(), false));
     } else if (waypoints.isEmpty()) {
       waypoints.add(new Waypoint(grid.centre(goal), false)); // in its cell, not in the middle
     }
@@ -300,11 +300,11 @@ final class SingleRobotPlanner {
    * The cell in which its way over cells begins: where it stands, or beside that where the middle
    * of its cell is too near to something.
    */
-  private Cell entry(OccupancyGrid free, TrafficRobot m) {
-    Cell here = m.releasedCell();
-    return freeSpace.freeCells(m.radius).isFree(here) && isOpen(free, here)
+  private Cell entry(OccupancyGrid free, TrafficRobot robot) {
+    Cell here = robot.releasedCell();
+    return freeSpace.freeCells(robot.radius()).isFree(here) && isOpen(free, here)
         ? here
-        : nearestCell(m.releasedEnd().position(), here, c -> !c.equals(here) && free.isFree(c));
+        : nearestCell(robot.releasedEnd().position(), here, c -> !c.equals(here) && free.isFree(c));
   }
 
   private static boolean isOpen(OccupancyGrid free, Cell cell) {
@@ -315,10 +315,10 @@ final class SingleRobotPlanner {
   }
 
   /** The cell in which its way over cells ends: that of the goal, or beside it likewise. */
-  private Cell exit(OccupancyGrid free, TrafficRobot m, Cell goal) {
-    Vec2 point = m.goal;
-    boolean isFine = LaneGrid.side(freeSpace.grid(), 2 * m.radius) > 1;
-    return isFine && !free.isFree(goal) && point != null && goal.equals(m.goalCell())
+  private Cell exit(OccupancyGrid free, TrafficRobot robot, Cell goal) {
+    Vec2 point = robot.goal();
+    boolean isFine = LaneGrid.side(freeSpace.grid(), 2 * robot.radius()) > 1;
+    return isFine && !free.isFree(goal) && point != null && goal.equals(robot.goalCell())
         ? nearestCell(point, goal, free::isFree)
         : goal;
   }
@@ -345,17 +345,17 @@ final class SingleRobotPlanner {
 
   /** In wide arcs; where these touch something in narrow ones, and else turning on the spot. */
   private Optional<List<Section>> firstFit(
-      TrafficRobot m, List<Waypoint> waypoints, Predicate<List<Section>> isAcceptable) {
+      TrafficRobot robot, List<Waypoint> waypoints, Predicate<List<Section>> isAcceptable) {
     OccupancyGrid grid = freeSpace.grid();
-    int side = LaneGrid.side(grid, 2 * m.radius);
+    int side = LaneGrid.side(grid, 2 * robot.radius());
     double narrow = grid.resolution();
     PassingPlaces passingPlaces =
         side == 1 ? new PassingPlaces.CellCentres(grid) : new PassingPlaces.Spaced(side * narrow);
-    List<Waypoint> exact = side == 1 ? waypoints : endingAtGoal(m, waypoints);
+    List<Waypoint> exact = side == 1 ? waypoints : endingAtGoal(robot, waypoints);
     return Stream.<Supplier<List<Section>>>of(
-            () -> fitter.fit(m, m.releasedEnd(), exact, side * narrow, passingPlaces),
-            () -> fitter.fit(m, m.releasedEnd(), exact, narrow, passingPlaces),
-            () -> fitter.fit(m, m.releasedEnd(), stopping(exact), narrow, passingPlaces))
+            () -> fitter.fit(robot, robot.releasedEnd(), exact, side * narrow, passingPlaces),
+            () -> fitter.fit(robot, robot.releasedEnd(), exact, narrow, passingPlaces),
+            () -> fitter.fit(robot, robot.releasedEnd(), stopping(exact), narrow, passingPlaces))
         .map(Supplier::get)
         .filter(sections -> !sections.isEmpty())
         .filter(isAcceptable)
@@ -363,8 +363,8 @@ final class SingleRobotPlanner {
   }
 
   /** The same way, ending at its goal itself if it ends in the cell of that. */
-  private List<Waypoint> endingAtGoal(TrafficRobot m, List<Waypoint> waypoints) {
-    Vec2 goal = m.goal;
+  private List<Waypoint> endingAtGoal(TrafficRobot robot, List<Waypoint> waypoints) {
+    Vec2 goal = robot.goal();
     OccupancyGrid grid = freeSpace.grid();
     if (goal == null || !grid.cellAt(waypoints.getLast().position()).equals(grid.cellAt(goal))) {
       return waypoints;
