@@ -1,6 +1,7 @@
 package org.toqa.traffic;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
@@ -39,6 +40,17 @@ public final class RoadGraph {
     boolean isOpen(int column, int row, int direction);
   }
 
+  /** Is told of vertices one after the other. */
+  @FunctionalInterface
+  public interface Visitor {
+    /**
+     * @param steps how many it is from the first vertex
+     * @return whether to go on to the next vertex
+     */
+    boolean visit(int vertex, int steps);
+  }
+
+  /** Every free cell is joined with its free neighbours. */
   public RoadGraph(OccupancyGrid grid) {
     this(grid, (column, row, direction) -> true);
   }
@@ -147,6 +159,39 @@ public final class RoadGraph {
     }
     throw new IllegalArgumentException(
         "There is no road from " + cell(from) + " to " + cell(to) + ".");
+  }
+
+  /**
+   * Visits the vertices that can be reached from one, by their number of steps from there; of equal
+   * ones in the order of their predecessors and of the directions (breadth-first search).
+   */
+  public void visitByDistance(int from, Visitor visitor) {
+    BitSet seen = new BitSet();
+    int[] queue = new int[64];
+    queue[0] = from;
+    seen.set(from);
+    int tail = 1;
+    int steps = 0;
+    int levelEnd = 1;
+    for (int head = 0; head < tail; head++) {
+      if (head == levelEnd) {
+        steps++;
+        levelEnd = tail;
+      }
+      if (!visitor.visit(queue[head], steps)) {
+        return;
+      }
+      if (queue.length < tail + DIRECTIONS) {
+        queue = Arrays.copyOf(queue, 2 * queue.length);
+      }
+      for (int d = 0; d < DIRECTIONS; d++) {
+        int next = neighbour(queue[head], d);
+        if (next != NONE && !seen.get(next)) {
+          seen.set(next);
+          queue[tail++] = next;
+        }
+      }
+    }
   }
 
   /** How many neighbours it has. */

@@ -3,12 +3,10 @@ package org.toqa.traffic.floor;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.PriorityQueue;
 import org.toqa.formation.TrajectoryRules;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
@@ -20,9 +18,10 @@ import org.toqa.motion.Segment;
 import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
 import org.toqa.planning.Heading;
+import org.toqa.planning.OpenList;
 
 /**
- * Ways that a group can be led along: A* for the leader over the points of a lattice and eight
+ * Paths that a formation can be led along: A* for the leader over the points of a lattice and eight
  * headings. A move is a step along the heading, or a corner of 45 degrees with as much of a leg
  * before and behind it as an arc of the smallest radius needs, so that no way has a tighter one; it
  * is open where the whole group, with a margin, meets nothing on it. The first leg leads from where
@@ -154,10 +153,10 @@ final class FormationPlanner {
     private final int[] parents = new int[lengths.length];
     private final byte[] open = new byte[lengths.length];
     private final Map<Integer, List<Vec2>> entries = new HashMap<>();
-    private final PriorityQueue<OpenState> queue =
-        new PriorityQueue<>(Comparator.comparingDouble(OpenState::estimate));
+    private final OpenList openList = new OpenList();
 
-    private record OpenState(int state, double length, double estimate) {}
+    /** States that have been reached and not expanded since. */
+    private final BitSet reached = new BitSet();
 
     Search(
         FormationFootprint formation, Pose start, Vec2 goal, BitSet blocked, SegmentFitter arcs) {
@@ -174,12 +173,12 @@ final class FormationPlanner {
     /** Where the way bends and ends. */
     Optional<List<Waypoint>> waypoints() {
       enter();
-      while (!queue.isEmpty()) {
-        OpenState reached = queue.poll();
-        int state = reached.state();
-        if (reached.length() > lengths[state]) {
+      while (!openList.isEmpty()) {
+        int state = openList.pop();
+        if (!reached.get(state)) {
           continue;
         }
+        reached.clear(state);
         if (isGoal(state)) {
           return Optional.of(waypointsTo(state));
         }
@@ -259,11 +258,9 @@ final class FormationPlanner {
       if (length < lengths[state] - ROUNDING) {
         lengths[state] = length;
         parents[state] = from;
-        if (from >= 0) {
-          entries.remove(state);
-        }
         double rest = formation.shape().loadAt(pose(state)).position().distanceTo(goal);
-        queue.add(new OpenState(state, length, length + rest));
+        reached.set(state);
+        openList.push(state, length + rest);
       }
     }
 

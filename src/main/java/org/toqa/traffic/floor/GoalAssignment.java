@@ -4,11 +4,9 @@ import static java.util.Comparator.comparing;
 import static java.util.Comparator.nullsLast;
 
 import java.time.Instant;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -187,7 +185,7 @@ final class GoalAssignment {
 
   /** The nearest lane cell to its goal from which it can go straight there. */
   private int approach(TrafficRobot robot, Vec2 goal, int start) {
-    for (Cell cell : lanes.near(goal)) {
+    for (Cell cell : lanes.cellsAround(goal)) {
       int vertex = roads.vertex(cell);
       if (vertex != RoadGraph.NONE
           && roads.isConnected(start, vertex)
@@ -203,29 +201,19 @@ final class GoalAssignment {
    * where it is; otherwise waiting robots would change places for ever.
    */
   private int nearestOpen(int to, int start) {
-    Deque<Integer> queue = new ArrayDeque<>(List.of(to));
-    Map<Integer, Integer> steps = new HashMap<>(Map.of(to, 0));
-    int found = RoadGraph.NONE;
-    while (!queue.isEmpty()) {
-      int vertex = queue.poll();
-      int here = steps.getOrDefault(vertex, 0);
-      if (found != RoadGraph.NONE && here > NEAR) {
-        return found;
-      }
-      if (isOpen(vertex)) {
-        if (vertex == start) {
-          return start;
-        }
-        found = found == RoadGraph.NONE ? vertex : found;
-      }
-      for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
-        int next = roads.neighbour(vertex, d);
-        if (next != RoadGraph.NONE && steps.putIfAbsent(next, here + 1) == null) {
-          queue.add(next);
-        }
-      }
-    }
-    return found == RoadGraph.NONE ? start : found;
+    int[] found = {RoadGraph.NONE};
+    roads.visitByDistance(
+        to,
+        (vertex, steps) -> {
+          if (found[0] != RoadGraph.NONE && steps > NEAR) {
+            return false;
+          }
+          if (isOpen(vertex)) {
+            found[0] = found[0] == RoadGraph.NONE || vertex == start ? vertex : found[0];
+          }
+          return found[0] != start;
+        });
+    return found[0] == RoadGraph.NONE ? start : found[0];
   }
 
   private boolean isOpen(int vertex) {

@@ -235,7 +235,7 @@ final class LanePlanner {
 
     private boolean assignPlace(TrafficRobot robot, BitSet swept) {
       Pose from = robot.releasedEnd();
-      for (Cell cell : lanes.near(from.position())) {
+      for (Cell cell : lanes.cellsAround(from.position())) {
         if (roads.vertex(cell) == RoadGraph.NONE || places.containsValue(cell)) {
           continue;
         }

@@ -1,17 +1,12 @@
 package org.toqa.traffic.floor;
 
-import static java.util.Comparator.comparingDouble;
-
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collection;
-import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
@@ -135,24 +130,16 @@ final class SingleRobotPlanner {
   private @Nullable Cell nearestOutside(
       OccupancyGrid free, Cell start, double radius, BitSet left) {
     RoadGraph roads = new RoadGraph(free);
-    BitSet seen = new BitSet();
-    Deque<Integer> queue = new ArrayDeque<>();
-    queue.add(roads.vertex(start));
-    while (!queue.isEmpty()) {
-      int vertex = queue.poll();
-      Cell cell = roads.cell(vertex);
-      if (!SweptCells.at(free, free.centre(cell), radius).intersects(left)) {
-        return cell;
-      }
-      for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
-        int next = roads.neighbour(vertex, d);
-        if (next != RoadGraph.NONE && !seen.get(next)) {
-          seen.set(next);
-          queue.add(next);
-        }
-      }
-    }
-    return null;
+    int[] found = {RoadGraph.NONE};
+    roads.visitByDistance(
+        roads.vertex(start),
+        (vertex, steps) -> {
+          Vec2 centre = free.centre(roads.cell(vertex));
+          found[0] =
+              SweptCells.at(free, centre, radius).intersects(left) ? RoadGraph.NONE : vertex;
+          return found[0] == RoadGraph.NONE;
+        });
+    return found[0] == RoadGraph.NONE ? null : roads.cell(found[0]);
   }
 
   private Optional<List<Section>> pathAmong(
@@ -325,14 +312,9 @@ final class SingleRobotPlanner {
 
   /** The cell nearest to a point, of those beside its cell that are right; else that one itself. */
   private Cell nearestCell(Vec2 point, Cell here, Predicate<Cell> isRight) {
-    return IntStream.rangeClosed(-BESIDE, BESIDE)
-        .boxed()
-        .flatMap(
-            row ->
-                IntStream.rangeClosed(-BESIDE, BESIDE)
-                    .mapToObj(column -> new Cell(here.column() + column, here.row() + row)))
+    return freeSpace.grid().cellsAround(point, BESIDE).stream()
         .filter(isRight)
-        .min(comparingDouble(cell -> freeSpace.grid().centre(cell).distanceTo(point)))
+        .findFirst()
         .orElse(here);
   }
 

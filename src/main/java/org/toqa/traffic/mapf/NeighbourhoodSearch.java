@@ -5,7 +5,6 @@ import static org.toqa.traffic.RoadGraph.NONE;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
-import org.toqa.traffic.Deadline;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
 
@@ -67,10 +66,14 @@ final class NeighbourhoodSearch {
     Arrays.fill(efforts, 1);
   }
 
-  /** Goes on until the deadline, or until the sum of costs has come down to the lower bound. */
-  void improve(long lowerBound, Deadline deadline) {
+  /**
+   * Goes on while the budget lasts, or until the sum of costs has come down to the lower bound.
+   *
+   * @param lowerBound steps, of all robots together
+   */
+  void improve(long lowerBound, SearchBudget budget) {
     long cost = VertexPaths.sumOfCosts(paths);
-    while (cost > lowerBound && !deadline.isPassed()) {
+    while (cost > lowerBound && budget.takeIteration()) {
       int choice = chooseByGain();
       long effortBefore = search.effort();
       chooseGroup(Math.min(paths.length, SIZES[choice / 2]), choice % 2 == 0);

@@ -93,7 +93,7 @@ public final class OneShotPlanner {
         int[][] best = secondPlan(roads, distances, first, deadline, random.split());
         long lowerBound = lowerBound(distances, starts);
         new NeighbourhoodSearch(roads, distances, best, random.split())
-            .improve(lowerBound, deadline);
+            .improve(lowerBound, SearchBudget.until(deadline));
         yield new Solved(new MapfPlan(roads, best), lowerBound);
       }
     };
@@ -107,7 +107,7 @@ public final class OneShotPlanner {
       SplittableRandom random) {
     int[][] second =
         new PrioritisedPlanning(roads, distances, first, random)
-            .plan(deadline.afterShare(SHARE_OF_SECOND));
+            .plan(SearchBudget.until(deadline.afterShare(SHARE_OF_SECOND)));
     return second != null && VertexPaths.sumOfCosts(second) < VertexPaths.sumOfCosts(first)
         ? second
         : first;

@@ -8,7 +8,6 @@ import java.util.PriorityQueue;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.traffic.Deadline;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
 
@@ -68,11 +67,11 @@ final class PrioritisedPlanning {
     return distances[robot][starts[robot]];
   }
 
-  /** A route a robot, or null where the floor is too crowded or the time is up. */
-  int @Nullable [][] plan(Deadline deadline) {
+  /** A route a robot, or null where the floor is too crowded or the budget is used up. */
+  int @Nullable [][] plan(SearchBudget budget) {
     int insertionsLeft = ROUNDS * starts.length;
     while (!queue.isEmpty()) {
-      if (deadline.isPassed() || insertionsLeft-- == 0) {
+      if (!budget.takeIteration() || insertionsLeft-- == 0) {
         return null;
       }
       int robot = queue.remove();
