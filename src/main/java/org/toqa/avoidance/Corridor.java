@@ -6,7 +6,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
 /**
- * The way right ahead of a robot, as a line that its middle will follow.
+ * The path right ahead of a robot, as a line that its middle will follow.
  *
  * @param line poses on it, map frame, the first where the robot is; between two of them it goes
  *     straight

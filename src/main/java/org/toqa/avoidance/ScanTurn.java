@@ -37,7 +37,7 @@ public final class ScanTurn {
     rate = 0;
   }
 
-  /** Whether the robot faces as its way says. */
+  /** Whether the robot faces as its path says. */
   public boolean isStraight() {
     return heading == 0 && rate == 0;
   }

@@ -47,7 +47,7 @@ public final class Follower {
 
   /**
    * @param offset of its place, in the leader's frame, metres
-   * @param tolerance metres off its place from which the group must stop
+   * @param tolerance metres off its place from which the formation must stop
    * @param linkDelay seconds that a message is usually under way
    */
   public Follower(FollowerLaw law, Vec2 offset, double tolerance, double linkDelay) {

@@ -22,7 +22,7 @@ public record Shape(Vec2 leader, List<Vec2> followers) {
   /** Metres of air between a robot and the load, and between two robots. */
   private static final double GAP = 0.02;
 
-  /** What a way keeps round a corner beyond the outermost robot's lateral offset (Tanta). */
+  /** What a path keeps round a corner beyond the outermost robot's lateral offset (Tanta). */
   private static final double CORNER_MARGIN = 0.2;
 
   public Shape {

@@ -1,7 +1,7 @@
 package org.toqa.geometry;
 
 /**
- * A velocity in the mover's own frame.
+ * A velocity in the robot's own frame.
  *
  * @param vx metres a second, forward
  * @param vy metres a second, to the left

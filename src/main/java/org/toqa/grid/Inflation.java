@@ -58,7 +58,7 @@ public final class Inflation {
 
   /**
    * Blocks only the cells in which the disc fits nowhere: neither in the middle nor on an edge's
-   * middle or a corner. So an aisle two cells wide has a way for whatever fits in it, which drives
+   * middle or a corner. So an aisle two cells wide has a path for whatever fits in it, which drives
    * between the middles of its cells.
    *
    * @param radius metres

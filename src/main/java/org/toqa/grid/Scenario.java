@@ -6,7 +6,7 @@ package org.toqa.grid;
  * @param map the map file's name, as the file has it
  * @param width cells
  * @param height cells
- * @param optimal length in cells of the shortest octile way that cuts no corner
+ * @param optimal length in cells of the shortest octile path that cuts no corner
  */
 public record Scenario(
     int bucket, String map, int width, int height, Cell start, Cell goal, double optimal) {}

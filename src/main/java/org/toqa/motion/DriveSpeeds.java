@@ -1,7 +1,7 @@
 package org.toqa.motion;
 
 /**
- * How fast a planned way is driven.
+ * How fast a planned path is driven.
  *
  * @param forward metres a second on straights, and the most on arcs
  * @param arcRate radians a second, the most on arcs: a tight arc is driven slower than {@code

@@ -8,9 +8,9 @@ import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 
 /**
- * Makes curve segments (v, w, t) of a way of straight legs (Tanta, "From path to curve segments"):
+ * Makes curve segments (v, w, t) of a path of straight legs (Tanta, "From path to curve segments"):
  * straights at constant speed, an arc round every corner so that the robot always faces forward, a
- * turn on the spot where the way asks for one or the robot does not face the first leg.
+ * turn on the spot where the path asks for one or the robot does not face the first leg.
  *
  * <p>With L the corner length, an arc begins L/2 before its corner and ends L/2 after it, on a
  * circle of radius R = (L/2) / tan(angle/2). On a leg that is too short for that, its arcs begin

@@ -5,7 +5,7 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
 /**
- * The lengths of the shortest octile ways between one cell and all others of a grid. Immutable; for
+ * The lengths of the shortest octile paths between one cell and all others of a grid. Immutable; for
  * any thread.
  */
 public final class DistanceField {
@@ -39,7 +39,7 @@ public final class DistanceField {
     }
   }
 
-  /** In cells; infinite where there is no way. */
+  /** In cells; infinite where there is no path. */
   public double to(Cell cell) {
     return grid.contains(cell) ? lengths[grid.index(cell)] : UNREACHABLE;
   }

@@ -7,7 +7,7 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
 /**
- * A way on the grid.
+ * A path on the grid.
  *
  * @param steps the states in order; two neighbours differ by a move of one cell along the first
  *     one's heading, or by a turn on the spot (same cell, other heading)
@@ -28,7 +28,7 @@ public record Path(List<Step> steps, double cost, int turnsOnSpot) {
   }
 
   /**
-   * The way that these moves make.
+   * The path that these moves make.
    *
    * @param turnsOnSpot whether a change of heading by more than 45 degrees is a turn on the spot,
    *     with its step and its cost; otherwise it is a corner like any other
@@ -67,7 +67,7 @@ public record Path(List<Step> steps, double cost, int turnsOnSpot) {
   }
 
   /**
-   * The points where the way bends or the robot turns, and the goal; not the start. Empty for a way
+   * The points where the path bends or the robot turns, and the goal; not the start. Empty for a path
    * that stays in its cell.
    */
   public List<Waypoint> waypoints(OccupancyGrid grid) {

@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
  * warehouse fit into memory.
  */
 public final class DistanceTables {
-  /** No way, or one of more steps than a table can say. */
+  /** No path, or one of more steps than a table can say. */
   public static final int UNREACHABLE = Character.MAX_VALUE;
 
   /** Goals that are searched in one go, to keep the cores from queueing for work. */

@@ -14,7 +14,7 @@ final class CellAllocations {
   private static final int NOBODY = 0;
   private static final int SEVERAL = -1;
 
-  /** By cell: a mover's number, nobody or several. */
+  /** By cell: a robot's number, nobody or several. */
   private final int[] holders;
 
   private final Collection<TrafficRobot> robots;
@@ -37,7 +37,7 @@ final class CellAllocations {
         });
   }
 
-  /** The other movers that hold some of the cells. */
+  /** The other robots that hold some of the cells. */
   List<TrafficRobot> otherHolders(TrafficRobot robot, CellSet cells) {
     List<TrafficRobot> others = new ArrayList<>();
     cells.forEach(

@@ -20,11 +20,11 @@ final class Clearance {
   private Clearance() {}
 
   /**
-   * Whether a robot can drive a stretch beside one that stands: the two share no cell but those
-   * under the robot now, and it does not come nearer than it is. A group that sets out shares no
+   * Whether a robot can drive a section beside one that stands: the two share no cell but those
+   * under the robot now, and it does not come nearer than it is. A formation that sets out shares no
    * cell with anybody: who stands beside it goes first.
    *
-   * @param from where the stretch begins
+   * @param from where the section begins
    */
   static boolean isKept(TrafficRobot robot, Pose from, Section section, TrafficRobot other) {
     if (robot.isFormation()) {

@@ -23,23 +23,23 @@ import org.toqa.planning.OpenList;
 /**
  * Paths that a formation can be led along: A* for the leader over the points of a lattice and eight
  * headings. A move is a step along the heading, or a corner of 45 degrees with as much of a leg
- * before and behind it as an arc of the smallest radius needs, so that no way has a tighter one; it
- * is open where the whole group, with a margin, meets nothing on it. The first leg leads from where
+ * before and behind it as an arc of the smallest radius needs, so that no path has a tighter one; it
+ * is open where the whole formation, with a margin, meets nothing on it. The first leg leads from where
  * the leader faces onto the lattice.
  *
  * <p>The cost is that of a search over eight states a point. Confined to one thread.
  */
 final class FormationPlanner {
-  /** Kept from walls while a way is looked for, metres. */
+  /** Kept from walls while a path is looked for, metres. */
   private static final double MARGIN = 0.02;
 
   /** Lattice points are at most so far apart, metres. */
   private static final double WIDEST_STEP = 0.15;
 
-  /** The way onto the lattice is no longer, metres. */
+  /** The path onto the lattice is no longer, metres. */
   private static final double LONGEST_ENTRY = 1.5;
 
-  /** So far beside the lattice, metres, a parallel way onto it may begin. */
+  /** So far beside the lattice, metres, a parallel path onto it may begin. */
   private static final double MAX_ASIDE = 0.06;
 
   /** A robot that has come to its place stands no farther from it, metres. */
@@ -55,7 +55,7 @@ final class FormationPlanner {
   private static final Heading[] HEADINGS = Heading.values();
   private static final double EIGHTH = Math.PI / 4;
 
-  /** Stretches end at least so far apart, metres. */
+  /** Sections end at least so far apart, metres. */
   private static final double PASSING_PLACE_SPACING = 0.3;
 
   private final OccupancyGrid grid;
@@ -89,8 +89,8 @@ final class FormationPlanner {
   }
 
   /**
-   * Where the way of a group begins whose leader stands there: on the lattice if it is but for what
-   * a robot may be off its place. It is drawn onto its way as it sets out; a way that began beside
+   * Where the path of a formation begins whose leader stands there: on the lattice if it is but for what
+   * a robot may be off its place. It is drawn onto its path as it sets out; a path that began beside
    * the lattice would need room to get onto it, which a place between machines has not.
    */
   static Pose start(OccupancyGrid grid, Pose leader) {
@@ -116,7 +116,7 @@ final class FormationPlanner {
   }
 
   /**
-   * The shortest way on which the group meets none of these cells.
+   * The shortest path on which the formation meets none of these cells.
    *
    * @param goal where the load is carried, metres, map frame
    */
@@ -170,7 +170,7 @@ final class FormationPlanner {
       Arrays.fill(parents, -1);
     }
 
-    /** Where the way bends and ends. */
+    /** Where the path bends and ends. */
     Optional<List<Waypoint>> waypoints() {
       enter();
       while (!openList.isEmpty()) {
@@ -288,7 +288,7 @@ final class FormationPlanner {
           firstPoint.x() + column * step, firstPoint.y() + row * step, (state & 7) * EIGHTH);
     }
 
-    /** The ways onto the lattice: straight ahead, one corner, and straight again. */
+    /** The paths onto the lattice: straight ahead, one corner, and straight again. */
     private void enter() {
       int reach = (int) Math.ceil(LONGEST_ENTRY / step);
       int column = (int) Math.round((start.x() - firstPoint.x()) / step);
@@ -303,7 +303,7 @@ final class FormationPlanner {
       }
     }
 
-    /** By the way to the first point of the lattice from which the rest is moves on it. */
+    /** By the path to the first point of the lattice from which the rest is moves on it. */
     private void enter(int state) {
       Pose to = pose(state);
       Pose seen = start.relative(to);

@@ -23,7 +23,7 @@ import org.toqa.traffic.RoadGraph;
 /**
  * A goal for each robot that is planned, all different: the lane cell of its own goal if it can
  * have that, else a place near to it; and for a robot that wants nothing the place where it stands,
- * unless another wants that. Whoever has a place or a way to it keeps it, then whoever waits
+ * unless another wants that. Whoever has a place or a path to it keeps it, then whoever waits
  * longest chooses.
  */
 final class GoalAssignment {
@@ -49,10 +49,10 @@ final class GoalAssignment {
   private final int[] assigned;
   private final Map<Integer, String> taken = new HashMap<>();
 
-  /** Where nobody else shall stay, on the way of the only one that gets its goal; else empty. */
+  /** Where nobody else shall stay, on the path of the only one that gets its goal; else empty. */
   private final Set<Integer> keptFree;
 
-  /** How many that want to go somewhere have no way there, whoever made room. */
+  /** How many that want to go somewhere have no path there, whoever made room. */
   private int unreachableCount;
 
   GoalAssignment(
@@ -89,7 +89,7 @@ final class GoalAssignment {
 
   /**
    * The goal of the one that waits longest; for each other robot the nearest place that is not on
-   * the shortest way there.
+   * the shortest path there.
    */
   GoalAssignment forLongestWaiting() {
     List<Integer> order = new ArrayList<>(order(planned));
@@ -111,7 +111,7 @@ final class GoalAssignment {
     return one;
   }
 
-  /** Those that have a place or a way to it, then who waits longest, then who wants nothing. */
+  /** Those that have a place or a path to it, then who waits longest, then who wants nothing. */
   private static List<Integer> order(List<TrafficRobot> planned) {
     return IntStream.range(0, planned.size())
         .boxed()
@@ -129,7 +129,7 @@ final class GoalAssignment {
     taken.put(vertex, planned.get(i).name);
   }
 
-  /** The vertices of a shortest way. */
+  /** The vertices of a shortest path. */
   private Set<Integer> shortestPath(int from, int to) {
     char[] distances = DistanceTables.of(roads, new int[] {to}, Deadline.none())[0];
     Set<Integer> path = new HashSet<>(Set.of(from));

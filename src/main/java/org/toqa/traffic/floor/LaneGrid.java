@@ -139,7 +139,7 @@ final class LaneGrid {
   }
 
   /**
-   * The floor's cells that a disc touches on the way from the middle of a lane cell to the middle
+   * The floor's cells that a disc touches on the path from the middle of a lane cell to the middle
    * of one beside it, counted from the first one's upper left corner.
    */
   private static List<Cell> touched(int side, double diameter, int columns, int rows) {

@@ -20,11 +20,11 @@ import org.toqa.traffic.JointPlanner;
 import org.toqa.traffic.RoadGraph;
 
 /**
- * Plans robots together on lane cells and gives them their courses.
+ * Plans robots together on lane cells and gives them their paths.
  *
  * <p>Tried in this order, until everybody who wants to go somewhere can: with wide lane cells, on
  * which robots of every size can be planned, then with narrower ones; first without those who drive
- * ways of their own or stand aside from the lanes, then with them. Who is left out is driven round.
+ * paths of their own or stand aside from the lanes, then with them. Who is left out is driven round.
  */
 final class LanePlanner {
   /** Of the time left, what each search may take. */
@@ -50,15 +50,15 @@ final class LanePlanner {
   }
 
   enum Outcome {
-    /** All have courses by the new plan. */
+    /** All have paths by the new plan. */
     PLANNED,
-    /** Those without a way can only stay, and nobody could make room: no plan would help now. */
+    /** Those without a path can only stay, and nobody could make room: no plan would help now. */
     NOT_NEEDED,
     NOT_FOUND
   }
 
   /**
-   * @param mustPlan whether ways were given up that others wait for
+   * @param mustPlan whether paths were given up that others wait for
    */
   Outcome plan(Collection<TrafficRobot> robots, CellAllocations allocations, boolean mustPlan) {
     Deadline deadline = planningDeadline.get();
@@ -278,7 +278,7 @@ final class LanePlanner {
       return true;
     }
 
-    /** The ways of robots that are too large for these lanes, as if the others were not there. */
+    /** The paths of robots that are too large for these lanes, as if the others were not there. */
     private BitSet findWantedCells() {
       BitSet wanted = new BitSet();
       for (TrafficRobot robot : robots) {

@@ -5,7 +5,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.motion.Segment;
 
 /**
- * The unit of reservation: a piece of a way that is released as a whole, and at whose end the robot
+ * The unit of reservation: a piece of a path that is released as a whole, and at whose end the robot
  * can stand.
  *
  * @param segments what is driven

@@ -13,13 +13,13 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.floor.ReservedPath.Dependency;
 
 /**
- * Lets robots go on: a stretch is released when no other robot holds a cell of it and whoever comes
+ * Lets robots go on: a section is released when no other robot holds a cell of it and whoever comes
  * before has left.
  */
 final class SectionReleaser {
   private static final Duration SPLIT_CORNER_AFTER = Duration.ofMillis(500);
 
-  /** Released ahead of a robot: at least so many stretches, and so many seconds of driving. */
+  /** Released ahead of a robot: at least so many sections, and so many seconds of driving. */
   private static final int SECTIONS_AHEAD = 2;
 
   private static final double SECONDS_AHEAD = 3;
@@ -93,7 +93,7 @@ final class SectionReleaser {
         || other.drive.path().visitAfterSections(other.drive.completed()) > dependency.visit();
   }
 
-  /** Whether it has stood before the stretch for a little. */
+  /** Whether it has stood before the section for a little. */
   private static boolean hasWaited(TrafficRobot robot, Instant now) {
     if (robot.drive.completed() < robot.drive.released()) {
       return false;

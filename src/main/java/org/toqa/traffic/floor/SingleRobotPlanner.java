@@ -23,10 +23,10 @@ import org.toqa.planning.PlanResult;
 import org.toqa.traffic.RoadGraph;
 
 /**
- * A robot's own shortest way in eight headings, smooth, as if it were alone or round the others.
+ * A robot's own shortest path in eight headings, smooth, as if it were alone or round the others.
  */
 final class SingleRobotPlanner {
-  /** So many cells beside the robot and its goal its way over cells may begin and end. */
+  /** So many cells beside the robot and its goal its path over cells may begin and end. */
   private static final int BESIDE = 2;
 
   /** So many lane cells from its goal a robot may go straight there, in any heading. */
@@ -46,7 +46,7 @@ final class SingleRobotPlanner {
     this.formationPlanner = new FormationPlanner(freeSpace.grid(), fitter);
   }
 
-  /** As if no other robot were there; empty where the floor has no way. */
+  /** As if no other robot were there; empty where the floor has no path. */
   Optional<List<Section>> pathAlone(TrafficRobot robot) {
     Cell goal = robot.goalCell();
     if (goal == null) {
@@ -67,7 +67,7 @@ final class SingleRobotPlanner {
     return notMovable.isEmpty() ? pathAlone(robot) : pathAmong(robot, robots, notMovable);
   }
 
-  /** The points of its way, were there neither robots nor obstacles; empty where there is none. */
+  /** The points of its path, were there neither robots nor obstacles; empty where there is none. */
   List<Vec2> pointsWithoutObstacles(TrafficRobot robot) {
     Cell goal = robot.goalCell();
     OccupancyGrid grid = freeSpace.grid();
@@ -263,7 +263,7 @@ final class SingleRobotPlanner {
     return sections.stream().noneMatch(s -> s.cells().intersects(cells));
   }
 
-  /** Where the way of a robot bends and ends; empty where there is none. */
+  /** Where the path of a robot bends and ends; empty where there is none. */
   private Optional<List<Waypoint>> waypoints(
       PathPlanner planner, OccupancyGrid free, TrafficRobot robot, Cell goal) {
     OccupancyGrid grid = freeSpace.grid();
@@ -284,7 +284,7 @@ final class SingleRobotPlanner {
   }
 
   /**
-   * The cell in which its way over cells begins: where it stands, or beside that where the middle
+   * The cell in which its path over cells begins: where it stands, or beside that where the middle
    * of its cell is too near to something.
    */
   private Cell entry(OccupancyGrid free, TrafficRobot robot) {
@@ -301,7 +301,7 @@ final class SingleRobotPlanner {
         || free.isFree(cell.column(), cell.row() - 1);
   }
 
-  /** The cell in which its way over cells ends: that of the goal, or beside it likewise. */
+  /** The cell in which its path over cells ends: that of the goal, or beside it likewise. */
   private Cell exit(OccupancyGrid free, TrafficRobot robot, Cell goal) {
     Vec2 point = robot.goal();
     boolean isFine = LaneGrid.side(freeSpace.grid(), 2 * robot.radius()) > 1;
@@ -344,7 +344,7 @@ final class SingleRobotPlanner {
         .findFirst();
   }
 
-  /** The same way, ending at its goal itself if it ends in the cell of that. */
+  /** The same path, ending at its goal itself if it ends in the cell of that. */
   private List<Waypoint> endingAtGoal(TrafficRobot robot, List<Waypoint> waypoints) {
     Vec2 goal = robot.goal();
     OccupancyGrid grid = freeSpace.grid();

@@ -13,14 +13,14 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.grid.Cell;
 
 /**
- * Watches what robots really do, whatever was planned: who has not moved for longer than its way
+ * Watches what robots really do, whatever was planned: who has not moved for longer than its path
  * says, and who waits for whom in a circle.
  */
 final class StandstillDetector {
   private static final Duration CYCLE_AFTER = Duration.ofSeconds(2);
   private static final Duration NOT_MOVING_AFTER = Duration.ofSeconds(10);
 
-  /** A robot may need so many times as long as its way says. */
+  /** A robot may need so many times as long as its path says. */
   private static final double SLOWNESS_FACTOR = 3;
 
   /** Cycles, by their robots, and when each was first seen. */
@@ -34,7 +34,7 @@ final class StandstillDetector {
     return standstills;
   }
 
-  /** Whether the robot has not gone on for much longer than its way says. */
+  /** Whether the robot has not gone on for much longer than its path says. */
   static boolean isNotMoving(TrafficRobot robot, Instant now) {
     ReservedPath path = robot.drive.path();
     if (path == null || !robot.drive.isDriving()) {

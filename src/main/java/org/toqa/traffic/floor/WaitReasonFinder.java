@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
-/** Finds out why a robot has no way to its goal. */
+/** Finds out why a robot has no path to its goal. */
 final class WaitReasonFinder {
   private final FreeSpace freeSpace;
   private final SingleRobotPlanner singleRobotPlanner;
@@ -19,7 +19,7 @@ final class WaitReasonFinder {
   }
 
   /**
-   * @param robot which wants to go somewhere and has no way there
+   * @param robot which wants to go somewhere and has no path there
    */
   WaitReason reasonFor(TrafficRobot robot, Collection<TrafficRobot> robots) {
     Vec2 goal = Objects.requireNonNull(robot.goal());

@@ -5,7 +5,7 @@ import org.toqa.grid.Cell;
 import org.toqa.traffic.RoadGraph;
 
 /**
- * Where each robot is at each step: a robot a route, in the order of the instance. Whoever has
+ * Where each robot is at each step: a robot a path, in the order of the instance. Whoever has
  * arrived stays. Immutable.
  */
 public final class MapfPlan {

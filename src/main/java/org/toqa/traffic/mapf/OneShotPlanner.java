@@ -16,7 +16,7 @@ import org.toqa.traffic.mapf.MapfResult.Solved;
 import org.toqa.traffic.mapf.MapfResult.Unsolved;
 
 /**
- * Plans ways for all robots from start to goal: a first plan as soon as can be ({@link Lacam}), a
+ * Plans paths for all robots from start to goal: a first plan as soon as can be ({@link Lacam}), a
  * second one that is better where the floor is not crowded ({@link PrioritisedPlanning}), and from
  * the better of the two on {@link NeighbourhoodSearch} until the deadline.
  *
