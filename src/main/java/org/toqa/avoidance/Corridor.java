@@ -22,6 +22,9 @@ public record Corridor(List<Pose> line) {
    */
   public record Place(double along, double distance, boolean onLeft) {}
 
+  /**
+   * @throws IllegalArgumentException if the line is empty
+   */
   public Corridor {
     line = List.copyOf(line);
     if (line.isEmpty()) {
@@ -29,7 +32,7 @@ public record Corridor(List<Pose> line) {
     }
   }
 
-  /** Metres. */
+  /** Metres along the line. */
   public double length() {
     double length = 0;
     for (int i = 1; i < line.size(); i++) {

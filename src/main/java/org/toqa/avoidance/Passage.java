@@ -34,7 +34,7 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
     beside = List.copyOf(beside);
   }
 
-  /** Metres that it may still go. */
+  /** Metres that it may still go, at least 0. */
   public double freeDistance() {
     return Math.max(0, ahead - STOP_GAP);
   }
@@ -45,7 +45,9 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
   }
 
   /**
-   * @param seen points, map frame
+   * How a robot gets through.
+   *
+   * @param seen points, metres, map frame
    * @param radius of the robot, metres
    */
   public static Passage through(Corridor corridor, List<Vec2> seen, double radius) {

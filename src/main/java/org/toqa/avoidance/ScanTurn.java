@@ -19,7 +19,10 @@ public final class ScanTurn {
   private double side = WIDEST;
 
   /**
+   * Lets time go on.
+   *
    * @param isScanning whether it shall look round; else it turns back
+   * @param seconds since the last step, at least 0
    */
   public void step(boolean isScanning, double seconds) {
     double target = isScanning ? side : 0;

@@ -30,10 +30,13 @@ public final class Sidestep {
   private double rate;
 
   /**
+   * Lets time go on.
+   *
    * @param pose on the path, map frame
    * @param speed metres a second, along the path
    * @param beside what is to be passed, map frame
    * @param distanceLeft metres to the end of the path
+   * @param seconds since the last step, at least 0
    */
   public void step(
       Pose pose, double speed, List<Vec2> beside, double distanceLeft, double seconds) {
@@ -61,6 +64,7 @@ public final class Sidestep {
     return offset;
   }
 
+  /** Whether it drives on the path itself. */
   public boolean isOnPath() {
     return offset == 0 && rate == 0;
   }

@@ -3,6 +3,7 @@ package org.toqa.grid;
 /**
  * One query of a MovingAI scenario file.
  *
+ * @param bucket group of queries of about the same length, from 0; of 4 cells a bucket
  * @param map the map file's name, as the file has it
  * @param width cells
  * @param height cells

@@ -31,6 +31,7 @@ public final class SegmentFitter {
 
   /**
    * @param cornerLength L in metres: a grid's cell size
+   * @throws IllegalArgumentException if it is not positive and finite
    */
   public SegmentFitter(DriveSpeeds speeds, double cornerLength) {
     if (!(cornerLength > 0) || Double.isInfinite(cornerLength)) {
@@ -44,6 +45,7 @@ public final class SegmentFitter {
   /**
    * @param start where the robot really stands, map frame; the first leg begins there
    * @param waypoints where the legs bend and where they end
+   * @throws IllegalArgumentException if a coordinate is not finite
    */
   public Trajectory fit(Pose start, List<Waypoint> waypoints) {
     return new Trajectory(start, segments(start, legs(start, waypoints)));
@@ -52,7 +54,8 @@ public final class SegmentFitter {
   /**
    * The same, and at the end a turn on the spot.
    *
-   * @param heading of the robot at the end, radians, map frame
+   * @param heading of the robot at the end, radians, counter-clockwise from map east
+   * @throws IllegalArgumentException if a coordinate or the heading is not finite
    */
   public Trajectory fit(Pose start, List<Waypoint> waypoints, double heading) {
     requireFinite(heading);

@@ -39,7 +39,7 @@ public final class DistanceField {
     }
   }
 
-  /** In cells; infinite where there is no path. */
+  /** The length of the shortest path, in cells; infinite where there is no path. */
   public double to(Cell cell) {
     return grid.contains(cell) ? lengths[grid.index(cell)] : UNREACHABLE;
   }

@@ -17,6 +17,8 @@ import org.toqa.grid.OccupancyGrid;
 public interface PathPlanner {
 
   /**
+   * The shortest path by the planner's own measure.
+   *
    * @param grid inflated; a blocked start or goal is an answer, not an error
    */
   PlanResult plan(OccupancyGrid grid, Cell start, Cell goal);

@@ -20,6 +20,9 @@ public final class DistanceTables {
   /**
    * A table a goal, in the order of the goals; equal goals share theirs. Where the deadline passes,
    * the rest is missing and the answer is shorter.
+   *
+   * @param goals vertices
+   * @return steps by goal and vertex, {@link #UNREACHABLE} where there is no path
    */
   public static char[][] of(RoadGraph roads, int[] goals, Deadline deadline) {
     int[] distinct = Arrays.stream(goals).distinct().toArray();

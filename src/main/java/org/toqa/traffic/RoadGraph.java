@@ -37,6 +37,11 @@ public final class RoadGraph {
   /** Whether one can go on from a cell in a direction; the same as back from there. */
   @FunctionalInterface
   public interface Passage {
+    /**
+     * @param column of the cell, from 0 to the east
+     * @param row of the cell, from 0 to the south
+     * @param direction {@link #EAST} to {@link #SOUTH}
+     */
     boolean isOpen(int column, int row, int direction);
   }
 
@@ -119,7 +124,7 @@ public final class RoadGraph {
     return grid;
   }
 
-  /** How many there are. */
+  /** How many free cells there are. */
   public int vertexCount() {
     return cellOf.length;
   }
@@ -129,6 +134,7 @@ public final class RoadGraph {
     return grid.contains(column, row) ? vertexAt[row * grid.width() + column] : NONE;
   }
 
+  /** {@link #NONE} where the cell is not free or not on the grid. */
   public int vertex(Cell cell) {
     return vertex(cell.column(), cell.row());
   }
@@ -137,10 +143,12 @@ public final class RoadGraph {
     return grid.cell(cellOf[vertex]);
   }
 
+  /** From 0, to the east. */
   public int columnOf(int vertex) {
     return cellOf[vertex] % grid.width();
   }
 
+  /** From 0 at the top, to the south. */
   public int rowOf(int vertex) {
     return cellOf[vertex] / grid.width();
   }
@@ -150,7 +158,11 @@ public final class RoadGraph {
     return neighbours[vertex * DIRECTIONS + direction];
   }
 
-  /** The direction that leads from a vertex to one beside it. */
+  /**
+   * The direction that leads from a vertex to one beside it.
+   *
+   * @throws IllegalArgumentException if the two are not joined
+   */
   public int direction(int from, int to) {
     for (int d = 0; d < DIRECTIONS; d++) {
       if (neighbour(from, d) == to) {
@@ -194,15 +206,17 @@ public final class RoadGraph {
     }
   }
 
-  /** How many neighbours it has. */
+  /** How many neighbours it has, 0 to 4. */
   public int degree(int vertex) {
     return degrees[vertex];
   }
 
+  /** The direction back. */
   public static int opposite(int direction) {
     return direction ^ 2;
   }
 
+  /** Whether one can be reached from the other. */
   public boolean isConnected(int vertex, int other) {
     return components[vertex] == components[other];
   }

@@ -37,7 +37,7 @@ final class CellAllocations {
         });
   }
 
-  /** The other robots that hold some of the cells. */
+  /** The other robots to which some of the cells are allocated. */
   List<TrafficRobot> otherHolders(TrafficRobot robot, CellSet cells) {
     List<TrafficRobot> others = new ArrayList<>();
     cells.forEach(

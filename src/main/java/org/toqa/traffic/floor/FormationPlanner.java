@@ -127,11 +127,13 @@ final class FormationPlanner {
     SegmentFitter arcs = new SegmentFitter(robot.speeds(), rules.cornerLength(EIGHTH));
     return new Search(formation, start, goal, blocked, arcs)
         .waypoints()
-        .map(way -> rules.slowed(arcs.fit(start, way)))
-        .filter(way -> rules.firstBreach(way).isEmpty())
-        .map(way -> sections(robot, way))
+        .map(waypoints -> rules.slowed(arcs.fit(start, waypoints)))
+        .filter(trajectory -> rules.firstBreach(trajectory).isEmpty())
+        .map(trajectory -> sections(robot, trajectory))
         .filter(
-            way -> !way.isEmpty() && way.stream().noneMatch(s -> s.cells().intersects(blocked)));
+            sections ->
+                !sections.isEmpty()
+                    && sections.stream().noneMatch(s -> s.cells().intersects(blocked)));
   }
 
   private List<Section> sections(TrafficRobot robot, Trajectory trajectory) {

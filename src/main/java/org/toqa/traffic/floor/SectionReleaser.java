@@ -13,7 +13,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.floor.ReservedPath.Dependency;
 
 /**
- * Lets robots go on: a section is released when no other robot holds a cell of it and whoever comes
+ * Lets robots go on: a section is released when no cell of it is another robot's and whoever comes
  * before has left.
  */
 final class SectionReleaser {

@@ -168,19 +168,20 @@ final class SingleRobotPlanner {
       TrafficRobot robot,
       Cell goal,
       Predicate<List<Section>> isAcceptable) {
-    Predicate<List<Section>> isClearAndRight = way -> isClear(robot, way) && isAcceptable.test(way);
+    Predicate<List<Section>> isClearAndRight =
+        sections -> isClear(robot, sections) && isAcceptable.test(sections);
     return straightToGoal(robot, goal)
-        .flatMap(way -> firstFit(robot, way, isClearAndRight))
+        .flatMap(waypoints -> firstFit(robot, waypoints, isClearAndRight))
         .or(
             () ->
                 waypoints(planner, free, robot, goal)
                     .flatMap(
-                        way ->
-                            firstFit(robot, way, isClearAndRight)
+                        waypoints ->
+                            firstFit(robot, waypoints, isClearAndRight)
                                 .or(
                                     () ->
                                         firstFit(
-                                            robot, viaCellCentre(free, robot, way), isClearAndRight))));
+                                            robot, viaCellCentre(free, robot, waypoints), isClearAndRight))));
   }
 
   /** From beside the middle of a cell the next one may lie behind a corner; from the middle not. */
@@ -216,7 +217,7 @@ final class SingleRobotPlanner {
   }
 
   /**
-   * Whether it touches nothing that stands fast. What it touches already, as it may have been
+   * Whether it touches no wall and no obstacle. What it touches already, as it may have been
    * stopped anywhere and stands a little beside where it should, it comes no nearer to.
    */
   private boolean isClear(TrafficRobot robot, List<Section> sections) {
@@ -238,7 +239,7 @@ final class SingleRobotPlanner {
         && isClearOf(pose, sections, Math.max(gap - ROUNDING, ROUNDING), touched);
   }
 
-  /** Whether a disc of some radius on that way, which begins at a pose, touches no such cell. */
+  /** Whether a disc of some radius on that path, which begins at a pose, touches no such cell. */
   private boolean isClearOf(Pose start, List<Section> sections, double radius, BitSet cells) {
     Pose pose = start;
     for (Section section : sections) {

@@ -90,13 +90,6 @@ final class ActiveRobots {
     return goals[k];
   }
 
-  /**
-   * @param robot by its index in the snapshot
-   */
-  PlanStatus status(int robot) {
-    return statuses[robot];
-  }
-
   /** Says where the k-th robot is after {@code step} steps, from 1 on, as a state. */
   @FunctionalInterface
   interface PlannedStates {

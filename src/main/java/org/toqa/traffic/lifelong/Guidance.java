@@ -10,8 +10,8 @@ import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.mapf.StateGraph;
 
 /**
- * Distances that know of oncoming traffic, so that robots keep to the side on which others go their
- * path before they meet.
+ * Distances that know of oncoming traffic, so that robots keep to the side on which others drive in
+ * the same direction, before they meet.
  *
  * <p>Idea: each robot announces the edges of its shortest path. An edge costs a step, and half a
  * step more for each robot that announced it the other way about. Who plans next therefore prefers

@@ -45,6 +45,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
   /**
    * @param mayRotate whether robots may drive round in a full ring, all at once; not where a robot
    *     enters a cell only after another has left it
+   * @param seed of all chance
    */
   public RollingHorizonPlanner(MotionModel model, boolean mayRotate, long seed) {
     this.model = model;

@@ -4,9 +4,14 @@ import java.util.List;
 import org.toqa.grid.Cell;
 import org.toqa.traffic.RoadGraph;
 
-/** Robots that stand somewhere and want to be elsewhere, in a fixed order. */
+/**
+ * Robots that stand somewhere and want to be elsewhere, in a fixed order.
+ */
 public record MapfInstance(RoadGraph roads, List<Cell> starts, List<Cell> goals) {
 
+  /**
+   * @throws IllegalArgumentException if there are not as many goals as starts
+   */
   public MapfInstance {
     starts = List.copyOf(starts);
     goals = List.copyOf(goals);

@@ -29,11 +29,16 @@ public final class OneShotPlanner {
 
   private final long seed;
 
+  /**
+   * @param seed of all chance: the same seed and enough time, the same plan
+   */
   public OneShotPlanner(long seed) {
     this.seed = seed;
   }
 
   /**
+   * Plans.
+   *
    * @param deadline when to stop making the plan better; it has to come
    * @param onFirst told of the first plan at once
    */

@@ -19,6 +19,8 @@ public final class ReservationTable {
   private final long[] edgeTaken;
 
   /**
+   * An empty table.
+   *
    * @param steps how far the table reaches, at least
    */
   public ReservationTable(RoadGraph roads, int steps) {
