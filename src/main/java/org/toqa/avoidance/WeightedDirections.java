@@ -4,8 +4,8 @@ import java.util.List;
 import org.toqa.geometry.Vec2;
 
 /**
- * Which direction to take between a goal that pulls and things that push: every thing seen pushes away from
- * its own direction, the harder the nearer it is, and the sum of all shows the direction.
+ * Which direction to take between a goal that pulls and things that push: every thing seen pushes
+ * away from its own direction, the harder the nearer it is, and the sum of all shows the direction.
  *
  * <p>Of the family of potential fields, and as blind as these to dead ends: it is for the last
  * centimetres of a path that was planned (Tanta, "Obstacle avoidance on the robot").

@@ -10,8 +10,8 @@ import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
 /**
- * Which trajectories a shape can be led along (Tanta, "Formation control", geometry): no turn on the spot,
- * no circle tighter than the shape allows, and no robot of it faster than it can be.
+ * Which trajectories a shape can be led along (Tanta, "Formation control", geometry): no turn on
+ * the spot, no circle tighter than the shape allows, and no robot of it faster than it can be.
  */
 public final class TrajectoryRules {
 
@@ -89,8 +89,8 @@ public final class TrajectoryRules {
   }
 
   /**
-   * How long a corner of a trajectory must be, so that its arc is not too tight: with L the length of
-   * {@link org.toqa.motion.SegmentFitter}, R = (L/2) / tan(angle/2).
+   * How long a corner of a trajectory must be, so that its arc is not too tight: with L the length
+   * of {@link org.toqa.motion.SegmentFitter}, R = (L/2) / tan(angle/2).
    *
    * @param angle of the sharpest corner, radians
    * @return L, metres

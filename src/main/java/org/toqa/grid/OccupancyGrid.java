@@ -138,8 +138,8 @@ public final class OccupancyGrid {
   }
 
   /**
-   * The cells of the grid in a square round the cell of a point, those first whose middle is nearest
-   * to the point; of equally near ones the northern and then the western first.
+   * The cells of the grid in a square round the cell of a point, those first whose middle is
+   * nearest to the point; of equally near ones the northern and then the western first.
    *
    * @param point metres, map frame
    * @param reach cells on each side of that in the middle

@@ -5,8 +5,8 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
 /**
- * The lengths of the shortest octile paths between one cell and all others of a grid. Immutable; for
- * any thread.
+ * The lengths of the shortest octile paths between one cell and all others of a grid. Immutable;
+ * for any thread.
  */
 public final class DistanceField {
   private static final float UNREACHABLE = Float.POSITIVE_INFINITY;

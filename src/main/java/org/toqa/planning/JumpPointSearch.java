@@ -7,10 +7,10 @@ import java.util.function.LongConsumer;
  * (Harabor and Grastien, "Online graph pruning for pathfinding on grid maps", AAAI 2011; "Improving
  * jump point search", ICAPS 2014).
  *
- * <p>Of all paths of equal length it looks only at those that go diagonally first and straight then.
- * Such a path has a reason to turn only beside the end of an obstacle: between these jump points
- * nothing is put on the open list. Straights are looked through 64 cells at a time, and diagonals
- * are no nodes of their own: a node's successors are the jump points beside them.
+ * <p>Of all paths of equal length it looks only at those that go diagonally first and straight
+ * then. Such a path has a reason to turn only beside the end of an obstacle: between these jump
+ * points nothing is put on the open list. Straights are looked through 64 cells at a time, and
+ * diagonals are no nodes of their own: a node's successors are the jump points beside them.
  *
  * <p>For benchmarks, and as the length below which no path with headings can be.
  */

@@ -48,7 +48,9 @@ final class CellAllocations {
                 .filter(other -> other.allocatedCells().get(cell))
                 .forEach(other -> addTo(others, robot, other));
           } else if (number != NOBODY && number != robot.number) {
-            robots.stream().filter(other -> other.number == number).forEach(other -> addTo(others, robot, other));
+            robots.stream()
+                .filter(other -> other.number == number)
+                .forEach(other -> addTo(others, robot, other));
           }
         });
     return others;

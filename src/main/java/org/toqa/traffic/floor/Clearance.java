@@ -21,8 +21,8 @@ final class Clearance {
 
   /**
    * Whether a robot can drive a section beside one that stands: the two share no cell but those
-   * under the robot now, and it does not come nearer than it is. A formation that sets out shares no
-   * cell with anybody: who stands beside it goes first.
+   * under the robot now, and it does not come nearer than it is. A formation that sets out shares
+   * no cell with anybody: who stands beside it goes first.
    *
    * @param from where the section begins
    */
@@ -43,7 +43,8 @@ final class Clearance {
   private static boolean isKept(TrafficRobot robot, Pose from, Section section, PlacedDisc disc) {
     double needed =
         Math.min(
-            robot.radius() + disc.radius() + ENOUGH, robot.pose().position().distanceTo(disc.centre()));
+            robot.radius() + disc.radius() + ENOUGH,
+            robot.pose().position().distanceTo(disc.centre()));
     Pose pose = from;
     for (Segment segment : section.segments()) {
       int pieces = Math.max(1, (int) Math.ceil(Math.abs(segment.angle()) / PIECE));

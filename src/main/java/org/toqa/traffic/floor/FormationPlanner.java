@@ -23,9 +23,9 @@ import org.toqa.planning.OpenList;
 /**
  * Paths that a formation can be led along: A* for the leader over the points of a lattice and eight
  * headings. A move is a step along the heading, or a corner of 45 degrees with as much of a leg
- * before and behind it as an arc of the smallest radius needs, so that no path has a tighter one; it
- * is open where the whole formation, with a margin, meets nothing on it. The first leg leads from where
- * the leader faces onto the lattice.
+ * before and behind it as an arc of the smallest radius needs, so that no path has a tighter one;
+ * it is open where the whole formation, with a margin, meets nothing on it. The first leg leads
+ * from where the leader faces onto the lattice.
  *
  * <p>The cost is that of a search over eight states a point. Confined to one thread.
  */
@@ -89,9 +89,9 @@ final class FormationPlanner {
   }
 
   /**
-   * Where the path of a formation begins whose leader stands there: on the lattice if it is but for what
-   * a robot may be off its place. It is drawn onto its path as it sets out; a path that began beside
-   * the lattice would need room to get onto it, which a place between machines has not.
+   * Where the path of a formation begins whose leader stands there: on the lattice if it is but for
+   * what a robot may be off its place. It is drawn onto its path as it sets out; a path that began
+   * beside the lattice would need room to get onto it, which a place between machines has not.
    */
   static Pose start(OccupancyGrid grid, Pose leader) {
     double step = step(grid);

@@ -24,7 +24,8 @@ import org.toqa.traffic.RoadGraph;
  *
  * <p>Tried in this order, until everybody who wants to go somewhere can: with wide lane cells, on
  * which robots of every size can be planned, then with narrower ones; first without those who drive
- * paths of their own or stand aside from the lanes, then with them. Who is left out is driven round.
+ * paths of their own or stand aside from the lanes, then with them. Who is left out is driven
+ * round.
  */
 final class LanePlanner {
   /** Of the time left, what each search may take. */
@@ -164,7 +165,10 @@ final class LanePlanner {
     }
 
     private boolean isCandidate(TrafficRobot robot, boolean everybody) {
-      if (!robot.isMovable() || robot.isStalled() || robot.formation() != null || robot.radius() > diameter / 2) {
+      if (!robot.isMovable()
+          || robot.isStalled()
+          || robot.formation() != null
+          || robot.radius() > diameter / 2) {
         return false;
       }
       return everybody
@@ -241,7 +245,8 @@ final class LanePlanner {
         }
         List<Waypoint> middle = List.of(new Waypoint(lanes.lattice().centre(cell), false));
         double length = lanes.lattice().resolution();
-        List<Section> sections = fitter.fit(robot, from, middle, length, new PassingPlaces.OnlyAtEnd());
+        List<Section> sections =
+            fitter.fit(robot, from, middle, length, new PassingPlaces.OnlyAtEnd());
         if (sections.size() == 1 && canDrive(robot, from, sections.getFirst(), swept)) {
           sections.getFirst().cells().addTo(swept);
           places.put(robot, cell);
@@ -263,7 +268,8 @@ final class LanePlanner {
 
     /** How many that want to go somewhere would get nowhere by this. */
     int leftOutCount() {
-      long notPlanned = robots.stream().filter(robot -> robot.needsPath() && !planned.contains(robot)).count();
+      long notPlanned =
+          robots.stream().filter(robot -> robot.needsPath() && !planned.contains(robot)).count();
       return goals.unreachableCount() + (int) notPlanned;
     }
 

@@ -17,8 +17,8 @@ import org.toqa.motion.Trajectory;
  * @param sections in order
  * @param inherited how many sections come from earlier plans and were released then
  * @param lattice whose cells the visits are
- * @param visits the cells visited from {@code inherited} on, the first being where that part begins;
- *     empty for a path that meets nobody's
+ * @param visits the cells visited from {@code inherited} on, the first being where that part
+ *     begins; empty for a path that meets nobody's
  * @param visitAtEnd by section from {@code inherited} on: the index of the visit at its end
  * @param dependencies by visit: who was there before, or null
  */

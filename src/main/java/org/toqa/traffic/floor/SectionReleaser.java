@@ -59,14 +59,16 @@ final class SectionReleaser {
     for (int i = robot.drive.completed(); i < robot.drive.released(); i++) {
       seconds += path.sections().get(i).duration();
     }
-    return robot.drive.released() - robot.drive.completed() >= SECTIONS_AHEAD && seconds >= SECONDS_AHEAD;
+    return robot.drive.released() - robot.drive.completed() >= SECTIONS_AHEAD
+        && seconds >= SECONDS_AHEAD;
   }
 
   private boolean canEnter(TrafficRobot robot, ReservedPath path, int index) {
     Section section = path.sections().get(index);
     Vec2 where = section.end().position();
     for (TrafficRobot other : allocations.otherHolders(robot, section.cells())) {
-      if (robot.drive.isDriving() || !Clearance.isKept(robot, robot.releasedEnd(), section, other)) {
+      if (robot.drive.isDriving()
+          || !Clearance.isKept(robot, robot.releasedEnd(), section, other)) {
         robot.waiting.setBlockedReason(new WaitReason.RobotPassing(other.name, where));
         return false;
       }

@@ -56,14 +56,18 @@ final class SingleRobotPlanner {
     if (formation != null) {
       return formationPath(robot, formation, freeSpace.blocked());
     }
-    OccupancyGrid free = freeSpace.freeCells(robot.radius(), new BitSet(), List.of(), robot.releasedCell());
+    OccupancyGrid free =
+        freeSpace.freeCells(robot.radius(), new BitSet(), List.of(), robot.releasedCell());
     return fittedPath(alone, free, robot, goal, sections -> true);
   }
 
   /** As if all other robots made room that can. */
-  Optional<List<Section>> pathAroundNotMovable(TrafficRobot robot, Collection<TrafficRobot> robots) {
+  Optional<List<Section>> pathAroundNotMovable(
+      TrafficRobot robot, Collection<TrafficRobot> robots) {
     BitSet notMovable = new BitSet();
-    robots.stream().filter(o -> o != robot && !o.isMovable()).forEach(o -> o.addClaimedTo(notMovable));
+    robots.stream()
+        .filter(o -> o != robot && !o.isMovable())
+        .forEach(o -> o.addClaimedTo(notMovable));
     return notMovable.isEmpty() ? pathAlone(robot) : pathAmong(robot, robots, notMovable);
   }
 
@@ -119,7 +123,10 @@ final class SingleRobotPlanner {
     return robot.formation() != null
         ? Optional.empty()
         : pathAmong(
-            robot, others, claimed, (free, start) -> nearestOutside(free, start, robot.radius(), left));
+            robot,
+            others,
+            claimed,
+            (free, start) -> nearestOutside(free, start, robot.radius(), left));
   }
 
   /** Where to go on a floor, if anywhere. */
@@ -135,8 +142,7 @@ final class SingleRobotPlanner {
         roads.vertex(start),
         (vertex, steps) -> {
           Vec2 centre = free.centre(roads.cell(vertex));
-          found[0] =
-              SweptCells.at(free, centre, radius).intersects(left) ? RoadGraph.NONE : vertex;
+          found[0] = SweptCells.at(free, centre, radius).intersects(left) ? RoadGraph.NONE : vertex;
           return found[0] == RoadGraph.NONE;
         });
     return found[0] == RoadGraph.NONE ? null : roads.cell(found[0]);
@@ -158,7 +164,11 @@ final class SingleRobotPlanner {
       return Optional.empty();
     }
     return fittedPath(
-        amongOthers, free, robot, goal, sections -> isClearOfRobots(robot, sections, touching, notOwn));
+        amongOthers,
+        free,
+        robot,
+        goal,
+        sections -> isClearOfRobots(robot, sections, touching, notOwn));
   }
 
   /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */
@@ -181,7 +191,9 @@ final class SingleRobotPlanner {
                                 .or(
                                     () ->
                                         firstFit(
-                                            robot, viaCellCentre(free, robot, waypoints), isClearAndRight))));
+                                            robot,
+                                            viaCellCentre(free, robot, waypoints),
+                                            isClearAndRight))));
   }
 
   /** From beside the middle of a cell the next one may lie behind a corner; from the middle not. */

@@ -47,7 +47,8 @@ final class WaitReasonFinder {
 
   private WaitReason reasonWithoutPath(TrafficRobot robot, Vec2 goal) {
     for (Vec2 point : singleRobotPlanner.pointsWithoutObstacles(robot)) {
-      int touched = SweptCells.at(freeSpace.grid(), point, robot.radius()).firstIn(freeSpace.obstacles());
+      int touched =
+          SweptCells.at(freeSpace.grid(), point, robot.radius()).firstIn(freeSpace.obstacles());
       if (touched >= 0) {
         return new WaitReason.ObstacleOnPath(
             freeSpace.grid().centre(freeSpace.grid().cell(touched)));

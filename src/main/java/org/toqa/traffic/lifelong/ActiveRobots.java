@@ -105,8 +105,7 @@ final class ActiveRobots {
   LifelongPlan toPlan(int horizon, PlannedStates states, IntPredicate isPlanned) {
     PlannedPath[] paths = new PlannedPath[statuses.length];
     for (int robot = 0; robot < paths.length; robot++) {
-      paths[robot] =
-          new PlannedPath(List.of(snapshot.robots().get(robot).pose()), statuses[robot]);
+      paths[robot] = new PlannedPath(List.of(snapshot.robots().get(robot).pose()), statuses[robot]);
     }
     for (int k = 0; k < size; k++) {
       int robot = robots[k];

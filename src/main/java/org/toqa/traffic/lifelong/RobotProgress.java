@@ -9,13 +9,13 @@ import org.toqa.traffic.DistanceTables;
 /**
  * What a planner remembers of a robot from step to step.
  *
- * <p>Its priority grows with every step that it is on its path to a goal. But where robots block each
- * other, the more important may be just the one that has to back out. So who has not come
+ * <p>Its priority grows with every step that it is on its path to a goal. But where robots block
+ * each other, the more important may be just the one that has to back out. So who has not come
  * nearer to its goal for {@value #MAX_STEPS_WITHOUT_PROGRESS} steps looks for another path and lets
  * all others go first for a few steps, how many is up to chance. If it has not even left its cell
  * for long, it may instead, by chance, go before all others: of a jam in which nobody moves, one
- * draws clear. And who has had {@value #MAX_SETBACKS} such setbacks is stuck: it and those around it
- * are sent on detours, to anywhere near for a few steps, so that no order in which they stand is
+ * draws clear. And who has had {@value #MAX_SETBACKS} such setbacks is stuck: it and those around
+ * it are sent on detours, to anywhere near for a few steps, so that no order in which they stand is
  * kept.
  */
 final class RobotProgress {

@@ -21,8 +21,8 @@ import org.toqa.traffic.mapf.StateGraph;
 
 /**
  * The planner of a fleet: {@link Guidance} shows each robot its path around the traffic, {@link
- * OperationSearch} settles step by step who goes and who makes room, {@link RobotProgress} keeps the
- * priorities.
+ * OperationSearch} settles step by step who goes and who makes room, {@link RobotProgress} keeps
+ * the priorities.
  */
 public final class RollingHorizonPlanner implements LifelongPlanner {
   private static final int DEPTH_CLASSIC = 3;
