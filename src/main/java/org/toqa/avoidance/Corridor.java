@@ -6,7 +6,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
 /**
- * The way right ahead of a robot, as a line that its middle will follow.
+ * The path right ahead of a robot, as a line that its middle will follow.
  *
  * @param line poses on it, map frame, the first where the robot is; between two of them it goes
  *     straight
@@ -22,6 +22,9 @@ public record Corridor(List<Pose> line) {
    */
   public record Place(double along, double distance, boolean onLeft) {}
 
+  /**
+   * @throws IllegalArgumentException if the line is empty
+   */
   public Corridor {
     line = List.copyOf(line);
     if (line.isEmpty()) {
@@ -29,7 +32,7 @@ public record Corridor(List<Pose> line) {
     }
   }
 
-  /** Metres. */
+  /** Metres along the line. */
   public double length() {
     double length = 0;
     for (int i = 1; i < line.size(); i++) {

@@ -29,7 +29,9 @@ public final class DetectionMemory {
   }
 
   /**
-   * @param points map frame
+   * Notes what is seen.
+   *
+   * @param points metres, map frame
    * @param seconds on a monotonic clock
    */
   public void remember(Collection<Vec2> points, double seconds) {
@@ -42,12 +44,16 @@ public final class DetectionMemory {
     }
   }
 
-  /** Drops what was not seen for long. */
+  /**
+   * Drops what was not seen for long.
+   *
+   * @param seconds now, on the same clock
+   */
   public void forgetOld(double seconds) {
     detections.removeIf(old -> seconds - old.seconds > MEMORY_SECONDS);
   }
 
-  /** Map frame. */
+  /** What was seen, metres, map frame. */
   public List<Vec2> points() {
     return detections.stream().map(Detection::point).toList();
   }

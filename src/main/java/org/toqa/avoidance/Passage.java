@@ -8,11 +8,11 @@ import org.toqa.geometry.Vec2;
 
 /**
  * How a robot gets through a corridor among the things that it sees. Only what it would come too
- * near to counts: a wall beside its way does not, however near.
+ * near to counts: a wall beside its path does not, however near.
  *
  * @param blocking what it must stop before, map frame
  * @param beside what it can pass by stepping aside, map frame
- * @param ahead metres from the robot's rim, along its way, to the nearest that blocks; infinite
+ * @param ahead metres from the robot's rim, along its path, to the nearest that blocks; infinite
  *     where nothing does
  */
 public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
@@ -34,7 +34,7 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
     beside = List.copyOf(beside);
   }
 
-  /** Metres that it may still go. */
+  /** Metres that it may still go, at least 0. */
   public double freeDistance() {
     return Math.max(0, ahead - STOP_GAP);
   }
@@ -45,7 +45,9 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
   }
 
   /**
-   * @param seen points, map frame
+   * How a robot gets through.
+   *
+   * @param seen points, metres, map frame
    * @param radius of the robot, metres
    */
   public static Passage through(Corridor corridor, List<Vec2> seen, double radius) {

@@ -28,7 +28,9 @@ public record RangeSensors(double radius) {
   /** Radians from the robot's heading, from right to left. */
   private static final List<Double> DIRECTIONS = List.of(-ASIDE, 0.0, ASIDE);
 
-  /** Where each sensor is and looks, in the robot's frame, from right to left. */
+  /**
+   * Where each sensor is and looks, metres and radians in the robot's frame, from right to left.
+   */
   public List<Pose> beams() {
     return DIRECTIONS.stream().map(direction -> new Pose(radius, 0, direction)).toList();
   }

@@ -19,7 +19,10 @@ public final class ScanTurn {
   private double side = WIDEST;
 
   /**
+   * Lets time go on.
+   *
    * @param isScanning whether it shall look round; else it turns back
+   * @param seconds since the last step, at least 0
    */
   public void step(boolean isScanning, double seconds) {
     double target = isScanning ? side : 0;
@@ -37,7 +40,7 @@ public final class ScanTurn {
     rate = 0;
   }
 
-  /** Whether the robot faces as its way says. */
+  /** Whether the robot faces as its path says. */
   public boolean isStraight() {
     return heading == 0 && rate == 0;
   }

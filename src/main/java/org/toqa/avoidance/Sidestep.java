@@ -6,7 +6,7 @@ import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 
 /**
- * How far a robot that can go sideways drives beside its way, by {@link WeightedDirections}: it
+ * How far a robot that can go sideways drives beside its path, by {@link WeightedDirections}: it
  * gives way to what stands at the edge of its corridor, and comes back behind it.
  */
 public final class Sidestep {
@@ -17,23 +17,26 @@ public final class Sidestep {
    */
   public static final double MAX_OFFSET = 0.02;
 
-  /** Metres to the point of the way that pulls. */
+  /** Metres to the point of the path that pulls. */
   private static final double LOOKAHEAD = 0.30;
 
-  /** Metres before the end of the way within which it is back on it. */
+  /** Metres before the end of the path within which it is back on it. */
   private static final double RETURN_DISTANCE = 0.30;
 
-  /** Metres; less than this is on the way. */
+  /** Metres; less than this is on the path. */
   private static final double ON_PATH = 0.0002;
 
   private double offset;
   private double rate;
 
   /**
-   * @param pose on the way, map frame
-   * @param speed metres a second, along the way
+   * Lets time go on.
+   *
+   * @param pose on the path, map frame
+   * @param speed metres a second, along the path
    * @param beside what is to be passed, map frame
-   * @param distanceLeft metres to the end of the way
+   * @param distanceLeft metres to the end of the path
+   * @param seconds since the last step, at least 0
    */
   public void step(
       Pose pose, double speed, List<Vec2> beside, double distanceLeft, double seconds) {
@@ -56,11 +59,12 @@ public final class Sidestep {
     offset = next;
   }
 
-  /** Metres to the left of the way. */
+  /** Metres to the left of the path. */
   public double offset() {
     return offset;
   }
 
+  /** Whether it drives on the path itself. */
   public boolean isOnPath() {
     return offset == 0 && rate == 0;
   }
@@ -68,7 +72,7 @@ public final class Sidestep {
   /**
    * Where the robot shall be.
    *
-   * @param onPath where it would be on its way, in any frame
+   * @param onPath where it would be on its path, in any frame
    */
   public Pose beside(Pose onPath) {
     return offset == 0 ? onPath : onPath.compose(new Pose(0, offset, 0));
@@ -77,7 +81,7 @@ public final class Sidestep {
   /**
    * How the robot shall move, in its own frame.
    *
-   * @param onPath how it would move on its way, in its own frame
+   * @param onPath how it would move on its path, in its own frame
    */
   public Twist beside(Twist onPath) {
     // beside a point that turns, every point moves by w x r

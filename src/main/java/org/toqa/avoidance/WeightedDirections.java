@@ -4,11 +4,11 @@ import java.util.List;
 import org.toqa.geometry.Vec2;
 
 /**
- * Which way to go between a goal that pulls and things that push: every thing seen pushes away from
- * its own direction, the harder the nearer it is, and the sum of all shows the way.
+ * Which direction to take between a goal that pulls and things that push: every thing seen pushes
+ * away from its own direction, the harder the nearer it is, and the sum of all shows the direction.
  *
  * <p>Of the family of potential fields, and as blind as these to dead ends: it is for the last
- * centimetres of a way that was planned (Tanta, "Obstacle avoidance on the robot").
+ * centimetres of a path that was planned (Tanta, "Obstacle avoidance on the robot").
  */
 public final class WeightedDirections {
 

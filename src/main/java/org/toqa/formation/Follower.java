@@ -47,7 +47,7 @@ public final class Follower {
 
   /**
    * @param offset of its place, in the leader's frame, metres
-   * @param tolerance metres off its place from which the group must stop
+   * @param tolerance metres off its place, above 0, from which the formation must stop
    * @param linkDelay seconds that a message is usually under way
    */
   public Follower(FollowerLaw law, Vec2 offset, double tolerance, double linkDelay) {
@@ -58,8 +58,11 @@ public final class Follower {
   }
 
   /**
+   * Notes where the leader was when it sent this.
+   *
    * @param pose map frame
    * @param twist in the leader's frame
+   * @param now when it was received, seconds on the follower's clock
    */
   public void receive(Pose pose, Twist twist, double now) {
     leader = new LeaderState(pose, twist, now - linkDelay);
@@ -67,7 +70,10 @@ public final class Follower {
   }
 
   /**
+   * The velocity at this tick; zero without a leader, or too far off its place.
+   *
    * @param actual where the robot is, map frame
+   * @param now seconds on the follower's clock
    * @return the velocity to command, in the robot's frame
    */
   public Twist steer(Pose actual, double now) {

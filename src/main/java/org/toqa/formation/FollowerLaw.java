@@ -7,6 +7,8 @@ import org.toqa.geometry.Twist;
 public sealed interface FollowerLaw permits SingleIntegratorLaw, NonHolonomicLaw {
 
   /**
+   * The velocity that leads to the place.
+   *
    * @param place where the robot should be, map frame
    * @param placeTwist how that place moves, in its own frame
    * @param actual where the robot is, map frame

@@ -48,7 +48,8 @@ public final class FormationMonitor {
   }
 
   /**
-   * @param tolerance metres that a follower may be off its place
+   * @param tolerance metres that a follower may be off its place, above 0
+   * @throws IllegalArgumentException if it is not
    */
   public FormationMonitor(List<String> followers, double tolerance) {
     if (!(tolerance > 0)) {
@@ -61,8 +62,9 @@ public final class FormationMonitor {
   /**
    * A follower has answered; answers of strangers are ignored.
    *
-   * @param error metres off its place
+   * @param error metres off its place, at least 0
    * @param isFollowing whether it can keep its place
+   * @param now when it was received, seconds on the leader's clock
    */
   public void recordAnswer(String follower, double error, boolean isFollowing, double now) {
     FollowerState state = followers.get(follower);
@@ -75,6 +77,11 @@ public final class FormationMonitor {
     }
   }
 
+  /**
+   * Whether the leader may drive, and how fast.
+   *
+   * @param now seconds on the leader's clock
+   */
   public Verdict verdict(double now) {
     double strain = 0;
     for (Map.Entry<String, FollowerState> entry : followers.entrySet()) {

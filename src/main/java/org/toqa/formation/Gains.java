@@ -21,6 +21,9 @@ public record Gains(double place, double heading, double mostSpeed, double mostT
 
   public static final Gains DEFAULT = new Gains(2, 3, 0.1, 0.5);
 
+  /**
+   * @throws IllegalArgumentException if one is out of its range
+   */
   public Gains {
     require("place", place, SMALLEST, LARGEST);
     require("heading", heading, SMALLEST, LARGEST);

@@ -22,9 +22,12 @@ public record Shape(Vec2 leader, List<Vec2> followers) {
   /** Metres of air between a robot and the load, and between two robots. */
   private static final double GAP = 0.02;
 
-  /** What a way keeps round a corner beyond the outermost robot's lateral offset (Tanta). */
+  /** What a path keeps round a corner beyond the outermost robot's lateral offset (Tanta). */
   private static final double CORNER_MARGIN = 0.2;
 
+  /**
+   * @throws IllegalArgumentException if there are none or too many
+   */
   public Shape {
     followers = List.copyOf(followers);
     if (followers.isEmpty() || followers.size() >= MOST_ROBOTS) {
@@ -40,6 +43,7 @@ public record Shape(Vec2 leader, List<Vec2> followers) {
    * @param length of the load along the direction of driving, metres
    * @param width of the load, metres
    * @param robotRadius metres, of the largest of them
+   * @throws IllegalArgumentException if a number is out of range
    */
   public static Shape around(int robots, double length, double width, double robotRadius) {
     if (robots < 2 || robots > MOST_ROBOTS) {
@@ -63,22 +67,25 @@ public record Shape(Vec2 leader, List<Vec2> followers) {
     return Math.max(load + robotRadius + GAP, neighbours);
   }
 
-  /** The followers' places in the leader's frame: x forward, y left. */
+  /** The followers' places in the leader's frame, metres: x forward, y left. */
   public List<Vec2> offsets() {
     return followers.stream().map(place -> place.minus(leader)).toList();
   }
 
-  /** Where the leader is while the load is there. */
+  /** Where the leader is while the load is there, both in the map frame. */
   public Pose leaderAt(Pose load) {
     return load.compose(new Pose(leader.x(), leader.y(), 0));
   }
 
-  /** Where the load is while the leader is there. */
+  /** Where the load is while the leader is there, both in the map frame. */
   public Pose loadAt(Pose leaderPose) {
     return leaderPose.compose(new Pose(-leader.x(), -leader.y(), 0));
   }
 
-  /** Where the followers shall be, in their order, while the leader is there; all face alike. */
+  /**
+   * Where the followers shall be, in their order, while the leader is there, map frame; all face
+   * alike.
+   */
   public List<Pose> followersAt(Pose leaderPose) {
     return offsets().stream()
         .map(offset -> leaderPose.compose(new Pose(offset.x(), offset.y(), 0)))

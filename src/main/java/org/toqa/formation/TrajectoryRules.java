@@ -10,8 +10,8 @@ import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
 /**
- * Which ways a shape can be led along (Tanta, "Formation control", geometry): no turn on the spot,
- * no circle tighter than the shape allows, and no robot of it faster than it can be.
+ * Which trajectories a shape can be led along (Tanta, "Formation control", geometry): no turn on
+ * the spot, no circle tighter than the shape allows, and no robot of it faster than it can be.
  */
 public final class TrajectoryRules {
 
@@ -31,7 +31,7 @@ public final class TrajectoryRules {
     this.mostSpeed = mostSpeed;
   }
 
-  /** What is wrong with a way. */
+  /** What is wrong with a trajectory. */
   public enum Fault {
     TURN_ON_THE_SPOT,
     BACKWARDS,
@@ -43,7 +43,7 @@ public final class TrajectoryRules {
    */
   public record Breach(Fault fault, int segment) {}
 
-  /** The first breach of a rule about the way's geometry. */
+  /** The first breach of a rule about the trajectory's geometry. */
   public Optional<Breach> firstBreach(Trajectory leaderTrajectory) {
     List<Segment> segments = leaderTrajectory.segments();
     return IntStream.range(0, segments.size())
@@ -68,7 +68,7 @@ public final class TrajectoryRules {
         : Optional.empty();
   }
 
-  /** The same way, driven so slowly that no robot is faster than it can be. */
+  /** The same trajectory, driven so slowly that no robot is faster than it can be. */
   public Trajectory slowed(Trajectory leaderTrajectory) {
     return new Trajectory(
         leaderTrajectory.start(), leaderTrajectory.segments().stream().map(this::slowed).toList());
@@ -89,8 +89,8 @@ public final class TrajectoryRules {
   }
 
   /**
-   * How long a corner of a way must be, so that its arc is not too tight: with L the length of
-   * {@link org.toqa.motion.SegmentFitter}, R = (L/2) / tan(angle/2).
+   * How long a corner of a trajectory must be, so that its arc is not too tight: with L the length
+   * of {@link org.toqa.motion.SegmentFitter}, R = (L/2) / tan(angle/2).
    *
    * @param angle of the sharpest corner, radians
    * @return L, metres

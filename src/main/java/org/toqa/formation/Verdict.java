@@ -9,11 +9,11 @@ public sealed interface Verdict {
   record Drive(double pace) implements Verdict {}
 
   /**
-   * @param follower the robot because of which the group stands
+   * @param follower the robot because of which the formation stands
    */
   record Stop(Reason reason, String follower) implements Verdict {}
 
-  /** Why a group stands. */
+  /** Why a formation stands. */
   enum Reason {
     /** It has not answered yet. */
     NOT_READY,

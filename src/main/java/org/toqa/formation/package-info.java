@@ -1,4 +1,4 @@
-/** Robots that carry one load together: shapes, followers' laws, and when a group must stop. */
+/** Robots that carry one load together: shapes, followers' laws, and when a formation must stop. */
 @NullMarked
 package org.toqa.formation;
 

@@ -13,11 +13,16 @@ public record Pose(double x, double y, double theta) {
     theta = Angles.normalise(theta);
   }
 
+  /** Metres, in the same frame. */
   public Vec2 position() {
     return new Vec2(x, y);
   }
 
-  /** This pose, seen as a frame, followed by a pose inside that frame. */
+  /**
+   * This pose, seen as a frame, followed by a pose inside that frame.
+   *
+   * @return in the frame of this pose
+   */
   public Pose compose(Pose inside) {
     Vec2 p = inside.position().rotated(theta);
     return new Pose(x + p.x(), y + p.y(), theta + inside.theta);
@@ -25,6 +30,9 @@ public record Pose(double x, double y, double theta) {
 
   /**
    * The pose {@code p} with {@code compose(p)} equal to {@code other}: the other seen from here.
+   *
+   * @param other in the same frame as this
+   * @return in this pose's own frame: x forward, y left
    */
   public Pose relative(Pose other) {
     Vec2 p = other.position().minus(position()).rotated(-theta);
@@ -35,7 +43,8 @@ public record Pose(double x, double y, double theta) {
    * The pose after moving with constant velocity: the exact arc, not a chord.
    *
    * @param twist in this pose's own frame
-   * @param seconds how long
+   * @param seconds how long; backward in time below 0
+   * @return in the frame of this pose
    */
   public Pose advanced(Twist twist, double seconds) {
     double turn = twist.w() * seconds;
@@ -47,6 +56,7 @@ public record Pose(double x, double y, double theta) {
     return compose(new Pose(dx, dy, turn));
   }
 
+  /** Metres between the two positions. */
   public double distanceTo(Pose other) {
     return Math.hypot(x - other.x, y - other.y);
   }

@@ -10,14 +10,17 @@ public record Vec2(double x, double y) {
 
   public static final Vec2 ZERO = new Vec2(0, 0);
 
+  /** The sum, in the same frame. */
   public Vec2 plus(Vec2 other) {
     return new Vec2(x + other.x, y + other.y);
   }
 
+  /** The displacement from the other to this, in the same frame. */
   public Vec2 minus(Vec2 other) {
     return new Vec2(x - other.x, y - other.y);
   }
 
+  /** The same direction, that many times as long; the opposite one below 0. */
   public Vec2 times(double factor) {
     return new Vec2(x * factor, y * factor);
   }
@@ -34,6 +37,7 @@ public record Vec2(double x, double y) {
     return Math.hypot(x, y);
   }
 
+  /** Metres. */
   public double distanceTo(Vec2 other) {
     return Math.hypot(x - other.x, y - other.y);
   }

@@ -1,7 +1,7 @@
 package org.toqa.geometry;
 
 /**
- * A point where a way of straight legs bends or ends.
+ * A point where a path of straight legs bends or ends.
  *
  * @param position metres, map frame
  * @param turnOnSpot whether the robot stops here and turns into the next leg on the spot; otherwise

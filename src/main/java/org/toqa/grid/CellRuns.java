@@ -17,6 +17,8 @@ public record CellRuns(List<Integer> runs) {
   }
 
   /**
+   * The same set.
+   *
    * @param cells bits by {@link OccupancyGrid#index}
    */
   public static CellRuns of(BitSet cells) {

@@ -13,13 +13,20 @@ import org.toqa.geometry.Vec2;
 public record Disc(double radius) {
   private static final double ROUNDING = 1e-9;
 
+  /**
+   * @throws IllegalArgumentException if it is not positive and finite
+   */
   public Disc {
     if (!(radius > 0) || Double.isInfinite(radius)) {
       throw new IllegalArgumentException("A disc has a positive radius, not " + radius + " m.");
     }
   }
 
-  /** The cells of the grid that the disc touches when it stands at a point. */
+  /**
+   * The cells of the grid that the disc touches when it stands at a point.
+   *
+   * @param centre metres, map frame
+   */
   public List<Cell> cellsAt(OccupancyGrid grid, Vec2 centre) {
     return cellsAlong(grid, centre, centre);
   }
@@ -27,6 +34,9 @@ public record Disc(double radius) {
   /**
    * The cells of the grid that the disc touches while its centre moves along a straight line. For
    * an arc, take its chord and a disc larger by the arc's height over the chord.
+   *
+   * @param from metres, map frame
+   * @param to metres, map frame
    */
   public List<Cell> cellsAlong(OccupancyGrid grid, Vec2 from, Vec2 to) {
     Cell upperLeft =
@@ -52,7 +62,11 @@ public record Disc(double radius) {
     return touched;
   }
 
-  /** Whether the disc, standing at a point, overlaps no occupied cell and stays on the grid. */
+  /**
+   * Whether the disc, standing at a point, overlaps no occupied cell and stays on the grid.
+   *
+   * @param centre metres, map frame
+   */
   public boolean isFreeAt(OccupancyGrid grid, Vec2 centre) {
     Vec2 upperRight =
         grid.origin().plus(new Vec2(grid.width(), grid.height()).times(grid.resolution()));
@@ -64,7 +78,7 @@ public record Disc(double radius) {
         && cellsAt(grid, centre).stream().allMatch(grid::isFree);
   }
 
-  /** Metres between a point and a cell of the grid; 0 inside. */
+  /** Metres between a point, map frame, and a cell of the grid; 0 inside. */
   public static double distanceToCell(OccupancyGrid grid, Vec2 point, Cell cell) {
     return pointToSquare(point.minus(grid.centre(cell)), grid.resolution() / 2);
   }

@@ -23,7 +23,10 @@ public final class Inflation {
   private Inflation() {}
 
   /**
-   * @param radius metres; 0 leaves the grid as it is
+   * The grid in which each cell is blocked where a disc's middle cannot be.
+   *
+   * @param radius metres, at least 0; 0 leaves the grid as it is
+   * @throws IllegalArgumentException if it is below 0 or not finite
    */
   public static OccupancyGrid inflate(OccupancyGrid grid, double radius) {
     if (!(radius >= 0) || Double.isInfinite(radius)) {
@@ -58,10 +61,11 @@ public final class Inflation {
 
   /**
    * Blocks only the cells in which the disc fits nowhere: neither in the middle nor on an edge's
-   * middle or a corner. So an aisle two cells wide has a way for whatever fits in it, which drives
+   * middle or a corner. So an aisle two cells wide has a path for whatever fits in it, which drives
    * between the middles of its cells.
    *
-   * @param radius metres
+   * @param radius metres, above 0
+   * @throws IllegalArgumentException if it is not positive and finite
    */
   public static OccupancyGrid inflateWhereNothingFits(OccupancyGrid grid, double radius) {
     OccupancyGrid inMiddle = inflate(grid, radius);

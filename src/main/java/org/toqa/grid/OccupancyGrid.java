@@ -1,13 +1,16 @@
 package org.toqa.grid;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Comparator;
+import java.util.List;
 import org.toqa.geometry.Vec2;
 
 /**
  * Which cells of a floor are free. Row 0 is the top of the picture, as in ROS and MovingAI; the map
  * frame has x to the east and y to the north, with {@code origin} at the lower left corner of the
- * lower left cell. Immutable.
+ * lower left cell. Columns count from 0 to the east, rows from 0 to the south. Immutable.
  */
 public final class OccupancyGrid {
   private final int width;
@@ -17,9 +20,12 @@ public final class OccupancyGrid {
   private final BitSet occupied;
 
   /**
-   * @param resolution metres along a cell's side
+   * @param width cells from west to east, at least 1
+   * @param height cells from north to south, at least 1
+   * @param resolution metres along a cell's side, above 0
    * @param origin metres, the lower left corner of the grid in the map frame
    * @param occupied bit {@code row * width + column} set where the cell is not free
+   * @throws IllegalArgumentException if a size is out of range
    */
   public OccupancyGrid(int width, int height, double resolution, Vec2 origin, BitSet occupied) {
     if (width < 1 || height < 1 || !(resolution > 0)) {
@@ -39,7 +45,11 @@ public final class OccupancyGrid {
     this.occupied = (BitSet) occupied.clone();
   }
 
-  /** A grid of 1 m cells at the origin, drawn in text: '.' is free, anything else is not. */
+  /**
+   * A grid of 1 m cells at the origin, drawn in text: '.' is free, anything else is not.
+   *
+   * @throws IllegalArgumentException if the rows are not equally wide
+   */
   public static OccupancyGrid parse(String... rows) {
     int width = rows[0].length();
     BitSet occupied = new BitSet();
@@ -54,10 +64,12 @@ public final class OccupancyGrid {
     return new OccupancyGrid(width, rows.length, 1, Vec2.ZERO, occupied);
   }
 
+  /** Cells from west to east. */
   public int width() {
     return width;
   }
 
+  /** Cells from north to south. */
   public int height() {
     return height;
   }
@@ -72,6 +84,7 @@ public final class OccupancyGrid {
     return origin;
   }
 
+  /** Whether there is such a cell. */
   public boolean contains(int column, int row) {
     return column >= 0 && column < width && row >= 0 && row < height;
   }
@@ -94,6 +107,7 @@ public final class OccupancyGrid {
     return cell.row() * width + cell.column();
   }
 
+  /** The cell of an {@link #index}. */
   public Cell cell(int index) {
     return new Cell(index % width, index / width);
   }
@@ -108,21 +122,43 @@ public final class OccupancyGrid {
     return new OccupancyGrid(width, height, resolution, origin, others);
   }
 
-  // centre = origin + ((c + 1/2) k, (H - 1 - r + 1/2) k)   (Tanta, "Map and planner")
+  /** The middle of a cell, metres, map frame; the cell may lie outside the grid. */
   public Vec2 centre(Cell cell) {
+    // centre = origin + ((c + 1/2) k, (H - 1 - r + 1/2) k)   (Tanta, "Map and planner")
     return new Vec2(
         origin.x() + (cell.column() + 0.5) * resolution,
         origin.y() + (height - 1 - cell.row() + 0.5) * resolution);
   }
 
-  /** The cell that holds the point; it may lie outside the grid. */
+  /** The cell that holds the point, metres, map frame; it may lie outside the grid. */
   public Cell cellAt(Vec2 point) {
     int column = (int) Math.floor((point.x() - origin.x()) / resolution);
     int up = (int) Math.floor((point.y() - origin.y()) / resolution);
     return new Cell(column, height - 1 - up);
   }
 
-  /** Whether the point lies on a free cell. */
+  /**
+   * The cells of the grid in a square round the cell of a point, those first whose middle is
+   * nearest to the point; of equally near ones the northern and then the western first.
+   *
+   * @param point metres, map frame
+   * @param reach cells on each side of that in the middle
+   */
+  public List<Cell> cellsAround(Vec2 point, int reach) {
+    Cell middle = cellAt(point);
+    List<Cell> cells = new ArrayList<>();
+    for (int row = middle.row() - reach; row <= middle.row() + reach; row++) {
+      for (int column = middle.column() - reach; column <= middle.column() + reach; column++) {
+        if (contains(column, row)) {
+          cells.add(new Cell(column, row));
+        }
+      }
+    }
+    cells.sort(Comparator.comparingDouble(cell -> centre(cell).distanceTo(point)));
+    return cells;
+  }
+
+  /** Whether the point, metres, map frame, lies on a free cell. */
   public boolean isFree(Vec2 point) {
     return isFree(cellAt(point));
   }

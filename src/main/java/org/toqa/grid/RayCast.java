@@ -13,8 +13,9 @@ public final class RayCast {
   /**
    * Metres from a point to the first cell that is not free; what lies outside the grid is not.
    *
-   * @param direction radians, map frame
-   * @param farthest metres; the answer where nothing is nearer
+   * @param from metres, map frame
+   * @param direction radians, counter-clockwise from map east
+   * @param farthest metres, at least 0; the answer where nothing is nearer
    */
   public static double distance(OccupancyGrid grid, Vec2 from, double direction, double farthest) {
     double side = grid.resolution();

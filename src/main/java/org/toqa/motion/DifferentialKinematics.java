@@ -10,6 +10,9 @@ import org.toqa.geometry.Twist;
  */
 public record DifferentialKinematics(double wheelRadius, double track) implements WheelKinematics {
 
+  /**
+   * @throws IllegalArgumentException if a length is not positive and finite
+   */
   public DifferentialKinematics {
     WheelKinematics.requireLength("wheel radius", wheelRadius);
     WheelKinematics.requireLength("track", track);
@@ -20,6 +23,9 @@ public record DifferentialKinematics(double wheelRadius, double track) implement
     return 2;
   }
 
+  /**
+   * @throws IllegalArgumentException if the twist goes sideways
+   */
   // v_left = vx - w b/2,  v_right = vx + w b/2,  wheel rate = v / r
   @Override
   public double[] rates(Twist twist) {

@@ -1,7 +1,7 @@
 package org.toqa.motion;
 
 /**
- * How fast a planned way is driven.
+ * How fast a planned path is driven.
  *
  * @param forward metres a second on straights, and the most on arcs
  * @param arcRate radians a second, the most on arcs: a tight arc is driven slower than {@code
@@ -13,6 +13,9 @@ public record DriveSpeeds(double forward, double arcRate, double spotRate) {
   /** 0.25 m/s as in Tanta, and rates at which the wheels stay well below their limit. */
   public static final DriveSpeeds DEFAULT = new DriveSpeeds(0.25, 1.5, 1.5);
 
+  /**
+   * @throws IllegalArgumentException if one is not positive and finite
+   */
   public DriveSpeeds {
     requirePositive("forward", forward);
     requirePositive("arcRate", arcRate);
@@ -22,7 +25,8 @@ public record DriveSpeeds(double forward, double arcRate, double spotRate) {
   /**
    * The same, but nowhere faster than a robot can be.
    *
-   * @param maxSpeed metres a second
+   * @param maxSpeed metres a second, above 0
+   * @throws IllegalArgumentException if it is not above 0
    */
   public DriveSpeeds atMost(double maxSpeed) {
     return new DriveSpeeds(Math.min(forward, maxSpeed), arcRate, spotRate);

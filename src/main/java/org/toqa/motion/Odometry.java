@@ -17,7 +17,9 @@ public final class Odometry {
 
   /**
    * @param countsPerTurn encoder counts of one turn of a wheel
-   * @param counts what the wheels' 32-bit counters say at {@code pose}
+   * @param pose where the robot is, map frame
+   * @param counts what the wheels' 32-bit counters say there
+   * @throws IllegalArgumentException if there is no count a turn, or not one counter a wheel
    */
   public Odometry(WheelKinematics kinematics, int countsPerTurn, Pose pose, int... counts) {
     if (countsPerTurn < 1) {
@@ -30,19 +32,21 @@ public final class Odometry {
     this.last = checked(counts);
   }
 
+  /** Where the robot was at the last update, map frame. */
   public Pose pose() {
     return pose;
   }
 
-  /** Somebody who knows better says where the robot is. */
+  /** Corrects where the robot is, map frame. */
   public void setPose(Pose newPose) {
     pose = newPose;
   }
 
   /**
-   * The pose now.
+   * The pose now, map frame.
    *
    * @param counts of each wheel; a counter may have wrapped around since the last call
+   * @throws IllegalArgumentException if there is not one count a wheel
    */
   public Pose update(int... counts) {
     checked(counts);

@@ -8,9 +8,9 @@ import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 
 /**
- * Makes curve segments (v, w, t) of a way of straight legs (Tanta, "From path to curve segments"):
+ * Makes curve segments (v, w, t) of a path of straight legs (Tanta, "From path to curve segments"):
  * straights at constant speed, an arc round every corner so that the robot always faces forward, a
- * turn on the spot where the way asks for one or the robot does not face the first leg.
+ * turn on the spot where the path asks for one or the robot does not face the first leg.
  *
  * <p>With L the corner length, an arc begins L/2 before its corner and ends L/2 after it, on a
  * circle of radius R = (L/2) / tan(angle/2). On a leg that is too short for that, its arcs begin
@@ -31,6 +31,7 @@ public final class SegmentFitter {
 
   /**
    * @param cornerLength L in metres: a grid's cell size
+   * @throws IllegalArgumentException if it is not positive and finite
    */
   public SegmentFitter(DriveSpeeds speeds, double cornerLength) {
     if (!(cornerLength > 0) || Double.isInfinite(cornerLength)) {
@@ -44,6 +45,7 @@ public final class SegmentFitter {
   /**
    * @param start where the robot really stands, map frame; the first leg begins there
    * @param waypoints where the legs bend and where they end
+   * @throws IllegalArgumentException if a coordinate is not finite
    */
   public Trajectory fit(Pose start, List<Waypoint> waypoints) {
     return new Trajectory(start, segments(start, legs(start, waypoints)));
@@ -52,7 +54,8 @@ public final class SegmentFitter {
   /**
    * The same, and at the end a turn on the spot.
    *
-   * @param heading of the robot at the end, radians, map frame
+   * @param heading of the robot at the end, radians, counter-clockwise from map east
+   * @throws IllegalArgumentException if a coordinate or the heading is not finite
    */
   public Trajectory fit(Pose start, List<Waypoint> waypoints, double heading) {
     requireFinite(heading);

@@ -17,6 +17,9 @@ public record ThreeWheelKinematics(double wheelRadius, double centreToWheel)
 
   private static final double SQRT_3 = Math.sqrt(3);
 
+  /**
+   * @throws IllegalArgumentException if a length is not positive and finite
+   */
   public ThreeWheelKinematics {
     WheelKinematics.requireLength("wheel radius", wheelRadius);
     WheelKinematics.requireLength("distance from centre to wheel", centreToWheel);

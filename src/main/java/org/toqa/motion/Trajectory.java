@@ -3,7 +3,11 @@ package org.toqa.motion;
 import java.util.List;
 import org.toqa.geometry.Pose;
 
-/** Segments driven one after the other from a start pose. */
+/**
+ * Segments driven one after the other from a start pose.
+ *
+ * @param start map frame, as all poses on it
+ */
 public record Trajectory(Pose start, List<Segment> segments) {
 
   public Trajectory {
@@ -20,7 +24,11 @@ public record Trajectory(Pose start, List<Segment> segments) {
     return segments.stream().mapToDouble(Segment::length).sum();
   }
 
-  /** The pose when the first {@code count} segments are completed. */
+  /**
+   * The pose when the first {@code count} segments are completed.
+   *
+   * @throws IndexOutOfBoundsException if there are fewer
+   */
   public Pose poseAfter(int count) {
     Pose pose = start;
     for (Segment s : segments.subList(0, count)) {
@@ -29,6 +37,7 @@ public record Trajectory(Pose start, List<Segment> segments) {
     return pose;
   }
 
+  /** The pose when all segments are completed. */
   public Pose end() {
     return poseAfter(segments.size());
   }

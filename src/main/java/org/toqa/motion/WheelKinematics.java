@@ -13,14 +13,27 @@ public sealed interface WheelKinematics permits ThreeWheelKinematics, Differenti
   int wheelCount();
 
   /**
-   * Radians a second of each wheel, positive the way it turns when the robot obeys the formulas.
+   * The wheels' rates that make a velocity.
+   *
+   * @param twist in the robot's own frame
+   * @return radians a second of each wheel, positive in the direction of the implementation's
+   *     formulas
    */
   double[] rates(Twist twist);
 
-  /** The robot's velocity that these rates, radians a second, make. */
+  /**
+   * The velocity that the wheels make.
+   *
+   * @param rates radians a second of each wheel, likewise
+   * @return in the robot's own frame
+   */
   Twist twist(double... rates);
 
-  /** Refuses a size that no robot has. */
+  /**
+   * Refuses a size that no robot has.
+   *
+   * @throws IllegalArgumentException if it is not positive and finite
+   */
   static void requireLength(String name, double metres) {
     if (!(metres > 0) || Double.isInfinite(metres)) {
       throw new IllegalArgumentException(

@@ -1,4 +1,4 @@
-/** Motion as curve segments (v, w, t), the fitter from a way to segments, and wheel kinematics. */
+/** Motion as curve segments (v, w, t), the fitter from a path to segments, and wheel kinematics. */
 @NullMarked
 package org.toqa.motion;
 

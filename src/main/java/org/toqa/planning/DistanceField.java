@@ -5,8 +5,8 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
 /**
- * The lengths of the shortest octile ways between one cell and all others of a grid. Immutable; for
- * any thread.
+ * The lengths of the shortest octile paths between one cell and all others of a grid. Immutable;
+ * for any thread.
  */
 public final class DistanceField {
   private static final float UNREACHABLE = Float.POSITIVE_INFINITY;
@@ -39,7 +39,7 @@ public final class DistanceField {
     }
   }
 
-  /** In cells; infinite where there is no way. */
+  /** The length of the shortest path, in cells; infinite where there is no path. */
   public double to(Cell cell) {
     return grid.contains(cell) ? lengths[grid.index(cell)] : UNREACHABLE;
   }

@@ -13,8 +13,8 @@ import org.toqa.planning.PlanResult.NotFound;
 import org.toqa.planning.PlanResult.Reason;
 
 /**
- * What the planners on a grid have in common: the doors, and the last grid's search, kept for the
- * next plan on the same grid.
+ * What the planners on a grid have in common: the checks of start and goal, and the last grid's
+ * search, kept for the next plan on the same grid.
  */
 public abstract sealed class GridPlanner implements PathPlanner
     permits HeadingAStar, JumpPointSearch {

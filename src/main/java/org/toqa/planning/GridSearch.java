@@ -10,7 +10,7 @@ interface GridSearch {
   OccupancyGrid grid();
 
   /**
-   * A shortest way, empty where there is none.
+   * A shortest path, empty where there is none.
    *
    * @param start free
    * @param goal free, not the start

@@ -21,11 +21,12 @@ public enum Heading {
     this.dRow = dRow;
   }
 
+  /** Columns that a move in it goes to the east, -1 to 1. */
   public int dColumn() {
     return dColumn;
   }
 
-  /** Rows count southward, so north is -1. */
+  /** Rows that a move in it goes to the south, -1 to 1; north is -1. */
   public int dRow() {
     return dRow;
   }
@@ -54,7 +55,11 @@ public enum Heading {
     return Math.floorMod(other.ordinal() - ordinal() + 3, ALL.length) - 3;
   }
 
-  /** The nearest of the eight to a direction in radians. */
+  /**
+   * The nearest of the eight to a direction.
+   *
+   * @param angle radians, counter-clockwise from east, in any range
+   */
   public static Heading nearest(double angle) {
     return ALL[Math.floorMod(Math.round(angle / (Math.PI / 4)), ALL.length)];
   }

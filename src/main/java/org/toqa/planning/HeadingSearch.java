@@ -10,9 +10,9 @@ import java.util.List;
  * 45 degrees, which the robot drives as an arc; a larger change is a turn on the spot, where it is
  * allowed at all.
  *
- * <p>The lower bound for the rest of the way is the exact octile distance, found on demand by an
+ * <p>The lower bound for the rest of the path is the exact octile distance, found on demand by an
  * {@link OctileSearch} from the goal: it drops only the rule about headings, so few states beyond
- * the best ways are looked at. Confined to one thread.
+ * the best paths are looked at. Confined to one thread.
  */
 final class HeadingSearch {
   private static final int UNKNOWN = Integer.MAX_VALUE;
@@ -45,7 +45,7 @@ final class HeadingSearch {
   }
 
   /**
-   * The moves of a shortest way, empty where there is none; {@link OctileSearch#begin} was called
+   * The moves of a shortest path, empty where there is none; {@link OctileSearch#begin} was called
    * with the goal as its source.
    *
    * @param start not the goal

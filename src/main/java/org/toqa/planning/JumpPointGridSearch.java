@@ -15,7 +15,7 @@ final class JumpPointGridSearch implements GridSearch {
   private static final int EAST = Heading.EAST.ordinal();
   private static final int SOUTH = Heading.SOUTH.ordinal();
 
-  /** Directions in which a shortest way may go on, by {@code 256 arrival + moves}. */
+  /** Directions in which a shortest path may go on, by {@code 256 arrival + moves}. */
   private static final byte[] ONWARD = onward();
 
   private final OccupancyGrid grid;

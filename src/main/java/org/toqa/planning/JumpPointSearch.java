@@ -3,16 +3,16 @@ package org.toqa.planning;
 import java.util.function.LongConsumer;
 
 /**
- * Shortest ways with eight moves, whatever the corners: jump point search without corner cutting
+ * Shortest paths with eight moves, whatever the corners: jump point search without corner cutting
  * (Harabor and Grastien, "Online graph pruning for pathfinding on grid maps", AAAI 2011; "Improving
  * jump point search", ICAPS 2014).
  *
- * <p>Of all ways of equal length it looks only at those that go diagonally first and straight then.
- * Such a way has a reason to turn only beside the end of an obstacle: between these jump points
- * nothing is put on the open list. Straights are looked through 64 cells at a time, and diagonals
- * are no nodes of their own: a node's successors are the jump points beside them.
+ * <p>Of all paths of equal length it looks only at those that go diagonally first and straight
+ * then. Such a path has a reason to turn only beside the end of an obstacle: between these jump
+ * points nothing is put on the open list. Straights are looked through 64 cells at a time, and
+ * diagonals are no nodes of their own: a node's successors are the jump points beside them.
  *
- * <p>For benchmarks, and as the length below which no way with headings can be.
+ * <p>For benchmarks, and as the length below which no path with headings can be.
  */
 public final class JumpPointSearch extends GridPlanner {
 

@@ -3,10 +3,11 @@ package org.toqa.planning;
 import java.util.Arrays;
 
 /**
- * A binary heap of states by f, and among equal f by h: the state nearest to the goal first. It
- * does not know what became of a state; outdated entries are the search's to skip.
+ * A binary heap of states, the least key first, without an object an entry. Keys are f, and among
+ * equal f h, so that the state nearest to the goal is first; or an estimate. It does not know what
+ * became of a state; outdated entries are the search's to skip.
  */
-final class OpenList {
+public final class OpenList {
   /** Bits of h in a key; h stays below 2^31, f below 2^32. */
   private static final int H_BITS = 31;
 
@@ -14,7 +15,7 @@ final class OpenList {
   private int[] states = new int[1024];
   private int size;
 
-  boolean isEmpty() {
+  public boolean isEmpty() {
     return size == 0;
   }
 
@@ -23,11 +24,23 @@ final class OpenList {
   }
 
   void push(int state, int g, int h) {
+    push(state, (((long) g + h) << H_BITS) | h);
+  }
+
+  /**
+   * Adds a state whose key is the estimated length of a path by it.
+   *
+   * @param estimate in any unit, at least 0, not to be mixed with other keys
+   */
+  public void push(int state, double estimate) {
+    push(state, Double.doubleToRawLongBits(estimate)); // from 0 on in the order of the doubles
+  }
+
+  private void push(int state, long key) {
     if (size == keys.length) {
       keys = Arrays.copyOf(keys, 2 * size);
       states = Arrays.copyOf(states, 2 * size);
     }
-    long key = (((long) g + h) << H_BITS) | h;
     int hole = size++;
     while (hole > 0) {
       int parent = (hole - 1) >>> 1;
@@ -42,8 +55,8 @@ final class OpenList {
     states[hole] = state;
   }
 
-  /** Takes the best state out. */
-  int pop() {
+  /** Takes the best state out; there must be one. */
+  public int pop() {
     int best = states[0];
     long key = keys[--size];
     int state = states[size];

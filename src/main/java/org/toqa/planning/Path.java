@@ -7,10 +7,10 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
 /**
- * A way on the grid.
+ * A path on the grid.
  *
- * @param steps the states in order; two neighbours differ by a move of one cell along the first
- *     one's heading, or by a turn on the spot (same cell, other heading)
+ * @param steps the states in order, at least one; two neighbours differ by a move of one cell along
+ *     the first one's heading, or by a turn on the spot (same cell, other heading)
  * @param cost in cells: 1 or sqrt 2 for a move, 1/2 for each 45 degrees turned on the spot
  * @param turnsOnSpot how often the robot turns on the spot between start and goal; 0 where the
  *     three-move rule sufficed
@@ -23,12 +23,12 @@ public record Path(List<Step> steps, double cost, int turnsOnSpot) {
   public Path {
     steps = List.copyOf(steps);
     if (steps.isEmpty()) {
-      throw new IllegalArgumentException("A way has at least the cell in which it starts.");
+      throw new IllegalArgumentException("A path has at least the cell in which it starts.");
     }
   }
 
   /**
-   * The way that these moves make.
+   * The path that these moves make.
    *
    * @param turnsOnSpot whether a change of heading by more than 45 degrees is a turn on the spot,
    *     with its step and its cost; otherwise it is a corner like any other
@@ -67,8 +67,8 @@ public record Path(List<Step> steps, double cost, int turnsOnSpot) {
   }
 
   /**
-   * The points where the way bends or the robot turns, and the goal; not the start. Empty for a way
-   * that stays in its cell.
+   * The points where the path bends or the robot turns, and the goal; not the start. Empty for a
+   * path that stays in its cell. Metres, map frame.
    */
   public List<Waypoint> waypoints(OccupancyGrid grid) {
     List<Waypoint> waypoints = new ArrayList<>();

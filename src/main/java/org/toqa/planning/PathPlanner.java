@@ -4,11 +4,11 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
 /**
- * Finds a way for one robot.
+ * Finds a path for one robot.
  *
  * <ol>
  *   <li>The caller inflates the grid by the robot's margin; a planner knows points only.
- *   <li>{@link #plan} answers a way from start to goal, or why there is none. It is a function of
+ *   <li>{@link #plan} answers a path from start to goal, or why there is none. It is a function of
  *       its arguments: no clock, no memory that a caller could notice.
  * </ol>
  *
@@ -17,6 +17,8 @@ import org.toqa.grid.OccupancyGrid;
 public interface PathPlanner {
 
   /**
+   * The shortest path by the planner's own measure.
+   *
    * @param grid inflated; a blocked start or goal is an answer, not an error
    */
   PlanResult plan(OccupancyGrid grid, Cell start, Cell goal);

@@ -6,11 +6,11 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.Path.Step;
 
-/** Judges a way by the rules alone, apart from every planner. */
+/** Judges a path by the rules alone, apart from every planner. */
 public final class PlanChecker {
   private static final double ROUNDING = 1e-6;
 
-  /** What a way may do at a corner. */
+  /** What a path may do at a corner. */
   public enum Rule {
     /** Any change of heading. */
     OCTILE,
@@ -20,7 +20,7 @@ public final class PlanChecker {
 
   private PlanChecker() {}
 
-  /** The first rule that the way breaks, in a sentence; empty if it keeps them all. */
+  /** The first rule that the path breaks, in a sentence; empty if it keeps them all. */
   public static Optional<String> violation(
       OccupancyGrid grid, Cell start, Cell goal, Path path, Rule rule) {
     List<Step> steps = path.steps();

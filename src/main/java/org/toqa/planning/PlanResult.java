@@ -2,7 +2,7 @@ package org.toqa.planning;
 
 import org.toqa.grid.Cell;
 
-/** What a planner answers: a way, or the named reason why there is none. */
+/** What a planner answers: a path, or the named reason why there is none. */
 public sealed interface PlanResult {
 
   record Found(Path path) implements PlanResult {}

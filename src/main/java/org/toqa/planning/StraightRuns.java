@@ -10,7 +10,7 @@ import org.toqa.grid.OccupancyGrid;
  *
  * <p>A run ends at the first occupied cell, or before it at a jump point: a free cell with a free
  * cell beside it where the run's cell before had an occupied one. There, and only there, may a
- * shortest way leave the run that could not have left it earlier.
+ * shortest path leave the run that could not have left it earlier.
  */
 final class StraightRuns {
   /** Words from one line to the next; there is an occupied border of one cell. */

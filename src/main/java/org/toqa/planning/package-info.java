@@ -1,4 +1,4 @@
-/** Finds a way for one robot on a grid; says by name why there is none. */
+/** Finds a path for one robot on a grid; says by name why there is none. */
 @NullMarked
 package org.toqa.planning;
 

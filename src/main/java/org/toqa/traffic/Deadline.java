@@ -11,6 +11,11 @@ import java.util.function.LongSupplier;
  */
 public record Deadline(LongSupplier ticker, long end) {
 
+  /**
+   * The moment when a limit from now will have passed.
+   *
+   * @param ticker nanoseconds from any fixed moment
+   */
   public static Deadline in(Duration limit, LongSupplier ticker) {
     return new Deadline(ticker, ticker.getAsLong() + limit.toNanos());
   }
@@ -20,12 +25,17 @@ public record Deadline(LongSupplier ticker, long end) {
     return new Deadline(() -> 0, Long.MAX_VALUE);
   }
 
-  /** The moment when a part of the time left from now will have passed. */
+  /**
+   * The moment when a part of the time left from now will have passed.
+   *
+   * @param share from 0 to 1
+   */
   public Deadline afterShare(double share) {
     long now = ticker.getAsLong();
     return new Deadline(ticker, now + (long) (share * (end - now)));
   }
 
+  /** Whether it is that late. */
   public boolean isPassed() {
     return ticker.getAsLong() - end >= 0;
   }

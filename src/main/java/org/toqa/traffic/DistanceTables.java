@@ -9,7 +9,7 @@ import java.util.stream.IntStream;
  * warehouse fit into memory.
  */
 public final class DistanceTables {
-  /** No way, or one of more steps than a table can say. */
+  /** No path, or one of more steps than a table can say. */
   public static final int UNREACHABLE = Character.MAX_VALUE;
 
   /** Goals that are searched in one go, to keep the cores from queueing for work. */
@@ -20,6 +20,9 @@ public final class DistanceTables {
   /**
    * A table a goal, in the order of the goals; equal goals share theirs. Where the deadline passes,
    * the rest is missing and the answer is shorter.
+   *
+   * @param goals vertices
+   * @return steps by goal and vertex, {@link #UNREACHABLE} where there is no path
    */
   public static char[][] of(RoadGraph roads, int[] goals, Deadline deadline) {
     int[] distinct = Arrays.stream(goals).distinct().toArray();

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Plans the ways of many robots together, on cells, a step at a time: four neighbours or wait, no
+ * Plans the paths of many robots together, on cells, a step at a time: four neighbours or wait, no
  * two robots on a cell, no swap, and no ring of robots that all move at once, since on a floor each
  * of them would wait for the next to leave. A function of its arguments; any thread may call it.
  */

@@ -1,6 +1,7 @@
 package org.toqa.traffic;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
@@ -36,9 +37,25 @@ public final class RoadGraph {
   /** Whether one can go on from a cell in a direction; the same as back from there. */
   @FunctionalInterface
   public interface Passage {
+    /**
+     * @param column of the cell, from 0 to the east
+     * @param row of the cell, from 0 to the south
+     * @param direction {@link #EAST} to {@link #SOUTH}
+     */
     boolean isOpen(int column, int row, int direction);
   }
 
+  /** Is told of vertices one after the other. */
+  @FunctionalInterface
+  public interface Visitor {
+    /**
+     * @param steps how many it is from the first vertex
+     * @return whether to go on to the next vertex
+     */
+    boolean visit(int vertex, int steps);
+  }
+
+  /** Every free cell is joined with its free neighbours. */
   public RoadGraph(OccupancyGrid grid) {
     this(grid, (column, row, direction) -> true);
   }
@@ -107,7 +124,7 @@ public final class RoadGraph {
     return grid;
   }
 
-  /** How many there are. */
+  /** How many free cells there are. */
   public int vertexCount() {
     return cellOf.length;
   }
@@ -117,6 +134,7 @@ public final class RoadGraph {
     return grid.contains(column, row) ? vertexAt[row * grid.width() + column] : NONE;
   }
 
+  /** {@link #NONE} where the cell is not free or not on the grid. */
   public int vertex(Cell cell) {
     return vertex(cell.column(), cell.row());
   }
@@ -125,10 +143,12 @@ public final class RoadGraph {
     return grid.cell(cellOf[vertex]);
   }
 
+  /** From 0, to the east. */
   public int columnOf(int vertex) {
     return cellOf[vertex] % grid.width();
   }
 
+  /** From 0 at the top, to the south. */
   public int rowOf(int vertex) {
     return cellOf[vertex] / grid.width();
   }
@@ -138,7 +158,11 @@ public final class RoadGraph {
     return neighbours[vertex * DIRECTIONS + direction];
   }
 
-  /** The direction that leads from a vertex to one beside it. */
+  /**
+   * The direction that leads from a vertex to one beside it.
+   *
+   * @throws IllegalArgumentException if the two are not joined
+   */
   public int direction(int from, int to) {
     for (int d = 0; d < DIRECTIONS; d++) {
       if (neighbour(from, d) == to) {
@@ -149,15 +173,50 @@ public final class RoadGraph {
         "There is no road from " + cell(from) + " to " + cell(to) + ".");
   }
 
-  /** How many neighbours it has. */
+  /**
+   * Visits the vertices that can be reached from one, by their number of steps from there; of equal
+   * ones in the order of their predecessors and of the directions (breadth-first search).
+   */
+  public void visitByDistance(int from, Visitor visitor) {
+    BitSet seen = new BitSet();
+    int[] queue = new int[64];
+    queue[0] = from;
+    seen.set(from);
+    int tail = 1;
+    int steps = 0;
+    int levelEnd = 1;
+    for (int head = 0; head < tail; head++) {
+      if (head == levelEnd) {
+        steps++;
+        levelEnd = tail;
+      }
+      if (!visitor.visit(queue[head], steps)) {
+        return;
+      }
+      if (queue.length < tail + DIRECTIONS) {
+        queue = Arrays.copyOf(queue, 2 * queue.length);
+      }
+      for (int d = 0; d < DIRECTIONS; d++) {
+        int next = neighbour(queue[head], d);
+        if (next != NONE && !seen.get(next)) {
+          seen.set(next);
+          queue[tail++] = next;
+        }
+      }
+    }
+  }
+
+  /** How many neighbours it has, 0 to 4. */
   public int degree(int vertex) {
     return degrees[vertex];
   }
 
+  /** The direction back. */
   public static int opposite(int direction) {
     return direction ^ 2;
   }
 
+  /** Whether one can be reached from the other. */
   public boolean isConnected(int vertex, int other) {
     return components[vertex] == components[other];
   }

@@ -36,8 +36,8 @@ public final class TrafficChecker {
   }
 
   /**
-   * @param before the robots' stances at a step, in a fixed order
-   * @param after their stances one step later
+   * @param before the robots' poses at a step, in a fixed order
+   * @param after their poses one step later
    */
   public List<Violation> check(List<GridPose> before, List<GridPose> after) {
     List<Violation> violations = new ArrayList<>(checkPlaces(after));

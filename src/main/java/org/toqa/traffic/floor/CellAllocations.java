@@ -14,7 +14,7 @@ final class CellAllocations {
   private static final int NOBODY = 0;
   private static final int SEVERAL = -1;
 
-  /** By cell: a mover's number, nobody or several. */
+  /** By cell: a robot's number, nobody or several. */
   private final int[] holders;
 
   private final Collection<TrafficRobot> robots;
@@ -26,7 +26,7 @@ final class CellAllocations {
 
   void refresh() {
     Arrays.fill(holders, NOBODY);
-    robots.forEach(m -> m.forEachAllocated(cells -> allocate(m, cells)));
+    robots.forEach(robot -> robot.forEachAllocated(cells -> allocate(robot, cells)));
   }
 
   void allocate(TrafficRobot robot, CellSet cells) {
@@ -37,7 +37,7 @@ final class CellAllocations {
         });
   }
 
-  /** The other movers that hold some of the cells. */
+  /** The other robots to which some of the cells are allocated. */
   List<TrafficRobot> otherHolders(TrafficRobot robot, CellSet cells) {
     List<TrafficRobot> others = new ArrayList<>();
     cells.forEach(
@@ -45,10 +45,12 @@ final class CellAllocations {
           int number = holders[cell];
           if (number == SEVERAL) {
             robots.stream()
-                .filter(m -> m.allocatedCells().get(cell))
-                .forEach(m -> addTo(others, robot, m));
+                .filter(other -> other.allocatedCells().get(cell))
+                .forEach(other -> addTo(others, robot, other));
           } else if (number != NOBODY && number != robot.number) {
-            robots.stream().filter(m -> m.number == number).forEach(m -> addTo(others, robot, m));
+            robots.stream()
+                .filter(other -> other.number == number)
+                .forEach(other -> addTo(others, robot, other));
           }
         });
     return others;

@@ -20,11 +20,11 @@ final class Clearance {
   private Clearance() {}
 
   /**
-   * Whether a robot can drive a stretch beside one that stands: the two share no cell but those
-   * under the robot now, and it does not come nearer than it is. A group that sets out shares no
-   * cell with anybody: who stands beside it goes first.
+   * Whether a robot can drive a section beside one that stands: the two share no cell but those
+   * under the robot now, and it does not come nearer than it is. A formation that sets out shares
+   * no cell with anybody: who stands beside it goes first.
    *
-   * @param from where the stretch begins
+   * @param from where the section begins
    */
   static boolean isKept(TrafficRobot robot, Pose from, Section section, TrafficRobot other) {
     if (robot.isFormation()) {
@@ -34,7 +34,7 @@ final class Clearance {
     robot.standingCells().addTo(under);
     BitSet others = other.allocatedCells();
     others.andNot(under);
-    if (section.cells().intersects(others) || other.isDriving()) {
+    if (section.cells().intersects(others) || other.drive.isDriving()) {
       return false;
     }
     return other.discs().stream().allMatch(disc -> isKept(robot, from, section, disc));
@@ -43,7 +43,8 @@ final class Clearance {
   private static boolean isKept(TrafficRobot robot, Pose from, Section section, PlacedDisc disc) {
     double needed =
         Math.min(
-            robot.radius + disc.radius() + ENOUGH, robot.pose.position().distanceTo(disc.centre()));
+            robot.radius() + disc.radius() + ENOUGH,
+            robot.pose().position().distanceTo(disc.centre()));
     Pose pose = from;
     for (Segment segment : section.segments()) {
       int pieces = Math.max(1, (int) Math.ceil(Math.abs(segment.angle()) / PIECE));

@@ -10,9 +10,9 @@ public sealed interface DriveCommand {
   String robot();
 
   /**
-   * Begin a way; the robot stands.
+   * Begin a path; the robot stands.
    *
-   * @param endsAtGoal whether the way ends at its goal
+   * @param endsAtGoal whether the path ends at its goal
    */
   record Begin(String robot, Trajectory trajectory, int released, boolean endsAtGoal)
       implements DriveCommand {}

@@ -3,12 +3,10 @@ package org.toqa.traffic.floor;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.PriorityQueue;
 import org.toqa.formation.TrajectoryRules;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
@@ -20,27 +18,28 @@ import org.toqa.motion.Segment;
 import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
 import org.toqa.planning.Heading;
+import org.toqa.planning.OpenList;
 
 /**
- * Ways that a group can be led along: A* for the leader over the points of a lattice and eight
+ * Paths that a formation can be led along: A* for the leader over the points of a lattice and eight
  * headings. A move is a step along the heading, or a corner of 45 degrees with as much of a leg
- * before and behind it as an arc of the smallest radius needs, so that no way has a tighter one; it
- * is open where the whole group, with a margin, meets nothing on it. The first leg leads from where
- * the leader faces onto the lattice.
+ * before and behind it as an arc of the smallest radius needs, so that no path has a tighter one;
+ * it is open where the whole formation, with a margin, meets nothing on it. The first leg leads
+ * from where the leader faces onto the lattice.
  *
  * <p>The cost is that of a search over eight states a point. Confined to one thread.
  */
 final class FormationPlanner {
-  /** Kept from walls while a way is looked for, metres. */
+  /** Kept from walls while a path is looked for, metres. */
   private static final double MARGIN = 0.02;
 
   /** Lattice points are at most so far apart, metres. */
   private static final double WIDEST_STEP = 0.15;
 
-  /** The way onto the lattice is no longer, metres. */
+  /** The path onto the lattice is no longer, metres. */
   private static final double LONGEST_ENTRY = 1.5;
 
-  /** So far beside the lattice, metres, a parallel way onto it may begin. */
+  /** So far beside the lattice, metres, a parallel path onto it may begin. */
   private static final double MAX_ASIDE = 0.06;
 
   /** A robot that has come to its place stands no farther from it, metres. */
@@ -56,7 +55,7 @@ final class FormationPlanner {
   private static final Heading[] HEADINGS = Heading.values();
   private static final double EIGHTH = Math.PI / 4;
 
-  /** Stretches end at least so far apart, metres. */
+  /** Sections end at least so far apart, metres. */
   private static final double PASSING_PLACE_SPACING = 0.3;
 
   private final OccupancyGrid grid;
@@ -90,9 +89,9 @@ final class FormationPlanner {
   }
 
   /**
-   * Where the way of a group begins whose leader stands there: on the lattice if it is but for what
-   * a robot may be off its place. It is drawn onto its way as it sets out; a way that began beside
-   * the lattice would need room to get onto it, which a place between machines has not.
+   * Where the path of a formation begins whose leader stands there: on the lattice if it is but for
+   * what a robot may be off its place. It is drawn onto its path as it sets out; a path that began
+   * beside the lattice would need room to get onto it, which a place between machines has not.
    */
   static Pose start(OccupancyGrid grid, Pose leader) {
     double step = step(grid);
@@ -117,27 +116,29 @@ final class FormationPlanner {
   }
 
   /**
-   * The shortest way on which the group meets none of these cells.
+   * The shortest path on which the formation meets none of these cells.
    *
    * @param goal where the load is carried, metres, map frame
    */
   Optional<List<Section>> path(
-      TrafficRobot m, FormationFootprint formation, Vec2 goal, BitSet blocked) {
-    Pose start = m.releasedEnd();
-    TrajectoryRules rules = new TrajectoryRules(formation.shape(), m.speeds.forward());
-    SegmentFitter arcs = new SegmentFitter(m.speeds, rules.cornerLength(EIGHTH));
+      TrafficRobot robot, FormationFootprint formation, Vec2 goal, BitSet blocked) {
+    Pose start = robot.releasedEnd();
+    TrajectoryRules rules = new TrajectoryRules(formation.shape(), robot.speeds().forward());
+    SegmentFitter arcs = new SegmentFitter(robot.speeds(), rules.cornerLength(EIGHTH));
     return new Search(formation, start, goal, blocked, arcs)
         .waypoints()
-        .map(way -> rules.slowed(arcs.fit(start, way)))
-        .filter(way -> rules.firstBreach(way).isEmpty())
-        .map(way -> sections(m, way))
+        .map(waypoints -> rules.slowed(arcs.fit(start, waypoints)))
+        .filter(trajectory -> rules.firstBreach(trajectory).isEmpty())
+        .map(trajectory -> sections(robot, trajectory))
         .filter(
-            way -> !way.isEmpty() && way.stream().noneMatch(s -> s.cells().intersects(blocked)));
+            sections ->
+                !sections.isEmpty()
+                    && sections.stream().noneMatch(s -> s.cells().intersects(blocked)));
   }
 
-  private List<Section> sections(TrafficRobot m, Trajectory trajectory) {
+  private List<Section> sections(TrafficRobot robot, Trajectory trajectory) {
     return fitter.split(
-        m,
+        robot,
         trajectory,
         new PassingPlaces.Spaced(Math.max(PASSING_PLACE_SPACING, grid.resolution())));
   }
@@ -154,10 +155,10 @@ final class FormationPlanner {
     private final int[] parents = new int[lengths.length];
     private final byte[] open = new byte[lengths.length];
     private final Map<Integer, List<Vec2>> entries = new HashMap<>();
-    private final PriorityQueue<OpenState> queue =
-        new PriorityQueue<>(Comparator.comparingDouble(OpenState::estimate));
+    private final OpenList openList = new OpenList();
 
-    private record OpenState(int state, double length, double estimate) {}
+    /** States that have been reached and not expanded since. */
+    private final BitSet reached = new BitSet();
 
     Search(
         FormationFootprint formation, Pose start, Vec2 goal, BitSet blocked, SegmentFitter arcs) {
@@ -171,15 +172,15 @@ final class FormationPlanner {
       Arrays.fill(parents, -1);
     }
 
-    /** Where the way bends and ends. */
+    /** Where the path bends and ends. */
     Optional<List<Waypoint>> waypoints() {
       enter();
-      while (!queue.isEmpty()) {
-        OpenState reached = queue.poll();
-        int state = reached.state();
-        if (reached.length() > lengths[state]) {
+      while (!openList.isEmpty()) {
+        int state = openList.pop();
+        if (!reached.get(state)) {
           continue;
         }
+        reached.clear(state);
         if (isGoal(state)) {
           return Optional.of(waypointsTo(state));
         }
@@ -259,11 +260,9 @@ final class FormationPlanner {
       if (length < lengths[state] - ROUNDING) {
         lengths[state] = length;
         parents[state] = from;
-        if (from >= 0) {
-          entries.remove(state);
-        }
         double rest = formation.shape().loadAt(pose(state)).position().distanceTo(goal);
-        queue.add(new OpenState(state, length, length + rest));
+        reached.set(state);
+        openList.push(state, length + rest);
       }
     }
 
@@ -291,7 +290,7 @@ final class FormationPlanner {
           firstPoint.x() + column * step, firstPoint.y() + row * step, (state & 7) * EIGHTH);
     }
 
-    /** The ways onto the lattice: straight ahead, one corner, and straight again. */
+    /** The paths onto the lattice: straight ahead, one corner, and straight again. */
     private void enter() {
       int reach = (int) Math.ceil(LONGEST_ENTRY / step);
       int column = (int) Math.round((start.x() - firstPoint.x()) / step);
@@ -306,7 +305,7 @@ final class FormationPlanner {
       }
     }
 
-    /** By the way to the first point of the lattice from which the rest is moves on it. */
+    /** By the path to the first point of the lattice from which the rest is moves on it. */
     private void enter(int state) {
       Pose to = pose(state);
       Pose seen = start.relative(to);

@@ -11,7 +11,7 @@ import org.toqa.grid.Disc;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 
-/** What stands fast on the floor, walls and obstacles, and where robots of a size fit. */
+/** What blocks cells of the floor, walls and obstacles, and where robots of a size fit. */
 final class FreeSpace {
   private final OccupancyGrid grid;
   private final BitSet walls;

@@ -4,11 +4,9 @@ import static java.util.Comparator.comparing;
 import static java.util.Comparator.nullsLast;
 
 import java.time.Instant;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
-import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -25,7 +23,7 @@ import org.toqa.traffic.RoadGraph;
 /**
  * A goal for each robot that is planned, all different: the lane cell of its own goal if it can
  * have that, else a place near to it; and for a robot that wants nothing the place where it stands,
- * unless another wants that. Whoever has a place or a way to it keeps it, then whoever waits
+ * unless another wants that. Whoever has a place or a path to it keeps it, then whoever waits
  * longest chooses.
  */
 final class GoalAssignment {
@@ -51,10 +49,10 @@ final class GoalAssignment {
   private final int[] assigned;
   private final Map<Integer, String> taken = new HashMap<>();
 
-  /** Where nobody else shall stay, on the way of the only one that gets its goal; else empty. */
+  /** Where nobody else shall stay, on the path of the only one that gets its goal; else empty. */
   private final Set<Integer> keptFree;
 
-  /** How many that want to go somewhere have no way there, whoever made room. */
+  /** How many that want to go somewhere have no path there, whoever made room. */
   private int unreachableCount;
 
   GoalAssignment(
@@ -91,7 +89,7 @@ final class GoalAssignment {
 
   /**
    * The goal of the one that waits longest; for each other robot the nearest place that is not on
-   * the shortest way there.
+   * the shortest path there.
    */
   GoalAssignment forLongestWaiting() {
     List<Integer> order = new ArrayList<>(order(planned));
@@ -113,15 +111,15 @@ final class GoalAssignment {
     return one;
   }
 
-  /** Those that have a place or a way to it, then who waits longest, then who wants nothing. */
+  /** Those that have a place or a path to it, then who waits longest, then who wants nothing. */
   private static List<Integer> order(List<TrafficRobot> planned) {
     return IntStream.range(0, planned.size())
         .boxed()
         .sorted(
-            Comparator.<Integer, Boolean>comparing(i -> planned.get(i).goal == null)
+            Comparator.<Integer, Boolean>comparing(i -> planned.get(i).goal() == null)
                 .thenComparing(i -> planned.get(i).needsPath())
                 .thenComparing(
-                    i -> planned.get(i).waitingSince,
+                    i -> planned.get(i).waiting.since(),
                     nullsLast(Comparator.<Instant>naturalOrder())))
         .toList();
   }
@@ -131,7 +129,7 @@ final class GoalAssignment {
     taken.put(vertex, planned.get(i).name);
   }
 
-  /** The vertices of a shortest way. */
+  /** The vertices of a shortest path. */
   private Set<Integer> shortestPath(int from, int to) {
     char[] distances = DistanceTables.of(roads, new int[] {to}, Deadline.none())[0];
     Set<Integer> path = new HashSet<>(Set.of(from));
@@ -160,38 +158,38 @@ final class GoalAssignment {
   }
 
   private int goal(int i) {
-    TrafficRobot m = planned.get(i);
-    m.goalTakenBy = null;
-    if (m.goal == null) {
+    TrafficRobot robot = planned.get(i);
+    robot.waiting.setGoalTakenBy(null);
+    if (robot.goal() == null) {
       return nearestOpen(starts[i], starts[i]);
     }
-    int vertex = approach(m, m.goal, starts[i]);
+    int vertex = approach(robot, robot.goal(), starts[i]);
     if (vertex == RoadGraph.NONE) {
       unreachableCount++;
       return nearestOpen(starts[i], starts[i]);
     }
-    m.goalTakenBy = taken.get(vertex);
+    robot.waiting.setGoalTakenBy(taken.get(vertex));
     if (!isOpen(vertex)) {
       return nearestOpen(vertex, starts[i]);
     }
-    lastLeg(roads.cell(vertex), m, m.goal).addTo(lastLegs);
+    lastLeg(roads.cell(vertex), robot, robot.goal()).addTo(lastLegs);
     return vertex;
   }
 
   /** What a robot touches between the middle of a lane cell and its goal, or that of its cell. */
-  private CellSet lastLeg(Cell from, TrafficRobot m, Vec2 goal) {
+  private CellSet lastLeg(Cell from, TrafficRobot robot, Vec2 goal) {
     OccupancyGrid floor = freeSpace.grid();
     Vec2 end = lanes.isFloorGrid() ? floor.centre(floor.cellAt(goal)) : goal;
-    return SweptCells.alongLine(floor, lanes.lattice().centre(from), end, m.radius);
+    return SweptCells.alongLine(floor, lanes.lattice().centre(from), end, robot.radius());
   }
 
   /** The nearest lane cell to its goal from which it can go straight there. */
-  private int approach(TrafficRobot m, Vec2 goal, int start) {
-    for (Cell cell : lanes.near(goal)) {
+  private int approach(TrafficRobot robot, Vec2 goal, int start) {
+    for (Cell cell : lanes.cellsAround(goal)) {
       int vertex = roads.vertex(cell);
       if (vertex != RoadGraph.NONE
           && roads.isConnected(start, vertex)
-          && !lastLeg(cell, m, goal).intersects(blocked)) {
+          && !lastLeg(cell, robot, goal).intersects(blocked)) {
         return vertex;
       }
     }
@@ -203,29 +201,19 @@ final class GoalAssignment {
    * where it is; otherwise waiting robots would change places for ever.
    */
   private int nearestOpen(int to, int start) {
-    Deque<Integer> queue = new ArrayDeque<>(List.of(to));
-    Map<Integer, Integer> steps = new HashMap<>(Map.of(to, 0));
-    int found = RoadGraph.NONE;
-    while (!queue.isEmpty()) {
-      int vertex = queue.poll();
-      int here = steps.getOrDefault(vertex, 0);
-      if (found != RoadGraph.NONE && here > NEAR) {
-        return found;
-      }
-      if (isOpen(vertex)) {
-        if (vertex == start) {
-          return start;
-        }
-        found = found == RoadGraph.NONE ? vertex : found;
-      }
-      for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
-        int next = roads.neighbour(vertex, d);
-        if (next != RoadGraph.NONE && steps.putIfAbsent(next, here + 1) == null) {
-          queue.add(next);
-        }
-      }
-    }
-    return found == RoadGraph.NONE ? start : found;
+    int[] found = {RoadGraph.NONE};
+    roads.visitByDistance(
+        to,
+        (vertex, steps) -> {
+          if (found[0] != RoadGraph.NONE && steps > NEAR) {
+            return false;
+          }
+          if (isOpen(vertex)) {
+            found[0] = found[0] == RoadGraph.NONE || vertex == start ? vertex : found[0];
+          }
+          return found[0] != start;
+        });
+    return found[0] == RoadGraph.NONE ? start : found[0];
   }
 
   private boolean isOpen(int vertex) {

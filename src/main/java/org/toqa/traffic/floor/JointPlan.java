@@ -19,7 +19,7 @@ import org.toqa.traffic.RoadGraph;
 import org.toqa.traffic.floor.ReservedPath.Dependency;
 
 /**
- * Turns a plan for all robots into courses and the order in which they visit each cell.
+ * Turns a plan for all robots into paths and the order in which they visit each cell.
  *
  * <p>The plan says who is where after each step; on a floor steps do not take equal time, so only
  * the order of the visits to each cell is kept: a robot enters a cell when whoever visits it before
@@ -28,7 +28,7 @@ import org.toqa.traffic.floor.ReservedPath.Dependency;
  * and robust execution of MAPF schedules in warehouses", RA-L 2019).
  */
 final class JointPlan {
-  /** A way is looked at so many times a lane cell to see which cell it is in. */
+  /** A path is looked at so many times a lane cell to see which cell it is in. */
   private static final int PIECES = 8;
 
   /** So near to the middle of a cell, in cells, a point is in it and on no border. */
@@ -42,7 +42,7 @@ final class JointPlan {
 
   /**
    * @param blocked cells of the floor where none of them must be
-   * @param steps the vertices of the movers after each step, in the movers' order
+   * @param steps the vertices of the robots after each step, in the robots' order
    */
   JointPlan(
       LaneGrid lanes,
@@ -60,24 +60,24 @@ final class JointPlan {
   /**
    * One robot's stay on a cell.
    *
-   * @param index of the visit on the robot's course
+   * @param index of the visit on the robot's path
    * @param enters the step after which it is there
    */
   private record Visit(int robot, int index, int enters) {}
 
-  /** Gives every mover its course in the plan; one that does not move keeps what was released. */
+  /** Gives every robot its path in the plan; one that does not move keeps what was released. */
   void adopt(SectionFitter fitter) {
     List<List<Cell>> visits = new ArrayList<>();
     Map<Cell, List<Visit>> byCell = new HashMap<>();
-    for (int m = 0; m < robots.size(); m++) {
-      visits.add(visitsOf(m, byCell));
-      assignPath(robots.get(m), visits.get(m), fitter);
+    for (int robot = 0; robot < robots.size(); robot++) {
+      visits.add(visitsOf(robot, byCell));
+      assignPath(robots.get(robot), visits.get(robot), fitter);
     }
     byCell.values().forEach(v -> v.sort(Comparator.comparingInt(Visit::enters)));
-    for (int m = 0; m < robots.size(); m++) {
-      ReservedPath path = robots.get(m).path;
+    for (int robot = 0; robot < robots.size(); robot++) {
+      ReservedPath path = robots.get(robot).drive.path();
       if (path != null && !path.visits().isEmpty()) {
-        robots.get(m).path = path.withDependencies(dependencies(m, visits.get(m), byCell));
+        robots.get(robot).drive.setDependencies(dependencies(robot, visits.get(robot), byCell));
       }
     }
   }
@@ -137,26 +137,26 @@ final class JointPlan {
   }
 
   private List<@Nullable Dependency> dependencies(
-      int m, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
+      int robot, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
     List<@Nullable Dependency> dependencies = new ArrayList<>();
     for (int index = 0; index < visits.size(); index++) {
       Visit before = null;
       for (Visit v : byCell.getOrDefault(visits.get(index), List.of())) {
-        if (v.robot() == m && v.index() == index) {
+        if (v.robot() == robot && v.index() == index) {
           break;
         }
-        before = v.robot() == m ? before : v;
+        before = v.robot() == robot ? before : v;
       }
       TrafficRobot other = before == null ? null : robots.get(before.robot());
       dependencies.add(
           before == null || other == null
               ? null
-              : new Dependency(other.name, other.pathNumber, before.index()));
+              : new Dependency(other.name, other.drive.pathNumber(), before.index()));
     }
     return dependencies;
   }
 
-  /** Where the way over the cells bends, from visit {@code from} on; the start is left out. */
+  /** Where the path over the cells bends, from visit {@code from} on; the start is left out. */
   static List<Waypoint> waypoints(
       OccupancyGrid lattice, List<Cell> visits, int from, IntPredicate stopsAt) {
     List<Waypoint> waypoints = new ArrayList<>();
@@ -193,10 +193,10 @@ final class JointPlan {
   }
 
   /**
-   * By stretch: which visit its end is. What is driven passes through the cells of the visits one
+   * By section: which visit its end is. What is driven passes through the cells of the visits one
    * after the other, some of them perhaps more than once.
    *
-   * @param start where the first stretch begins, in visit {@code from}
+   * @param start where the first section begins, in visit {@code from}
    */
   static List<Integer> visitsAtEnds(
       OccupancyGrid lattice, Pose start, List<Section> sections, List<Cell> visits, int from) {

@@ -1,8 +1,6 @@
 package org.toqa.traffic.floor;
 
-import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Comparator;
 import java.util.List;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -141,7 +139,7 @@ final class LaneGrid {
   }
 
   /**
-   * The floor's cells that a disc touches on the way from the middle of a lane cell to the middle
+   * The floor's cells that a disc touches on the path from the middle of a lane cell to the middle
    * of one beside it, counted from the first one's upper left corner.
    */
   private static List<Cell> touched(int side, double diameter, int columns, int rows) {
@@ -205,19 +203,8 @@ final class LaneGrid {
     return !isClear(cell.column(), cell.row(), disc, cells);
   }
 
-  /** The lane cell round a point and those beside it, nearest first. */
-  List<Cell> near(Vec2 point) {
-    Cell here = lattice.cellAt(point);
-    List<Cell> near = new ArrayList<>();
-    for (int row = -1; row <= 1; row++) {
-      for (int column = -1; column <= 1; column++) {
-        Cell cell = new Cell(here.column() + column, here.row() + row);
-        if (lattice.contains(cell)) {
-          near.add(cell);
-        }
-      }
-    }
-    near.sort(Comparator.comparingDouble(c -> lattice.centre(c).distanceTo(point)));
-    return near;
+  /** The lane cell round a point, map frame, and those beside it, nearest first. */
+  List<Cell> cellsAround(Vec2 point) {
+    return lattice.cellsAround(point, 1);
   }
 }

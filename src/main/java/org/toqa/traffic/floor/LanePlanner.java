@@ -20,11 +20,12 @@ import org.toqa.traffic.JointPlanner;
 import org.toqa.traffic.RoadGraph;
 
 /**
- * Plans robots together on lane cells and gives them their courses.
+ * Plans robots together on lane cells and gives them their paths.
  *
  * <p>Tried in this order, until everybody who wants to go somewhere can: with wide lane cells, on
  * which robots of every size can be planned, then with narrower ones; first without those who drive
- * ways of their own or stand aside from the lanes, then with them. Who is left out is driven round.
+ * paths of their own or stand aside from the lanes, then with them. Who is left out is driven
+ * round.
  */
 final class LanePlanner {
   /** Of the time left, what each search may take. */
@@ -50,15 +51,15 @@ final class LanePlanner {
   }
 
   enum Outcome {
-    /** All have courses by the new plan. */
+    /** All have paths by the new plan. */
     PLANNED,
-    /** Those without a way can only stay, and nobody could make room: no plan would help now. */
+    /** Those without a path can only stay, and nobody could make room: no plan would help now. */
     NOT_NEEDED,
     NOT_FOUND
   }
 
   /**
-   * @param mustPlan whether ways were given up that others wait for
+   * @param mustPlan whether paths were given up that others wait for
    */
   Outcome plan(Collection<TrafficRobot> robots, CellAllocations allocations, boolean mustPlan) {
     Deadline deadline = planningDeadline.get();
@@ -109,13 +110,13 @@ final class LanePlanner {
   /** Of the robots that need a plan, or of everybody; the largest first. */
   private Set<Double> diameters(Collection<TrafficRobot> robots, boolean everybody) {
     Set<Double> diameters = new TreeSet<>(Comparator.reverseOrder());
-    for (TrafficRobot m : robots) {
-      boolean needsPlan = everybody || m.needsPath() || m.isOnSharedPath();
-      if (m.movable
-          && m.formation() == null
+    for (TrafficRobot robot : robots) {
+      boolean needsPlan = everybody || robot.needsPath() || robot.drive.isOnSharedPath();
+      if (robot.isMovable()
+          && robot.formation() == null
           && needsPlan
-          && LaneGrid.hasRoom(freeSpace.grid(), 2 * m.radius)) {
-        diameters.add(2 * m.radius);
+          && LaneGrid.hasRoom(freeSpace.grid(), 2 * robot.radius())) {
+        diameters.add(2 * robot.radius());
       }
     }
     return diameters;
@@ -146,58 +147,61 @@ final class LanePlanner {
       this.diameter = diameter;
       this.lanes = freeSpace.laneGrid(diameter);
       this.wantedCells = findWantedCells();
-      robots.stream().filter(m -> isCandidate(m, everybody)).forEach(planned::add);
+      robots.stream().filter(robot -> isCandidate(robot, everybody)).forEach(planned::add);
       this.roads = buildRoads();
       while (!assignPlaces()) {
         roads = buildRoads();
       }
-      starts = planned.stream().mapToInt(m -> roads.vertex(place(m))).toArray();
+      starts = planned.stream().mapToInt(robot -> roads.vertex(place(robot))).toArray();
       goals = new GoalAssignment(freeSpace, blocked, lanes, roads, planned, starts, wantedCells);
     }
 
-    private Cell place(TrafficRobot m) {
-      Cell place = places.get(m);
+    private Cell place(TrafficRobot robot) {
+      Cell place = places.get(robot);
       if (place == null) {
-        throw new IllegalStateException(m.name + " has no place on the lanes.");
+        throw new IllegalStateException(robot.name + " has no place on the lanes.");
       }
       return place;
     }
 
-    private boolean isCandidate(TrafficRobot m, boolean everybody) {
-      if (!m.movable || m.stalled || m.formation() != null || m.radius > diameter / 2) {
+    private boolean isCandidate(TrafficRobot robot, boolean everybody) {
+      if (!robot.isMovable()
+          || robot.isStalled()
+          || robot.formation() != null
+          || robot.radius() > diameter / 2) {
         return false;
       }
       return everybody
-          || m.needsPath()
-          || m.isOnSharedPath()
-          || (m.path == null && isOnLane(m, freeSpace.blocked()))
-          || m.standingCells().intersects(wantedCells);
+          || robot.needsPath()
+          || robot.drive.isOnSharedPath()
+          || (robot.drive.path() == null && isOnLane(robot, freeSpace.blocked()))
+          || robot.standingCells().intersects(wantedCells);
     }
 
     /** Whether its disc keeps to one lane cell, and can go straight to the middle of that. */
-    private boolean isOnLane(TrafficRobot m, BitSet blockedCells) {
-      Pose pose = m.releasedEnd();
+    private boolean isOnLane(TrafficRobot robot, BitSet blockedCells) {
+      Pose pose = robot.releasedEnd();
       Cell cell = lanes.lattice().cellAt(pose.position());
       Vec2 aside = pose.position().minus(lanes.lattice().centre(cell));
-      double slack = lanes.lattice().resolution() / 2 - m.radius + 1e-9;
+      double slack = lanes.lattice().resolution() / 2 - robot.radius() + 1e-9;
       return lanes.lattice().contains(cell)
           && Math.max(Math.abs(aside.x()), Math.abs(aside.y())) <= slack
           && !SweptCells.alongLine(
-                  freeSpace.grid(), pose.position(), lanes.lattice().centre(cell), m.radius)
+                  freeSpace.grid(), pose.position(), lanes.lattice().centre(cell), robot.radius())
               .intersects(blockedCells);
     }
 
     /** Closes what others have or will need. */
     private RoadGraph buildRoads() {
       blocked = (BitSet) freeSpace.blocked().clone();
-      for (TrafficRobot m : robots) {
-        if (!planned.contains(m)) {
-          m.addClaimedTo(blocked);
+      for (TrafficRobot robot : robots) {
+        if (!planned.contains(robot)) {
+          robot.addClaimedTo(blocked);
         }
       }
       planned.forEach(
-          m ->
-              SweptCells.at(freeSpace.grid(), m.releasedEnd().position(), m.radius)
+          robot ->
+              SweptCells.at(freeSpace.grid(), robot.releasedEnd().position(), robot.radius())
                   .forEach(blocked::clear));
       return lanes.roads(blocked);
     }
@@ -212,100 +216,99 @@ final class LanePlanner {
       places = new HashMap<>();
       sectionsToPlaces = new HashMap<>();
       List<TrafficRobot> aside = new ArrayList<>();
-      for (TrafficRobot m : planned) {
-        Cell cell = lanes.lattice().cellAt(m.releasedEnd().position());
-        if (!isOnLane(m, blocked)
+      for (TrafficRobot robot : planned) {
+        Cell cell = lanes.lattice().cellAt(robot.releasedEnd().position());
+        if (!isOnLane(robot, blocked)
             || roads.vertex(cell) == RoadGraph.NONE
             || places.containsValue(cell)) {
-          aside.add(m);
+          aside.add(robot);
         } else {
-          places.put(m, cell);
+          places.put(robot, cell);
         }
       }
       BitSet swept = new BitSet();
       boolean all = true;
-      for (TrafficRobot m : aside) {
-        if (!assignPlace(m, swept)) {
-          planned.remove(m);
+      for (TrafficRobot robot : aside) {
+        if (!assignPlace(robot, swept)) {
+          planned.remove(robot);
           all = false;
         }
       }
       return all;
     }
 
-    private boolean assignPlace(TrafficRobot m, BitSet swept) {
-      Pose from = m.releasedEnd();
-      for (Cell cell : lanes.near(from.position())) {
+    private boolean assignPlace(TrafficRobot robot, BitSet swept) {
+      Pose from = robot.releasedEnd();
+      for (Cell cell : lanes.cellsAround(from.position())) {
         if (roads.vertex(cell) == RoadGraph.NONE || places.containsValue(cell)) {
           continue;
         }
         List<Waypoint> middle = List.of(new Waypoint(lanes.lattice().centre(cell), false));
         double length = lanes.lattice().resolution();
-        List<Section> sections = fitter.fit(m, from, middle, length, new PassingPlaces.OnlyAtEnd());
-        if (sections.size() == 1 && canDrive(m, from, sections.getFirst(), swept)) {
+        List<Section> sections =
+            fitter.fit(robot, from, middle, length, new PassingPlaces.OnlyAtEnd());
+        if (sections.size() == 1 && canDrive(robot, from, sections.getFirst(), swept)) {
           sections.getFirst().cells().addTo(swept);
-          places.put(m, cell);
-          sectionsToPlaces.put(m, sections);
+          places.put(robot, cell);
+          sectionsToPlaces.put(robot, sections);
           return true;
         }
       }
       return false;
     }
 
-    private boolean canDrive(TrafficRobot m, Pose from, Section section, BitSet swept) {
+    private boolean canDrive(TrafficRobot robot, Pose from, Section section, BitSet swept) {
       BitSet blockedCells = (BitSet) blocked.clone();
-      m.standingCells().forEach(blockedCells::clear);
+      robot.standingCells().forEach(blockedCells::clear);
       return !section.cells().intersects(blockedCells)
           && !section.cells().intersects(swept)
-          && allocations.otherHolders(m, section.cells()).stream()
-              .allMatch(o -> !m.isDriving() && Clearance.isKept(m, from, section, o));
+          && allocations.otherHolders(robot, section.cells()).stream()
+              .allMatch(o -> !robot.drive.isDriving() && Clearance.isKept(robot, from, section, o));
     }
 
     /** How many that want to go somewhere would get nowhere by this. */
     int leftOutCount() {
-      long notPlanned = robots.stream().filter(m -> m.needsPath() && !planned.contains(m)).count();
+      long notPlanned =
+          robots.stream().filter(robot -> robot.needsPath() && !planned.contains(robot)).count();
       return goals.unreachableCount() + (int) notPlanned;
     }
 
     /** Whether no one that waits goes on, and none that wants nothing makes room. */
     boolean isStandingStill() {
       for (int i = 0; i < planned.size(); i++) {
-        TrafficRobot m = planned.get(i);
-        if ((m.needsPath() || m.goal == null) && starts[i] != goals.assigned()[i]) {
+        TrafficRobot robot = planned.get(i);
+        if ((robot.needsPath() || robot.goal() == null) && starts[i] != goals.assigned()[i]) {
           return false;
         }
       }
       return true;
     }
 
-    /** The ways of robots that are too large for these lanes, as if the others were not there. */
+    /** The paths of robots that are too large for these lanes, as if the others were not there. */
     private BitSet findWantedCells() {
       BitSet wanted = new BitSet();
-      for (TrafficRobot m : robots) {
-        boolean isTooLarge = m.formation() != null || m.radius > diameter / 2;
-        if (m.needsPath() && m.path == null && isTooLarge) {
-          m.wantedCells = new BitSet();
-          singleRobotPlanner
-              .pathAlone(m)
-              .ifPresent(sections -> sections.forEach(s -> s.cells().addTo(m.wantedCells)));
-          wanted.or(m.wantedCells);
+      for (TrafficRobot robot : robots) {
+        boolean isTooLarge = robot.formation() != null || robot.radius() > diameter / 2;
+        if (robot.needsPath() && robot.drive.path() == null && isTooLarge) {
+          robot.waiting.setWanted(singleRobotPlanner.pathAlone(robot).orElse(List.of()));
+          wanted.or(robot.waiting.wantedCells());
         }
       }
       return wanted;
     }
 
     void adopt(List<int[]> steps) {
-      for (TrafficRobot m : robots) {
-        if (!planned.contains(m) && m.isOnSharedPath()) {
-          m.freeUnreleased();
+      for (TrafficRobot robot : robots) {
+        if (!planned.contains(robot) && robot.drive.isOnSharedPath()) {
+          robot.freeUnreleased();
         }
       }
-      for (TrafficRobot m : planned) {
-        List<Section> sections = sectionsToPlaces.get(m);
+      for (TrafficRobot robot : planned) {
+        List<Section> sections = sectionsToPlaces.get(robot);
         if (sections != null) {
-          m.continueOn(ReservedPath.independent(m.releasedEnd(), sections));
-          m.released += sections.size();
-          sections.forEach(s -> allocations.allocate(m, s.cells()));
+          robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
+          robot.drive.releaseAll();
+          sections.forEach(s -> allocations.allocate(robot, s.cells()));
         }
       }
       new JointPlan(lanes, blocked, roads, planned, steps).adopt(fitter);

@@ -6,7 +6,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
-/** Where a robot may come to stand on its way, so that a stretch may end there. */
+/** Where a robot may come to stand on its path, so that a section may end there. */
 sealed interface PassingPlaces {
 
   /**
@@ -17,7 +17,7 @@ sealed interface PassingPlaces {
   List<Double> distancesAlong(Vec2 from, Vec2 forward, double length);
 
   /**
-   * Whether a stretch may end at a point.
+   * Whether a section may end at a point.
    *
    * @param covered metres from where it began
    */
@@ -76,7 +76,7 @@ sealed interface PassingPlaces {
     }
   }
 
-  /** Not before the end of the way. */
+  /** Not before the end of the path. */
   record OnlyAtEnd() implements PassingPlaces {
     @Override
     public List<Double> distancesAlong(Vec2 from, Vec2 forward, double length) {

@@ -7,7 +7,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.motion.Segment;
 
 /**
- * The rest of a robot's way as a line, map frame.
+ * The rest of a robot's path as a line, map frame.
  *
  * @param released how many of the points it may drive to
  */
@@ -23,7 +23,7 @@ public record RemainingPath(List<Vec2> points, int released) {
   }
 
   /**
-   * @param done so many stretches are completed; the robot is on the next one
+   * @param done so many sections are completed; the robot is on the next one
    */
   static RemainingPath of(ReservedPath path, int done, int released, Pose now) {
     List<Vec2> points = new ArrayList<>(List.of(now.position()));
@@ -38,7 +38,7 @@ public record RemainingPath(List<Vec2> points, int released) {
     return new RemainingPath(points, releasedPoints);
   }
 
-  /** One stretch, from where it begins. */
+  /** One section, from where it begins. */
   private static List<Vec2> line(ReservedPath path, int section) {
     Pose pose = path.poseAfter(section);
     List<Vec2> line = new ArrayList<>(List.of(pose.position()));

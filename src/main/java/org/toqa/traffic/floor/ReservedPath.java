@@ -10,16 +10,16 @@ import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
 /**
- * A robot's way in stretches. The last part of it may come from a plan for all robots; then it
+ * A robot's path in sections. The last part of it may come from a plan for all robots; then it
  * knows the cells that it visits, and for each visit who must have left the cell before.
  *
  * @param start where it begins, map frame
  * @param sections in order
- * @param inherited how many stretches come from earlier plans and were released then
+ * @param inherited how many sections come from earlier plans and were released then
  * @param lattice whose cells the visits are
- * @param visits the cells visited from {@code base} on, the first being where that part begins;
- *     empty for a way that meets nobody's
- * @param visitAtEnd by stretch from {@code base} on: the index of the visit at its end
+ * @param visits the cells visited from {@code inherited} on, the first being where that part
+ *     begins; empty for a path that meets nobody's
+ * @param visitAtEnd by section from {@code inherited} on: the index of the visit at its end
  * @param dependencies by visit: who was there before, or null
  */
 record ReservedPath(
@@ -31,7 +31,7 @@ record ReservedPath(
     List<Integer> visitAtEnd,
     List<@Nullable Dependency> dependencies) {
 
-  /** Another robot must have gone on from the visit of that index on that course of its. */
+  /** Another robot must have gone on from the visit of that index on that path of its. */
   record Dependency(String robot, int pathNumber, int visit) {}
 
   ReservedPath {
@@ -53,19 +53,19 @@ record ReservedPath(
     return new Trajectory(start, segmentsFrom(0));
   }
 
-  /** The segments of the stretches from {@code from} on. */
+  /** The segments of the sections from {@code from} on. */
   List<Segment> segmentsFrom(int from) {
     List<Segment> segments = new ArrayList<>();
     sections.subList(from, sectionCount()).forEach(s -> segments.addAll(s.segments()));
     return segments;
   }
 
-  /** How many segments the first {@code count} stretches have. */
+  /** How many segments the first {@code count} sections have. */
   int segmentCount(int count) {
     return sections.subList(0, count).stream().mapToInt(s -> s.segments().size()).sum();
   }
 
-  /** How many stretches are complete when {@code segments} segments are. */
+  /** How many sections are complete when {@code segments} segments are. */
   int completedSections(int segments) {
     int left = segments;
     int count = 0;
@@ -75,7 +75,7 @@ record ReservedPath(
     return count;
   }
 
-  /** Where the robot stands after the first {@code count} stretches. */
+  /** Where the robot stands after the first {@code count} sections. */
   Pose poseAfter(int count) {
     return count == 0 ? start : sections.get(count - 1).end();
   }
@@ -84,7 +84,7 @@ record ReservedPath(
     return poseAfter(sectionCount());
   }
 
-  /** The index of the visit where the robot is after {@code count} stretches. */
+  /** The index of the visit where the robot is after {@code count} sections. */
   int visitAfterSections(int count) {
     return count <= inherited ? 0 : visitAtEnd.get(count - inherited - 1);
   }
@@ -94,7 +94,7 @@ record ReservedPath(
     return !visits.isEmpty();
   }
 
-  /** Its first {@code count} stretches, and then the whole of another course. */
+  /** Its first {@code count} sections, and then the whole of another path. */
   ReservedPath continuedWith(int count, ReservedPath next) {
     List<Section> joined = new ArrayList<>(sections.subList(0, count));
     joined.addAll(next.sections);
@@ -106,7 +106,7 @@ record ReservedPath(
     return new ReservedPath(start, sections, inherited, lattice, visits, visitAtEnd, others);
   }
 
-  /** The same visits in the same order, from stretch {@code count} on driven in other stretches. */
+  /** The same visits in the same order, from section {@code count} on driven in other sections. */
   ReservedPath withSectionsFrom(int count, List<Section> newSections, List<Integer> newVisits) {
     List<Section> joined = new ArrayList<>(sections.subList(0, count));
     joined.addAll(newSections);

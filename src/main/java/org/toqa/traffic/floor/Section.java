@@ -5,8 +5,8 @@ import org.toqa.geometry.Pose;
 import org.toqa.motion.Segment;
 
 /**
- * The unit of reservation: a piece of a way that is released as a whole, and at whose end the robot
- * can stand.
+ * The unit of reservation: a piece of a path that is released as a whole, and at whose end the
+ * robot can stand.
  *
  * @param segments what is driven
  * @param end where the robot then stands, map frame

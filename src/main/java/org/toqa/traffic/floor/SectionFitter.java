@@ -10,7 +10,7 @@ import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
 
 /**
- * Makes stretches of a way: fits the segments, cuts the straights where the robot may stand, and
+ * Makes sections of a path: fits the segments, cuts the straights where the robot may stand, and
  * gathers what lies between two such places.
  */
 final class SectionFitter {
@@ -26,7 +26,7 @@ final class SectionFitter {
       List<Waypoint> waypoints,
       double cornerLength,
       PassingPlaces passingPlaces) {
-    SegmentFitter segments = new SegmentFitter(robot.speeds, cornerLength);
+    SegmentFitter segments = new SegmentFitter(robot.speeds(), cornerLength);
     Double heading =
         waypoints.isEmpty() ? null : robot.requiredHeadingAt(waypoints.getLast().position());
     return split(
@@ -55,7 +55,7 @@ final class SectionFitter {
     return sections;
   }
 
-  /** What belongs to the next stretch. */
+  /** What belongs to the next section. */
   private static final class OpenSection {
     final List<Segment> segments = new ArrayList<>();
     CellSet cells = CellSet.NONE;

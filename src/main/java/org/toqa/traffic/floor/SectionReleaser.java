@@ -13,13 +13,13 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.floor.ReservedPath.Dependency;
 
 /**
- * Lets robots go on: a stretch is released when no other robot holds a cell of it and whoever comes
+ * Lets robots go on: a section is released when no cell of it is another robot's and whoever comes
  * before has left.
  */
 final class SectionReleaser {
   private static final Duration SPLIT_CORNER_AFTER = Duration.ofMillis(500);
 
-  /** Released ahead of a robot: at least so many stretches, and so many seconds of driving. */
+  /** Released ahead of a robot: at least so many sections, and so many seconds of driving. */
   private static final int SECTIONS_AHEAD = 2;
 
   private static final double SECONDS_AHEAD = 3;
@@ -35,43 +35,41 @@ final class SectionReleaser {
     this.allocations = allocations;
   }
 
-  void release(TrafficRobot m, Instant now) {
-    ReservedPath path = m.path;
-    if (path == null || !m.movable || m.stalled) {
+  void release(TrafficRobot robot, Instant now) {
+    ReservedPath path = robot.drive.path();
+    if (path == null || !robot.isMovable() || robot.isStalled()) {
       return;
     }
-    while (m.released < path.sectionCount() && !isEnoughAhead(m, path)) {
-      if (!canEnter(m, path, m.released)) {
-        if (!hasWaited(m, now) || !splitCorner(m, path)) {
+    while (robot.drive.released() < path.sectionCount() && !isEnoughAhead(robot, path)) {
+      if (!canEnter(robot, path, robot.drive.released())) {
+        if (!hasWaited(robot, now) || !splitCorner(robot, path)) {
           return;
         }
-        path = Objects.requireNonNull(m.path);
+        path = Objects.requireNonNull(robot.drive.path());
         continue;
       }
-      if (m.completed == m.released) {
-        m.lastProgress = now;
-      }
-      allocations.allocate(m, path.sections().get(m.released).cells());
-      m.released++;
-      m.blockedSince = null;
-      m.blockedReason = null;
+      allocations.allocate(robot, path.sections().get(robot.drive.released()).cells());
+      robot.drive.releaseNext(now);
+      robot.waiting.unblock();
     }
   }
 
-  private static boolean isEnoughAhead(TrafficRobot m, ReservedPath path) {
+  private static boolean isEnoughAhead(TrafficRobot robot, ReservedPath path) {
     double seconds = 0;
-    for (int i = m.completed; i < m.released; i++) {
+    for (int i = robot.drive.completed(); i < robot.drive.released(); i++) {
       seconds += path.sections().get(i).duration();
     }
-    return m.released - m.completed >= SECTIONS_AHEAD && seconds >= SECONDS_AHEAD;
+    return robot.drive.released() - robot.drive.completed() >= SECTIONS_AHEAD
+        && seconds >= SECONDS_AHEAD;
   }
 
-  private boolean canEnter(TrafficRobot m, ReservedPath path, int index) {
+  private boolean canEnter(TrafficRobot robot, ReservedPath path, int index) {
     Section section = path.sections().get(index);
     Vec2 where = section.end().position();
-    for (TrafficRobot other : allocations.otherHolders(m, section.cells())) {
-      if (m.isDriving() || !Clearance.isKept(m, m.releasedEnd(), section, other)) {
-        m.blockedReason = new WaitReason.RobotPassing(other.name, where);
+    for (TrafficRobot other : allocations.otherHolders(robot, section.cells())) {
+      if (robot.drive.isDriving()
+          || !Clearance.isKept(robot, robot.releasedEnd(), section, other)) {
+        robot.waiting.setBlockedReason(new WaitReason.RobotPassing(other.name, where));
         return false;
       }
     }
@@ -82,7 +80,7 @@ final class SectionReleaser {
     for (int v = path.visitAfterSections(index) + 1; v <= last; v++) {
       Dependency dependency = path.dependencies().get(v);
       if (dependency != null && !isOver(dependency)) {
-        m.blockedReason = new WaitReason.RobotPassing(dependency.robot(), where);
+        robot.waiting.setBlockedReason(new WaitReason.RobotPassing(dependency.robot(), where));
         return false;
       }
     }
@@ -92,28 +90,25 @@ final class SectionReleaser {
   private boolean isOver(Dependency dependency) {
     TrafficRobot other = robots.get(dependency.robot());
     return other == null
-        || other.pathNumber != dependency.pathNumber()
-        || other.path == null
-        || other.path.visitAfterSections(other.completed) > dependency.visit();
+        || other.drive.pathNumber() != dependency.pathNumber()
+        || other.drive.path() == null
+        || other.drive.path().visitAfterSections(other.drive.completed()) > dependency.visit();
   }
 
-  /** Whether it has stood before the stretch for a little. */
-  private static boolean hasWaited(TrafficRobot m, Instant now) {
-    if (m.completed < m.released) {
+  /** Whether it has stood before the section for a little. */
+  private static boolean hasWaited(TrafficRobot robot, Instant now) {
+    if (robot.drive.completed() < robot.drive.released()) {
       return false;
     }
-    if (m.blockedSince == null) {
-      m.blockedSince = now;
-    }
-    return m.blockedSince.plus(SPLIT_CORNER_AFTER).isBefore(now);
+    return robot.waiting.blockedSince(now).plus(SPLIT_CORNER_AFTER).isBefore(now);
   }
 
   /**
    * A corner that is rounded needs the cells before and behind it at once; a robot that has waited
    * for both drives up to the corner, turns there on the spot, and so needs one at a time.
    */
-  private boolean splitCorner(TrafficRobot m, ReservedPath path) {
-    int index = m.released;
+  private boolean splitCorner(TrafficRobot robot, ReservedPath path) {
+    int index = robot.drive.released();
     OccupancyGrid lattice = path.lattice();
     if (lattice == null || index < path.inherited()) {
       return false;
@@ -129,12 +124,10 @@ final class SectionReleaser {
         JointPlan.waypointsFromCentre(lattice, visits, from, v -> v > from && v < until);
     List<Section> sections =
         fitter.fit(
-            m, pose, waypoints, lattice.resolution(), new PassingPlaces.CellCentres(lattice));
-    m.path =
-        path.withSectionsFrom(
-            index, sections, JointPlan.visitsAtEnds(lattice, pose, sections, visits, from));
-    m.isChangeUnsent = true;
-    m.blockedSince = null;
+            robot, pose, waypoints, lattice.resolution(), new PassingPlaces.CellCentres(lattice));
+    robot.drive.replaceUnreleased(
+        sections, JointPlan.visitsAtEnds(lattice, pose, sections, visits, from));
+    robot.waiting.restartBlocked();
     return true;
   }
 }

@@ -1,17 +1,12 @@
 package org.toqa.traffic.floor;
 
-import static java.util.Comparator.comparingDouble;
-
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collection;
-import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
@@ -28,10 +23,10 @@ import org.toqa.planning.PlanResult;
 import org.toqa.traffic.RoadGraph;
 
 /**
- * A robot's own shortest way in eight headings, smooth, as if it were alone or round the others.
+ * A robot's own shortest path in eight headings, smooth, as if it were alone or round the others.
  */
 final class SingleRobotPlanner {
-  /** So many cells beside the robot and its goal its way over cells may begin and end. */
+  /** So many cells beside the robot and its goal its path over cells may begin and end. */
   private static final int BESIDE = 2;
 
   /** So many lane cells from its goal a robot may go straight there, in any heading. */
@@ -51,35 +46,39 @@ final class SingleRobotPlanner {
     this.formationPlanner = new FormationPlanner(freeSpace.grid(), fitter);
   }
 
-  /** As if no other robot were there; empty where the floor has no way. */
-  Optional<List<Section>> pathAlone(TrafficRobot m) {
-    Cell goal = m.goalCell();
+  /** As if no other robot were there; empty where the floor has no path. */
+  Optional<List<Section>> pathAlone(TrafficRobot robot) {
+    Cell goal = robot.goalCell();
     if (goal == null) {
       return Optional.empty();
     }
-    FormationFootprint formation = m.formation();
+    FormationFootprint formation = robot.formation();
     if (formation != null) {
-      return formationPath(m, formation, freeSpace.blocked());
+      return formationPath(robot, formation, freeSpace.blocked());
     }
-    OccupancyGrid free = freeSpace.freeCells(m.radius, new BitSet(), List.of(), m.releasedCell());
-    return fittedPath(alone, free, m, goal, sections -> true);
+    OccupancyGrid free =
+        freeSpace.freeCells(robot.radius(), new BitSet(), List.of(), robot.releasedCell());
+    return fittedPath(alone, free, robot, goal, sections -> true);
   }
 
   /** As if all other robots made room that can. */
-  Optional<List<Section>> pathAroundNotMovable(TrafficRobot m, Collection<TrafficRobot> robots) {
+  Optional<List<Section>> pathAroundNotMovable(
+      TrafficRobot robot, Collection<TrafficRobot> robots) {
     BitSet notMovable = new BitSet();
-    robots.stream().filter(o -> o != m && !o.movable).forEach(o -> o.addClaimedTo(notMovable));
-    return notMovable.isEmpty() ? pathAlone(m) : pathAmong(m, robots, notMovable);
+    robots.stream()
+        .filter(o -> o != robot && !o.isMovable())
+        .forEach(o -> o.addClaimedTo(notMovable));
+    return notMovable.isEmpty() ? pathAlone(robot) : pathAmong(robot, robots, notMovable);
   }
 
-  /** The points of its way, were there neither robots nor obstacles; empty where there is none. */
-  List<Vec2> pointsWithoutObstacles(TrafficRobot m) {
-    Cell goal = m.goalCell();
+  /** The points of its path, were there neither robots nor obstacles; empty where there is none. */
+  List<Vec2> pointsWithoutObstacles(TrafficRobot robot) {
+    Cell goal = robot.goalCell();
     OccupancyGrid grid = freeSpace.grid();
-    OccupancyGrid free = freeSpace.freeOfWalls(m.radius);
+    OccupancyGrid free = freeSpace.freeOfWalls(robot.radius());
     return goal == null
         ? List.of()
-        : path(alone, free, entry(free, m), goal).stream()
+        : path(alone, free, entry(free, robot), goal).stream()
             .flatMap(path -> path.cells().stream())
             .map(grid::centre)
             .toList();
@@ -91,27 +90,27 @@ final class SingleRobotPlanner {
    * @param claimed the cells that others have or will need
    */
   Optional<List<Section>> pathAmong(
-      TrafficRobot m, Collection<TrafficRobot> others, BitSet claimed) {
-    Cell goal = m.goalCell();
-    FormationFootprint formation = m.formation();
+      TrafficRobot robot, Collection<TrafficRobot> others, BitSet claimed) {
+    Cell goal = robot.goalCell();
+    FormationFootprint formation = robot.formation();
     if (goal == null) {
       return Optional.empty();
     }
     if (formation != null) {
       BitSet blocked = (BitSet) freeSpace.blocked().clone();
       blocked.or(claimed);
-      return formationPath(m, formation, blocked);
+      return formationPath(robot, formation, blocked);
     }
-    return pathAmong(m, others, claimed, (free, start) -> goal);
+    return pathAmong(robot, others, claimed, (free, start) -> goal);
   }
 
   /** What it touches already it may leave. */
   private Optional<List<Section>> formationPath(
-      TrafficRobot m, FormationFootprint formation, BitSet cells) {
+      TrafficRobot robot, FormationFootprint formation, BitSet cells) {
     BitSet blocked = (BitSet) cells.clone();
-    m.cellsAt(m.releasedEnd()).forEach(blocked::clear);
-    Vec2 goal = m.goal;
-    return goal == null ? Optional.empty() : formationPlanner.path(m, formation, goal, blocked);
+    robot.cellsAt(robot.releasedEnd()).forEach(blocked::clear);
+    Vec2 goal = robot.goal();
+    return goal == null ? Optional.empty() : formationPlanner.path(robot, formation, goal, blocked);
   }
 
   /**
@@ -120,11 +119,14 @@ final class SingleRobotPlanner {
    * @param left what it has to leave
    */
   Optional<List<Section>> pathOutOf(
-      TrafficRobot m, Collection<TrafficRobot> others, BitSet claimed, BitSet left) {
-    return m.formation() != null
+      TrafficRobot robot, Collection<TrafficRobot> others, BitSet claimed, BitSet left) {
+    return robot.formation() != null
         ? Optional.empty()
         : pathAmong(
-            m, others, claimed, (free, start) -> nearestOutside(free, start, m.radius, left));
+            robot,
+            others,
+            claimed,
+            (free, start) -> nearestOutside(free, start, robot.radius(), left));
   }
 
   /** Where to go on a floor, if anywhere. */
@@ -135,115 +137,113 @@ final class SingleRobotPlanner {
   private @Nullable Cell nearestOutside(
       OccupancyGrid free, Cell start, double radius, BitSet left) {
     RoadGraph roads = new RoadGraph(free);
-    BitSet seen = new BitSet();
-    Deque<Integer> queue = new ArrayDeque<>();
-    queue.add(roads.vertex(start));
-    while (!queue.isEmpty()) {
-      int vertex = queue.poll();
-      Cell cell = roads.cell(vertex);
-      if (!SweptCells.at(free, free.centre(cell), radius).intersects(left)) {
-        return cell;
-      }
-      for (int d = 0; d < RoadGraph.DIRECTIONS; d++) {
-        int next = roads.neighbour(vertex, d);
-        if (next != RoadGraph.NONE && !seen.get(next)) {
-          seen.set(next);
-          queue.add(next);
-        }
-      }
-    }
-    return null;
+    int[] found = {RoadGraph.NONE};
+    roads.visitByDistance(
+        roads.vertex(start),
+        (vertex, steps) -> {
+          Vec2 centre = free.centre(roads.cell(vertex));
+          found[0] = SweptCells.at(free, centre, radius).intersects(left) ? RoadGraph.NONE : vertex;
+          return found[0] == RoadGraph.NONE;
+        });
+    return found[0] == RoadGraph.NONE ? null : roads.cell(found[0]);
   }
 
   private Optional<List<Section>> pathAmong(
-      TrafficRobot m, Collection<TrafficRobot> others, BitSet claimed, GoalChoice aim) {
-    List<TrafficRobot> touching = touchingRobots(m, others);
+      TrafficRobot robot, Collection<TrafficRobot> others, BitSet claimed, GoalChoice aim) {
+    List<TrafficRobot> touching = touchingRobots(robot, others);
     BitSet taken = claimed;
     if (!touching.isEmpty()) {
       taken = (BitSet) claimed.clone();
-      m.standingCells().forEach(taken::clear);
+      robot.standingCells().forEach(taken::clear);
     }
     BitSet notOwn = taken;
     List<PlacedDisc> discs = touching.stream().flatMap(o -> o.discs().stream()).toList();
-    OccupancyGrid free = freeSpace.freeCells(m.radius, notOwn, discs, m.releasedCell());
-    Cell goal = aim.from(free, entry(free, m));
+    OccupancyGrid free = freeSpace.freeCells(robot.radius(), notOwn, discs, robot.releasedCell());
+    Cell goal = aim.from(free, entry(free, robot));
     if (goal == null) {
       return Optional.empty();
     }
     return fittedPath(
-        amongOthers, free, m, goal, sections -> isClearOfRobots(m, sections, touching, notOwn));
+        amongOthers,
+        free,
+        robot,
+        goal,
+        sections -> isClearOfRobots(robot, sections, touching, notOwn));
   }
 
   /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */
   private Optional<List<Section>> fittedPath(
       PathPlanner planner,
       OccupancyGrid free,
-      TrafficRobot m,
+      TrafficRobot robot,
       Cell goal,
       Predicate<List<Section>> isAcceptable) {
-    Predicate<List<Section>> isClearAndRight = way -> isClear(m, way) && isAcceptable.test(way);
-    return straightToGoal(m, goal)
-        .flatMap(way -> firstFit(m, way, isClearAndRight))
+    Predicate<List<Section>> isClearAndRight =
+        sections -> isClear(robot, sections) && isAcceptable.test(sections);
+    return straightToGoal(robot, goal)
+        .flatMap(waypoints -> firstFit(robot, waypoints, isClearAndRight))
         .or(
             () ->
-                waypoints(planner, free, m, goal)
+                waypoints(planner, free, robot, goal)
                     .flatMap(
-                        way ->
-                            firstFit(m, way, isClearAndRight)
+                        waypoints ->
+                            firstFit(robot, waypoints, isClearAndRight)
                                 .or(
                                     () ->
                                         firstFit(
-                                            m, viaCellCentre(free, m, way), isClearAndRight))));
+                                            robot,
+                                            viaCellCentre(free, robot, waypoints),
+                                            isClearAndRight))));
   }
 
   /** From beside the middle of a cell the next one may lie behind a corner; from the middle not. */
   private List<Waypoint> viaCellCentre(
-      OccupancyGrid free, TrafficRobot m, List<Waypoint> waypoints) {
+      OccupancyGrid free, TrafficRobot robot, List<Waypoint> waypoints) {
     List<Waypoint> longer = new ArrayList<>(waypoints);
-    longer.addFirst(new Waypoint(freeSpace.grid().centre(entry(free, m)), true));
+    longer.addFirst(new Waypoint(freeSpace.grid().centre(entry(free, robot)), true));
     return longer;
   }
 
   /** In an aisle hardly wider than the robot no cell's middle may be far enough from the walls. */
-  private Optional<List<Waypoint>> straightToGoal(TrafficRobot m, Cell goal) {
-    Vec2 point = m.goal;
-    int side = LaneGrid.side(freeSpace.grid(), 2 * m.radius);
+  private Optional<List<Waypoint>> straightToGoal(TrafficRobot robot, Cell goal) {
+    Vec2 point = robot.goal();
+    int side = LaneGrid.side(freeSpace.grid(), 2 * robot.radius());
     double near = NEAR * side * freeSpace.grid().resolution();
     return side > 1
             && point != null
-            && goal.equals(m.goalCell())
-            && m.releasedEnd().position().distanceTo(point) < near
+            && goal.equals(robot.goalCell())
+            && robot.releasedEnd().position().distanceTo(point) < near
         ? Optional.of(List.of(new Waypoint(point, false)))
         : Optional.empty();
   }
 
   /** Robots so near to it that they touch the same cell. */
   private static List<TrafficRobot> touchingRobots(
-      TrafficRobot m, Collection<TrafficRobot> others) {
-    if (m.isDriving()) {
+      TrafficRobot robot, Collection<TrafficRobot> others) {
+    if (robot.drive.isDriving()) {
       return List.of();
     }
     BitSet under = new BitSet();
-    m.standingCells().addTo(under);
-    return others.stream().filter(o -> o != m && o.standingCells().intersects(under)).toList();
+    robot.standingCells().addTo(under);
+    return others.stream().filter(o -> o != robot && o.standingCells().intersects(under)).toList();
   }
 
   /**
-   * Whether it touches nothing that stands fast. What it touches already, as it may have been
+   * Whether it touches no wall and no obstacle. What it touches already, as it may have been
    * stopped anywhere and stands a little beside where it should, it comes no nearer to.
    */
-  private boolean isClear(TrafficRobot m, List<Section> sections) {
+  private boolean isClear(TrafficRobot robot, List<Section> sections) {
     OccupancyGrid grid = freeSpace.grid();
-    Pose pose = m.releasedEnd();
+    Pose pose = robot.releasedEnd();
     BitSet touched = new BitSet();
-    SweptCells.at(grid, pose.position(), m.radius).addTo(touched);
+    SweptCells.at(grid, pose.position(), robot.radius()).addTo(touched);
     touched.and(freeSpace.blocked());
     if (touched.isEmpty()) {
       return isClearOf(sections, freeSpace.blocked());
     }
     BitSet others = (BitSet) freeSpace.blocked().clone();
     others.andNot(touched);
-    double gap = m.radius;
+    double gap = robot.radius();
     for (int i = touched.nextSetBit(0); i >= 0; i = touched.nextSetBit(i + 1)) {
       gap = Math.min(gap, Disc.distanceToCell(grid, pose.position(), grid.cell(i)));
     }
@@ -251,7 +251,7 @@ final class SingleRobotPlanner {
         && isClearOf(pose, sections, Math.max(gap - ROUNDING, ROUNDING), touched);
   }
 
-  /** Whether a disc of some radius on that way, which begins at a pose, touches no such cell. */
+  /** Whether a disc of some radius on that path, which begins at a pose, touches no such cell. */
   private boolean isClearOf(Pose start, List<Section> sections, double radius, BitSet cells) {
     Pose pose = start;
     for (Section section : sections) {
@@ -266,30 +266,30 @@ final class SingleRobotPlanner {
   }
 
   private static boolean isClearOfRobots(
-      TrafficRobot m, List<Section> sections, List<TrafficRobot> touching, BitSet taken) {
+      TrafficRobot robot, List<Section> sections, List<TrafficRobot> touching, BitSet taken) {
     return isClearOf(sections, taken)
         && touching.stream()
-            .allMatch(o -> Clearance.isKept(m, m.releasedEnd(), sections.getFirst(), o));
+            .allMatch(o -> Clearance.isKept(robot, robot.releasedEnd(), sections.getFirst(), o));
   }
 
   private static boolean isClearOf(List<Section> sections, BitSet cells) {
     return sections.stream().noneMatch(s -> s.cells().intersects(cells));
   }
 
-  /** Where the way of a robot bends and ends; empty where there is none. */
+  /** Where the path of a robot bends and ends; empty where there is none. */
   private Optional<List<Waypoint>> waypoints(
-      PathPlanner planner, OccupancyGrid free, TrafficRobot m, Cell goal) {
+      PathPlanner planner, OccupancyGrid free, TrafficRobot robot, Cell goal) {
     OccupancyGrid grid = freeSpace.grid();
-    Cell entry = entry(free, m);
-    Cell exit = exit(free, m, goal);
+    Cell entry = entry(free, robot);
+    Cell exit = exit(free, robot, goal);
     List<Waypoint> waypoints = new ArrayList<>();
-    if (!entry.equals(m.releasedCell())) {
+    if (!entry.equals(robot.releasedCell())) {
       waypoints.add(new Waypoint(grid.centre(entry), false));
     }
     Optional<Path> path = path(planner, free, entry, exit);
     path.ifPresent(p -> waypoints.addAll(p.waypoints(grid)));
-    if (!exit.equals(goal) && m.goal != null) {
-      waypoints.add(new Waypoint(m.goal, false));
+    if (!exit.equals(goal) && robot.goal() != null) {
+      waypoints.add(new Waypoint(robot.goal(), false));
     } else if (waypoints.isEmpty()) {
       waypoints.add(new Waypoint(grid.centre(goal), false)); // in its cell, not in the middle
     }
@@ -297,14 +297,14 @@ final class SingleRobotPlanner {
   }
 
   /**
-   * The cell in which its way over cells begins: where it stands, or beside that where the middle
+   * The cell in which its path over cells begins: where it stands, or beside that where the middle
    * of its cell is too near to something.
    */
-  private Cell entry(OccupancyGrid free, TrafficRobot m) {
-    Cell here = m.releasedCell();
-    return freeSpace.freeCells(m.radius).isFree(here) && isOpen(free, here)
+  private Cell entry(OccupancyGrid free, TrafficRobot robot) {
+    Cell here = robot.releasedCell();
+    return freeSpace.freeCells(robot.radius()).isFree(here) && isOpen(free, here)
         ? here
-        : nearestCell(m.releasedEnd().position(), here, c -> !c.equals(here) && free.isFree(c));
+        : nearestCell(robot.releasedEnd().position(), here, c -> !c.equals(here) && free.isFree(c));
   }
 
   private static boolean isOpen(OccupancyGrid free, Cell cell) {
@@ -314,25 +314,20 @@ final class SingleRobotPlanner {
         || free.isFree(cell.column(), cell.row() - 1);
   }
 
-  /** The cell in which its way over cells ends: that of the goal, or beside it likewise. */
-  private Cell exit(OccupancyGrid free, TrafficRobot m, Cell goal) {
-    Vec2 point = m.goal;
-    boolean isFine = LaneGrid.side(freeSpace.grid(), 2 * m.radius) > 1;
-    return isFine && !free.isFree(goal) && point != null && goal.equals(m.goalCell())
+  /** The cell in which its path over cells ends: that of the goal, or beside it likewise. */
+  private Cell exit(OccupancyGrid free, TrafficRobot robot, Cell goal) {
+    Vec2 point = robot.goal();
+    boolean isFine = LaneGrid.side(freeSpace.grid(), 2 * robot.radius()) > 1;
+    return isFine && !free.isFree(goal) && point != null && goal.equals(robot.goalCell())
         ? nearestCell(point, goal, free::isFree)
         : goal;
   }
 
   /** The cell nearest to a point, of those beside its cell that are right; else that one itself. */
   private Cell nearestCell(Vec2 point, Cell here, Predicate<Cell> isRight) {
-    return IntStream.rangeClosed(-BESIDE, BESIDE)
-        .boxed()
-        .flatMap(
-            row ->
-                IntStream.rangeClosed(-BESIDE, BESIDE)
-                    .mapToObj(column -> new Cell(here.column() + column, here.row() + row)))
+    return freeSpace.grid().cellsAround(point, BESIDE).stream()
         .filter(isRight)
-        .min(comparingDouble(cell -> freeSpace.grid().centre(cell).distanceTo(point)))
+        .findFirst()
         .orElse(here);
   }
 
@@ -345,26 +340,26 @@ final class SingleRobotPlanner {
 
   /** In wide arcs; where these touch something in narrow ones, and else turning on the spot. */
   private Optional<List<Section>> firstFit(
-      TrafficRobot m, List<Waypoint> waypoints, Predicate<List<Section>> isAcceptable) {
+      TrafficRobot robot, List<Waypoint> waypoints, Predicate<List<Section>> isAcceptable) {
     OccupancyGrid grid = freeSpace.grid();
-    int side = LaneGrid.side(grid, 2 * m.radius);
+    int side = LaneGrid.side(grid, 2 * robot.radius());
     double narrow = grid.resolution();
     PassingPlaces passingPlaces =
         side == 1 ? new PassingPlaces.CellCentres(grid) : new PassingPlaces.Spaced(side * narrow);
-    List<Waypoint> exact = side == 1 ? waypoints : endingAtGoal(m, waypoints);
+    List<Waypoint> exact = side == 1 ? waypoints : endingAtGoal(robot, waypoints);
     return Stream.<Supplier<List<Section>>>of(
-            () -> fitter.fit(m, m.releasedEnd(), exact, side * narrow, passingPlaces),
-            () -> fitter.fit(m, m.releasedEnd(), exact, narrow, passingPlaces),
-            () -> fitter.fit(m, m.releasedEnd(), stopping(exact), narrow, passingPlaces))
+            () -> fitter.fit(robot, robot.releasedEnd(), exact, side * narrow, passingPlaces),
+            () -> fitter.fit(robot, robot.releasedEnd(), exact, narrow, passingPlaces),
+            () -> fitter.fit(robot, robot.releasedEnd(), stopping(exact), narrow, passingPlaces))
         .map(Supplier::get)
         .filter(sections -> !sections.isEmpty())
         .filter(isAcceptable)
         .findFirst();
   }
 
-  /** The same way, ending at its goal itself if it ends in the cell of that. */
-  private List<Waypoint> endingAtGoal(TrafficRobot m, List<Waypoint> waypoints) {
-    Vec2 goal = m.goal;
+  /** The same path, ending at its goal itself if it ends in the cell of that. */
+  private List<Waypoint> endingAtGoal(TrafficRobot robot, List<Waypoint> waypoints) {
+    Vec2 goal = robot.goal();
     OccupancyGrid grid = freeSpace.grid();
     if (goal == null || !grid.cellAt(waypoints.getLast().position()).equals(grid.cellAt(goal))) {
       return waypoints;

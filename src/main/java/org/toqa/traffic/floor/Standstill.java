@@ -16,7 +16,7 @@ public record Standstill(Kind kind, List<String> robots, List<Cell> cells, Insta
   public enum Kind {
     /** Each of the robots waits for the next, and the last for the first. */
     CYCLE_OF_WAITS,
-    /** The robot may drive and has not got on for much longer than its way says. */
+    /** The robot may drive and has not got on for much longer than its path says. */
     NOT_MOVING
   }
 

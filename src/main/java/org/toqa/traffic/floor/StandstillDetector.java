@@ -13,14 +13,14 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.grid.Cell;
 
 /**
- * Watches what robots really do, whatever was planned: who has not moved for longer than its way
+ * Watches what robots really do, whatever was planned: who has not moved for longer than its path
  * says, and who waits for whom in a circle.
  */
 final class StandstillDetector {
   private static final Duration CYCLE_AFTER = Duration.ofSeconds(2);
   private static final Duration NOT_MOVING_AFTER = Duration.ofSeconds(10);
 
-  /** A robot may need so many times as long as its way says. */
+  /** A robot may need so many times as long as its path says. */
   private static final double SLOWNESS_FACTOR = 3;
 
   /** Cycles, by their robots, and when each was first seen. */
@@ -34,34 +34,34 @@ final class StandstillDetector {
     return standstills;
   }
 
-  /** Whether the robot has not gone on for much longer than its way says. */
-  static boolean isNotMoving(TrafficRobot m, Instant now) {
-    ReservedPath path = m.path;
-    if (path == null || !m.isDriving()) {
+  /** Whether the robot has not gone on for much longer than its path says. */
+  static boolean isNotMoving(TrafficRobot robot, Instant now) {
+    ReservedPath path = robot.drive.path();
+    if (path == null || !robot.drive.isDriving()) {
       return false;
     }
-    double planned = path.sections().get(m.completed).duration();
+    double planned = path.sections().get(robot.drive.completed()).duration();
     Duration patience = NOT_MOVING_AFTER.plusMillis((long) (1000 * SLOWNESS_FACTOR * planned));
-    return m.lastProgress.plus(patience).isBefore(now);
+    return robot.drive.lastProgress().plus(patience).isBefore(now);
   }
 
   /** Looks at all robots; a cycle counts once it has lasted. */
   void update(Collection<TrafficRobot> robots, Instant now) {
     Map<String, TrafficRobot> byName = new HashMap<>();
-    robots.forEach(m -> byName.put(m.name, m));
+    robots.forEach(robot -> byName.put(robot.name, robot));
     List<Standstill> seen = new ArrayList<>();
     Set<String> stalled = new HashSet<>();
-    for (TrafficRobot m : robots) {
-      if (m.stalled && m.movable) {
-        stalled.add(m.name);
-        Instant since = notMoving.computeIfAbsent(m.name, name -> now);
-        seen.add(standstill(Standstill.Kind.NOT_MOVING, List.of(m), since));
+    for (TrafficRobot robot : robots) {
+      if (robot.isStalled() && robot.isMovable()) {
+        stalled.add(robot.name);
+        Instant since = notMoving.computeIfAbsent(robot.name, name -> now);
+        seen.add(standstill(Standstill.Kind.NOT_MOVING, List.of(robot), since));
       }
     }
     notMoving.keySet().retainAll(stalled);
     Set<Set<String>> found = new HashSet<>();
-    for (TrafficRobot m : robots) {
-      List<TrafficRobot> cycle = cycleFrom(m, byName);
+    for (TrafficRobot robot : robots) {
+      List<TrafficRobot> cycle = cycleFrom(robot, byName);
       Set<String> names = new HashSet<>();
       cycle.forEach(c -> names.add(c.name));
       if (!cycle.isEmpty() && found.add(names)) {
@@ -78,7 +78,7 @@ final class StandstillDetector {
   private static Standstill standstill(
       Standstill.Kind kind, List<TrafficRobot> robots, Instant since) {
     List<Cell> cells = robots.stream().map(TrafficRobot::cell).toList();
-    return new Standstill(kind, robots.stream().map(m -> m.name).toList(), cells, since);
+    return new Standstill(kind, robots.stream().map(robot -> robot.name).toList(), cells, since);
   }
 
   /** The cycle of waits that the robot is the first of by name, or nothing. */
@@ -91,13 +91,13 @@ final class StandstillDetector {
       at = blockingRobot(at, byName);
     }
     boolean isCycle = at == first;
-    boolean isFirstByName = chain.stream().noneMatch(m -> m.name.compareTo(first.name) < 0);
+    boolean isFirstByName = chain.stream().noneMatch(robot -> robot.name.compareTo(first.name) < 0);
     return isCycle && isFirstByName ? chain : List.of();
   }
 
   private static @Nullable TrafficRobot blockingRobot(
-      TrafficRobot m, Map<String, TrafficRobot> byName) {
-    WaitReason reason = m.isDriving() ? null : m.waitReason();
+      TrafficRobot robot, Map<String, TrafficRobot> byName) {
+    WaitReason reason = robot.drive.isDriving() ? null : robot.waitReason();
     String other = reason == null ? null : reason.robot();
     return other == null ? null : byName.get(other);
   }

@@ -1,7 +1,9 @@
 package org.toqa.traffic.floor;
 
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.BitSet;
+import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -14,8 +16,9 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
 
-/** A robot in {@link FloorTraffic}: where it stands, what it has of the floor, where it goes. */
+/** A robot in {@link FloorTraffic}: where it stands, how large it is, where it goes. */
 final class TrafficRobot {
   /** So near to its goal, metres, a robot has arrived. */
   private static final double ARRIVED = 0.03;
@@ -31,74 +34,29 @@ final class TrafficRobot {
   /** Above 0, all different. */
   final int number;
 
+  /** What it drives by. */
+  final Drive drive;
+
+  /** What it waits for. */
+  final WaitState waiting = new WaitState();
+
   private final OccupancyGrid grid;
+  private Pose pose;
+  private double radius;
+  private DriveSpeeds speeds = DriveSpeeds.DEFAULT;
+  private boolean movable;
+  private @Nullable Vec2 goal;
 
-  Pose pose;
-  double radius;
-  DriveSpeeds speeds = DriveSpeeds.DEFAULT;
-  boolean movable;
-  @Nullable Vec2 goal;
-
-  /** How it shall face at its goal, radians; null: in any way. */
-  @Nullable Double goalHeading;
+  /** How it shall face at its goal, radians; null: in any heading. */
+  private @Nullable Double goalHeading;
 
   /** What drives with it as one; null: it drives alone. */
   private @Nullable FormationFootprint formation;
 
-  @Nullable ReservedPath path;
-
-  /** Counts its courses, so that a wait for an old one counts as over. */
-  int pathNumber;
-
-  /** Whether the robot was told to begin the course. */
-  boolean isDriveStarted;
-
-  /** So many stretches the robot was told that it may drive. */
-  int sentReleased;
-
-  /** Whether the robot does not know yet that its way goes on otherwise behind these. */
-  boolean isChangeUnsent;
-
-  /** Stretches of the course that are completed. */
-  int completed;
-
-  /** Stretches of the course that it may drive. */
-  int released;
-
-  /** Since when it stands short of its goal; null while it drives or wants nothing. */
-  @Nullable Instant waitingSince;
-
-  /** When it last completed a stretch or was given one to drive. */
-  Instant lastProgress;
-
-  /** Since when it stands before a stretch that it may not enter. */
-  @Nullable Instant blockedSince;
-
-  /** Whether it has not gone on for much longer than its way says. */
-  boolean stalled;
-
-  /** When its own smooth way was last looked for. */
-  Instant lastSinglePlan = Instant.MIN;
-
-  /** Why it has no way to its goal; null while it has. */
-  @Nullable WaitReason noPathReason;
-
-  /** When the hindrance was found. */
-  Instant noPathReasonFound = Instant.MIN;
-
-  /** Who has its goal, by the last plan for all. */
-  @Nullable String goalTakenBy;
-
-  /** Why it may not enter the next stretch of its way; null while it may. */
-  @Nullable WaitReason blockedReason;
-
-  /** The cells that a robot too large to be planned with the others waits for to become free. */
-  BitSet wantedCells = new BitSet();
+  /** Whether it has not gone on for much longer than its path takes. */
+  private boolean stalled;
 
   private CellSet standingCells;
-
-  /** Where its last way ended, which it came to but for what a robot is off its place. */
-  private @Nullable Pose lastPathEnd;
 
   TrafficRobot(String name, int number, OccupancyGrid grid, Pose pose, double radius, Instant now) {
     this.name = name;
@@ -106,8 +64,62 @@ final class TrafficRobot {
     this.grid = grid;
     this.pose = pose;
     this.radius = radius;
-    this.lastProgress = now;
+    this.drive = new Drive(now);
     this.standingCells = SweptCells.at(grid, pose.position(), radius);
+  }
+
+  /** Where it is, map frame. */
+  Pose pose() {
+    return pose;
+  }
+
+  /** Of its own disc, metres. */
+  double radius() {
+    return radius;
+  }
+
+  DriveSpeeds speeds() {
+    return speeds;
+  }
+
+  void setSpeeds(DriveSpeeds newSpeeds) {
+    speeds = newSpeeds;
+  }
+
+  /** Whether it can be told to move. */
+  boolean isMovable() {
+    return movable;
+  }
+
+  void setMovable(boolean newMovable) {
+    movable = newMovable;
+  }
+
+  boolean isStalled() {
+    return stalled;
+  }
+
+  void setStalled(boolean newStalled) {
+    stalled = newStalled;
+  }
+
+  /** Where it shall go, metres, map frame; null: nowhere. */
+  @Nullable Vec2 goal() {
+    return goal;
+  }
+
+  /**
+   * @param heading radians, map frame; null: in any heading
+   * @return whether that is another goal than before
+   */
+  boolean setGoal(@Nullable Vec2 newGoal, @Nullable Double heading, Instant now) {
+    if (Objects.equals(goal, newGoal) && Objects.equals(goalHeading, heading)) {
+      return false;
+    }
+    goal = newGoal;
+    goalHeading = heading;
+    waiting.restart(newGoal == null ? null : now);
+    return true;
   }
 
   void setPose(Pose newPose, double newRadius) {
@@ -154,7 +166,7 @@ final class TrafficRobot {
         : formation.sweptCells(grid, from, segment);
   }
 
-  /** How it shall face at a point; null: in any way. */
+  /** How it shall face at a point; null: in any heading. */
   @Nullable Double requiredHeadingAt(Vec2 point) {
     return goal != null && goalHeading != null && isAtGoalPoint(point) ? goalHeading : null;
   }
@@ -167,44 +179,41 @@ final class TrafficRobot {
   /** The cells that are its own now, in parts: where it stands, and all of what it may drive. */
   void forEachAllocated(Consumer<CellSet> consumer) {
     consumer.accept(standingCells);
-    ReservedPath reserved = path;
-    if (reserved != null) {
-      for (int i = Math.min(completed, released); i < released; i++) {
-        consumer.accept(reserved.sections().get(i).cells());
-      }
-      if (released > 0) {
-        consumer.accept(reserved.sections().get(released - 1).endCells());
-      }
-    }
+    drive.forEachAllocated(consumer);
   }
 
+  /** The same cells, as bits by their index. */
   BitSet allocatedCells() {
     BitSet cells = new BitSet();
     forEachAllocated(part -> part.addTo(cells));
     return cells;
   }
 
-  /** Adds the cells that it holds or will need. */
+  /** Adds the cells that it has or will need. */
   void addClaimedTo(BitSet cells) {
-    forEachAllocated(part -> part.addTo(cells));
-    ReservedPath reserved = path;
-    if (reserved != null) {
-      for (int i = released; i < reserved.sectionCount(); i++) {
-        reserved.sections().get(i).cells().addTo(cells);
-      }
-    }
+    standingCells.addTo(cells);
+    drive.forEachClaimed(part -> part.addTo(cells));
   }
 
-  /** Where it will stand when it has driven what is released, and where its way goes on. */
+  /** The cells, as bits by their index, that other robots have or will need. */
+  BitSet claimedByOthers(Collection<TrafficRobot> robots) {
+    BitSet claimed = new BitSet();
+    robots.stream().filter(other -> other != this).forEach(other -> other.addClaimedTo(claimed));
+    return claimed;
+  }
+
+  /** Where it will stand when it has driven what is released, and where its path goes on. */
   Pose releasedEnd() {
+    ReservedPath path = drive.path();
     if (path != null) {
-      return path.poseAfter(released);
+      return path.poseAfter(drive.released());
     }
     if (formation == null) {
       return pose;
     }
-    return lastPathEnd != null && FormationPlanner.isAtPlace(lastPathEnd, pose)
-        ? lastPathEnd
+    Pose last = drive.lastPathEnd();
+    return last != null && FormationPlanner.isAtPlace(last, pose)
+        ? last
         : FormationPlanner.start(grid, pose);
   }
 
@@ -218,7 +227,7 @@ final class TrafficRobot {
   }
 
   boolean isAtGoal() {
-    return goal != null && path == null && isGoal(pose);
+    return goal != null && drive.path() == null && isGoal(pose);
   }
 
   /** Whether who stands there stands at its goal, or where it fills a cell, in that of its goal. */
@@ -247,30 +256,25 @@ final class TrafficRobot {
     return goal == null ? null : grid.cellAt(goal);
   }
 
-  /** Wants to go somewhere and has no way there, or only one that ends short of it. */
+  /** Wants to go somewhere and has no path there, or only one that ends short of it. */
   boolean needsPath() {
-    return goal != null && movable && released == sectionCount() && !isGoal(releasedEnd());
+    return goal != null && movable && !drive.hasUnreleased() && !isGoal(releasedEnd());
   }
 
-  /** Wants to go somewhere, and is there or on its way. */
+  /** Wants to go somewhere, and is there or on its path there. */
   boolean hasPathToGoal() {
+    ReservedPath path = drive.path();
     return goal != null && isGoal(path == null ? pose : path.end());
   }
 
-  /** Whether what it has not been released yet needs one of the cells. */
-  boolean hasUnreleasedOn(BitSet cells) {
-    ReservedPath reserved = path;
-    return reserved != null
-        && reserved.sections().subList(released, reserved.sectionCount()).stream()
-            .anyMatch(s -> s.cells().intersects(cells));
-  }
-
-  /** Waits, and is served first: a group, which cannot step aside, then who waits longest. */
+  /** Waits, and is served first: a formation, which cannot step aside, then who waits longest. */
   boolean hasPrecedenceOver(TrafficRobot other) {
-    if (waitingSince == null || isFormation() != other.isFormation()) {
-      return waitingSince != null && isFormation();
+    Instant since = waiting.since();
+    if (since == null || isFormation() != other.isFormation()) {
+      return since != null && isFormation();
     }
-    return other.waitingSince == null || waitingSince.isBefore(other.waitingSince);
+    Instant otherSince = other.waiting.since();
+    return otherSince == null || since.isBefore(otherSince);
   }
 
   boolean isFormation() {
@@ -279,92 +283,54 @@ final class TrafficRobot {
 
   /** Why it does not get on; null while it does. */
   @Nullable WaitReason waitReason() {
-    if (noPathReason != null) {
-      return noPathReason;
+    WaitReason reason = waiting.noPathReason();
+    if (reason != null) {
+      return reason;
     }
-    return isDriving() ? null : blockedReason;
+    return drive.isDriving() ? null : waiting.blockedReason();
   }
 
-  private int sectionCount() {
-    return path == null ? released : path.sectionCount();
-  }
-
-  boolean isDriving() {
-    return path != null && completed < released;
-  }
-
-  boolean hasUnreleased() {
-    return path != null && released < path.sectionCount();
-  }
-
-  /** Whether what is left of its way was planned together with others' ways. */
-  boolean isOnSharedPath() {
-    return path != null && path.isShared() && hasUnreleased();
-  }
-
-  /** Begins another way where the released part of this one ends. */
+  /** Begins another path where the released part of this one ends. */
   void continueOn(ReservedPath next) {
-    ReservedPath former = path;
-    path = former == null ? next : former.continuedWith(released, next);
-    if (former == null) {
-      completed = 0;
-      released = 0;
-    }
-    pathNumber++;
-    isChangeUnsent = true;
-    blockedSince = null;
-    blockedReason = null;
-    lastSinglePlan = Instant.MIN;
+    drive.continueOn(next);
+    waiting.forgetPath();
   }
 
-  /** It stands and has no way. */
+  /** It stands and has no path. */
   void stop() {
-    lastPathEnd = path == null ? lastPathEnd : releasedEnd();
-    path = null;
-    completed = 0;
-    released = 0;
-    isDriveStarted = false;
-    sentReleased = 0;
-    isChangeUnsent = false;
-    blockedReason = null;
+    drive.stop();
+    waiting.setBlockedReason(null);
   }
 
   /** Gives up what is not released. */
   void freeUnreleased() {
-    ReservedPath former = path;
-    if (former != null && released < former.sectionCount()) {
-      path = former.continuedWith(released, ReservedPath.independent(releasedEnd(), List.of()));
-      pathNumber++;
-      isChangeUnsent = true;
-      blockedReason = null;
+    if (drive.freeUnreleased()) {
+      waiting.setBlockedReason(null);
     }
   }
 
-  /** What the robot does not know yet of its course, if anything; counts as told from now on. */
+  /**
+   * It stands where a trajectory begins that it drives already, and may drive to its end.
+   *
+   * @param completedSegments so many are completed
+   */
+  void adopt(Trajectory trajectory, int completedSegments, Instant now) {
+    List<Section> sections = new ArrayList<>();
+    Pose at = trajectory.start();
+    for (Segment segment : trajectory.segments()) {
+      CellSet cells = sweptCells(at, segment);
+      at = at.advanced(segment.twist(), segment.t());
+      sections.add(new Section(List.of(segment), at, cells, cellsAt(at)));
+    }
+    continueOn(ReservedPath.independent(trajectory.start(), sections));
+    drive.resume(completedSegments, now);
+  }
+
+  /** What the robot does not know yet of its path, if anything; counts as told from now on. */
   Optional<DriveCommand> takeUnsentCommand() {
-    ReservedPath reserved = path;
-    if (reserved == null || !movable) {
-      return Optional.empty();
-    }
-    int count = reserved.segmentCount(released);
-    boolean endsAtGoal = goal == null || isGoal(reserved.end());
-    DriveCommand command = null;
-    if (!isDriveStarted) {
-      command = new DriveCommand.Begin(name, reserved.trajectory(), count, endsAtGoal);
-    } else if (isChangeUnsent) {
-      command =
-          new DriveCommand.Extend(
-              name,
-              reserved.segmentCount(sentReleased),
-              reserved.segmentsFrom(sentReleased),
-              count,
-              endsAtGoal);
-    } else if (released > sentReleased) {
-      command = new DriveCommand.Release(name, count);
-    }
-    isDriveStarted = true;
-    isChangeUnsent = false;
-    sentReleased = released;
-    return Optional.ofNullable(command);
+    ReservedPath path = drive.path();
+    return path == null || !movable
+        ? Optional.empty()
+        : drive.takeUnsentCommand(name, goal == null || isGoal(path.end()));
   }
 }

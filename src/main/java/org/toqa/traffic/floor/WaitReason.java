@@ -48,7 +48,7 @@ public sealed interface WaitReason {
     }
   }
 
-  /** Something that the map does not show stands in its only way. */
+  /** Something that the map does not show stands in its only path. */
   record ObstacleOnPath(Vec2 where) implements WaitReason {
     @Override
     public Sentence sentence() {
@@ -56,7 +56,7 @@ public sealed interface WaitReason {
     }
   }
 
-  /** The floor itself has no way for a robot of its size. */
+  /** The floor itself has no path for a robot of its size. */
   record NoPath(Vec2 goal, double diameter) implements WaitReason {
     @Override
     public Sentence sentence() {

@@ -8,7 +8,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
-/** Finds out why a robot has no way to its goal. */
+/** Finds out why a robot has no path to its goal. */
 final class WaitReasonFinder {
   private final FreeSpace freeSpace;
   private final SingleRobotPlanner singleRobotPlanner;
@@ -19,55 +19,56 @@ final class WaitReasonFinder {
   }
 
   /**
-   * @param m which wants to go somewhere and has no way there
+   * @param robot which wants to go somewhere and has no path there
    */
-  WaitReason reasonFor(TrafficRobot m, Collection<TrafficRobot> robots) {
-    Vec2 goal = Objects.requireNonNull(m.goal);
-    if (m.goalTakenBy != null) {
-      return new WaitReason.GoalTaken(m.goalTakenBy, goal);
+  WaitReason reasonFor(TrafficRobot robot, Collection<TrafficRobot> robots) {
+    Vec2 goal = Objects.requireNonNull(robot.goal());
+    if (robot.waiting.goalTakenBy() != null) {
+      return new WaitReason.GoalTaken(robot.waiting.goalTakenBy(), goal);
     }
-    Optional<List<Section>> sections = singleRobotPlanner.pathAroundNotMovable(m, robots);
+    Optional<List<Section>> sections = singleRobotPlanner.pathAroundNotMovable(robot, robots);
     if (sections.isPresent()) {
-      return firstBlocking(m, sections.get(), robots).orElse(new WaitReason.NoPlan(goal));
+      return firstBlocking(robot, sections.get(), robots).orElse(new WaitReason.NoPlan(goal));
     }
-    List<TrafficRobot> notMovable = robots.stream().filter(o -> !o.movable).toList();
+    List<TrafficRobot> notMovable = robots.stream().filter(o -> !o.isMovable()).toList();
     return singleRobotPlanner
-        .pathAlone(m)
-        .flatMap(alone -> firstBlocking(m, alone, notMovable))
-        .orElseGet(() -> reasonWithoutPath(m, goal));
+        .pathAlone(robot)
+        .flatMap(alone -> firstBlocking(robot, alone, notMovable))
+        .orElseGet(() -> reasonWithoutPath(robot, goal));
   }
 
   private Optional<WaitReason> firstBlocking(
-      TrafficRobot m, List<Section> sections, Collection<TrafficRobot> robots) {
+      TrafficRobot robot, List<Section> sections, Collection<TrafficRobot> robots) {
     return sections.stream()
-        .map(section -> blocking(m, section, robots))
+        .map(section -> blocking(robot, section, robots))
         .filter(Objects::nonNull)
         .findFirst();
   }
 
-  private WaitReason reasonWithoutPath(TrafficRobot m, Vec2 goal) {
-    for (Vec2 point : singleRobotPlanner.pointsWithoutObstacles(m)) {
-      int touched = SweptCells.at(freeSpace.grid(), point, m.radius).firstIn(freeSpace.obstacles());
+  private WaitReason reasonWithoutPath(TrafficRobot robot, Vec2 goal) {
+    for (Vec2 point : singleRobotPlanner.pointsWithoutObstacles(robot)) {
+      int touched =
+          SweptCells.at(freeSpace.grid(), point, robot.radius()).firstIn(freeSpace.obstacles());
       if (touched >= 0) {
         return new WaitReason.ObstacleOnPath(
             freeSpace.grid().centre(freeSpace.grid().cell(touched)));
       }
     }
-    return new WaitReason.NoPath(goal, 2 * m.radius);
+    return new WaitReason.NoPath(goal, 2 * robot.radius());
   }
 
   private @Nullable WaitReason blocking(
-      TrafficRobot m, Section section, Collection<TrafficRobot> robots) {
+      TrafficRobot robot, Section section, Collection<TrafficRobot> robots) {
     for (TrafficRobot other : robots) {
       BitSet claimed = new BitSet();
       other.addClaimedTo(claimed);
-      int cell = other == m ? -1 : section.cells().firstIn(claimed);
+      int cell = other == robot ? -1 : section.cells().firstIn(claimed);
       if (cell >= 0) {
         Vec2 where = freeSpace.grid().centre(freeSpace.grid().cell(cell));
-        if (!other.movable) {
+        if (!other.isMovable()) {
           return new WaitReason.RobotNotMovable(other.name, where);
         }
-        return other.path == null
+        return other.drive.path() == null
             ? new WaitReason.RobotStanding(other.name, where)
             : new WaitReason.RobotPassing(other.name, where);
       }

@@ -1,5 +1,5 @@
 /**
- * Traffic on a real floor: ways of discs in metres, released piece by piece so that delay never
+ * Traffic on a real floor: paths of discs in metres, released piece by piece so that delay never
  * becomes danger.
  */
 @NullMarked

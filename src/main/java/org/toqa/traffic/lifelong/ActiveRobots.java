@@ -2,6 +2,9 @@ package org.toqa.traffic.lifelong;
 
 import static org.toqa.traffic.RoadGraph.NONE;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntPredicate;
 import org.toqa.grid.Cell;
 import org.toqa.planning.Heading;
 import org.toqa.traffic.GridPose;
@@ -10,8 +13,8 @@ import org.toqa.traffic.RoadGraph;
 import org.toqa.traffic.mapf.StateGraph;
 
 /**
- * The robots of a scene that can take part in the traffic, counted from 0, as states and vertices;
- * and of every robot what it may expect.
+ * The robots of a snapshot that can take part in the traffic, counted from 0, as states and
+ * vertices; and of every robot what it may expect.
  */
 final class ActiveRobots {
   private final TrafficSnapshot snapshot;
@@ -73,7 +76,7 @@ final class ActiveRobots {
     return size;
   }
 
-  /** The place in the scene of the k-th that takes part. */
+  /** The index in the snapshot of the k-th that takes part. */
   int robot(int k) {
     return robots[k];
   }
@@ -87,15 +90,38 @@ final class ActiveRobots {
     return goals[k];
   }
 
-  /**
-   * @param robot by its place in the scene
-   */
-  PlanStatus status(int robot) {
-    return statuses[robot];
+  /** Says where the k-th robot is after {@code step} steps, from 1 on, as a state. */
+  @FunctionalInterface
+  interface PlannedStates {
+    int state(int k, int step);
   }
 
-  /** A state as a stance of that robot; its heading stays where the model knows none. */
-  GridPose pose(int robot, int state) {
+  /**
+   * The plan in which each that takes part goes on as planned, and all others stay.
+   *
+   * @param horizon steps
+   * @param isPlanned whether there is a path for the k-th
+   */
+  LifelongPlan toPlan(int horizon, PlannedStates states, IntPredicate isPlanned) {
+    PlannedPath[] paths = new PlannedPath[statuses.length];
+    for (int robot = 0; robot < paths.length; robot++) {
+      paths[robot] = new PlannedPath(List.of(snapshot.robots().get(robot).pose()), statuses[robot]);
+    }
+    for (int k = 0; k < size; k++) {
+      int robot = robots[k];
+      List<GridPose> poses = new ArrayList<>();
+      poses.add(snapshot.robots().get(robot).pose());
+      for (int step = 1; step <= horizon; step++) {
+        poses.add(pose(robot, states.state(k, step)));
+      }
+      PlanStatus status = isPlanned.test(k) ? statuses[robot] : PlanStatus.NOT_YET_PLANNED;
+      paths[robot] = new PlannedPath(poses, status);
+    }
+    return new LifelongPlan(List.of(paths));
+  }
+
+  /** A state as a pose of that robot; its heading stays where the model knows none. */
+  private GridPose pose(int robot, int state) {
     Cell cell = graph.roads().cell(graph.vertex(state));
     return graph.model() == MotionModel.CLASSIC
         ? new GridPose(cell, snapshot.robots().get(robot).pose().heading())

@@ -10,10 +10,10 @@ import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.mapf.StateGraph;
 
 /**
- * Distances that know of oncoming traffic, so that robots keep to the side on which others go their
- * way before they meet.
+ * Distances that know of oncoming traffic, so that robots keep to the side on which others drive in
+ * the same direction, before they meet.
  *
- * <p>Idea: each robot announces the edges of its shortest way. An edge costs a step, and half a
+ * <p>Idea: each robot announces the edges of its shortest path. An edge costs a step, and half a
  * step more for each robot that announced it the other way about. Who plans next therefore prefers
  * an aisle that is driven in its direction; one-way streets form by themselves, and dissolve when
  * the traffic changes. A robot keeps its distances until it has a new goal.
@@ -55,7 +55,7 @@ final class Guidance {
   }
 
   /**
-   * Costs to the goal by state; {@link DistanceTables#UNREACHABLE} where there is no way, and
+   * Costs to the goal by state; {@link DistanceTables#UNREACHABLE} where there is no path, and
    * beyond the margin. Any number of threads may call it while nobody announces.
    */
   char[] distances(int start, int goal) {
@@ -82,7 +82,7 @@ final class Guidance {
     return costs;
   }
 
-  /** What the way between two vertices costs at least: the steps on an empty floor. */
+  /** What the path between two vertices costs at least: the steps on an empty floor. */
   private int lowerBound(int from, int to) {
     return STEP * (Math.abs(columns[from] - columns[to]) + Math.abs(rows[from] - rows[to]));
   }
@@ -110,7 +110,7 @@ final class Guidance {
     return STEP + Math.min(MOST_ONCOMING, ONCOMING * oncoming);
   }
 
-  /** Announces the cheapest way from a state on; answers its edges, to withdraw them. */
+  /** Announces the cheapest path from a state on; answers its edges, to withdraw them. */
   int[] announce(int start, char[] costs) {
     int[] edges = new int[16];
     int count = 0;

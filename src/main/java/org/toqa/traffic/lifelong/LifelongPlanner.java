@@ -23,5 +23,5 @@ public interface LifelongPlanner {
   /**
    * @param deadline when to answer with what there is; a plan is valid at any time
    */
-  LifelongPlan plan(TrafficSnapshot scene, Deadline deadline);
+  LifelongPlan plan(TrafficSnapshot snapshot, Deadline deadline);
 }

@@ -40,7 +40,7 @@ final class OperationSearch {
   private static final int SLOWEST = (1 << SLOWNESS_BITS) - 1;
 
   /** The longest operation that a choice has room for. */
-  static final int DEEPEST = CODE_BITS / ACTION_BITS;
+  private static final int MAX_DEPTH = CODE_BITS / ACTION_BITS;
 
   private final StateGraph graph;
   private final Operations operations;
@@ -81,6 +81,10 @@ final class OperationSearch {
     this.mayRotate = mayRotate;
     this.random = random;
     this.depth = operations.depth();
+    if (depth > MAX_DEPTH) {
+      throw new IllegalArgumentException(
+          "An operation has at most " + MAX_DEPTH + " steps, not " + depth + ".");
+    }
   }
 
   /**

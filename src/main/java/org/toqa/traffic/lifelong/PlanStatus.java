@@ -4,16 +4,16 @@ package org.toqa.traffic.lifelong;
 public enum PlanStatus {
   /** It stands at its goal. */
   ARRIVED,
-  /** It has a way, and drives or waits its turn. */
+  /** It has a path, and drives or waits its turn. */
   DRIVING,
-  /** The time did not suffice to look for its way; it keeps out of others' until the next plan. */
+  /** The time did not suffice to look for its path; it keeps out of others' until the next plan. */
   NOT_YET_PLANNED,
   /** It stands on a cell that may not be driven, and stays there. */
   START_BLOCKED,
-  /** Another robot of the scene stands on the same cell; this one stays. */
+  /** Another robot of the snapshot stands on the same cell; this one stays. */
   START_SHARED,
   /** Its goal may not be driven. */
   GOAL_BLOCKED,
-  /** There is no way to its goal. */
+  /** There is no path to its goal. */
   NO_PATH
 }

@@ -13,7 +13,7 @@ public record PlannedPath(List<GridPose> poses, PlanStatus status) {
     poses = List.copyOf(poses);
   }
 
-  /** The stance after so many steps; the last one from there on. */
+  /** The pose after so many steps; the last one from there on. */
   public GridPose at(int step) {
     return poses.get(Math.min(step, poses.size() - 1));
   }

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.toqa.traffic.Deadline;
-import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
 import org.toqa.traffic.mapf.ReservationTable;
@@ -18,9 +17,9 @@ import org.toqa.traffic.mapf.StateDistances;
 import org.toqa.traffic.mapf.StateGraph;
 
 /**
- * The baseline: first come, first served. A robot reserves its whole route in space and time when
- * it gets a goal, around what others have reserved; where there is none it stays and asks again
- * every step. Nobody makes way, so idle robots bar aisles and two can bar each other for ever.
+ * The baseline: first come, first served. A robot reserves its whole path in space and time when it
+ * gets a goal, around what others have reserved; where there is none it stays and asks again every
+ * step. Nobody makes room, so idle robots block aisles and two can block each other for ever.
  *
  * <p>D. Silver, "Cooperative pathfinding", AIIDE 2005.
  */
@@ -35,7 +34,7 @@ public final class ReservationPlanner implements LifelongPlanner {
     this.model = model;
   }
 
-  /** A robot's route from the present step on; its last state is kept for ever. */
+  /** A robot's path from the present step on; its last state is kept for ever. */
   private static final class Reservation {
     int goal = NONE;
     char @Nullable [] distances;
@@ -45,8 +44,9 @@ public final class ReservationPlanner implements LifelongPlanner {
       path = new int[] {state};
     }
 
-    int expected() {
-      return path[Math.min(1, path.length - 1)];
+    /** Its state after so many steps, at least 0. */
+    int after(int steps) {
+      return path[Math.min(steps, path.length - 1)];
     }
   }
 
@@ -61,7 +61,7 @@ public final class ReservationPlanner implements LifelongPlanner {
     for (int k = 0; k < present.size() && !deadline.isPassed(); k++) {
       reserve(present.get(k), active.goal(k), graph, table, search);
     }
-    return toPlan(snapshot, active, present);
+    return active.toPlan(HORIZON, (k, step) -> present.get(k).after(step), k -> true);
   }
 
   private StateGraph graphOf(RoadGraph roads) {
@@ -75,7 +75,7 @@ public final class ReservationPlanner implements LifelongPlanner {
     return graph;
   }
 
-  /** One step on; if a robot is not where it booked to be, all bookings are void. */
+  /** One step on; if a robot is not where it reserved to be, all reservations are void. */
   private List<Reservation> advance(TrafficSnapshot snapshot, ActiveRobots active) {
     Map<String, Reservation> former = new HashMap<>(reservations);
     reservations.clear();
@@ -85,7 +85,7 @@ public final class ReservationPlanner implements LifelongPlanner {
       String name = snapshot.robots().get(active.robot(k)).name();
       int state = active.state(k);
       Reservation reservation = former.getOrDefault(name, new Reservation(state));
-      isObeyed &= reservation.expected() == state && (former.isEmpty() || former.containsKey(name));
+      isObeyed &= reservation.after(1) == state && (former.isEmpty() || former.containsKey(name));
       present.add(reservation);
       reservations.put(name, reservation);
     }
@@ -135,26 +135,5 @@ public final class ReservationPlanner implements LifelongPlanner {
 
   private static int[] vertices(StateGraph graph, int[] path) {
     return Arrays.stream(path).map(graph::vertex).toArray();
-  }
-
-  private static LifelongPlan toPlan(
-      TrafficSnapshot snapshot, ActiveRobots active, List<Reservation> present) {
-    PlannedPath[] paths = new PlannedPath[snapshot.robots().size()];
-    for (int robot = 0; robot < paths.length; robot++) {
-      PlannedRobot asked = snapshot.robots().get(robot);
-      paths[robot] = new PlannedPath(List.of(asked.pose()), active.status(robot));
-    }
-    for (int k = 0; k < active.size(); k++) {
-      int robot = active.robot(k);
-      int[] path = present.get(k).path;
-      List<GridPose> poses = new ArrayList<>();
-      poses.add(snapshot.robots().get(robot).pose());
-      for (int t = 1; t <= HORIZON; t++) {
-        poses.add(active.pose(robot, path[Math.min(t, path.length - 1)]));
-      }
-      PlanStatus status = active.status(robot);
-      paths[robot] = new PlannedPath(poses, status);
-    }
-    return new LifelongPlan(List.of(paths));
   }
 }

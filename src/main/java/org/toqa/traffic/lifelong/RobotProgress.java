@@ -9,14 +9,14 @@ import org.toqa.traffic.DistanceTables;
 /**
  * What a planner remembers of a robot from step to step.
  *
- * <p>Its priority grows with every step that it is on its way to a goal. But where robots bar each
- * other's way, the more important may be just the one that has to back out. So who has not come
- * nearer to its goal for {@value #MAX_STEPS_WITHOUT_PROGRESS} steps looks for another way and lets
+ * <p>Its priority grows with every step that it is on its path to a goal. But where robots block
+ * each other, the more important may be just the one that has to back out. So who has not come
+ * nearer to its goal for {@value #MAX_STEPS_WITHOUT_PROGRESS} steps looks for another path and lets
  * all others go first for a few steps, how many is up to chance. If it has not even left its cell
  * for long, it may instead, by chance, go before all others: of a jam in which nobody moves, one
- * draws clear. And who has lost patience {@value #MAX_SETBACKS} times is at its wits' end: it and
- * those around it are sent on errands, to anywhere near for a few steps, so that no order in which
- * they stand is kept.
+ * draws clear. And who has had {@value #MAX_SETBACKS} such setbacks is stuck: it and those around
+ * it are sent on detours, to anywhere near for a few steps, so that no order in which they stand is
+ * kept.
  */
 final class RobotProgress {
   private static final int MAX_STEPS_WITHOUT_PROGRESS = 8;
@@ -25,8 +25,6 @@ final class RobotProgress {
   private static final int LONGEST_INSISTENCE = 16;
   private static final int MAX_SETBACKS = 12;
   private static final int LONGEST_DETOUR = 24;
-  private static final int BEHIND_ALL = -1;
-  private static final int BEFORE_ALL = Integer.MAX_VALUE / 2;
   private static final int[] NO_EDGES = {};
 
   /** Where it is. */
@@ -40,10 +38,8 @@ final class RobotProgress {
   /** A vertex, or {@code NONE} where it has none that it could reach. */
   private int goal = NONE;
 
-  /** A vertex to go to before, or {@code NONE}; and for how many steps at most. */
-  private int detour = NONE;
-
-  private int detourStepsLeft;
+  private final Detour detour = new Detour();
+  private final RobotPriority priority = new RobotPriority();
 
   /** Costs to the target by state; null until they have been found. */
   private char @Nullable [] distances;
@@ -51,19 +47,13 @@ final class RobotProgress {
   /** The edges that {@link Guidance} was told of. */
   private int[] edges = NO_EDGES;
 
-  /** What it meant to do from the last step on. */
+  /** What it was going to do from the last step on. */
   private int @Nullable [] operation;
 
-  private int stepsTravelled;
   private int leastDistance;
   private int stepsWithoutProgress;
   private boolean needsOtherPath;
   private int setbacks;
-
-  /** Steps for which it has another priority than its own, and which one. */
-  private int exceptionStepsLeft;
-
-  private int exceptionalPriority;
 
   int state() {
     return state;
@@ -75,7 +65,7 @@ final class RobotProgress {
 
   /** Where it is going now: a vertex, or {@code NONE}. */
   int target() {
-    return detour == NONE ? goal : detour;
+    return detour.isActive() ? detour.vertex() : goal;
   }
 
   char @Nullable [] distances() {
@@ -99,11 +89,10 @@ final class RobotProgress {
 
   void setGoal(int newGoal) {
     goal = newGoal;
-    stepsTravelled = 0;
+    priority.restart();
     setbacks = 0;
-    exceptionStepsLeft = 0;
     needsOtherPath = false;
-    detour = NONE;
+    detour.end();
     distances = null;
   }
 
@@ -112,17 +101,15 @@ final class RobotProgress {
   }
 
   void startDetour(int nearbyVertex) {
-    detour = nearbyVertex;
-    detourStepsLeft = LONGEST_DETOUR;
-    exceptionalPriority = BEFORE_ALL;
-    exceptionStepsLeft = LONGEST_DETOUR;
+    detour.start(nearbyVertex, LONGEST_DETOUR);
+    priority.goBeforeAll(LONGEST_DETOUR);
     setbacks = 0;
     distances = null;
   }
 
   private void endDetour() {
-    detour = NONE;
-    exceptionStepsLeft = 0;
+    detour.end();
+    priority.endException();
     distances = null;
   }
 
@@ -131,11 +118,11 @@ final class RobotProgress {
     distances = null;
     edges = NO_EDGES;
     goal = NONE;
-    detour = NONE;
+    detour.end();
     operation = null;
   }
 
-  /** Whether it has no way to its goal, or not one that it gets on with. */
+  /** Whether it has no path to its goal, or none that it gets on with. */
   boolean needsPath() {
     return target() != NONE && (needsOtherPath || !hasPath());
   }
@@ -156,14 +143,14 @@ final class RobotProgress {
     stepsOnVertex = newVertex == vertex ? stepsOnVertex + 1 : 0;
     state = newState;
     vertex = newVertex;
-    exceptionStepsLeft = Math.max(0, exceptionStepsLeft - 1);
-    if (detour != NONE && (vertex == detour || detourStepsLeft-- == 0)) {
+    priority.countStep();
+    if (detour.countStep(vertex)) {
       endDetour();
     }
-    if (distances == null || vertex == goal || detour != NONE) {
+    if (distances == null || vertex == goal || detour.isActive()) {
       return;
     }
-    stepsTravelled++;
+    priority.countStepTravelled();
     stepsWithoutProgress++;
     if (distances[state] < leastDistance) {
       leastDistance = distances[state];
@@ -176,8 +163,11 @@ final class RobotProgress {
 
   private void recordSetback(SplittableRandom random) {
     boolean insists = stepsOnVertex > LONG_ON_VERTEX && random.nextBoolean();
-    exceptionalPriority = insists ? BEFORE_ALL : BEHIND_ALL;
-    exceptionStepsLeft = 1 + random.nextInt(insists ? LONGEST_INSISTENCE : LONGEST_YIELD);
+    if (insists) {
+      priority.goBeforeAll(1 + random.nextInt(LONGEST_INSISTENCE));
+    } else {
+      priority.goBehindAll(1 + random.nextInt(LONGEST_YIELD));
+    }
     stepsWithoutProgress = 0;
     setbacks++;
     needsOtherPath = true;
@@ -188,7 +178,6 @@ final class RobotProgress {
    * @return the more, the earlier its turn
    */
   int priority(int urgency) {
-    int own = Math.min(BEFORE_ALL, stepsTravelled + Math.max(0, urgency));
-    return exceptionStepsLeft > 0 ? exceptionalPriority : own;
+    return priority.value(urgency);
   }
 }

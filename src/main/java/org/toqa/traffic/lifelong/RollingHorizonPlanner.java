@@ -15,24 +15,23 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.traffic.Deadline;
-import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
 import org.toqa.traffic.mapf.StateGraph;
 
 /**
- * The planner of a fleet: {@link Guidance} shows each robot its way around the traffic, {@link
- * OperationSearch} settles step by step who goes and who makes way, {@link RobotProgress} keeps the
- * priorities.
+ * The planner of a fleet: {@link Guidance} shows each robot its path around the traffic, {@link
+ * OperationSearch} settles step by step who goes and who makes room, {@link RobotProgress} keeps
+ * the priorities.
  */
 public final class RollingHorizonPlanner implements LifelongPlanner {
   private static final int DEPTH_CLASSIC = 3;
   private static final int DEPTH_TURNS = 4;
 
-  /** Of the time there is, what the search for new ways may take. */
+  /** Of the time there is, what the search for new paths may take. */
   private static final double SHARE_OF_GUIDANCE = 0.6;
 
-  /** Ways that are looked for at the same time, without knowing of each other. */
+  /** Paths that are looked for at the same time, without knowing of each other. */
   private static final int AT_ONCE = 4;
 
   private static final int LONGEST_RANDOM_WALK = 24;
@@ -46,6 +45,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
   /**
    * @param mayRotate whether robots may drive round in a full ring, all at once; not where a robot
    *     enters a cell only after another has left it
+   * @param seed of all chance
    */
   public RollingHorizonPlanner(MotionModel model, boolean mayRotate, long seed) {
     this.model = model;
@@ -81,7 +81,10 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
             distances(present, context),
             present.stream().mapToInt(RobotProgress::target).toArray(),
             deadline);
-    return toPlan(snapshot, active, present, context);
+    return active.toPlan(
+        context.operations().depth(),
+        context.operations()::state,
+        k -> present.get(k).target() == NONE || present.get(k).hasPath());
   }
 
   private GraphContext contextOf(RoadGraph roads) {
@@ -136,7 +139,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     return present;
   }
 
-  /** Whoever is at its wits' end, and who stands beside it. */
+  /** Whoever is stuck, and who stands beside it. */
   private void sendStuckOnDetours(List<RobotProgress> present, StateGraph graph) {
     Set<Integer> stuck =
         present.stream()
@@ -173,9 +176,9 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
   }
 
   /**
-   * Looks for ways, a few at a time: these share the processor's cores, and the next few know of
-   * the ways that they announce. Nobody who looks for a way is kept from one by what others said
-   * who look for theirs: else a jam would go on for fear of itself.
+   * Looks for paths, a few at a time: these share the processor's cores, and the next few know of
+   * the paths that they announce. Nobody who looks for a path is kept from one by what others
+   * announced who look for theirs: else each would avoid the jam that the others have left.
    */
   private static void findPaths(List<RobotProgress> present, Guidance guidance, Deadline deadline) {
     List<RobotProgress> seekers =
@@ -222,31 +225,5 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
       distances[k] = known == null ? context.zeroCosts() : known;
     }
     return distances;
-  }
-
-  private static LifelongPlan toPlan(
-      TrafficSnapshot snapshot,
-      ActiveRobots active,
-      List<RobotProgress> present,
-      GraphContext context) {
-    PlannedPath[] paths = new PlannedPath[snapshot.robots().size()];
-    for (int robot = 0; robot < paths.length; robot++) {
-      paths[robot] =
-          new PlannedPath(List.of(snapshot.robots().get(robot).pose()), active.status(robot));
-    }
-    for (int k = 0; k < active.size(); k++) {
-      int robot = active.robot(k);
-      PlanStatus status =
-          present.get(k).target() == NONE || present.get(k).hasPath()
-              ? active.status(robot)
-              : PlanStatus.NOT_YET_PLANNED;
-      List<GridPose> poses = new ArrayList<>();
-      poses.add(snapshot.robots().get(robot).pose());
-      for (int t = 1; t <= context.operations().depth(); t++) {
-        poses.add(active.pose(robot, context.operations().state(k, t)));
-      }
-      paths[robot] = new PlannedPath(poses, status);
-    }
-    return new LifelongPlan(List.of(paths));
   }
 }

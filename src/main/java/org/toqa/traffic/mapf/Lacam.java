@@ -18,7 +18,7 @@ import org.toqa.traffic.Deadline;
 import org.toqa.traffic.RoadGraph;
 
 /**
- * Lazy constraints addition search: finds ways for all robots, or proves that there are none.
+ * Lazy constraints addition search: finds paths for all robots, or proves that there are none.
  *
  * <p>Idea: a depth-first search over configurations (the places of all robots at once). A
  * configuration has far too many successors to list, so they come one at a time from {@link Pibt};
@@ -179,7 +179,7 @@ final class Lacam {
 
   /**
    * Whoever stands at its goal goes behind all others; otherwise the order stays, so that the
-   * longer a robot is on its way, the further in front it is.
+   * longer a robot is on its path, the further in front it is.
    */
   private int[] unarrivedFirst(int[] order, int[] places) {
     int[] sorted = new int[order.length];

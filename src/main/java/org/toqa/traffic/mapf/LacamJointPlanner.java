@@ -42,24 +42,21 @@ public final class LacamJointPlanner implements JointPlanner {
       return Optional.empty();
     }
     int[][] first = VertexPaths.of(configurations);
-    Deadline end = limited(deadline.afterShare(SHARE_OF_IMPROVING), starts.length);
+    SearchBudget budget =
+        new SearchBudget(
+            deadline.afterShare(SHARE_OF_IMPROVING),
+            IMPROVEMENTS + IMPROVEMENTS_EACH * starts.length);
     int @Nullable [][] second =
-        new PrioritisedPlanning(roads, distances, first, random.split()).plan(end);
+        new PrioritisedPlanning(roads, distances, first, random.split()).plan(budget);
     int[][] best =
         second != null && VertexPaths.sumOfCosts(second) < VertexPaths.sumOfCosts(first)
             ? second
             : first.clone();
     long lowerBound =
         IntStream.range(0, starts.length).mapToLong(i -> distances[i][starts[i]]).sum();
-    new NeighbourhoodSearch(roads, distances, best, random.split()).improve(lowerBound, end);
+    new NeighbourhoodSearch(roads, distances, best, random.split()).improve(lowerBound, budget);
     List<int[]> improved = configurations(best);
     return Optional.of(hasRing(improved) ? configurations : improved);
-  }
-
-  private static Deadline limited(Deadline deadline, int robots) {
-    int most = IMPROVEMENTS + IMPROVEMENTS_EACH * robots;
-    int[] looks = {0};
-    return new Deadline(() -> looks[0]++ >= most || deadline.isPassed() ? 1 : 0, 1);
   }
 
   private static List<int[]> configurations(int[][] paths) {

@@ -7,6 +7,9 @@ import org.toqa.traffic.RoadGraph;
 /** Robots that stand somewhere and want to be elsewhere, in a fixed order. */
 public record MapfInstance(RoadGraph roads, List<Cell> starts, List<Cell> goals) {
 
+  /**
+   * @throws IllegalArgumentException if there are not as many goals as starts
+   */
   public MapfInstance {
     starts = List.copyOf(starts);
     goals = List.copyOf(goals);

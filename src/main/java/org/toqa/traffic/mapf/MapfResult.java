@@ -7,7 +7,7 @@ import org.toqa.grid.Cell;
 public sealed interface MapfResult {
 
   /**
-   * @param lowerBound the sum of the shortest ways of the robots, were each alone
+   * @param lowerBound the sum of the shortest paths of the robots, were each alone
    */
   record Solved(MapfPlan plan, long lowerBound) implements MapfResult {}
 
@@ -31,7 +31,7 @@ public sealed interface MapfResult {
     START_SHARED,
     /** Another robot has the same goal. */
     GOAL_SHARED,
-    /** The robot has no way to its goal, even alone. */
+    /** The robot has no path to its goal, even alone. */
     NO_WAY,
     /** All ways of driving were tried: the robots cannot all reach their goals together. */
     NO_PLAN,

@@ -5,16 +5,15 @@ import static org.toqa.traffic.RoadGraph.NONE;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
-import org.toqa.traffic.Deadline;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
 
 /**
  * Makes a plan better until the time is up, by large neighbourhood search.
  *
- * <p>Idea: take the routes of a few robots that are in each other's way out of the plan, and put
+ * <p>Idea: take the paths of a few robots that are in each other's way out of the plan, and put
  * them in again one after the other, each as quick as the rest allows ({@link SafeIntervalSearch});
- * keep what is not worse. The few are a delayed robot and those it meets on shorter ways, or any
+ * keep what is not worse. The few are a delayed robot and those it meets on shorter paths, or any
  * few. How many, and which of the two, is chosen by what has paid so far.
  *
  * <p>Cost: the plan is valid after every step, so it can stop at any time.
@@ -34,7 +33,7 @@ final class NeighbourhoodSearch {
   private final SafeIntervalSearch search;
   private final SplittableRandom random;
 
-  /** The robots taken out at present, and their routes before. */
+  /** The robots taken out at present, and their paths before. */
   private final int[] group;
 
   private final int[][] former;
@@ -47,7 +46,7 @@ final class NeighbourhoodSearch {
   private final double[] efforts = new double[CHOICES];
 
   /**
-   * @param paths the plan, a route a robot; changed in place
+   * @param paths the plan, a path a robot; changed in place
    */
   NeighbourhoodSearch(RoadGraph roads, char[][] distances, int[][] paths, SplittableRandom random) {
     this.roads = roads;
@@ -67,10 +66,14 @@ final class NeighbourhoodSearch {
     Arrays.fill(efforts, 1);
   }
 
-  /** Goes on until the deadline, or until the sum of costs has come down to the lower bound. */
-  void improve(long lowerBound, Deadline deadline) {
+  /**
+   * Goes on while the budget lasts, or until the sum of costs has come down to the lower bound.
+   *
+   * @param lowerBound steps, of all robots together
+   */
+  void improve(long lowerBound, SearchBudget budget) {
     long cost = VertexPaths.sumOfCosts(paths);
-    while (cost > lowerBound && !deadline.isPassed()) {
+    while (cost > lowerBound && budget.takeIteration()) {
       int choice = chooseByGain();
       long effortBefore = search.effort();
       chooseGroup(Math.min(paths.length, SIZES[choice / 2]), choice % 2 == 0);
@@ -138,7 +141,7 @@ final class NeighbourhoodSearch {
     }
   }
 
-  /** Leaves a robot's route at some moment and goes on at random, only where that is quicker. */
+  /** Leaves a robot's path at some moment and goes on at random, only where that is quicker. */
   private void walk(int robot, int size) {
     int[] path = paths[robot];
     int t = random.nextInt(path.length);
@@ -209,7 +212,7 @@ final class NeighbourhoodSearch {
     return costBefore - cost;
   }
 
-  /** Puts the former routes back, after the first {@code replanned} have got others. */
+  /** Puts the former paths back, after the first {@code replanned} have got others. */
   private void restore(int replanned) {
     for (int k = 0; k < replanned; k++) {
       reservations.remove(paths[group[k]]);

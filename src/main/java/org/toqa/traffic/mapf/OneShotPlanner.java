@@ -16,7 +16,7 @@ import org.toqa.traffic.mapf.MapfResult.Solved;
 import org.toqa.traffic.mapf.MapfResult.Unsolved;
 
 /**
- * Plans ways for all robots from start to goal: a first plan as soon as can be ({@link Lacam}), a
+ * Plans paths for all robots from start to goal: a first plan as soon as can be ({@link Lacam}), a
  * second one that is better where the floor is not crowded ({@link PrioritisedPlanning}), and from
  * the better of the two on {@link NeighbourhoodSearch} until the deadline.
  *
@@ -29,11 +29,16 @@ public final class OneShotPlanner {
 
   private final long seed;
 
+  /**
+   * @param seed of all chance: the same seed and enough time, the same plan
+   */
   public OneShotPlanner(long seed) {
     this.seed = seed;
   }
 
   /**
+   * Plans.
+   *
    * @param deadline when to stop making the plan better; it has to come
    * @param onFirst told of the first plan at once
    */
@@ -93,7 +98,7 @@ public final class OneShotPlanner {
         int[][] best = secondPlan(roads, distances, first, deadline, random.split());
         long lowerBound = lowerBound(distances, starts);
         new NeighbourhoodSearch(roads, distances, best, random.split())
-            .improve(lowerBound, deadline);
+            .improve(lowerBound, SearchBudget.until(deadline));
         yield new Solved(new MapfPlan(roads, best), lowerBound);
       }
     };
@@ -107,7 +112,7 @@ public final class OneShotPlanner {
       SplittableRandom random) {
     int[][] second =
         new PrioritisedPlanning(roads, distances, first, random)
-            .plan(deadline.afterShare(SHARE_OF_SECOND));
+            .plan(SearchBudget.until(deadline.afterShare(SHARE_OF_SECOND)));
     return second != null && VertexPaths.sumOfCosts(second) < VertexPaths.sumOfCosts(first)
         ? second
         : first;

@@ -270,7 +270,7 @@ final class Pibt {
     return NONE;
   }
 
-  /** Whether the pusher, driving the puller before it, meets no branch before their ways cross. */
+  /** Whether the pusher, driving the puller before it, meets no branch before their paths cross. */
   private boolean isSwapRequired(int pusher, int puller, int pusherAt, int pullerAt) {
     char[] toPushersGoal = distances[pusher];
     int back = pusherAt;

@@ -8,19 +8,18 @@ import java.util.PriorityQueue;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.traffic.Deadline;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
 
 /**
- * Plans one robot after the other, each around the routes of those before it; a robot that finds
- * none takes its way and sends those who stand in it back into the queue.
+ * Plans one robot after the other, each around the paths of those before it; a robot that finds
+ * none takes its path and sends those who stand in it back into the queue.
  *
- * <p>Idea: whoever has the shortest way goes first, because a long way bends around a short one at
- * less cost than the other way about, and because nobody has to wait until the last has passed
+ * <p>Idea: whoever has the shortest path goes first, because a long path bends around a short one
+ * at less cost than the other way about, and because nobody has to wait until the last has passed
  * before it may stay at its goal. On a floor that is not crowded this comes within a few hundredths
  * of the lower bound, where the step by step rule of {@link Pibt} takes half as long again. A robot
- * rises in rank each time it finds no route, and only its equals and betters stay, so that two do
+ * rises in rank each time it finds no path, and only its equals and betters stay, so that two do
  * not turn each other out for ever.
  *
  * <p>Cost: a search a robot and a turning-out. On a crowded floor the queue does not empty: then it
@@ -68,11 +67,11 @@ final class PrioritisedPlanning {
     return distances[robot][starts[robot]];
   }
 
-  /** A route a robot, or null where the floor is too crowded or the time is up. */
-  int @Nullable [][] plan(Deadline deadline) {
+  /** A path a robot, or null where the floor is too crowded or the budget is used up. */
+  int @Nullable [][] plan(SearchBudget budget) {
     int insertionsLeft = ROUNDS * starts.length;
     while (!queue.isEmpty()) {
-      if (deadline.isPassed() || insertionsLeft-- == 0) {
+      if (!budget.takeIteration() || insertionsLeft-- == 0) {
         return null;
       }
       int robot = queue.remove();
@@ -91,7 +90,7 @@ final class PrioritisedPlanning {
     return search.path(starts[robot], goals[robot], distances[robot], reservations.end());
   }
 
-  /** Raises a robot in rank until there is a route around those of its rank and above. */
+  /** Raises a robot in rank until there is a path around those of its rank and above. */
   private int[] searchOverruling(int robot) {
     while (true) {
       ranks[robot]++;

@@ -8,7 +8,7 @@ import org.toqa.traffic.RoadGraph;
  * When each vertex is taken and each edge is driven: a bit a step, so that the free times of a
  * vertex are found 64 at once. A robot that has arrived takes its goal for ever.
  *
- * <p>A route is the vertices at the times 0, 1, 2 ... up to the arrival.
+ * <p>A path is the vertices at the times 0, 1, 2 ... up to the arrival.
  */
 public final class ReservationTable {
   private static final int WORD = 6;
@@ -19,6 +19,8 @@ public final class ReservationTable {
   private final long[] edgeTaken;
 
   /**
+   * An empty table.
+   *
    * @param steps how far the table reaches, at least
    */
   public ReservationTable(RoadGraph roads, int steps) {

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The quickest route of one robot among the routes of the others.
+ * The quickest path of one robot among the paths of the others.
  *
  * <p>Idea: A* over (state, interval in which its vertex stays free) instead of (state, time): of
  * all arrivals in an interval only the earliest counts, since one can wait. The estimate is the
@@ -54,7 +54,7 @@ public final class SafeIntervalSearch {
    * @param distances steps from each state to the goal
    * @param latest when it has to have arrived
    * @return the states at the times 0, 1, 2 ... up to the arrival, from where on the goal stays
-   *     free for ever; null where there is no such route
+   *     free for ever; null where there is no such path
    */
   public int @Nullable [] path(int start, int goal, char[] distances, int latest) {
     int bound = Math.min(latest, reservations.end() - 1);

@@ -11,7 +11,7 @@ public final class StateDistances {
 
   /**
    * @param goal a vertex, reached in any heading
-   * @return by state; {@link DistanceTables#UNREACHABLE} where there is no way
+   * @return by state; {@link DistanceTables#UNREACHABLE} where there is no path
    */
   public static char[] to(StateGraph graph, int goal) {
     char[] steps = new char[graph.stateCount()];

@@ -2,7 +2,7 @@ package org.toqa.traffic.mapf;
 
 import java.util.List;
 
-/** Routes as planners hold them: vertices at the times 0, 1, 2 ... up to the arrival. */
+/** Paths as planners hold them: vertices at the times 0, 1, 2 ... up to the arrival. */
 public final class VertexPaths {
   private VertexPaths() {}
 
@@ -27,7 +27,7 @@ public final class VertexPaths {
     return false;
   }
 
-  /** A route a robot, from the places of all robots step by step. */
+  /** A path a robot, from the places of all robots step by step. */
   public static int[][] of(List<int[]> configurations) {
     int last = configurations.size() - 1;
     int robots = configurations.getFirst().length;

@@ -38,11 +38,7 @@ class FloorTrafficPropertyTest {
     if (robots < 1) {
       return;
     }
-    Collections.shuffle(free, random);
-    DrivenFloor floor = new DrivenFloor(grid, seed);
-    for (int i = 0; i < robots; i++) {
-      floor.put("r" + i, free.get(i));
-    }
+    DrivenFloor floor = floorWithRobots(grid, free, robots, random, seed);
     for (int round = 0; round < 3; round++) {
       Collections.shuffle(free, random);
       for (int i = 0; i < robots; i++) {
@@ -53,6 +49,17 @@ class FloorTrafficPropertyTest {
           floor.areAllArrived(),
           () -> floor.reasons() + " on\n" + String.join("\n", picture(grid)));
     }
+  }
+
+  /** A floor with the robots r0, r1 ..., which stand at the first places after a shuffle. */
+  private static DrivenFloor floorWithRobots(
+      OccupancyGrid grid, List<Cell> free, int robots, Random random, long seed) {
+    Collections.shuffle(free, random);
+    DrivenFloor floor = new DrivenFloor(grid, seed);
+    for (int i = 0; i < robots; i++) {
+      floor.put("r" + i, free.get(i));
+    }
+    return floor;
   }
 
   /** Robots that were stopped anywhere go on from there: off the middle, in any heading. */
@@ -172,10 +179,8 @@ class FloorTrafficPropertyTest {
     if (robots < 1) {
       return;
     }
-    Collections.shuffle(free, random);
-    DrivenFloor floor = new DrivenFloor(grid, seed);
+    DrivenFloor floor = floorWithRobots(grid, free, robots, random, seed);
     for (int i = 0; i < robots; i++) {
-      floor.put("r" + i, free.get(i));
       floor.send("r" + i, free.get(free.size() - 1 - i));
     }
     for (int step = 0; step < 1500; step++) {

@@ -58,6 +58,6 @@ class JointPlanTest {
             "r", 1, floor, new Pose(start.x(), start.y(), 0), DIAMETER / 2, Instant.EPOCH);
     List<int[]> steps = List.of(visits).stream().map(c -> new int[] {roads.vertex(c)}).toList();
     new JointPlan(lanes, new BitSet(), roads, List.of(mover), steps).adopt(new SectionFitter());
-    return Objects.requireNonNull(mover.path);
+    return Objects.requireNonNull(mover.drive.path());
   }
 }

@@ -1,0 +1,244 @@
+package org.toqa.traffic.floor;
+
+import java.time.Instant;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+
+/** What a robot drives by: its reserved path, how far that is released, and what it was told. */
+final class Drive {
+  private @Nullable ReservedPath path;
+
+  /** Counts the paths, so that a wait for an earlier one counts as over. */
+  private int pathNumber;
+
+  /** Whether the robot was told to begin the path. */
+  private boolean isBegun;
+
+  /** So many sections the robot was told that it may drive. */
+  private int sentReleased;
+
+  /** Whether the robot does not know yet that its path goes on otherwise behind these. */
+  private boolean isChangeUnsent;
+
+  /** Sections of the path that are completed. */
+  private int completed;
+
+  /** Sections of the path that it may drive. */
+  private int released;
+
+  /** When it last completed a section or was given one to drive. */
+  private Instant lastProgress;
+
+  /** Where its last path ended, which it came to but for what a robot is off its place. */
+  private @Nullable Pose lastPathEnd;
+
+  Drive(Instant now) {
+    this.lastProgress = now;
+  }
+
+  @Nullable ReservedPath path() {
+    return path;
+  }
+
+  int pathNumber() {
+    return pathNumber;
+  }
+
+  /** How many sections are completed. */
+  int completed() {
+    return completed;
+  }
+
+  /** How many sections it may drive. */
+  int released() {
+    return released;
+  }
+
+  Instant lastProgress() {
+    return lastProgress;
+  }
+
+  /** Where the path before this one ended, map frame; null if there was none. */
+  @Nullable Pose lastPathEnd() {
+    return lastPathEnd;
+  }
+
+  /** Whether it is on a section that it may drive. */
+  boolean isDriving() {
+    return path != null && completed < released;
+  }
+
+  boolean hasUnreleased() {
+    return path != null && released < path.sectionCount();
+  }
+
+  /** Whether what is left of its path was planned together with others' paths. */
+  boolean isOnSharedPath() {
+    return path != null && path.isShared() && hasUnreleased();
+  }
+
+  boolean isCompleted() {
+    return path != null && completed == path.sectionCount();
+  }
+
+  /** The sections that it may drive and has not completed. */
+  private List<Section> ahead() {
+    return path == null ? List.of() : path.sections().subList(completed, released);
+  }
+
+  /** The sections that it may not drive yet. */
+  private List<Section> unreleased() {
+    return path == null ? List.of() : path.sections().subList(released, path.sectionCount());
+  }
+
+  /** Whether one of the cells is on what it may drive and has not driven yet. */
+  boolean hasAheadOn(BitSet cells) {
+    return ahead().stream().anyMatch(section -> section.cells().intersects(cells));
+  }
+
+  /** Whether what it may not drive yet needs one of the cells. */
+  boolean hasUnreleasedOn(BitSet cells) {
+    return unreleased().stream().anyMatch(section -> section.cells().intersects(cells));
+  }
+
+  /** The cells of all that it may drive and of all that it may not drive yet, in parts. */
+  void forEachClaimed(Consumer<CellSet> consumer) {
+    forEachAllocated(consumer);
+    unreleased().forEach(section -> consumer.accept(section.cells()));
+  }
+
+  /** The cells of all that it may drive, in parts. */
+  void forEachAllocated(Consumer<CellSet> consumer) {
+    ahead().forEach(section -> consumer.accept(section.cells()));
+    if (path != null && released > 0) {
+      consumer.accept(path.sections().get(released - 1).endCells());
+    }
+  }
+
+  /** Begins another path where the released part of this one ends. */
+  void continueOn(ReservedPath next) {
+    ReservedPath former = path;
+    path = former == null ? next : former.continuedWith(released, next);
+    if (former == null) {
+      completed = 0;
+      released = 0;
+    }
+    pathNumber++;
+    isChangeUnsent = true;
+  }
+
+  /** The same visits in the same order, driven in other sections from the first unreleased on. */
+  void replaceUnreleased(List<Section> sections, List<Integer> visitAtEnd) {
+    path = Objects.requireNonNull(path).withSectionsFrom(released, sections, visitAtEnd);
+    isChangeUnsent = true;
+  }
+
+  /** Who must have left a cell before each visit of the path; null: nobody. */
+  void setDependencies(List<ReservedPath.@Nullable Dependency> dependencies) {
+    path = Objects.requireNonNull(path).withDependencies(dependencies);
+  }
+
+  /** The robot is known to drive this path already, all of which is released. */
+  void resume(int completedSections, Instant now) {
+    releaseAll();
+    completed = Math.min(completedSections, released);
+    isBegun = true;
+    sentReleased = released;
+    lastProgress = now;
+  }
+
+  void releaseNext(Instant now) {
+    if (completed == released) {
+      lastProgress = now;
+    }
+    released++;
+  }
+
+  void releaseAll() {
+    released = Objects.requireNonNull(path).sectionCount();
+  }
+
+  /**
+   * @param segments so many of the path's are completed
+   * @return whether a section more than before is
+   */
+  boolean complete(int segments, Instant now) {
+    int done = path == null ? 0 : Math.min(path.completedSections(segments), released);
+    if (done <= completed) {
+      return false;
+    }
+    completed = done;
+    lastProgress = now;
+    return true;
+  }
+
+  /** The robot stands: its progress is looked at from now on. */
+  void restartProgress(Instant now) {
+    lastProgress = now;
+  }
+
+  /** The robot stands and has no path. */
+  void stop() {
+    lastPathEnd = path == null ? lastPathEnd : path.poseAfter(released);
+    path = null;
+    completed = 0;
+    released = 0;
+    isBegun = false;
+    sentReleased = 0;
+    isChangeUnsent = false;
+  }
+
+  /**
+   * Gives up what is not released.
+   *
+   * @return whether there was anything
+   */
+  boolean freeUnreleased() {
+    ReservedPath former = path;
+    if (former == null || released == former.sectionCount()) {
+      return false;
+    }
+    path =
+        former.continuedWith(
+            released, ReservedPath.independent(former.poseAfter(released), List.of()));
+    pathNumber++;
+    isChangeUnsent = true;
+    return true;
+  }
+
+  /**
+   * What the robot does not know yet of its path, if anything; counts as told from now on.
+   *
+   * @param endsAtGoal whether the path ends at its goal
+   */
+  Optional<DriveCommand> takeUnsentCommand(String robot, boolean endsAtGoal) {
+    ReservedPath reserved = path;
+    if (reserved == null) {
+      return Optional.empty();
+    }
+    int count = reserved.segmentCount(released);
+    DriveCommand command = null;
+    if (!isBegun) {
+      command = new DriveCommand.Begin(robot, reserved.trajectory(), count, endsAtGoal);
+    } else if (isChangeUnsent) {
+      command =
+          new DriveCommand.Extend(
+              robot,
+              reserved.segmentCount(sentReleased),
+              reserved.segmentsFrom(sentReleased),
+              count,
+              endsAtGoal);
+    } else if (released > sentReleased) {
+      command = new DriveCommand.Release(robot, count);
+    }
+    isBegun = true;
+    isChangeUnsent = false;
+    sentReleased = released;
+    return Optional.ofNullable(command);
+  }
+}

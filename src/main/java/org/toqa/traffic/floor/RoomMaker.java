@@ -1,0 +1,76 @@
+package org.toqa.traffic.floor;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a robot stands on another's only path and no plan for all could move it, as one that is too
+ * large for the lanes, it is sent to the nearest place where it is on nobody's path.
+ */
+final class RoomMaker {
+  private static final Duration MAKE_ROOM_AFTER = Duration.ofSeconds(2);
+
+  private final SingleRobotPlanner singleRobotPlanner;
+  private final Map<String, TrafficRobot> robots;
+  private final ReplanTrigger trigger;
+
+  RoomMaker(
+      SingleRobotPlanner singleRobotPlanner,
+      Map<String, TrafficRobot> robots,
+      ReplanTrigger trigger) {
+    this.singleRobotPlanner = singleRobotPlanner;
+    this.robots = robots;
+    this.trigger = trigger;
+  }
+
+  /** Sends away who stands on the only path of a robot that has waited long enough. */
+  void makeRoomFor(TrafficRobot robot, Instant now) {
+    Instant since = robot.waiting.since();
+    if (since == null || since.plus(MAKE_ROOM_AFTER).isAfter(now)) {
+      return;
+    }
+    TrafficRobot other = robotBlocking(robot);
+    if (other == null || !other.isMovable() || other.hasPrecedenceOver(robot)) {
+      return;
+    }
+    robot.waiting.setWanted(
+        singleRobotPlanner.pathAroundNotMovable(robot, robots.values()).orElse(List.of()));
+    BitSet wanted = robot.waiting.wantedCells();
+    if (wanted.isEmpty()) {
+      return;
+    }
+    BitSet claimed = other.claimedByOthers(robots.values());
+    Optional<List<Section>> out =
+        singleRobotPlanner.pathOutOf(other, robots.values(), claimed, wanted);
+    if (out.isPresent()) {
+      trigger.markFreed(other);
+      other.freeUnreleased();
+      other.continueOn(ReservedPath.independent(other.releasedEnd(), out.get()));
+      other.waiting.setSince(other.goal() == null ? null : now);
+    }
+  }
+
+  /** One that has a path and cannot go on it, as to where a formation stands, blocks that too. */
+  private @Nullable TrafficRobot robotBlocking(TrafficRobot robot) {
+    WaitReason reason = robot.waiting.noPathReason();
+    if (reason == null || reason.robot() == null) {
+      return null;
+    }
+    TrafficRobot other = robots.get(reason.robot());
+    if (other == null) {
+      return null;
+    }
+    boolean isStanding =
+        switch (reason) {
+          case WaitReason.RobotStanding _ -> other.drive.path() == null;
+          case WaitReason.RobotPassing _ -> robot.isFormation() && !other.drive.isDriving();
+          default -> false;
+        };
+    return isStanding ? other : null;
+  }
+}

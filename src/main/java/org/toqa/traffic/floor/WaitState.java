@@ -1,0 +1,135 @@
+package org.toqa.traffic.floor;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.BitSet;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** Since when a robot waits, what for, and the cells that it asks others to leave. */
+final class WaitState {
+  /** Since when it stands short of its goal; null while it drives or has no goal. */
+  private @Nullable Instant since;
+
+  /** Since when it stands before a section that it may not enter. */
+  private @Nullable Instant blockedSince;
+
+  /** Why it may not enter the next section of its path; null while it may. */
+  private @Nullable WaitReason blockedReason;
+
+  /** Why it has no path to its goal; null while it has. */
+  private @Nullable WaitReason noPathReason;
+
+  private Instant noPathReasonFound = Instant.MIN;
+
+  /** Who has its goal, by the last plan for all. */
+  private @Nullable String goalTakenBy;
+
+  /** When its own smooth path was last looked for. */
+  private Instant lastSinglePlan = Instant.MIN;
+
+  /** The cells that a robot too large to be planned with the others waits for to become free. */
+  private BitSet wantedCells = new BitSet();
+
+  @Nullable Instant since() {
+    return since;
+  }
+
+  @Nullable String goalTakenBy() {
+    return goalTakenBy;
+  }
+
+  @Nullable WaitReason noPathReason() {
+    return noPathReason;
+  }
+
+  @Nullable WaitReason blockedReason() {
+    return blockedReason;
+  }
+
+  /** The cells, as bits by their index, that others shall leave; not to be changed. */
+  BitSet wantedCells() {
+    return wantedCells;
+  }
+
+  /** Forgets all that it waited for, as for another goal. */
+  void restart(@Nullable Instant newSince) {
+    since = newSince;
+    noPathReason = null;
+    goalTakenBy = null;
+    wantedCells = new BitSet();
+  }
+
+  void setSince(@Nullable Instant newSince) {
+    since = newSince;
+  }
+
+  /** It has a path to its goal. */
+  void endWaitForPath() {
+    noPathReason = null;
+    since = null;
+  }
+
+  void setGoalTakenBy(@Nullable String robot) {
+    goalTakenBy = robot;
+  }
+
+  /** The cells of these sections are what it waits for. */
+  void setWanted(List<Section> sections) {
+    wantedCells = new BitSet();
+    sections.forEach(section -> section.cells().addTo(wantedCells));
+  }
+
+  // --- no path ----------------------------------------------------------------------------------
+
+  boolean isNoPathReasonOlderThan(Duration age, Instant now) {
+    return noPathReason == null || noPathReasonFound.plus(age).isBefore(now);
+  }
+
+  void setNoPathReason(WaitReason reason, Instant now) {
+    noPathReason = reason;
+    noPathReasonFound = now;
+  }
+
+  void clearNoPathReason() {
+    noPathReason = null;
+  }
+
+  boolean isSinglePlanOlderThan(Duration age, Instant now) {
+    return lastSinglePlan.plus(age).isBefore(now);
+  }
+
+  void recordSinglePlan(Instant now) {
+    lastSinglePlan = now;
+  }
+
+  // --- before a section -------------------------------------------------------------------------
+
+  /** Its path goes on otherwise: nothing is known of what may bar that. */
+  void forgetPath() {
+    unblock();
+    lastSinglePlan = Instant.MIN;
+  }
+
+  void setBlockedReason(@Nullable WaitReason reason) {
+    blockedReason = reason;
+  }
+
+  /** Since when it stands before the section: from now on, if it did not before. */
+  Instant blockedSince(Instant now) {
+    Instant known = blockedSince == null ? now : blockedSince;
+    blockedSince = known;
+    return known;
+  }
+
+  /** The section before which it stood is another one now. */
+  void restartBlocked() {
+    blockedSince = null;
+  }
+
+  /** It may enter the next section. */
+  void unblock() {
+    blockedSince = null;
+    blockedReason = null;
+  }
+}
