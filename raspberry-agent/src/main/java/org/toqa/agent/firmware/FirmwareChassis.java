@@ -35,7 +35,7 @@ public final class FirmwareChassis implements Chassis {
   private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
 
   /** Four lithium cells. */
-  private static final double EMPTY_VOLTS = 13.2;
+  static final double EMPTY_VOLTS = 13.2;
 
   private static final double FULL_VOLTS = 16.8;
 
