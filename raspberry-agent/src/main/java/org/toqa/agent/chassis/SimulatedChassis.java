@@ -179,7 +179,7 @@ public final class SimulatedChassis implements Chassis {
     file.write(state);
   }
 
-  /** Fault switch: so many exchanges to come do not reach the body, and it is not heard in them. */
+  /** Fault switch: so many exchanges to come do not reach the body, and bring no new reading. */
   public void loseFrames(int count) {
     framesToLose = count;
   }
