@@ -14,8 +14,8 @@ import org.toqa.motion.Segment;
 
 /**
  * What a robot is sent: by the server, and in a formation by its leader. Every {@link Command} of
- * the server bears a sequence number that rises for as long as the server's data lasts; the robot answers it
- * with {@link AgentMessage.Ack} or {@link AgentMessage.Reject}, and a number that is not higher
+ * the server bears a sequence number that rises also over restarts of the server; the robot answers
+ * it with {@link AgentMessage.Ack} or {@link AgentMessage.Reject}, and a number that is not higher
  * than the last one has no further effect.
  */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")

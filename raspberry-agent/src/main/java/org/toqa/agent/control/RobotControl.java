@@ -52,9 +52,9 @@ import org.toqa.link.message.ServerMessage.Resume;
  *   <li>A hold outlasts drives and restarts until {@code resume}; a drive that comes meanwhile is
  *       accepted and waits.
  *   <li>A daemon that starts anew does not go on with the drive under way: it stands, keeps task
- *       and phase, reports them in its hello, and waits for a new drive from where it is. What moved
- *       while no daemon watched is known by odometry, but nobody has looked whether the path is
- *       still free.
+ *       and phase, reports them in its hello, and waits for a new drive from where it is. What
+ *       moved while no daemon watched is known by odometry, but nobody has looked whether the path
+ *       is still free.
  *   <li>In a formation the leader's drive is phase 2 of its task, and the followers have none: a
  *       follower's phase ends by its leader's message. A follower keeps its place while the server
  *       is silent, since its leader stands when nothing more is released.
@@ -195,9 +195,7 @@ public final class RobotControl {
     avoider = new ObstacleAvoider(config.footprint() / 2);
     Optional<DriveRun> drive = Optional.of(new DriveRun(order, config.limits(), avoider));
     activity =
-        activity instanceof Leading(var leader, _)
-            ? new Leading(leader, drive)
-            : new Alone(drive);
+        activity instanceof Leading(var leader, _) ? new Leading(leader, drive) : new Alone(drive);
     log.info(
         "{}: drive {} of phase {}, {} segments, {} released.",
         record.logName(),

@@ -85,8 +85,8 @@ public final class ReferenceTrajectory {
   }
 
   /**
-   * The released path from here on, as poses of which each follows from the one before on a straight
-   * line, or nearly so.
+   * The released path from here on, as poses of which each follows from the one before on a
+   * straight line, or nearly so.
    *
    * @param metres how far
    */

@@ -12,8 +12,8 @@ import org.toqa.geometry.Twist;
 /**
  * Drives a robot along a {@link ReferenceTrajectory}: the reference runs ahead, the robot is
  * steered after it, and where it stands the robot is corrected towards it until it stands within
- * {@link #SETTLED_METRES}. The reference waits for a robot that falls behind, so that a blocked robot is
- * not left alone by it.
+ * {@link #SETTLED_METRES}. The reference waits for a robot that falls behind, so that a blocked
+ * robot is not left alone by it.
  */
 public final class SegmentRunner {
 

@@ -3,8 +3,8 @@ package org.toqa.agent.formation;
 import org.toqa.agent.chassis.Chassis;
 
 /**
- * At which ticks a leader broadcasts. Ticks are late by more or less; the one nearest to the time is
- * meant, else the messages would come now a tick early and now a tick late.
+ * At which ticks a leader broadcasts. Ticks are late by more or less; the one nearest to the time
+ * is meant, else the messages would come now a tick early and now a tick late.
  */
 public final class BroadcastTimer {
 

@@ -18,12 +18,11 @@ import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * What outlives the daemon's process: one small file that is replaced as a whole, so that it
- * is always the old entry or the new one. An entry that could not be written is not taken.
+ * What outlives the daemon's process: one small file that is replaced as a whole, so that it is
+ * always the old entry or the new one. An entry that could not be written is not taken.
  *
- * <p>{@link #save} outlives the process; it does not wait for the
- * disk, so that it may be called while the robot drives. {@link #saveDurably} outlives a loss of
- * power too.
+ * <p>{@link #save} outlives the process; it does not wait for the disk, so that it may be called
+ * while the robot drives. {@link #saveDurably} outlives a loss of power too.
  */
 public final class Journal {
 

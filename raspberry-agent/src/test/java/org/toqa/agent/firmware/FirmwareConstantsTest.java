@@ -53,8 +53,7 @@ class FirmwareConstantsTest {
   void framesCarryTheSameRange() throws IOException {
     assertEquals(FrameCodec.MAX_SPEED, constant("twist.h", "TWIST_SPEED_LIMIT_UM_S") / 1e6);
     assertEquals(FrameCodec.MAX_TURN_RATE, constant("twist.h", "TWIST_TURN_LIMIT_URAD_S") / 1e6);
-    assertEquals(
-        FrameCodec.MAX_SEGMENT_SECONDS, constant("segment.h", "SEGMENT_LONGEST_MS") / 1e3);
+    assertEquals(FrameCodec.MAX_SEGMENT_SECONDS, constant("segment.h", "SEGMENT_LONGEST_MS") / 1e3);
   }
 
   @Test
