@@ -91,7 +91,7 @@ void board_model_restart(struct board_model *board)
     /* simavr passes on what changes, and the chip has just forgotten its pins */
     avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + HEAT_PIN), 0);
     avr_raise_irq(port(board, 'D', IOPORT_IRQ_PIN0 + SWITCH_PIN), 0);
-    board_model_feel(board);
+    board_model_update(board);
     avr_cycle_timer_register_usec(board->avr, RANGE_PERIOD_US, send_range, board);
 }
 
@@ -100,7 +100,7 @@ static void measure(struct board_model *board, int channel, uint32_t mv)
     avr_raise_irq(avr_io_getirq(board->avr, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC0 + channel), mv);
 }
 
-void board_model_feel(struct board_model *board)
+void board_model_update(struct board_model *board)
 {
     const struct surroundings *felt = board->surroundings;
 

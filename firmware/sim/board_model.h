@@ -25,6 +25,6 @@ void board_model_wire(struct board_model *board);
 void board_model_restart(struct board_model *board);
 
 /* Puts the surroundings on the pins. */
-void board_model_feel(struct board_model *board);
+void board_model_update(struct board_model *board);
 
 #endif

@@ -55,7 +55,7 @@ static avr_cycle_count_t sample_rig(avr_t *chip, avr_cycle_count_t when, void *p
 static avr_cycle_count_t feel(avr_t *chip, avr_cycle_count_t when, void *parameter)
 {
     (void)parameter;
-    board_model_feel(&board);
+    board_model_update(&board);
     return when + avr_usec_to_cycles(chip, FEEL_PERIOD_US);
 }
 

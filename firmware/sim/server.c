@@ -13,7 +13,7 @@
 
 #include "bytes.h"
 #include "chip.h"
-#include "truth.h"
+#include "world_state.h"
 
 enum {
     MOST_CLIENTS = 8,
@@ -103,7 +103,7 @@ static bool tell(struct client *client, bool *is_whole)
 
     *is_whole = true;
     forget_request(client, 1);
-    truth_write(line, sizeof line);
+    world_state_write(line, sizeof line);
     return send_all(client->socket, line, strlen(line));
 }
 
@@ -117,7 +117,7 @@ static bool change(struct client *client, bool *is_whole)
         return client->length < sizeof client->request;
     }
     *end = '\0';
-    is_understood = truth_change((const char *)client->request + 1);
+    is_understood = world_state_change((const char *)client->request + 1);
     forget_request(client, (size_t)(end + 1 - client->request));
     return is_understood ? send_all(client->socket, "ok\n", 3)
                          : send_all(client->socket, "not understood\n", 15);

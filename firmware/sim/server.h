@@ -5,7 +5,7 @@
  *   'X' uint32 us, uint16 length, bytes    lets time pass, in the end of which it exchanges bytes
  *                                          over the SPI; answered by as many bytes. Length 0: time
  *                                          passes only, answered by a byte
- *   'Q'                                    answered by a line of name=value pairs: the truth
+ *   'Q'                                    answered by a line of name=value pairs: the true state
  *   'S' text up to a line feed             changes the surroundings (see docs/firmware.md);
  *                                          answered by a line, "ok" or what is wrong
  *

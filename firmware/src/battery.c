@@ -6,7 +6,7 @@ void battery_begin(struct battery *battery)
     battery->low_ms = 0;
 }
 
-void battery_measure(struct battery *battery, uint16_t mv, uint16_t ms_since_last)
+void battery_update(struct battery *battery, uint16_t mv, uint16_t ms_since_last)
 {
     if (battery->mv_q4 == 0) {
         battery->mv_q4 = (uint32_t)mv << 4;

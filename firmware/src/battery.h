@@ -16,7 +16,7 @@ struct battery {
 };
 
 void battery_begin(struct battery *battery);
-void battery_measure(struct battery *battery, uint16_t mv, uint16_t ms_since_last);
+void battery_update(struct battery *battery, uint16_t mv, uint16_t ms_since_last);
 
 static inline uint16_t battery_mv(const struct battery *battery)
 {

@@ -1,7 +1,7 @@
 /*
- * When a motor that is reversed to brake has stopped its wheel: known from the way, without knowing
- * the load. Reversed with a voltage that alone would make a rate of -V, the wheel slows down from r0
- * by dr/dt = -(V + r)/T, where T grows with the load. When r is 0, the way covered is
+ * When a motor that is reversed to brake has stopped its wheel: known from the distance, without
+ * knowing the load. Reversed with a voltage that alone would make a rate of -V, the wheel slows down
+ * from r0 by dr/dt = -(V + r)/T, where T grows with the load. When r is 0, the distance covered is
  *
  *   r0 t (1/s - V/r0)   with s = ln(1 + r0/V)
  *
@@ -23,14 +23,14 @@ struct brake {
 };
 
 /* Nobody reverses a wheel for longer: twice what a robot needs that carries its own mass. */
-enum { BRAKE_MOST_MS_Q4 = 150 * 16 };
+enum { BRAKE_MAX_MS_Q4 = 150 * 16 };
 
 /* counts: now; rate: that it turns with, counts a second; voltage: V or -V, counts a second. */
-void brake_reverse(struct brake *brake, uint8_t wheel, int32_t counts, int32_t rate,
+void brake_begin_reversing(struct brake *brake, uint8_t wheel, int32_t counts, int32_t rate,
                    int32_t voltage);
 
 /* Returns whether the wheel stands now. ms_q4: since it was reversed, times 2^4. */
-bool brake_stands(const struct brake *brake, uint8_t wheel, int32_t counts, uint16_t ms_q4);
+bool brake_has_stopped(const struct brake *brake, uint8_t wheel, int32_t counts, uint16_t ms_q4);
 
 /* When the wheel will stand, as it looks now: the nearer the end, the better it is known. */
 uint16_t brake_end_ms_q4(const struct brake *brake, uint8_t wheel, int32_t counts, uint16_t ms_q4);

@@ -17,7 +17,7 @@ void frame_seal(uint8_t bytes[FRAME_LENGTH], uint8_t kind, uint8_t sequence)
 void frame_parser_begin(struct frame_parser *parser)
 {
     parser->length = 0;
-    parser->is_hunting = false;
+    parser->is_searching = false;
     parser->bad = 0;
 }
 
@@ -34,7 +34,7 @@ static bool begins_frame(const uint8_t *bytes, uint8_t length)
 }
 
 /* Drops bytes from the front until what is left can be the beginning of a frame. */
-static void hunt(struct frame_parser *parser)
+static void resynchronise(struct frame_parser *parser)
 {
     uint8_t start = 0;
 
@@ -49,15 +49,15 @@ static void hunt(struct frame_parser *parser)
 /* What the parser took for a frame is none; one that begins within it may still be good. */
 static void reject(struct frame_parser *parser)
 {
-    if (!parser->is_hunting) {
-        parser->is_hunting = true;
+    if (!parser->is_searching) {
+        parser->is_searching = true;
         count_bad(parser);
     }
     parser->bytes[0] = 0;
-    hunt(parser);
+    resynchronise(parser);
 }
 
-bool frame_parser_take(struct frame_parser *parser, uint8_t byte)
+bool frame_parser_add(struct frame_parser *parser, uint8_t byte)
 {
     if (parser->length == FRAME_LENGTH) {
         parser->length = 0;
@@ -74,7 +74,7 @@ bool frame_parser_take(struct frame_parser *parser, uint8_t byte)
         reject(parser);
         return false;
     }
-    parser->is_hunting = false;
+    parser->is_searching = false;
     return true;
 }
 
@@ -82,9 +82,9 @@ void frame_parser_pause(struct frame_parser *parser)
 {
     bool is_half = parser->length != 0 && parser->length != FRAME_LENGTH;
 
-    if (is_half && !parser->is_hunting) {
+    if (is_half && !parser->is_searching) {
         count_bad(parser);
     }
     parser->length = 0;
-    parser->is_hunting = false;
+    parser->is_searching = false;
 }

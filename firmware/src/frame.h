@@ -21,14 +21,14 @@ void frame_seal(uint8_t bytes[FRAME_LENGTH], uint8_t kind, uint8_t sequence);
 struct frame_parser {
     uint8_t bytes[FRAME_LENGTH];
     uint8_t length;
-    bool is_hunting;
+    bool is_searching;
     uint16_t bad; /* frames; stays at 65535 */
 };
 
 void frame_parser_begin(struct frame_parser *parser);
 
 /* Returns whether a whole good frame lies in parser->bytes, until the next byte is taken. */
-bool frame_parser_take(struct frame_parser *parser, uint8_t byte);
+bool frame_parser_add(struct frame_parser *parser, uint8_t byte);
 
 /* The sender made a pause: what is half received will never be whole. */
 void frame_parser_pause(struct frame_parser *parser);

@@ -1,8 +1,8 @@
 /*
  * The drive of the ED-7275: three LM629 motion controllers in velocity mode, whose velocity is
- * changed in motion. Each keeps its trajectory and its PID by itself; here it is only told. All are
- * told the same thing before any is told the next: so they are busy at the same time, and not one
- * after the other. What is told to axes returns those of them that took it.
+ * changed in motion. Each keeps its trajectory and its PID by itself; here it is only commanded. All
+ * get the same command before any gets the next: so they are busy at the same time, and not one
+ * after the other. A function that commands axes returns those of them that accepted it.
  */
 #include <string.h>
 
@@ -16,19 +16,19 @@
 enum {
     CLOCKS_A_SAMPLE = 2048,
 
-    /* A command takes the LM629 100 us at most; a look at its status takes 2 us or more. */
-    MOST_LOOKS = 200,
+    /* A command takes the LM629 100 us at most; a read of its status takes 2 us or more. */
+    MAX_STATUS_READS = 200,
 
     PROPORTIONAL = 400,
     DERIVATIVE = 4400,
     REVERSING_PROPORTIONAL = 4000, /* full voltage from 8 counts on */
 
-    LOOK_MS = 2, /* at braked wheels: it takes half a millisecond */
+    CHECK_PERIOD_MS = 2, /* at braked wheels: it takes half a millisecond */
 
     /* Counts a second, 0.27 m/s at the rim: what is slower, the filter brakes as soon. */
     SLOWEST_REVERSED = 3000,
     DERIVATIVE_INTERVAL = 9, /* samples, less 1 */
-    MOST_POSITION_ERROR = 2808, /* counts: a turn; then the LM629 stops by itself */
+    MAX_POSITION_ERROR = 2808, /* counts: a turn; then the LM629 stops by itself */
 
     ALL_AXES = (1 << BODY_WHEELS) - 1, /* bit 0 to 2 */
 };
@@ -37,7 +37,7 @@ enum {
 static const int64_t VELOCITY_Q24 =
     (INT64_C(1) << (24 + 16 - 8)) * CLOCKS_A_SAMPLE / CLOCK_HZ;
 
-/* 33 m/s2 at the rim: more than what is told, which is slewed already. */
+/* 33 m/s2 at the rim: more than what is commanded, which is slewed already. */
 #define ACCELERATION_COUNTS_S2 366600
 
 /* Counts a sample squared, times 2^16. */
@@ -60,7 +60,7 @@ static bool is_in(uint8_t axes, uint8_t axis)
 
 static bool is_ready(uint8_t axis)
 {
-    for (uint8_t look = 0; look < MOST_LOOKS; look++) {
+    for (uint8_t read = 0; read < MAX_STATUS_READS; read++) {
         if ((lm629_bus_status(axis) & LM629_BUSY) == 0) {
             return true;
         }
@@ -68,7 +68,7 @@ static bool is_ready(uint8_t axis)
     return false;
 }
 
-static uint8_t ready(uint8_t axes)
+static uint8_t wait_until_ready(uint8_t axes)
 {
     uint8_t found = 0;
 
@@ -82,27 +82,27 @@ static uint8_t ready(uint8_t axes)
 
 static uint8_t command(uint8_t axes, enum lm629_command code)
 {
-    uint8_t told = ready(axes);
+    uint8_t accepted = wait_until_ready(axes);
 
     for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
-        if (is_in(told, axis)) {
+        if (is_in(accepted, axis)) {
             lm629_bus_command(axis, (uint8_t)code);
         }
     }
-    return told;
+    return accepted;
 }
 
 static uint8_t write_words(uint8_t axes, const uint16_t words[BODY_WHEELS])
 {
-    uint8_t told = ready(axes);
+    uint8_t accepted = wait_until_ready(axes);
 
     for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
-        if (is_in(told, axis)) {
+        if (is_in(accepted, axis)) {
             lm629_bus_write(axis, (uint8_t)(words[axis] >> 8));
             lm629_bus_write(axis, (uint8_t)(words[axis] & 0xFFU));
         }
     }
-    return told;
+    return accepted;
 }
 
 static uint8_t write_word(uint8_t axes, uint16_t word)
@@ -133,16 +133,16 @@ static uint8_t write_long(uint8_t axes, uint32_t value)
 
 static uint8_t read_words(uint8_t axes, uint16_t words[BODY_WHEELS])
 {
-    uint8_t told = ready(axes);
+    uint8_t accepted = wait_until_ready(axes);
 
     for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
-        if (is_in(told, axis)) {
+        if (is_in(accepted, axis)) {
             uint8_t high = lm629_bus_read(axis);
 
             words[axis] = (uint16_t)((uint16_t)((uint16_t)high << 8) | lm629_bus_read(axis));
         }
     }
-    return told;
+    return accepted;
 }
 
 /* Takes effect by LM629_UPDATE_FILTER. */
@@ -160,7 +160,7 @@ static uint8_t set_filter(uint8_t axes, uint16_t proportional, uint16_t derivati
 
 static uint8_t load_limits(uint8_t axes)
 {
-    axes = write_word(command(axes, LM629_LIMIT_AND_STOP), MOST_POSITION_ERROR);
+    axes = write_word(command(axes, LM629_LIMIT_AND_STOP), MAX_POSITION_ERROR);
     axes = write_word(command(axes, LM629_LOAD_TRAJECTORY),
                       LM629_VELOCITY_MODE | LM629_HAS_ACCELERATION | LM629_HAS_VELOCITY);
     return write_long(write_long(axes, (uint32_t)ACCELERATION), 0);
@@ -205,11 +205,11 @@ bool drive_read_counts(int32_t counts[BODY_WHEELS])
 
 /*
  * False after a command error, or an error of position after which the LM629 has stopped its motor.
- * The LM629 tells it once, and can be used again.
+ * The LM629 reports it once, and can be used again.
  */
-static bool is_faultless(uint8_t axes)
+static bool clear_errors(uint8_t axes)
 {
-    bool is_ready = ready(axes) == axes;
+    bool is_ready = wait_until_ready(axes) == axes;
 
     if (has_error(axes, LM629_COMMAND_ERROR | LM629_POSITION_ERROR)) {
         (void)write_word(command(axes, LM629_RESET_INTERRUPTS), 0);
@@ -218,10 +218,10 @@ static bool is_faultless(uint8_t axes)
     return is_ready;
 }
 
-/* Lets axes do what was loaded into all of those that took it. */
+/* Starts what was loaded into all of the axes that accepted it. */
 static bool start(uint8_t axes, uint8_t loaded)
 {
-    return command(loaded, LM629_START) == axes && is_faultless(axes);
+    return command(loaded, LM629_START) == axes && clear_errors(axes);
 }
 
 static bool stop(uint8_t axes, uint16_t manner)
@@ -240,7 +240,7 @@ bool drive_begin(void)
     memset(moved_before, 0, sizeof moved_before);
     axes = load_limits(write_word(command(ALL_AXES, LM629_RESET_INTERRUPTS), 0));
     motion = OFF;
-    return axes == ALL_AXES && is_faultless(axes);
+    return axes == ALL_AXES && clear_errors(axes);
 }
 
 bool drive_turn(const struct wheel_rates *rates)
@@ -266,9 +266,9 @@ bool drive_turn(const struct wheel_rates *rates)
 }
 
 /*
- * A trajectory that slows down would end where the wheel should have stood, and first catch up where
- * it was behind. So fast wheels are reversed: drawn back with full voltage to where they are now,
- * until they stand. Slow ones, and those that stand, are damped and drawn nowhere.
+ * A trajectory that slows down would end where the wheel should have stood, and first catch up what
+ * it was behind. So fast wheels are reversed: driven back with full voltage to where they are
+ * now, until they stand. Slow ones, and those that stand, are only damped.
  */
 static bool begin_to_brake(uint8_t axes)
 {
@@ -284,48 +284,49 @@ static bool begin_to_brake(uint8_t axes)
         int32_t rate = (moved[axis] + moved_before[axis]) * (500 / DRIVE_PERIOD_MS);
 
         if (is_in(axes, axis) && (rate >= SLOWEST_REVERSED || rate <= -SLOWEST_REVERSED)) {
-            brake_reverse(&brake, axis, counts[axis], rate, WHEEL_RATED_Q8 / 256);
+            brake_begin_reversing(&brake, axis, counts[axis], rate, WHEEL_RATED_Q8 / 256);
             reversed = (uint8_t)(reversed | 1U << axis);
         }
     }
     slow = (uint8_t)(axes & ~(unsigned)reversed);
     (void)load_filter(set_filter(reversed, REVERSING_PROPORTIONAL, 0), 0, DERIVATIVE);
     (void)set_filter(slow, 0, DERIVATIVE);
-    return is_faultless(axes);
+    return clear_errors(axes);
 }
 
 /* Returns the axes that stand now and need not be reversed any more. */
-static uint8_t standing(uint8_t axes)
+static uint8_t standing_axes(uint8_t axes)
 {
     int32_t counts[BODY_WHEELS];
     uint8_t found = 0;
 
     axes = read_positions(axes, counts);
     for (uint8_t axis = 0; axis < BODY_WHEELS; axis++) {
-        if (is_in(axes, axis) && brake_stands(&brake, axis, counts[axis], (uint16_t)(braked_ms * 16U + 8U))) {
+        if (is_in(axes, axis) &&
+            brake_has_stopped(&brake, axis, counts[axis], (uint16_t)(braked_ms * 16U + 8U))) {
             found = (uint8_t)(found | 1U << axis);
         }
     }
     return found;
 }
 
-static bool go_on_braking(uint8_t axes)
+static bool continue_braking(uint8_t axes)
 {
     if (reversed == 0) {
-        return is_faultless(axes);
+        return clear_errors(axes);
     }
     braked_ms++;
-    if (braked_ms % LOOK_MS != 0) {
+    if (braked_ms % CHECK_PERIOD_MS != 0) {
         return true;
     }
-    reversed &= (uint8_t)~command(standing(reversed & axes), LM629_UPDATE_FILTER);
+    reversed &= (uint8_t)~command(standing_axes(reversed & axes), LM629_UPDATE_FILTER);
     return true;
 }
 
 /* A controller that does not answer does not keep the others from braking. */
 bool drive_stop(void)
 {
-    uint8_t axes = ready(ALL_AXES);
+    uint8_t axes = wait_until_ready(ALL_AXES);
     bool is_good;
 
     switch (motion) {
@@ -333,21 +334,21 @@ bool drive_stop(void)
         is_good = begin_to_brake(axes);
         break;
     case BRAKED:
-        is_good = go_on_braking(axes);
+        is_good = continue_braking(axes);
         break;
     default:
-        is_good = is_faultless(axes);
+        is_good = clear_errors(axes);
     }
     return is_good && axes == ALL_AXES;
 }
 
 bool drive_rest(void)
 {
-    uint8_t axes = ready(ALL_AXES);
+    uint8_t axes = wait_until_ready(ALL_AXES);
 
     if (motion != OFF) {
         motion = OFF;
         (void)stop(axes, LM629_TURN_MOTOR_OFF);
     }
-    return is_faultless(axes) && axes == ALL_AXES;
+    return clear_errors(axes) && axes == ALL_AXES;
 }

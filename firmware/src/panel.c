@@ -16,12 +16,12 @@ void panel_write(struct panel *panel, const struct robot *robot)
     memcpy(panel->lines[0], robot->caption, PANEL_COLUMNS);
     switch (robot_state(robot)) {
     case ROBOT_STOPPED:
-        write_line(panel->lines[1], "STOPPED: ", stop_word(robot->stop.reasons));
+        write_line(panel->lines[1], "STOPPED: ", stop_text(robot->stop.reasons));
         break;
-    case ROBOT_STANDS:
+    case ROBOT_STANDING:
         write_line(panel->lines[1], "READY", "");
         break;
-    case ROBOT_DRIVES:
+    case ROBOT_DRIVING:
         write_line(panel->lines[1], "DRIVING", "");
         break;
     }

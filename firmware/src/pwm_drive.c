@@ -20,21 +20,21 @@ static const int32_t GAIN_Q8 = 90;
 /* Counts a second, 30 mm/s at the rim: a slower wheel stands by its friction as soon. */
 static const int32_t SLOWEST_REVERSED = 336;
 
-/* A blocked wheel's wanted position runs away no further than what full voltage answers. */
-static const int32_t MOST_BEHIND_Q8 = INT32_C(728) * 256;
+/* A blocked wheel's wanted position runs ahead no further than full voltage can follow. */
+static const int32_t MAX_POSITION_ERROR_Q8 = INT32_C(728) * 256;
 
-static int32_t behind_q8[BODY_WHEELS]; /* counts times 2^8 until where the wheel shall be */
+static int32_t position_error_q8[BODY_WHEELS]; /* counts times 2^8 until where the wheel shall be */
 static int32_t counts_now[BODY_WHEELS];
 static int32_t moved[BODY_WHEELS]; /* counts in the last period */
 static struct brake brake;
 static bool is_braked;
 static bool is_reversed[BODY_WHEELS];
-static uint8_t watched; /* wheel that was looked at last */
+static uint8_t checked_wheel; /* the wheel whose brake was updated last */
 
 bool drive_begin(void)
 {
     pwm_bus_begin();
-    memset(behind_q8, 0, sizeof behind_q8);
+    memset(position_error_q8, 0, sizeof position_error_q8);
     memset(counts_now, 0, sizeof counts_now);
     memset(moved, 0, sizeof moved);
     is_braked = true;
@@ -67,9 +67,10 @@ bool drive_turn(const struct wheel_rates *rates)
         int32_t forward = ((rates->q8[wheel] >> 8) * FORWARD_Q16) >> 16;
         int32_t more;
 
-        behind_q8[wheel] =
-            clamped(behind_q8[wheel] + to_move_q8 - moved[wheel] * 256, MOST_BEHIND_Q8);
-        more = (behind_q8[wheel] * GAIN_Q8) >> 16;
+        position_error_q8[wheel] =
+            clamped(position_error_q8[wheel] + to_move_q8 - moved[wheel] * 256,
+                    MAX_POSITION_ERROR_Q8);
+        more = (position_error_q8[wheel] * GAIN_Q8) >> 16;
         pwm_bus_drive(wheel, (int16_t)clamped(forward + more, PWM_FULL));
     }
     return true;
@@ -83,14 +84,14 @@ static int32_t braking_voltage(int32_t rate)
     return is_slow ? 0 : clamped(-2 * rate, FULL_RATE);
 }
 
-static void drive_back(uint8_t wheel, int32_t voltage)
+static void reverse_wheel(uint8_t wheel, int32_t voltage)
 {
     int16_t duty = (int16_t)clamped((voltage * FORWARD_Q16) >> 16, PWM_FULL);
 
-    behind_q8[wheel] = 0;
+    position_error_q8[wheel] = 0;
     is_reversed[wheel] = voltage != 0;
     if (voltage != 0) {
-        pwm_bus_drive_until(wheel, duty, BRAKE_MOST_MS_Q4);
+        pwm_bus_drive_until(wheel, duty, BRAKE_MAX_MS_Q4);
     } else {
         pwm_bus_drive(wheel, 0);
     }
@@ -110,18 +111,18 @@ static void begin_to_brake(void)
     is_braked = true;
     pwm_bus_begin_time();
     for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
-        drive_back(wheel, voltages[wheel]);
+        reverse_wheel(wheel, voltages[wheel]);
     }
     pwm_bus_counts(counts);
     for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
         if (voltages[wheel] != 0) {
-            brake_reverse(&brake, wheel, counts[wheel], rates[wheel], voltages[wheel]);
+            brake_begin_reversing(&brake, wheel, counts[wheel], rates[wheel], voltages[wheel]);
         }
     }
 }
 
 /* The end of it comes by interrupt: the main loop may be late by some milliseconds. */
-static void foresee_end(uint8_t wheel)
+static void update_brake_end(uint8_t wheel)
 {
     int32_t counts[BODY_WHEELS];
     uint16_t now_ms_q4;
@@ -140,9 +141,10 @@ bool drive_stop(void)
         begin_to_brake();
         return true;
     }
-    watched = (uint8_t)(watched + 1U == BODY_WHEELS ? 0 : watched + 1U); /* one is enough at a time */
-    if (is_reversed[watched]) {
-        foresee_end(watched);
+    /* one is enough at a time */
+    checked_wheel = (uint8_t)(checked_wheel + 1U == BODY_WHEELS ? 0 : checked_wheel + 1U);
+    if (is_reversed[checked_wheel]) {
+        update_brake_end(checked_wheel);
     }
     return true;
 }

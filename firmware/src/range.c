@@ -2,7 +2,7 @@
 
 enum { BEGIN = 0xFF, SUM_AT = 7 };
 
-static void forget(struct range *range)
+static void clear_ranges(struct range *range)
 {
     for (uint8_t i = 0; i < RANGE_SENSORS; i++) {
         range->mm[i] = RANGE_SILENT_MM;
@@ -13,7 +13,7 @@ void range_begin(struct range *range)
 {
     range->length = 0;
     range->silent_ms = 0;
-    forget(range);
+    clear_ranges(range);
 }
 
 static bool is_sum_right(const uint8_t *message)
@@ -33,7 +33,7 @@ static uint16_t distance_mm(const uint8_t *seven_bits)
     return mm > RANGE_NOTHING_MM ? RANGE_NOTHING_MM : mm;
 }
 
-void range_take(struct range *range, uint8_t byte)
+void range_take_byte(struct range *range, uint8_t byte)
 {
     if (byte == BEGIN) {
         range->message[0] = byte;
@@ -57,11 +57,11 @@ void range_take(struct range *range, uint8_t byte)
     }
 }
 
-void range_wait(struct range *range, uint16_t ms)
+void range_elapse(struct range *range, uint16_t ms)
 {
     if (range->silent_ms < RANGE_TIME_OUT_MS) {
         range->silent_ms = (uint16_t)(range->silent_ms + ms);
     } else {
-        forget(range);
+        clear_ranges(range);
     }
 }

@@ -26,7 +26,7 @@ struct range {
 };
 
 void range_begin(struct range *range);
-void range_take(struct range *range, uint8_t byte);
-void range_wait(struct range *range, uint16_t ms);
+void range_take_byte(struct range *range, uint8_t byte);
+void range_elapse(struct range *range, uint16_t ms);
 
 #endif

@@ -1,4 +1,4 @@
-/* The whole robot: what it was told, what it feels, and what its wheels do. */
+/* The whole robot: its commands, its sensors and its wheels. */
 #ifndef ROBOT_H
 #define ROBOT_H
 
@@ -7,58 +7,73 @@
 
 #include "battery.h"
 #include "command.h"
-#include "follower.h"
-#include "odometer.h"
+#include "odometry.h"
 #include "range.h"
+#include "segment_runner.h"
 #include "stall.h"
 #include "status.h"
 #include "stop.h"
 #include "wheel.h"
 
-/* What the robot feels now. */
+/* What the sensors measure now. */
 struct robot_inputs {
-    uint8_t floor_gone; /* bit 0 to 4: floor sensors that see no floor */
+    uint8_t missing_floor; /* bit 0 to 4: floor sensors that see no floor */
     bool is_hot;
     bool is_stop_pressed;
     uint16_t battery_mv;
 };
 
+/* The velocity that was commanded last. */
+struct velocity_command {
+    struct twist twist;
+    uint32_t set_ms;
+    bool is_active; /* else the robot drives by segments */
+};
+
+/* What the wheels do. */
+struct motion {
+    struct twist twist;
+    struct wheel_rates rates;
+    bool has_turned; /* a wheel, in the last period */
+};
+
+/* The exchange of frames with the daemon. */
+struct conversation {
+    uint32_t last_frame_ms; /* the last good one */
+    uint8_t sequence;
+    enum answer answer;
+};
+
 struct robot {
     struct stop stop;
-    struct odometer odometer;
-    struct follower follower;
+    struct odometry odometry;
+    struct segment_runner segment_runner;
     struct stall stall;
     struct battery battery;
     struct range range;
-    struct twist velocity; /* that is wanted */
-    uint32_t velocity_ms;  /* when it was wanted */
-    bool is_by_velocity;   /* else by segments */
-    struct twist twist;    /* that is driven */
-    struct wheel_rates rates;
-    bool has_turned; /* a wheel, in the last period */
-    uint8_t floor_gone;
+    struct velocity_command velocity_command;
+    struct motion motion;
+    uint8_t missing_floor;
     uint32_t now_ms;
-    uint32_t heard_ms; /* the last good frame */
+    struct conversation conversation;
     uint16_t power_cycle;
-    uint8_t sequence;
-    enum answer answer;
     char caption[CAPTION_LENGTH];
 };
 
 void robot_begin(struct robot *robot, enum stop_reason reason, uint16_t power_cycle);
 
-/* A good frame came. */
-void robot_hear(struct robot *robot, const uint8_t frame[FRAME_LENGTH]);
+/* Executes the command of a good frame. */
+void robot_handle_frame(struct robot *robot, const uint8_t frame[FRAME_LENGTH]);
 
 /* Every millisecond: stops the wheels at once when there is a cause. */
-void robot_watch(struct robot *robot, const struct robot_inputs *inputs, uint32_t now_ms);
+void robot_update(struct robot *robot, const struct robot_inputs *inputs, uint32_t now_ms);
 
 /* Every DRIVE_PERIOD_MS: odometry and wheels. */
-void robot_drive(struct robot *robot);
+void robot_control_wheels(struct robot *robot);
 
 enum robot_state robot_state(const struct robot *robot);
 
 /* All but the counts of bad frames and lost bytes, which others keep. */
-void robot_tell(const struct robot *robot, struct status *status);
+void robot_fill_status(const struct robot *robot, struct status *status);
 
 #endif

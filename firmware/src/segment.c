@@ -2,13 +2,13 @@
 
 #include <string.h>
 
-#include "root.h"
+#include "square_root.h"
 
 /* What the wheels can follow. */
 static const uint32_t ACCELERATION_UM_S2 = 500000;
 static const uint32_t TURN_ACCELERATION_URAD_S2 = 3000000;
 
-/* Jumps of velocity that the motors swallow. */
+/* Jumps of velocity that the motors can follow. */
 static const uint32_t SPEED_JUMP_UM_S = 100000;
 static const uint32_t TURN_JUMP_URAD_S = 800000;
 
@@ -25,7 +25,7 @@ static uint8_t index_of(const struct segment_queue *queue, uint8_t place)
     return (uint8_t)((queue->first + place) % SEGMENT_QUEUE_LENGTH);
 }
 
-static const struct segment *at(const struct segment_queue *queue, uint8_t place)
+static const struct segment *segment_at(const struct segment_queue *queue, uint8_t place)
 {
     return &queue->segments[index_of(queue, place)];
 }
@@ -87,7 +87,7 @@ static uint32_t braked_square_q30(uint16_t exit_q15, uint32_t gain_q30)
 
 static uint16_t root_q15(uint32_t square_q30)
 {
-    return square_q30 >= ONE_Q30 ? ONE_Q15 : root(square_q30);
+    return square_q30 >= ONE_Q30 ? ONE_Q15 : square_root(square_q30);
 }
 
 static uint32_t duration_us(const struct segment *segment)
@@ -95,8 +95,8 @@ static uint32_t duration_us(const struct segment *segment)
     return segment->duration_ms * 1000;
 }
 
-/* The backward pass: from a stand at the end of the queue to where nothing changes any more. */
-static void plan(struct segment_queue *queue)
+/* The backward pass: from a standstill at the end of the queue to where nothing changes any more. */
+static void plan_exit_paces(struct segment_queue *queue)
 {
     uint16_t exit_q15 = 0;
 
@@ -114,16 +114,16 @@ static void plan(struct segment_queue *queue)
     }
 }
 
-static void measure(struct segment_queue *queue, uint8_t place)
+static void compute_limits(struct segment_queue *queue, uint8_t place)
 {
-    const struct segment *segment = at(queue, place);
+    const struct segment *segment = segment_at(queue, place);
     uint8_t index = index_of(queue, place);
     uint32_t rate_q15 = pace_rate_q15(segment);
 
     queue->pace_rate_q15[index] = rate_q15;
     queue->gain_q30[index] = braking_gain_q30(rate_q15, duration_us(segment));
     queue->entry_pace_q15[index] =
-        place == 0 ? 0 : junction_pace_q15(at(queue, (uint8_t)(place - 1)), segment);
+        place == 0 ? 0 : junction_pace_q15(segment_at(queue, (uint8_t)(place - 1)), segment);
 }
 
 void segment_queue_begin(struct segment_queue *queue)
@@ -137,13 +137,13 @@ bool segment_queue_add(struct segment_queue *queue, const struct segment *segmen
         return false;
     }
     queue->segments[index_of(queue, queue->count)] = *segment;
-    measure(queue, queue->count);
+    compute_limits(queue, queue->count);
     queue->count++;
-    plan(queue);
+    plan_exit_paces(queue);
     return true;
 }
 
-void segment_queue_place(struct segment_queue *queue, const struct pose *here)
+void segment_queue_reset(struct segment_queue *queue, const struct pose *here)
 {
     queue->count = 0;
     queue->covered_us = 0;
@@ -167,7 +167,7 @@ static struct step step_of(const struct segment *segment, uint32_t us)
 
 static void move_reference(struct segment_queue *queue, uint32_t us)
 {
-    struct step step = step_of(at(queue, 0), us);
+    struct step step = step_of(segment_at(queue, 0), us);
 
     pose_advance(&queue->reference, &step);
     queue->covered_us += us;
@@ -187,11 +187,11 @@ static void drop_first(struct segment_queue *queue)
  */
 static uint16_t allowed_pace_q15(const struct segment_queue *queue, uint32_t change_q15)
 {
-    uint32_t left_us = duration_us(at(queue, 0)) - queue->covered_us;
+    uint32_t left_us = duration_us(segment_at(queue, 0)) - queue->covered_us;
     uint32_t gain_q30 = braking_gain_q30(queue->pace_rate_q15[queue->first], left_us);
     uint32_t square_q30 = braked_square_q30(queue->exit_pace_q15[queue->first], gain_q30);
 
-    return (uint16_t)(root(square_q30 + change_q15 * change_q15) - change_q15);
+    return (uint16_t)(square_root(square_q30 + change_q15 * change_q15) - change_q15);
 }
 
 static uint16_t next_pace_q15(const struct segment_queue *queue, uint16_t wanted_q15, uint16_t ms)
@@ -216,8 +216,9 @@ void segment_queue_advance(struct segment_queue *queue, uint16_t wanted_pace_q15
     }
     queue->pace_q15 = next_pace_q15(queue, wanted_pace_q15, ms);
     time_us = ((uint32_t)queue->pace_q15 * ms * 1000) >> 15;
-    while (queue->count != 0 && queue->covered_us + time_us + INSTANT_US >= duration_us(at(queue, 0))) {
-        uint32_t left_us = duration_us(at(queue, 0)) - queue->covered_us;
+    while (queue->count != 0 &&
+           queue->covered_us + time_us + INSTANT_US >= duration_us(segment_at(queue, 0))) {
+        uint32_t left_us = duration_us(segment_at(queue, 0)) - queue->covered_us;
 
         move_reference(queue, left_us);
         time_us -= least(time_us, left_us);
@@ -235,7 +236,7 @@ struct twist segment_queue_twist(const struct segment_queue *queue)
     struct twist twist = {0, 0, 0};
 
     if (queue->count != 0) {
-        const struct segment *segment = at(queue, 0);
+        const struct segment *segment = segment_at(queue, 0);
 
         twist.vx_um_s = (int32_t)(((int64_t)segment->v_um_s * queue->pace_q15) >> 15);
         twist.w_urad_s = (int32_t)(((int64_t)segment->w_urad_s * queue->pace_q15) >> 15);

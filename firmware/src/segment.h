@@ -42,8 +42,8 @@ void segment_queue_begin(struct segment_queue *queue);
 /* Returns false where the queue is full. */
 bool segment_queue_add(struct segment_queue *queue, const struct segment *segment);
 
-/* Forgets all segments; the reference stands here. */
-void segment_queue_place(struct segment_queue *queue, const struct pose *here);
+/* Drops all segments; the reference stands here. */
+void segment_queue_reset(struct segment_queue *queue, const struct pose *here);
 
 /* Moves the reference on; wanted_pace_q15: 2^15 as planned, less to wait. */
 void segment_queue_advance(struct segment_queue *queue, uint16_t wanted_pace_q15, uint16_t ms);
@@ -51,7 +51,7 @@ void segment_queue_advance(struct segment_queue *queue, uint16_t wanted_pace_q15
 /* The reference's velocity, in its own frame. */
 struct twist segment_queue_twist(const struct segment_queue *queue);
 
-static inline bool segment_queue_stands(const struct segment_queue *queue)
+static inline bool segment_queue_is_standing(const struct segment_queue *queue)
 {
     return queue->pace_q15 == 0;
 }

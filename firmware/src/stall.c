@@ -3,8 +3,9 @@
 #include <string.h>
 
 enum {
-    WATCH_MS = 300,
-    SLOW_Q8 = 30 * 256, /* counts in a watch; a wheel told to turn less may stand: 9 mm/s */
+    PERIOD_MS = 300,
+    /* counts in a period; a wheel that is commanded to turn less may stand: 9 mm/s */
+    MIN_COMMANDED_Q8 = 30 * 256,
 };
 
 static uint32_t magnitude(int32_t value)
@@ -15,35 +16,35 @@ static uint32_t magnitude(int32_t value)
 void stall_begin(struct stall *stall, const int32_t counts[BODY_WHEELS])
 {
     memset(stall, 0, sizeof *stall);
-    memcpy(stall->last, counts, sizeof stall->last);
+    memcpy(stall->last_counts, counts, sizeof stall->last_counts);
 }
 
 static bool is_stalled(const struct stall *stall)
 {
     for (uint8_t i = 0; i < BODY_WHEELS; i++) {
-        uint32_t told_q8 = stall->told_q8_ms[i] / 1000;
+        uint32_t commanded_q8 = stall->commanded_q8_ms[i] / 1000;
 
-        if (told_q8 > SLOW_Q8 && stall->turned[i] < told_q8 >> 10) {
+        if (commanded_q8 > MIN_COMMANDED_Q8 && stall->counted[i] < commanded_q8 >> 10) {
             return true;
         }
     }
     return false;
 }
 
-bool stall_watch(struct stall *stall, const struct wheel_rates *rates,
+bool stall_update(struct stall *stall, const struct wheel_rates *rates,
                  const int32_t counts[BODY_WHEELS], uint16_t ms)
 {
     bool stalled;
 
     for (uint8_t i = 0; i < BODY_WHEELS; i++) {
-        int32_t moved = (int32_t)((uint32_t)counts[i] - (uint32_t)stall->last[i]);
+        int32_t moved = (int32_t)((uint32_t)counts[i] - (uint32_t)stall->last_counts[i]);
 
-        stall->told_q8_ms[i] += magnitude(rates->q8[i]) * ms;
-        stall->turned[i] += magnitude(moved);
-        stall->last[i] = counts[i];
+        stall->commanded_q8_ms[i] += magnitude(rates->q8[i]) * ms;
+        stall->counted[i] += magnitude(moved);
+        stall->last_counts[i] = counts[i];
     }
-    stall->watched_ms = (uint16_t)(stall->watched_ms + ms);
-    if (stall->watched_ms < WATCH_MS) {
+    stall->elapsed_ms = (uint16_t)(stall->elapsed_ms + ms);
+    if (stall->elapsed_ms < PERIOD_MS) {
         return false;
     }
     stalled = is_stalled(stall);

@@ -22,7 +22,7 @@ void status_write(const struct status *status, uint8_t frame[FRAME_LENGTH])
         put_u16(frame + 38 + 2 * i, status->range_mm[i]);
     }
     put_u16(frame + 44, status->battery_mv);
-    frame[46] = status->floor;
+    frame[46] = status->missing_floor;
     frame[47] = status->queue_free;
     put_u16(frame + 48, status->segments_driven);
     put_u16(frame + 50, status->bad_frames);

@@ -1,4 +1,4 @@
-/* What the robot tells of itself: the status frame of docs/spi-frame.md as a value. */
+/* What the robot reports: the status frame of docs/spi-frame.md as a value. */
 #ifndef STATUS_H
 #define STATUS_H
 
@@ -11,7 +11,7 @@
 
 enum { STATUS_KIND = 0x80 };
 
-enum robot_state { ROBOT_STOPPED = 0, ROBOT_STANDS = 1, ROBOT_DRIVES = 2 };
+enum robot_state { ROBOT_STOPPED = 0, ROBOT_STANDING = 1, ROBOT_DRIVING = 2 };
 
 struct status {
     uint8_t sequence;
@@ -26,7 +26,7 @@ struct status {
     int32_t heading_urad;
     uint16_t range_mm[RANGE_SENSORS];
     uint16_t battery_mv;
-    uint8_t floor;
+    uint8_t missing_floor;
     uint8_t queue_free;
     uint16_t segments_driven;
     uint16_t bad_frames;

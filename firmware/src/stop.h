@@ -1,6 +1,6 @@
 /*
  * Why the robot must stand. A reason comes with its cause and stays until it is cleared, by the
- * daemon or only by a person's word; while its cause lasts, nobody clears it.
+ * daemon or only by a person; while its cause lasts, nobody clears it.
  */
 #ifndef STOP_H
 #define STOP_H
@@ -33,13 +33,13 @@ struct stop {
 /* After a start the robot stands; reason: STOP_POWER_UP or STOP_WATCHDOG. */
 void stop_begin(struct stop *stop, enum stop_reason reason);
 
-/* Tells whether a cause is there now. */
-void stop_cause(struct stop *stop, enum stop_reason reason, bool is_there);
+/* Sets whether a cause is present now. */
+void stop_set_cause(struct stop *stop, enum stop_reason reason, bool is_present);
 
 /* Returns whether all of these reasons are gone now. */
 bool stop_clear(struct stop *stop, uint16_t reasons, bool by_person);
 
-/* The word for the gravest reason, for the display; empty when nothing stops the robot. */
-const char *stop_word(uint16_t reasons);
+/* The text for the most severe reason, for the display; empty when nothing stops the robot. */
+const char *stop_text(uint16_t reasons);
 
 #endif

@@ -4,7 +4,7 @@
 
 enum { GAIN_A_SECOND = 3 };
 
-/* No error, however large, makes the robot leap. */
+/* The limits of the correction, however large the error. */
 static const int32_t CORRECTION_UM_S = 100000;
 static const int32_t TURN_CORRECTION_URAD_S = 500000;
 

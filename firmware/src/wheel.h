@@ -18,18 +18,18 @@
 #include "twist.h"
 
 /* 220 turns a minute. */
-#define WHEEL_RATED_Q8 ((int32_t)BODY_COUNTS_A_TURN * 256 * BODY_RATED_RPM / 60)
+#define WHEEL_RATED_Q8 ((int32_t)BODY_COUNTS_PER_TURN * 256 * BODY_RATED_RPM / 60)
 
 /* 150 turns a minute. */
-#define WHEEL_FASTEST_Q8 ((int32_t)BODY_COUNTS_A_TURN * 256 * BODY_FASTEST_RPM / 60)
+#define WHEEL_MAX_RATE_Q8 ((int32_t)BODY_COUNTS_PER_TURN * 256 * BODY_MAX_RPM / 60)
 
 struct wheel_rates {
     int32_t q8[BODY_WHEELS]; /* counts a second times 2^8 */
 };
 
-void wheel_rates_of(const struct twist *twist, struct wheel_rates *rates);
+void wheel_rates_from_twist(const struct twist *twist, struct wheel_rates *rates);
 
-/* Slows all wheels alike until none is told to turn too fast: the curve stays. */
+/* Slows all wheels alike until none is commanded to turn too fast: the curve stays. */
 void wheel_rates_limit(struct wheel_rates *rates);
 
 #endif

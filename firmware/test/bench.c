@@ -22,9 +22,9 @@ void bench_live(struct bench *bench, uint32_t ms)
             bench_drive_sample();
             bench->rig_seconds += BENCH_DRIVE_SAMPLE;
         }
-        robot_watch(&bench->robot, &bench->inputs, bench->now_ms);
+        robot_update(&bench->robot, &bench->inputs, bench->now_ms);
         if (bench->now_ms % DRIVE_PERIOD_MS == 0) {
-            robot_drive(&bench->robot);
+            robot_control_wheels(&bench->robot);
         }
     }
 }
@@ -32,7 +32,7 @@ void bench_live(struct bench *bench, uint32_t ms)
 static enum answer say(struct bench *bench, uint8_t frame[FRAME_LENGTH], enum command_kind kind)
 {
     frame_seal(frame, (uint8_t)kind, ++bench->sequence);
-    robot_hear(&bench->robot, frame);
+    robot_handle_frame(&bench->robot, frame);
     return bench_status(bench).answer;
 }
 
@@ -42,7 +42,7 @@ void bench_live_polled(struct bench *bench, uint32_t ms)
         uint8_t frame[FRAME_LENGTH] = {0};
 
         frame_seal(frame, COMMAND_POLL, 0);
-        robot_hear(&bench->robot, frame);
+        robot_handle_frame(&bench->robot, frame);
         bench_live(bench, 20);
     }
 }
@@ -87,6 +87,6 @@ struct status bench_status(const struct bench *bench)
 {
     struct status status;
 
-    robot_tell(&bench->robot, &status);
+    robot_fill_status(&bench->robot, &status);
     return status;
 }

@@ -23,7 +23,7 @@ static unsigned take(const uint8_t *bytes, unsigned length)
     unsigned frames = 0;
 
     for (unsigned i = 0; i < length; i++) {
-        frames += frame_parser_take(&parser, bytes[i]);
+        frames += frame_parser_add(&parser, bytes[i]);
     }
     return frames;
 }
@@ -136,7 +136,7 @@ static void a_million_inputs_do_no_harm(void)
         frame_seal(frame, (uint8_t)(random_number() % 8), (uint8_t)input);
         damage(frame);
         for (unsigned i = 0; i < length; i++) {
-            if (frame_parser_take(&parser, frame[i])) {
+            if (frame_parser_add(&parser, frame[i])) {
                 good++;
                 if (!is_good(parser.bytes)) {
                     CHECK(!"a bad frame was taken for a good one");

@@ -35,7 +35,7 @@ static bool is_taken(const struct golden *golden)
 
     frame_parser_begin(&parser);
     for (unsigned i = 0; i < FRAME_LENGTH; i++) {
-        frames += frame_parser_take(&parser, golden->frame[i]);
+        frames += frame_parser_add(&parser, golden->frame[i]);
     }
     return frames == 1;
 }
@@ -95,7 +95,7 @@ static void check_status(const struct golden *golden)
         .range_mm = {(uint16_t)value(golden, "range1_mm"), (uint16_t)value(golden, "range2_mm"),
                      (uint16_t)value(golden, "range3_mm")},
         .battery_mv = (uint16_t)value(golden, "battery_mv"),
-        .floor = (uint8_t)value(golden, "floor"),
+        .missing_floor = (uint8_t)value(golden, "floor"),
         .queue_free = (uint8_t)value(golden, "queue_free"),
         .segments_driven = (uint16_t)value(golden, "segments"),
         .bad_frames = (uint16_t)value(golden, "bad"),

@@ -4,8 +4,8 @@
 
 #include "angle.h"
 #include "check.h"
-#include "odometer.h"
-#include "root.h"
+#include "odometry.h"
+#include "square_root.h"
 #include "tests.h"
 #include "wheel.h"
 
@@ -29,8 +29,8 @@ static void sine_is_off_by_at_most_6e_5(void)
 static void root_is_the_whole_part(void)
 {
     for (uint32_t i = 0; i < 65536; i++) {
-        CHECK_EQUAL(i, root(i * i));
-        CHECK_EQUAL(i, root(i * i + 2 * i)); /* (i + 1)^2 - 1 */
+        CHECK_EQUAL(i, square_root(i * i));
+        CHECK_EQUAL(i, square_root(i * i + 2 * i)); /* (i + 1)^2 - 1 */
     }
 }
 
@@ -54,7 +54,7 @@ static void wheel_rates_are_off_by_at_most_one_unit(void)
                 struct twist twist = {vx, vy, w};
                 struct wheel_rates rates;
 
-                wheel_rates_of(&twist, &rates);
+                wheel_rates_from_twist(&twist, &rates);
                 for (int i = 0; i < BODY_WHEELS; i++) {
                     double exact = forward(vx, vy, w, i) * 1e-6 * COUNTS_A_METRE * 256;
 
@@ -67,39 +67,39 @@ static void wheel_rates_are_off_by_at_most_one_unit(void)
 
 static void limit_slows_all_wheels_alike(void)
 {
-    struct wheel_rates rates = {{2 * WHEEL_FASTEST_Q8, -WHEEL_FASTEST_Q8, WHEEL_FASTEST_Q8 / 2}};
+    struct wheel_rates rates = {{2 * WHEEL_MAX_RATE_Q8, -WHEEL_MAX_RATE_Q8, WHEEL_MAX_RATE_Q8 / 2}};
 
     wheel_rates_limit(&rates);
-    CHECK_EQUAL(WHEEL_FASTEST_Q8, rates.q8[0]);
-    CHECK_EQUAL(-WHEEL_FASTEST_Q8 / 2, rates.q8[1]);
-    CHECK_EQUAL(WHEEL_FASTEST_Q8 / 4, rates.q8[2]);
+    CHECK_EQUAL(WHEEL_MAX_RATE_Q8, rates.q8[0]);
+    CHECK_EQUAL(-WHEEL_MAX_RATE_Q8 / 2, rates.q8[1]);
+    CHECK_EQUAL(WHEEL_MAX_RATE_Q8 / 4, rates.q8[2]);
 }
 
 /* Drives a curve by counts, in periods of 10 ms, and compares with the exact curve. */
-static void odometer_follows_a_curve(double vx, double vy, double w, double seconds)
+static void odometry_follows_a_curve(double vx, double vy, double w, double seconds)
 {
     static const int32_t near_wrap = INT32_MAX - 1000;
     int32_t counts[BODY_WHEELS] = {near_wrap, near_wrap, near_wrap};
-    struct odometer odometer;
+    struct odometry odometry;
     double sine = sin(w * seconds);
     double cosine = cos(w * seconds);
     double x = (vx * sine - vy * (1 - cosine)) / w;
     double y = (vx * (1 - cosine) + vy * sine) / w;
     double length = hypot(vx, vy) * seconds;
 
-    odometer_begin(&odometer, counts);
+    odometry_begin(&odometry, counts);
     for (int step = 1; step <= (int)(seconds * 100 + 0.5); step++) {
         for (int i = 0; i < BODY_WHEELS; i++) {
             double turned = forward(vx, vy, w, i) * step / 100 * COUNTS_A_METRE;
 
             counts[i] = (int32_t)((uint32_t)near_wrap + (uint32_t)(int32_t)floor(turned));
         }
-        odometer_update(&odometer, counts);
+        odometry_update(&odometry, counts);
     }
     /* a count is 0.09 mm and 0.3 mrad; curve and rounding as pose.h says */
-    CHECK_NEAR(x * 1e6, pose_um(odometer.pose.x_um_q16), 300 + 5e-4 * length * 1e6);
-    CHECK_NEAR(y * 1e6, pose_um(odometer.pose.y_um_q16), 300 + 5e-4 * length * 1e6);
-    CHECK_NEAR(remainder(w * seconds, 2 * M_PI) * 1e6, angle_urad(odometer.pose.heading), 1000);
+    CHECK_NEAR(x * 1e6, pose_um(odometry.pose.x_um_q16), 300 + 5e-4 * length * 1e6);
+    CHECK_NEAR(y * 1e6, pose_um(odometry.pose.y_um_q16), 300 + 5e-4 * length * 1e6);
+    CHECK_NEAR(remainder(w * seconds, 2 * M_PI) * 1e6, angle_urad(odometry.pose.heading), 1000);
 }
 
 void kinematics_tests(void)
@@ -108,9 +108,9 @@ void kinematics_tests(void)
     root_is_the_whole_part();
     wheel_rates_are_off_by_at_most_one_unit();
     limit_slows_all_wheels_alike();
-    odometer_follows_a_curve(0.25, 0, 1, 1.57);
-    odometer_follows_a_curve(0.25, 0, -1, 40);
-    odometer_follows_a_curve(0.2, -0.1, 0.7, 20);
-    odometer_follows_a_curve(0.5, 0, 3.5, 10);
-    odometer_follows_a_curve(0.25, 0, 1e-6, 40);
+    odometry_follows_a_curve(0.25, 0, 1, 1.57);
+    odometry_follows_a_curve(0.25, 0, -1, 40);
+    odometry_follows_a_curve(0.2, -0.1, 0.7, 20);
+    odometry_follows_a_curve(0.5, 0, 3.5, 10);
+    odometry_follows_a_curve(0.25, 0, 1e-6, 40);
 }

@@ -14,7 +14,7 @@
 static void take(struct range *range, const uint8_t *bytes, unsigned length)
 {
     for (unsigned i = 0; i < length; i++) {
-        range_take(range, bytes[i]);
+        range_take_byte(range, bytes[i]);
     }
 }
 
@@ -59,10 +59,10 @@ static void silence_is_told(void)
     range_begin(&range);
     take(&range, MESSAGE, sizeof MESSAGE);
     for (int ms = 0; ms < RANGE_TIME_OUT_MS; ms++) {
-        range_wait(&range, 1);
+        range_elapse(&range, 1);
     }
     CHECK_EQUAL(250, range.mm[0]);
-    range_wait(&range, 1);
+    range_elapse(&range, 1);
     CHECK_EQUAL(RANGE_SILENT_MM, range.mm[0]);
 }
 
@@ -71,14 +71,14 @@ static void battery_is_low_after_a_second(void)
     struct battery battery;
 
     battery_begin(&battery);
-    battery_measure(&battery, 16000, 1);
+    battery_update(&battery, 16000, 1);
     CHECK_EQUAL(16000, battery_mv(&battery));
     for (int ms = 0; ms < 500; ms++) {
-        battery_measure(&battery, 12000, 1);
+        battery_update(&battery, 12000, 1);
     }
     CHECK(!battery_is_low(&battery));
     for (int ms = 0; ms < 600; ms++) {
-        battery_measure(&battery, 12000, 1);
+        battery_update(&battery, 12000, 1);
     }
     CHECK(battery_is_low(&battery));
 }
@@ -98,7 +98,7 @@ static void panel_shows_state_and_error(void)
     panel_write(&panel, &robot);
     CHECK(memcmp(panel.lines[1], "STOPPED: WATCHDOG   ", PANEL_COLUMNS) == 0);
     robot.stop.reasons = 0;
-    robot.follower.is_settled = true;
+    robot.segment_runner.is_settled = true;
     panel_write(&panel, &robot);
     CHECK(memcmp(panel.lines[1], "READY               ", PANEL_COLUMNS) == 0);
 }
@@ -129,7 +129,7 @@ static void reference_covers_its_segments_within_the_limits(void)
     }
     /* planned 5.618 s; time stretches */
     CHECK(ticks > 562 && ticks < 1000);
-    CHECK(segment_queue_stands(&queue));
+    CHECK(segment_queue_is_standing(&queue));
     CHECK_EQUAL(4, queue.driven);
     /* 0.5 m, the quarter circle of 0.25 m, 0.5 m to the left */
     CHECK_NEAR(0.75, pose_um(queue.reference.x_um_q16) * 1e-6, 0.001);
@@ -141,26 +141,26 @@ static void wheel_that_does_not_slow_down_is_not_reversed_for_ever(void)
 {
     struct brake brake;
 
-    brake_reverse(&brake, 1, 0, 5000, 10296);
+    brake_begin_reversing(&brake, 1, 0, 5000, 10296);
     /* at 5 counts a millisecond */
     CHECK_EQUAL(150 * 16, brake_end_ms_q4(&brake, 1, 5 * 20, 20 * 16));
     CHECK_EQUAL(150 * 16, brake_end_ms_q4(&brake, 1, 5 * 149, 149 * 16));
-    CHECK(!brake_stands(&brake, 1, 5 * 149, 149 * 16));
-    CHECK(brake_stands(&brake, 1, 5 * 150, 150 * 16));
+    CHECK(!brake_has_stopped(&brake, 1, 5 * 149, 149 * 16));
+    CHECK(brake_has_stopped(&brake, 1, 5 * 150, 150 * 16));
 }
 
 static void end_of_braking_is_foreseen(void)
 {
     struct brake brake;
 
-    brake_reverse(&brake, 1, 700, -8000, 10296);
+    brake_begin_reversing(&brake, 1, 700, -8000, 10296);
     for (uint16_t ms = 12; ms < 30; ms += 2) {
         /* T = 0.04 s: 23.0 ms, 0.04 ln(1 + 8000/10296) */
         double way = 0.04 * (8000 + 10296) * (1 - exp(-ms / 40.0)) - 10.296 * ms;
         int32_t counts = (int32_t)floor(700 - way);
 
         CHECK_NEAR(23.0, brake_end_ms_q4(&brake, 1, counts, (uint16_t)(ms * 16)) / 16.0, 1.5);
-        CHECK_EQUAL(ms >= 23, brake_stands(&brake, 1, counts, (uint16_t)(ms * 16)));
+        CHECK_EQUAL(ms >= 23, brake_has_stopped(&brake, 1, counts, (uint16_t)(ms * 16)));
     }
 }
 

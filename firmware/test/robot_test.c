@@ -20,7 +20,7 @@ static void drives_arc_straight_and_stop(void)
     CHECK_EQUAL(ANSWER_DONE, bench_segment(&bench, 250000, 0, 4000));
     bench_live_polled(&bench, 9000);
 
-    CHECK_EQUAL(ROBOT_STANDS, bench_status(&bench).state);
+    CHECK_EQUAL(ROBOT_STANDING, bench_status(&bench).state);
     CHECK_NEAR(0.25, bench.rig.x, 0.005);
     CHECK_NEAR(0.25 + 1.0, bench.rig.y, 0.005);
     CHECK_NEAR(M_PI / 2, bench.rig.theta, 0.01);
@@ -42,7 +42,7 @@ static void follows_a_velocity(void)
     }
     /* v2 = vy + R w = -0.1 + 0.1 * 0.5 = -0.05 m/s; 2808 counts for 0.2513 m */
     CHECK_NEAR(-0.05 * 2808 / (2 * M_PI * 0.04), bench.rig.motors[1].rate, 30);
-    CHECK_EQUAL(ROBOT_DRIVES, bench_status(&bench).state);
+    CHECK_EQUAL(ROBOT_DRIVING, bench_status(&bench).state);
 }
 
 static double seconds_to_stand(struct bench *bench, uint16_t ms)
@@ -86,11 +86,11 @@ static void edge_stops_in_50_ms_until_a_person_says_otherwise(void)
     struct bench bench;
 
     drive_fast(&bench);
-    bench.inputs.floor_gone = 0x04;
+    bench.inputs.missing_floor = 0x04;
     CHECK(seconds_to_stand(&bench, 150) <= 0.050);
     CHECK_EQUAL(STOP_EDGE, bench_status(&bench).stop_reasons);
     CHECK_EQUAL(ANSWER_NOT_CLEARED, bench_clear(&bench, STOP_EDGE, true));
-    bench.inputs.floor_gone = 0;
+    bench.inputs.missing_floor = 0;
     bench_live_polled(&bench, 20);
     CHECK_EQUAL(ANSWER_NOT_CLEARED, bench_clear(&bench, STOP_EDGE, false));
     CHECK_EQUAL(STOP_EDGE, bench_status(&bench).stop_reasons);
@@ -253,7 +253,7 @@ static void halt_stands_and_forgets(void)
     bench_live_polled(&bench, 2000);
     bench_halt(&bench);
     bench_live_polled(&bench, 1000);
-    CHECK_EQUAL(ROBOT_STANDS, bench_status(&bench).state);
+    CHECK_EQUAL(ROBOT_STANDING, bench_status(&bench).state);
     CHECK_EQUAL(16, bench_status(&bench).queue_free);
     CHECK(rig_fastest_rim(&bench.rig) < STANDS);
 }

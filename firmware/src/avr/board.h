@@ -51,7 +51,7 @@
 #define FLOOR_SENSORS 5
 
 /* Below this the sensor sees no floor: nothing reflects its light. */
-#define FLOOR_GONE_MV 1000
+#define FLOOR_MISSING_MV 1000
 
 #define ADC_REFERENCE_MV 5000
 

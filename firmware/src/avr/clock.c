@@ -33,6 +33,6 @@ uint8_t clock_ticks(void)
 ISR(TIMER0_COMP_vect, ISR_NOBLOCK)
 {
     ticks++;
-    spi_slave_millisecond();
-    drive_bus_millisecond();
+    spi_slave_on_millisecond();
+    drive_bus_on_millisecond();
 }

@@ -3,6 +3,6 @@
 #define DRIVE_BUS_H
 
 /* For the interrupt of the clock only. */
-void drive_bus_millisecond(void);
+void drive_bus_on_millisecond(void);
 
 #endif

@@ -71,6 +71,6 @@ uint8_t lm629_bus_read(uint8_t axis)
 }
 
 /* The controllers have a clock of their own. */
-void drive_bus_millisecond(void)
+void drive_bus_on_millisecond(void)
 {
 }

@@ -1,4 +1,4 @@
-/* Brings the robot's parts to the microcontroller's. */
+/* The main loop: connects the robot's logic to the peripherals. */
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>
@@ -16,7 +16,7 @@
 
 enum {
     PANEL_PERIOD_MS = 100,
-    MOST_BYTES = 32, /* to be heard at once: half a frame; a millisecond brings 62 at most */
+    MAX_BYTES = 32, /* to be received at once: half a frame; a millisecond brings 62 at most */
 };
 
 static struct robot robot;
@@ -37,38 +37,38 @@ static void write_status(uint8_t frame[FRAME_LENGTH])
 {
     struct status status;
 
-    robot_tell(&robot, &status);
+    robot_fill_status(&robot, &status);
     status.bad_frames = parser.bad;
-    status.lost_bytes = spi_slave_lost();
+    status.lost_bytes = spi_slave_lost_bytes();
     status_write(&status, frame);
 }
 
-static void offer_status(void)
+static void publish_status(void)
 {
     write_status(spi_slave_draft());
     spi_slave_offer();
 }
 
-static void hear(void)
+static void receive(void)
 {
     uint8_t byte;
 
-    for (uint8_t i = 0; i < MOST_BYTES && spi_slave_take(&byte); i++) {
-        if (frame_parser_take(&parser, byte)) {
-            robot_hear(&robot, parser.bytes);
-            offer_status();
+    for (uint8_t i = 0; i < MAX_BYTES && spi_slave_take_byte(&byte); i++) {
+        if (frame_parser_add(&parser, byte)) {
+            robot_handle_frame(&robot, parser.bytes);
+            publish_status();
         }
     }
-    if (spi_slave_paused()) {
+    if (spi_slave_take_pause()) {
         frame_parser_pause(&parser);
     }
-    while (psd_uart_take(&byte)) {
-        range_take(&robot.range, byte);
+    while (psd_uart_take_byte(&byte)) {
+        range_take_byte(&robot.range, byte);
     }
 }
 
 /* Once a millisecond: returns whether a period is over. */
-static bool is_over(uint8_t *passed_ms, uint8_t period_ms)
+static bool advance_period(uint8_t *passed_ms, uint8_t period_ms)
 {
     (*passed_ms)++;
     if (*passed_ms < period_ms) {
@@ -78,19 +78,19 @@ static bool is_over(uint8_t *passed_ms, uint8_t period_ms)
     return true;
 }
 
-static void live(uint32_t now_ms)
+static void run_millisecond(uint32_t now_ms)
 {
     static uint8_t since_drive_ms;
     static uint8_t since_panel_ms;
 
-    sensors_look(&inputs);
-    robot_watch(&robot, &inputs, now_ms);
-    if (is_over(&since_drive_ms, DRIVE_PERIOD_MS)) {
-        robot_drive(&robot);
+    sensors_sample(&inputs);
+    robot_update(&robot, &inputs, now_ms);
+    if (advance_period(&since_drive_ms, DRIVE_PERIOD_MS)) {
+        robot_control_wheels(&robot);
     } else if (since_drive_ms == 1) {
-        offer_status(); /* not in the same millisecond, which is long enough */
+        publish_status(); /* not in the same millisecond, which is long enough */
     }
-    if (is_over(&since_panel_ms, PANEL_PERIOD_MS)) {
+    if (advance_period(&since_panel_ms, PANEL_PERIOD_MS)) {
         panel_write(&panel, &robot);
     }
     lcd_step(&panel);
@@ -117,14 +117,14 @@ static void begin(void)
 
 int main(void)
 {
-    uint32_t lived_ms = 0;
+    uint32_t run_ms = 0;
 
     begin();
     for (;;) {
-        if ((uint8_t)lived_ms != clock_ticks()) {
-            lived_ms++; /* one after the other, also after a long step */
-            hear();
-            live(lived_ms);
+        if ((uint8_t)run_ms != clock_ticks()) {
+            run_ms++; /* one after the other, also after a long step */
+            receive();
+            run_millisecond(run_ms);
             wdt_reset();
         } else {
             sleep_mode(); /* idle; an interrupt that comes just before costs a millisecond */

@@ -34,7 +34,7 @@ static inline void put(uint8_t byte)
     }
 }
 
-bool psd_uart_take(uint8_t *byte)
+bool psd_uart_take_byte(uint8_t *byte)
 {
     uint8_t at = tail;
 

@@ -8,6 +8,6 @@
 void psd_uart_begin(void);
 
 /* Returns whether there was a byte. */
-bool psd_uart_take(uint8_t *byte);
+bool psd_uart_take_byte(uint8_t *byte);
 
 #endif

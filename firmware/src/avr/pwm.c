@@ -25,25 +25,25 @@ static uint8_t edges_before[BODY_WHEELS];
 static int32_t edge_counts[BODY_WHEELS];
 
 /*
- * An edge of A is two counts of the quadrature, and the pins tell which of them it is: while A and B
- * differ, the wheel is a count before where the last edge forward puts it.
+ * An edge of A is two counts of the quadrature, and the pins show which of them it is: while A and
+ * B differ, the wheel is a count before where the last edge forward puts it.
  */
-struct place {
+struct encoder_position {
     uint8_t edges;
     uint8_t counts_before;
 };
 
-static inline struct place place_of(uint8_t wheel)
+static inline struct encoder_position encoder_position_of(uint8_t wheel)
 {
-    struct place place;
+    struct encoder_position encoder_position;
     uint8_t differing;
 
     do {
-        place.edges = edges[wheel];
+        encoder_position.edges = edges[wheel];
         differing = (uint8_t)((ENCODER_A_PIN ^ ENCODER_B_PIN) & ENCODER_A(wheel));
-    } while (place.edges != edges[wheel]);
-    place.counts_before = differing != 0;
-    return place;
+    } while (encoder_position.edges != edges[wheel]);
+    encoder_position.counts_before = differing != 0;
+    return encoder_position;
 }
 
 void pwm_bus_begin(void)
@@ -58,7 +58,7 @@ void pwm_bus_begin(void)
         ENCODER_A_PORT = (uint8_t)(ENCODER_A_PORT | ENCODER_A(wheel)); /* pull-ups */
         ENCODER_B_PORT = (uint8_t)(ENCODER_B_PORT | ENCODER_B(wheel));
         edges_before[wheel] = edges[wheel];
-        edge_counts[wheel] = place_of(wheel).counts_before;
+        edge_counts[wheel] = encoder_position_of(wheel).counts_before;
     }
     EICRB |= _BV(ISC40) | _BV(ISC50) | _BV(ISC60); /* every edge */
     EIFR = _BV(INTF4) | _BV(INTF5) | _BV(INTF6); /* forgets edges that setting it up made */
@@ -135,7 +135,7 @@ void pwm_bus_end_at(uint8_t wheel, uint16_t ms_q4)
 }
 
 /* The high bytes of the timer's registers are 0 here and there: neither disturbs the other. */
-static inline void end_what_is_timed(void)
+static inline void end_timed_duties(void)
 {
     if (passed_ms == UINT8_MAX) {
         return;
@@ -149,17 +149,17 @@ static inline void end_what_is_timed(void)
     }
 }
 
-void drive_bus_millisecond(void)
+void drive_bus_on_millisecond(void)
 {
     uint8_t at = (uint8_t)((newest + 1U) % TRAIL);
 
     for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
-        struct place place = place_of(wheel);
+        struct encoder_position encoder_position = encoder_position_of(wheel);
 
-        trail[at][wheel] = (uint8_t)(2U * place.edges - place.counts_before);
+        trail[at][wheel] = (uint8_t)(2U * encoder_position.edges - encoder_position.counts_before);
     }
     newest = at;
-    end_what_is_timed();
+    end_timed_duties();
 }
 
 /* Half of it is less than 128 counts. */
@@ -176,11 +176,11 @@ int32_t pwm_bus_moved(uint8_t wheel)
 void pwm_bus_counts(int32_t counts[BODY_WHEELS])
 {
     for (uint8_t wheel = 0; wheel < BODY_WHEELS; wheel++) {
-        struct place place = place_of(wheel);
+        struct encoder_position encoder_position = encoder_position_of(wheel);
 
-        edge_counts[wheel] += 2 * (int8_t)(uint8_t)(place.edges - edges_before[wheel]);
-        edges_before[wheel] = place.edges;
-        counts[wheel] = edge_counts[wheel] - place.counts_before;
+        edge_counts[wheel] += 2 * (int8_t)(uint8_t)(encoder_position.edges - edges_before[wheel]);
+        edges_before[wheel] = encoder_position.edges;
+        counts[wheel] = edge_counts[wheel] - encoder_position.counts_before;
     }
 }
 

@@ -27,10 +27,10 @@ static void take(struct robot_inputs *inputs)
         return;
     }
     sensor = (uint8_t)(1U << (channel - FLOOR_CHANNEL));
-    if (mv < FLOOR_GONE_MV) {
-        inputs->floor_gone |= sensor;
+    if (mv < FLOOR_MISSING_MV) {
+        inputs->missing_floor |= sensor;
     } else {
-        inputs->floor_gone &= (uint8_t)~sensor;
+        inputs->missing_floor &= (uint8_t)~sensor;
     }
 }
 
@@ -49,7 +49,7 @@ void sensors_begin(struct robot_inputs *inputs)
     start();
 }
 
-void sensors_look(struct robot_inputs *inputs)
+void sensors_sample(struct robot_inputs *inputs)
 {
     inputs->is_hot = (ALARM_PIN & ALARM_HEAT) == 0;
     inputs->is_stop_pressed = (ALARM_PIN & ALARM_SWITCH) == 0;

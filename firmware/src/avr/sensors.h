@@ -8,6 +8,6 @@
 void sensors_begin(struct robot_inputs *inputs);
 
 /* Every millisecond: takes the next channel's value, without waiting for it. */
-void sensors_look(struct robot_inputs *inputs);
+void sensors_sample(struct robot_inputs *inputs);
 
 #endif

@@ -18,7 +18,7 @@ static volatile uint8_t head;
 static volatile uint8_t tail;
 static volatile uint16_t lost; /* written by the interrupt */
 
-/* Silence: set to 0 by the SPI interrupt, counted and its end told by the clock's. */
+/* Silence: set to 0 by the SPI interrupt, counted by the clock's, which also notices its end. */
 static volatile uint8_t silent_ms;
 static volatile bool is_paused; /* set by the clock's interrupt, reset by the main loop */
 
@@ -52,7 +52,7 @@ void spi_slave_begin(const uint8_t first[FRAME_LENGTH])
     load_beginning();
 }
 
-bool spi_slave_take(uint8_t *byte)
+bool spi_slave_take_byte(uint8_t *byte)
 {
     uint8_t at = tail;
 
@@ -64,7 +64,7 @@ bool spi_slave_take(uint8_t *byte)
     return true;
 }
 
-bool spi_slave_paused(void)
+bool spi_slave_take_pause(void)
 {
     bool paused = false;
 
@@ -94,7 +94,7 @@ void spi_slave_offer(void)
     offered = draft;
 }
 
-uint16_t spi_slave_lost(void)
+uint16_t spi_slave_lost_bytes(void)
 {
     uint16_t count;
 
@@ -106,7 +106,7 @@ uint16_t spi_slave_lost(void)
 }
 
 /* A write while the master already sends is refused by the hardware; then that exchange is lost. */
-void spi_slave_millisecond(void)
+void spi_slave_on_millisecond(void)
 {
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
     {
@@ -146,7 +146,7 @@ static inline void put(uint8_t byte)
 }
 
 /*
- * Takes the byte that came, and prepares an answer. Refuses to look at what it takes: frames are
+ * Takes the byte that came, and prepares an answer. Does not interpret what it takes: frames are
  * found by the main loop.
  */
 ISR(__vector_take_byte)

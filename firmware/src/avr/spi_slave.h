@@ -14,19 +14,19 @@
 void spi_slave_begin(const uint8_t first[FRAME_LENGTH]);
 
 /* Returns whether there was a byte. */
-bool spi_slave_take(uint8_t *byte);
+bool spi_slave_take_byte(uint8_t *byte);
 
 /* Returns, once, whether the master made a pause after the bytes taken so far. */
-bool spi_slave_paused(void);
+bool spi_slave_take_pause(void);
 
 /* Where the next status is to be written, and that it is written. */
 uint8_t *spi_slave_draft(void);
 void spi_slave_offer(void);
 
 /* Bytes for which the ring had no room; stays at 65535. */
-uint16_t spi_slave_lost(void);
+uint16_t spi_slave_lost_bytes(void);
 
 /* For the interrupt of the clock only. */
-void spi_slave_millisecond(void);
+void spi_slave_on_millisecond(void);
 
 #endif

@@ -24,7 +24,9 @@ final class RobotConnection implements AutoCloseable {
 
   private static final Logger log = LoggerFactory.getLogger(RobotConnection.class);
 
-  /** A robot speaks five times a second; one that is silent for so long is behind a dead link. */
+  /**
+   * A robot reports five times a second; with one that is silent for so long the link is broken.
+   */
   private static final Duration SILENCE_TIMEOUT = Duration.ofSeconds(5);
 
   private static final int QUEUED_LINES = 1_000;

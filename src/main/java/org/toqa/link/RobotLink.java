@@ -26,7 +26,7 @@ public interface RobotLink extends AutoCloseable {
   @Override
   void close();
 
-  /** Hears what happens on a link. */
+  /** Is told what happens on a link. */
   interface Listener {
     void connected(Hello hello);
 

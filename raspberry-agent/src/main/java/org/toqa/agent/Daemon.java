@@ -215,8 +215,7 @@ public final class Daemon implements AutoCloseable {
     control.update(chassis.exchange(command, now), now / 1e9);
     connections.process(messageHandler, now);
     broadcasts.takeAnswers().forEach(control::handle);
-    command =
-        config.limits().clampedTwist(control.drive(seconds, connections.isServerSilent(now)));
+    command = config.limits().clampedTwist(control.drive(seconds, connections.isServerSilent(now)));
     connections.answerLeader(control::answerTo);
     broadcasts.update(control.leadOrder(), control.done(), now);
     broadcasts.send(

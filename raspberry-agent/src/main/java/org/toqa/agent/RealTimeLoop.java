@@ -5,13 +5,13 @@ import org.toqa.agent.chassis.Chassis;
 
 /**
  * Ticks a daemon by the machine's monotonic clock, or by one that goes faster, on the thread that
- * calls {@link #run}. A robot at rest is ticked less often, and at once when it is spoken to.
+ * calls {@link #run}. A robot at rest is ticked less often, and at once when a message comes.
  */
 final class RealTimeLoop implements Runnable {
 
   private static final long PERIOD_NANOS = Chassis.TICK.toNanos();
 
-  /** Three for each state that it tells, and well below what its microcontroller endures. */
+  /** Three for each state that it reports, and well below what its microcontroller endures. */
   private static final long AT_REST_PERIOD_NANOS = 66_666_666;
 
   private final Daemon daemon;
@@ -20,7 +20,7 @@ final class RealTimeLoop implements Runnable {
   private volatile boolean running = true;
 
   /**
-   * @param timeFactor how many times faster than real time the daemon lives
+   * @param timeFactor how many times faster than real time the daemon runs
    */
   RealTimeLoop(Daemon daemon, double timeFactor) {
     this.daemon = daemon;

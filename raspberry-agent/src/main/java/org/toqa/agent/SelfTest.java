@@ -8,8 +8,8 @@ import org.toqa.agent.control.RobotReport;
 import org.toqa.link.message.AgentMessage.Fault;
 
 /**
- * Tells in the log what a robot is found to be like when its daemon has started: whoever puts it up
- * need not wait for a server to see what is wrong.
+ * Logs the state in which a robot is found when its daemon has started: whoever installs it need
+ * not wait for a server to see what is wrong.
  */
 final class SelfTest {
   /** Until then a body has answered and what the daemon may clear is cleared: 200 ms. */

@@ -37,7 +37,8 @@ final class StateReporter {
   }
 
   /**
-   * A server has connected: it is sent the state at once; of a phase's end the hello has told.
+   * A server has connected: it is sent the state at once; the hello has reported a phase's end
+   * already.
    *
    * @param done the last phase that was driven to its end
    */

@@ -1,11 +1,10 @@
 /**
- * The daemon on a robot: the robot's end of the link, the way it is told driven segment by segment,
- * and a journal that outlives it.
+ * The daemon on a robot: the robot's end of the link, the drives that it is sent, driven segment by
+ * segment, and a journal that outlives it.
  *
  * <p>One thread calls {@link org.toqa.agent.Daemon#tick} every 20 ms, and everything that decides
- * or moves happens inside; the threads of the connections only carry lines to and fro. There is no
- * clock inside: a tick is told what time it is, so that a robot lives in real time or in a
- * simulated one.
+ * or moves happens inside; the threads of the connections only read and write lines. There is no
+ * clock inside: the time is handed to each tick, and may be real or simulated.
  */
 @NullMarked
 package org.toqa.agent;

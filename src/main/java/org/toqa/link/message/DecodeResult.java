@@ -3,7 +3,7 @@ package org.toqa.link.message;
 /**
  * What became of a received line.
  *
- * @param <M> the messages that this end may hear
+ * @param <M> the messages that this end may receive
  */
 public sealed interface DecodeResult<M> {
 

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Cuts a stream of bytes into the lines of the robot link. It never holds more than one line of the
- * allowed length: a longer one is read off to its end and told as {@link TooLong}, and the next
+ * allowed length: a longer one is read to its end and reported as {@link TooLong}, and the next
  * line is read as usual. A last line without its line feed was cut off and is dropped.
  *
  * <p>For one thread.

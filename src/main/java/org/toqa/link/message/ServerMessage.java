@@ -13,9 +13,9 @@ import org.toqa.geometry.Vec2;
 import org.toqa.motion.Segment;
 
 /**
- * What a robot is told: by the server, and in a formation by its leader. Every {@link Command} of
- * the server bears a sequence number that rises over the server's whole life; the robot answers it
- * with {@link AgentMessage.Ack} or {@link AgentMessage.Reject}, and a number that is not higher
+ * What a robot is sent: by the server, and in a formation by its leader. Every {@link Command} of
+ * the server bears a sequence number that rises also over restarts of the server; the robot answers
+ * it with {@link AgentMessage.Ack} or {@link AgentMessage.Reject}, and a number that is not higher
  * than the last one has no further effect.
  */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
@@ -42,7 +42,7 @@ public sealed interface ServerMessage {
   }
 
   /**
-   * Drive a way. Legal only for a robot that stands.
+   * Drive along segments. Legal only for a robot that stands.
    *
    * @param task null for charging and going home, which have phase 0
    * @param start where the robot stands, map frame

@@ -59,7 +59,7 @@ public final class LinkSocket implements AutoCloseable {
     return new TimeLimit(tcp, limit);
   }
 
-  /** Hangs up at once: the farewell of TLS would wait for a peer that does not read. */
+  /** Closes it at once: TLS's closing alert would wait for a peer that does not read. */
   @Override
   public void close() throws IOException {
     tcp.close();

@@ -1,6 +1,6 @@
 package org.toqa.link.trust;
 
-/** Whom an end lets in. */
+/** Whom an end of the link trusts. */
 @FunctionalInterface
 public interface PeerVerifier {
 
@@ -8,8 +8,8 @@ public interface PeerVerifier {
    * Called while the other end waits, by the connection's own thread.
    *
    * @param peer of the certificate that the other end has shown
-   * @param protocol what it wants to speak (ALPN), one of {@link LinkTls}; empty where it did not
-   *     say
+   * @param protocol the protocol that it asks for (ALPN), one of {@link LinkTls}; empty where it
+   *     did not say
    */
   boolean isTrusted(Fingerprint peer, String protocol);
 }

@@ -8,7 +8,7 @@ import javax.net.ssl.SSLSocket;
 import javax.net.ssl.X509ExtendedTrustManager;
 
 /**
- * Trusts certificates that were told it, each as it is: no authority, name or date makes another
+ * Trusts certificates that it was given, each as it is: no authority, name or date makes another
  * one good. That the other end has the certificate's key is proved by TLS itself.
  */
 final class PinnedTrustManager extends X509ExtendedTrustManager {

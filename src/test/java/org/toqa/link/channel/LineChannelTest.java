@@ -105,7 +105,6 @@ class LineChannelTest {
   }
 
   private static String text(LineReader.Line line) {
-    return new String(
-        assertInstanceOf(LineReader.Text.class, line).utf8(), StandardCharsets.UTF_8);
+    return new String(assertInstanceOf(LineReader.Text.class, line).utf8(), StandardCharsets.UTF_8);
   }
 }

@@ -13,10 +13,10 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
 
 /**
- * The way into a daemon, encrypted or not for as long as it is open: not where the robot was never
- * paired, shows no code, and may do without. A robot that may not do without and was never paired
- * shows a code by itself. While it is open an encrypted door takes new codes by {@link
- * PairingRequestFile}.
+ * Where a daemon accepts connections, encrypted or not for as long as it is open: not where the
+ * robot was never paired, shows no code, and may do without. A robot that may not do without and
+ * was never paired shows a code by itself. While it is open an encrypted endpoint takes new codes
+ * by {@link PairingRequestFile}.
  *
  * <p>Any thread may call it; none waits.
  */
@@ -33,7 +33,7 @@ public final class LinkEndpoint implements AutoCloseable {
   /**
    * Opens it.
    *
-   * @param onAccepted is given each connection whose other end may speak, by a thread of the door's
+   * @param onAccepted is given each connection of a peer with a role, by a thread of the endpoint's
    * @throws IOException with a sentence for people
    */
   public LinkEndpoint(LinkEndpointConfig config, Consumer<LinkSocket> onAccepted)
@@ -98,7 +98,7 @@ public final class LinkEndpoint implements AutoCloseable {
   }
 
   /**
-   * As what a peer may speak now.
+   * What a peer may send now.
    *
    * @param peer null where the link is not encrypted
    */
@@ -109,14 +109,14 @@ public final class LinkEndpoint implements AutoCloseable {
     return peer == null ? PeerRole.UNTRUSTED : policy.roleOf(peer);
   }
 
-  /** The server has named a leader: it may come in from now on. */
+  /** The server has named a leader: it may connect from now on. */
   public void setLeader(Fingerprint leader) {
     if (policy != null) {
       policy.setLeader(leader);
     }
   }
 
-  /** Whom it did not let in of late. */
+  /** Whose connection it rejected of late; empty where there was none. */
   public Optional<Fault> rejection() {
     return rejected.fault();
   }

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.function.LongSupplier;
 
 /**
- * What a door is told.
+ * What an endpoint is opened with.
  *
  * @param address to listen on
  * @param port to listen on; 0 for any free one

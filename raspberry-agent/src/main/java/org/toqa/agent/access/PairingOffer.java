@@ -66,7 +66,7 @@ final class PairingOffer {
     return Optional.empty();
   }
 
-  /** That the robot knows the code too; to be told to nobody but who has proved to know it. */
+  /** That the robot knows the code too; only for a peer that has proved to know it. */
   String proofFor(Fingerprint server) {
     return PairingProof.ROBOT.of(code, robot, server);
   }

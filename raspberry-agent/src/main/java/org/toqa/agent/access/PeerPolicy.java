@@ -12,12 +12,12 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PeerVerifier;
 
 /**
- * Whom an encrypted link lets in: the paired server, the leader that it has named, and anybody who
- * wants to pair, since pairing has a lock of its own.
+ * Who may connect over an encrypted link: the paired server, the leader that it has named, and
+ * anybody who wants to pair, since pairing has a check of its own.
  */
 final class PeerPolicy implements PeerVerifier {
 
-  /** A leader may be faster than the server's word about it. */
+  /** A leader may connect before the server's message has named it. */
   private static final Duration LEADER_TIMEOUT = Duration.ofSeconds(1);
 
   private final ServerPin pin;
@@ -58,7 +58,7 @@ final class PeerPolicy implements PeerVerifier {
     }
   }
 
-  /** From now on this is the robot's only server; its word about a leader is not known yet. */
+  /** From now on this is the robot's only server; it has named no leader yet. */
   void setServer(Fingerprint server) throws IOException {
     pin.save(server);
     lock.lock();

@@ -1,8 +1,8 @@
 package org.toqa.agent.access;
 
-/** As what the other end of a connection may speak. */
+/** What the other end of a connection is, which decides what it may send. */
 public enum PeerRole {
-  /** The link is not encrypted: whoever speaks is believed. */
+  /** The link is not encrypted: every peer is trusted. */
   ANONYMOUS,
   /** The paired server. */
   SERVER,

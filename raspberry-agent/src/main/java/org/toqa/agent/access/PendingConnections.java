@@ -11,9 +11,9 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * Connections that have not shown yet who they are. There is room for a few; where it is full, the
- * address that has the most of them gives its oldest up, so that one that crowds the room does not
- * keep the others out.
+ * Connections that have not shown yet whose they are, only a few at a time: beyond that the address
+ * that has the most of them loses its oldest, so that one address with many does not block the
+ * others.
  */
 final class PendingConnections {
 
@@ -22,7 +22,7 @@ final class PendingConnections {
   /** Oldest first. */
   private final List<Socket> pending = new ArrayList<>();
 
-  /** Takes the connection in; the one that must go for it, if the room was full. */
+  /** Adds a connection; the one that is dropped for it, if there were too many. */
   synchronized Optional<Socket> add(Socket newcomer) {
     pending.add(newcomer);
     if (pending.size() <= MAX_PENDING) {

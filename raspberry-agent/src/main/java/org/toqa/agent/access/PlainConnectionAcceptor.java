@@ -4,7 +4,7 @@ import java.net.Socket;
 import java.util.function.Consumer;
 import org.toqa.link.trust.LinkSocket;
 
-/** Lets everybody in: the link is on loopback, or the configuration wants it so. */
+/** Accepts every peer: the link is on loopback, or the configuration wants it so. */
 record PlainConnectionAcceptor(Consumer<LinkSocket> onAccepted) implements ConnectionAcceptor {
 
   @Override

@@ -9,12 +9,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.link.message.AgentMessage.Fault;
 
-/** Who was not let in of late, for the log and for the robot's server. */
+/** Whose connections were rejected of late, for the log and for the robot's server. */
 final class RejectedConnections {
 
   private static final Logger log = LoggerFactory.getLogger(RejectedConnections.class);
 
-  /** So long a refusal is told to the server. */
+  /** So long a rejection is reported to the server. */
   private static final Duration REPORT_DURATION = Duration.ofMinutes(1);
 
   private final String robot;

@@ -32,7 +32,7 @@ final class TcpListener implements AutoCloseable {
               .formatted(port, address.getHostAddress(), e.getMessage()),
           e);
     }
-    Thread.ofVirtual().name(robot + "-door").start(this::acceptConnections);
+    Thread.ofVirtual().name(robot + "-listener").start(this::acceptConnections);
   }
 
   int port() {
@@ -44,7 +44,7 @@ final class TcpListener implements AutoCloseable {
     try {
       socket.close();
     } catch (IOException e) {
-      log.debug("{}: closing the door failed.", robot, e);
+      log.debug("{}: closing the listener failed.", robot, e);
     }
     acceptor.close();
   }

@@ -11,8 +11,8 @@ import org.toqa.link.trust.LinkSocket;
 import org.toqa.link.trust.LinkTls;
 
 /**
- * Lets in who has shown a certificate on the guest list. Each connection has a thread and five
- * seconds of its own, so one that is slow holds up nobody.
+ * Accepts peers that have shown a certificate which {@link PeerPolicy} trusts. Each connection has
+ * a thread and five seconds of its own, so one that is slow delays no other.
  */
 final class TlsConnectionAcceptor implements ConnectionAcceptor {
 

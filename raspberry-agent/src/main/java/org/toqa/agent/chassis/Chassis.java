@@ -5,8 +5,8 @@ import org.toqa.geometry.Twist;
 
 /**
  * A robot's body: wheels, odometry, battery and range sensors. The body is apart from the daemon:
- * its odometry counts on while no daemon runs, and it stops its wheels by itself when it has heard
- * no command for {@link #COMMAND_LIFE_NANOS}.
+ * its odometry counts on while no daemon runs, and it stops its wheels by itself when it got no
+ * command for {@link #COMMAND_LIFE_NANOS}.
  *
  * <p>The conversation: the daemon calls {@link #exchange} at every tick, always from the same
  * thread; the answer is the body as it is now, at the end of what the previous command did.
@@ -20,7 +20,7 @@ public interface Chassis extends AutoCloseable {
 
   /**
    * @param command the velocity wanted from now on, in the robot's frame
-   * @param nanos the daemon's monotonic time; a simulated body lives by it
+   * @param nanos the daemon's monotonic time; a simulated body simulates up to it
    */
   ChassisReading exchange(Twist command, long nanos);
 

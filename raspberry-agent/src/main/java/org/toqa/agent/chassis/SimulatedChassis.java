@@ -11,6 +11,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.motion.Odometry;
 import org.toqa.motion.WheelKinematics;
+import org.toqa.motion.WheelLimits;
 
 /**
  * The body of a robot on two or three wheels, simulated: motors that follow a command with a lag
@@ -23,8 +24,8 @@ public final class SimulatedChassis implements Chassis {
 
   private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
 
-  /** 220 turns a minute, as rated. */
-  private static final double MAX_WHEEL_RATE = 220 / 60.0 * 2 * Math.PI;
+  /** Radians a second: more than the firmware commands, which is slower than the motors may be. */
+  private static final double MAX_WHEEL_RATE = WheelLimits.DEFAULT.ratedRate();
 
   /** Radians a second squared: 1.5 m/s2 at the rim of a wheel of 0.04 m. */
   private static final double WHEEL_ACCELERATION = 1.5 / 0.04;
@@ -38,7 +39,7 @@ public final class SimulatedChassis implements Chassis {
 
   private static final double LONGEST_STEP_SECONDS = 0.02;
 
-  /** The sensors of a robot that nobody asks what it sees. */
+  /** The sensors where nothing is around that they could see. */
   private static final RangeSensors DEFAULT_SENSORS = new RangeSensors(0.1275);
 
   private final SimulatedChassisFile file;
@@ -74,7 +75,7 @@ public final class SimulatedChassis implements Chassis {
     this(file, start, battery, noise, seed, DEFAULT_SENSORS, Surroundings.EMPTY);
   }
 
-  /** The same, among other things. */
+  /** The same among obstacles, with sensors that see them. */
   public SimulatedChassis(
       Path file,
       Pose start,
@@ -178,12 +179,12 @@ public final class SimulatedChassis implements Chassis {
     file.write(state);
   }
 
-  /** Fault switch: so many exchanges to come do not reach the body, and it is not heard in them. */
+  /** Fault switch: so many exchanges to come do not reach the body, and bring no new reading. */
   public void loseFrames(int count) {
     framesToLose = count;
   }
 
-  /** Fault switch: the wheels stand and obey nothing, and the body does not know why. */
+  /** Fault switch: the wheels stand and follow no command, and the body does not know why. */
   public void setFrozen(boolean isFrozen) {
     frozen = isFrozen;
   }
@@ -221,7 +222,7 @@ public final class SimulatedChassis implements Chassis {
     move(Twist.ZERO, nanos / 1e9 - commanded);
   }
 
-  /** The body of a daemon that died: its last command ran out, then it came to a stand. */
+  /** The body of a daemon that ended: its last command ran out, then it came to a standstill. */
   private void stopWheels() {
     move(state.command(), COMMAND_LIFE_NANOS / 1e9);
     while (state.wheelRates().largest() > STANDING_RATE) {

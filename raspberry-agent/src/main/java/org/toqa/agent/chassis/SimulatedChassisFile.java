@@ -17,7 +17,7 @@ import org.toqa.geometry.Twist;
  *
  * <p>The file is mapped into memory, so that keeping the body costs no call to the system and a
  * killed process leaves its last whole state. Two slots are written in turn, then the count that
- * names the valid one; a death between the two leaves the earlier slot valid.
+ * names the valid one; a crash between the two leaves the earlier slot valid.
  */
 final class SimulatedChassisFile implements AutoCloseable {
 

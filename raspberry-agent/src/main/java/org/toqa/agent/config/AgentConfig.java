@@ -20,7 +20,7 @@ import org.yaml.snakeyaml.error.MarkedYAMLException;
 import org.yaml.snakeyaml.error.YAMLException;
 
 /**
- * What a daemon is told before it starts. The keys of the file are explained in {@code
+ * What a daemon is started with. The keys of the file are explained in {@code
  * raspberry-agent/agent.yaml}.
  *
  * @param name the robot's
@@ -65,7 +65,7 @@ public record AgentConfig(
   /**
    * How it keeps its place beside a leader.
    *
-   * @param linkDelay seconds that a leader's pose is usually under way
+   * @param linkDelay seconds that a leader's pose usually takes to arrive
    */
   public record Following(FollowerLaw law, double linkDelay) {
     public static final Following DEFAULT =

@@ -36,9 +36,9 @@ import org.toqa.link.trust.LinkSocket;
  * <ol>
  *   <li>{@link #start} takes each connection that is accepted; any thread may call it.
  *   <li>{@link #process} hands what was received since the last call to a {@link Handler}, in the
- *       order in which it came. Each connection is greeted with a hello; its first message tells
- *       whose it is, since a server sends commands and a leader its pose. A newer connection
- *       replaces an older one of the same kind.
+ *       order in which it came. Each connection is sent a hello; its first message shows whose it
+ *       is, since a server sends commands and a leader its pose. A newer connection replaces an
+ *       older one of the same kind.
  *   <li>{@link #sendToServer} and {@link #answerLeader} never wait, and do nothing where there is
  *       no such connection.
  *   <li>{@link #close} closes all of them.
@@ -69,13 +69,13 @@ public final class PeerConnections implements AutoCloseable {
   /** Decides about peers, and takes what they say; is called by {@link #process} alone. */
   public interface Handler {
     /**
-     * As what a peer may speak now.
+     * What a peer may send now.
      *
      * @param peer null where the link is not encrypted
      */
     PeerRole roleOf(@Nullable Fingerprint peer);
 
-    /** The greeting for a connection that has opened. */
+    /** The hello for a connection that has opened. */
     Hello hello();
 
     /** A connection has turned out to be the server's. */
@@ -132,7 +132,7 @@ public final class PeerConnections implements AutoCloseable {
     return leader != null;
   }
 
-  /** Whether no server was heard for two seconds. */
+  /** Whether nothing came from a server for two seconds. */
   public boolean isServerSilent(long nanos) {
     return nanos - serverHeardNanos > SERVER_SILENT_NANOS;
   }
@@ -159,7 +159,9 @@ public final class PeerConnections implements AutoCloseable {
         && nanos - leaderHeardNanos > BroadcastTimer.PERIOD_NANOS + 2 * Chassis.TICK.toNanos();
   }
 
-  /** Hands on what was received, after closing the connections of peers that may speak no more. */
+  /**
+   * Hands on what was received, after closing the connections of peers that are trusted no more.
+   */
   public void process(Handler handler, long nanos) {
     closeUntrusted(handler);
     for (ConnectionEvent event = inbox.poll(); event != null; event = inbox.poll()) {
@@ -254,8 +256,7 @@ public final class PeerConnections implements AutoCloseable {
   }
 
   private Stream<PeerConnection> all() {
-    return Stream.concat(unidentified.stream(), Stream.of(server, leader))
-        .filter(Objects::nonNull);
+    return Stream.concat(unidentified.stream(), Stream.of(server, leader)).filter(Objects::nonNull);
   }
 
   private void removeEnded() {

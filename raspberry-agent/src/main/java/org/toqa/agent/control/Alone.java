@@ -9,7 +9,7 @@ import org.toqa.link.message.AgentMessage.Role;
 /** A robot by itself: it drives, or it stands. */
 record Alone(Optional<DriveRun> drive) implements Activity {
 
-  /** A robot that nobody has told to do anything. */
+  /** A robot that has nothing to do. */
   static final Alone IDLE = new Alone(Optional.empty());
 
   @Override

@@ -92,8 +92,7 @@ final class CommandRules {
 
   private Optional<String> objectionToDriving(Activity activity) {
     if (!record.reading().faults().isEmpty()) {
-      return Optional.of(
-          "The robot cannot drive: " + record.reading().faults().getFirst().text());
+      return Optional.of("The robot cannot drive: " + record.reading().faults().getFirst().text());
     }
     if (!record.isLocalised()) {
       return Optional.of("The robot does not know where it is; send locate first.");

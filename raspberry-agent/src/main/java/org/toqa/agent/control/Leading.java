@@ -19,9 +19,7 @@ record Leading(FormationLeader leader, Optional<DriveRun> drive) implements Acti
   @Override
   public Twist steer(Tick tick) {
     return drive
-        .map(
-            run ->
-                run.steerAsLeader(tick, leader.paceLimits(tick.now()), leader.pace(tick.now())))
+        .map(run -> run.steerAsLeader(tick, leader.paceLimits(tick.now()), leader.pace(tick.now())))
         .orElse(Twist.ZERO);
   }
 

@@ -46,19 +46,19 @@ import org.toqa.link.message.ServerMessage.Resume;
  *
  * <ul>
  *   <li>A ping has no effect, so it does not count as the last sequence number.
- *   <li>A drive that is accepted tells that the server knows of the end of the one before.
+ *   <li>A drive that is accepted shows that the server knows of the end of the one before.
  *   <li>{@code cancel} names what the robot shall not work for any more; a robot that does not work
  *       for it acknowledges and goes on. A robot that drives comes to a standstill on its path.
  *   <li>A hold outlasts drives and restarts until {@code resume}; a drive that comes meanwhile is
  *       accepted and waits.
  *   <li>A daemon that starts anew does not go on with the drive under way: it stands, keeps task
- *       and phase, tells so in its hello, and waits for a new drive from where it is. What moved
- *       while no daemon watched is known by odometry, but nobody has looked whether the path is
- *       still free.
+ *       and phase, reports them in its hello, and waits for a new drive from where it is. What
+ *       moved while no daemon watched is known by odometry, but nobody has looked whether the path
+ *       is still free.
  *   <li>In a formation the leader's drive is phase 2 of its task, and the followers have none: a
  *       follower's phase ends by its leader's message. A follower keeps its place while the server
  *       is silent, since its leader stands when nothing more is released.
- *   <li>A robot that is told to follow leads no more.
+ *   <li>A robot that accepts {@code follow} leads no more.
  *   <li>A phase 3 whose end is acknowledged ends the task for this robot.
  * </ul>
  *
@@ -89,7 +89,7 @@ public final class RobotControl {
   }
 
   /**
-   * Takes in what the body says; to be called first in every tick.
+   * Takes the body's reading; to be called first in every tick.
    *
    * @param seconds on a monotonic clock
    */
@@ -195,9 +195,7 @@ public final class RobotControl {
     avoider = new ObstacleAvoider(config.footprint() / 2);
     Optional<DriveRun> drive = Optional.of(new DriveRun(order, config.limits(), avoider));
     activity =
-        activity instanceof Leading(var leader, _)
-            ? new Leading(leader, drive)
-            : new Alone(drive);
+        activity instanceof Leading(var leader, _) ? new Leading(leader, drive) : new Alone(drive);
     log.info(
         "{}: drive {} of phase {}, {} segments, {} released.",
         record.logName(),
@@ -241,7 +239,7 @@ public final class RobotControl {
    * Drives on.
    *
    * @param seconds since the last call
-   * @param serverSilent whether the server was not heard for too long
+   * @param serverSilent whether nothing came from the server for too long
    * @return the velocity to command, in the robot's frame
    */
   public Twist drive(double seconds, boolean serverSilent) {

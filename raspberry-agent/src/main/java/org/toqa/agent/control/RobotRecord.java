@@ -157,8 +157,7 @@ final class RobotRecord {
           // anchor * odometry = pose
           entry()
               .withAnchor(
-                  reading.powerCycle(),
-                  locate.pose().compose(reading.odometry().relative(ORIGIN)));
+                  reading.powerCycle(), locate.pose().compose(reading.odometry().relative(ORIGIN)));
       case Extend _, Release _, Lead _, Ping _ -> entry();
     };
   }

@@ -16,12 +16,12 @@ import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
 
 /**
- * A robot at one instant, as its messages tell it.
+ * A robot at one instant, as its messages report it.
  *
  * @param pose map frame
  * @param segment how many segments of the drive are completed
  * @param released how many may be driven
- * @param obstacles points where something stands in its way, map frame
+ * @param obstacles points where something blocks its path, map frame
  */
 public record RobotReport(
     AgentConfig config,

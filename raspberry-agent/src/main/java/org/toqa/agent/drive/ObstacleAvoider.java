@@ -16,15 +16,16 @@ import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 
 /**
- * Watches the way that a robot is about to drive: lets it step aside for what only reaches in,
- * stops it before what stands there, and has it look how wide that is. A leader only stops.
+ * Watches the path that a robot is about to drive: lets it pass beside an obstacle that only
+ * reaches in, stops it before one that stands on the path, and turns it a little to see how wide
+ * that is. A leader only stops.
  */
 public final class ObstacleAvoider {
 
   private static final Passage FREE_PASSAGE =
       new Passage(List.of(), List.of(), Double.POSITIVE_INFINITY);
 
-  /** Metres round a point that is in the way: what is seen there belongs to the same thing. */
+  /** Metres round a point that blocks the path: what is seen there belongs to the same obstacle. */
   private static final double SAME_OBSTACLE_METRES = 0.5;
 
   /** Metres; with less room than this it stands. */
@@ -64,7 +65,7 @@ public final class ObstacleAvoider {
   }
 
   /**
-   * Looks along the way, and slows it down before what stands there.
+   * Looks along the trajectory, and slows it down before obstacles.
    *
    * @param seconds since the last call
    * @param onward whether the robot may move
@@ -120,7 +121,7 @@ public final class ObstacleAvoider {
   /**
    * Where the robot shall be.
    *
-   * @param reference where it would be on its way, map frame
+   * @param reference where it would be on its path, map frame
    */
   Pose corrected(Pose reference) {
     return glance.turned(sidestep.beside(reference));
@@ -129,13 +130,13 @@ public final class ObstacleAvoider {
   /**
    * How the robot shall move, in its own frame.
    *
-   * @param reference how it would move on its way, in its own frame
+   * @param reference how it would move on its path, in its own frame
    */
   Twist corrected(Twist reference) {
     return glance.turned(sidestep.beside(reference));
   }
 
-  /** The points where something is in the way or belongs to that, map frame. */
+  /** The points of the obstacles that block the path, map frame. */
   public List<Vec2> obstacles() {
     return passage.blocking().isEmpty() ? List.of() : nearSightings.points();
   }

@@ -13,7 +13,7 @@ import org.toqa.agent.config.MotionLimits;
 public record PaceLimits(
     double acceleration, double turnAcceleration, double speedJump, double turnRateJump) {
 
-  /** Of any robot of a group: between two poses of the leader nobody knows of a change. */
+  /** Of any robot of a group: between two poses of the leader no follower knows of a change. */
   private static final double GROUP_ACCELERATION = 0.2;
 
   private static final double GROUP_JUMP = 0.05;
@@ -23,7 +23,7 @@ public record PaceLimits(
 
   private static final double TURN_BRAKING = 6;
 
-  /** For a robot alone; the jumps are what motors and tracking swallow. */
+  /** For a robot alone; the jumps are what motors and tracking can follow. */
   public static PaceLimits forSingleRobot(MotionLimits limits) {
     return new PaceLimits(limits.acceleration(), limits.turnAcceleration(), 0.15, 0.8);
   }

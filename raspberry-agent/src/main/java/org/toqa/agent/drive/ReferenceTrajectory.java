@@ -7,8 +7,8 @@ import org.toqa.geometry.Twist;
 import org.toqa.motion.Segment;
 
 /**
- * The way that a drive leads along, as a moving reference: a pose that runs over the released
- * segments at a pace between 0 (stands) and 1 (as planned).
+ * The segments of a drive as a moving reference: a pose that runs over the released ones at a pace
+ * between 0 (stands) and 1 (as planned).
  *
  * <p>Slowing down scales time and not the path, so that a robot that brakes stays on the curve that
  * was planned and checked. The pace rises and falls with the acceleration limits; before the end of
@@ -67,6 +67,11 @@ public final class ReferenceTrajectory {
     paceRate = segments.stream().mapToDouble(this::maxPaceRate).min().orElse(MAX_PACE_RATE);
   }
 
+  /**
+   * From now on the reference runs up to the end of so many segments.
+   *
+   * @param count of all segments from the first; no fewer than now
+   */
   public void release(int count) {
     releasedCount = count;
   }
@@ -80,8 +85,8 @@ public final class ReferenceTrajectory {
   }
 
   /**
-   * The released way from here on, as poses of which each follows from the one before on a straight
-   * line, or nearly so.
+   * The released path from here on, as poses of which each follows from the one before on a
+   * straight line, or nearly so.
    *
    * @param metres how far
    */
@@ -108,10 +113,12 @@ public final class ReferenceTrajectory {
     return poses;
   }
 
+  /** How many segments there are. */
   public int size() {
     return segments.size();
   }
 
+  /** How many segments may be driven, from the first. */
   public int releasedCount() {
     return releasedCount;
   }

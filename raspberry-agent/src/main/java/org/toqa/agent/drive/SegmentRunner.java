@@ -11,9 +11,9 @@ import org.toqa.geometry.Twist;
 
 /**
  * Drives a robot along a {@link ReferenceTrajectory}: the reference runs ahead, the robot is
- * steered after it, and where it stands the robot is drawn onto it until it stands within {@link
- * #SETTLED_METRES}. The reference waits for a robot that falls behind, so that a blocked robot is
- * not left alone by it.
+ * steered after it, and where it stands the robot is corrected towards it until it stands within
+ * {@link #SETTLED_METRES}. The reference waits for a robot that falls behind, so that a blocked
+ * robot is not left alone by it.
  */
 public final class SegmentRunner {
 
@@ -29,7 +29,7 @@ public final class SegmentRunner {
   private static final double WAITING_METRES = 0.15;
 
   /**
-   * Ticks after which a body is as fast as it was told: one until the next exchange, two of motor
+   * Ticks after which a body is as fast as commanded: one until the next exchange, two of motor
    * lag. The robot is compared with where the reference was then; else it would be pushed while it
    * speeds up and run on when it slows down.
    */
@@ -49,7 +49,7 @@ public final class SegmentRunner {
   }
 
   /**
-   * @param avoider says how far beside the way it drives
+   * @param avoider says how far beside its path the robot drives
    */
   public SegmentRunner(ReferenceTrajectory trajectory, ObstacleAvoider avoider) {
     this.trajectory = trajectory;
@@ -61,20 +61,24 @@ public final class SegmentRunner {
     return trajectory;
   }
 
-  /** Metres between the robot and where it should be by now. */
+  /** Metres between the robot and where it should be by now; never negative. */
   public double trackingError() {
     return trackingError;
   }
 
+  /** Whether the robot is so far from the reference that the reference waits for it. */
   public boolean isOffTrajectory() {
     return trackingError > WAITING_METRES;
   }
 
+  /** Whether the robot stands at the end of the last segment. */
   public boolean isAtEnd() {
     return settled && trajectory.completedCount() == trajectory.size();
   }
 
   /**
+   * Moves the reference on, and follows it.
+   *
    * @param actual where the robot is, map frame
    * @param seconds since the last call
    * @param pace at which the reference may run, as a share of the planned speed; at 0 it slows down

@@ -23,9 +23,9 @@ import org.toqa.motion.Odometry;
 import org.toqa.motion.ThreeWheelKinematics;
 
 /**
- * The real body: a microcontroller that is told a velocity at every tick, and seldom while it
- * stands, which spares the processor of the robot. What may be cleared without a person, a stop by
- * power-up or by a link that was silent, is cleared by the way.
+ * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it
+ * stands, which spares the processor of the robot. A stop that may be cleared without a person, by
+ * power-up or by a link that was silent, is cleared here.
  */
 public final class FirmwareChassis implements Chassis {
 
@@ -35,7 +35,7 @@ public final class FirmwareChassis implements Chassis {
   private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
 
   /** Four lithium cells. */
-  private static final double EMPTY_VOLTS = 13.2;
+  static final double EMPTY_VOLTS = 13.2;
 
   private static final double FULL_VOLTS = 16.8;
 
@@ -47,10 +47,10 @@ public final class FirmwareChassis implements Chassis {
 
   private static final FirmwareCommand STANDSTILL = new Velocity(Twist.ZERO);
 
-  /** A body that stands is spoken to no oftener; it takes 200 ms of silence. */
+  /** A body that stands is sent commands no oftener; it bears 200 ms without one. */
   private static final long STANDSTILL_INTERVAL_NANOS = 60_000_000;
 
-  /** Failures are told in the log no oftener. */
+  /** Failures are logged no oftener. */
   private static final long LOG_INTERVAL_NANOS = 60_000_000_000L;
 
   private static final Fault POOR_LINK =

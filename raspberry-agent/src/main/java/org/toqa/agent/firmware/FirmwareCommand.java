@@ -3,7 +3,7 @@ package org.toqa.agent.firmware;
 import java.util.Set;
 import org.toqa.geometry.Twist;
 
-/** What the microcontroller can be told; {@code docs/spi-frame.md} says what each does. */
+/** What the microcontroller can be commanded; {@code docs/spi-frame.md} says what each does. */
 public sealed interface FirmwareCommand {
 
   /** Asks how the robot is. */

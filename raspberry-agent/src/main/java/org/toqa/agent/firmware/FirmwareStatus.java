@@ -5,7 +5,7 @@ import java.util.Set;
 import org.toqa.geometry.Pose;
 
 /**
- * What the microcontroller tells of itself.
+ * What the microcontroller reports.
  *
  * @param sequence of the command that is answered
  * @param powerCycle another number after every start
@@ -17,7 +17,7 @@ import org.toqa.geometry.Pose;
  * @param missingFloor floor sensors that see no floor, one bit each
  * @param freeSegments places in the queue of segments
  * @param segmentsDriven since the start; wraps around after 65,536
- * @param badFrames that it has heard
+ * @param badFrames that it has received
  * @param lostBytes that it had no room for
  */
 public record FirmwareStatus(

@@ -32,10 +32,10 @@ public final class FrameCodec {
   private static final int CAPTION_LENGTH = 20;
 
   /** What the microcontroller takes at most. */
-  private static final double MAX_SPEED = 1;
+  static final double MAX_SPEED = 1;
 
-  private static final double MAX_TURN_RATE = 10;
-  private static final double MAX_SEGMENT_SECONDS = 600;
+  static final double MAX_TURN_RATE = 10;
+  static final double MAX_SEGMENT_SECONDS = 600;
 
   private FrameCodec() {}
 

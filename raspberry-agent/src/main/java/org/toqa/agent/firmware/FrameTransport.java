@@ -9,7 +9,7 @@ public interface FrameTransport extends AutoCloseable {
    * Sends a frame and receives one, at the same time or soon after.
    *
    * @param frame of {@link FrameCodec#LENGTH} bytes
-   * @param nanos the daemon's monotonic time; simulated hardware lives by it
+   * @param nanos the daemon's monotonic time; simulated hardware simulates up to it
    * @return as many bytes, good or not; none where nothing came
    */
   byte[] exchange(byte[] frame, long nanos) throws IOException;

@@ -11,8 +11,8 @@ import java.nio.file.Path;
 
 /**
  * To the simulated microcontroller of {@code firmware/sim} over its Unix socket. Until the end of
- * each exchange the microcontroller lives for as long as the daemon did since the last one, or
- * less.
+ * each exchange the microcontroller is simulated for as long as the daemon ran since the last one,
+ * or less.
  */
 public final class SimulatorTransport implements FrameTransport {
 
@@ -23,7 +23,7 @@ public final class SimulatorTransport implements FrameTransport {
   private static final long MIN_MICROS = 5_000 + 2_048;
 
   /**
-   * The microcontroller lives no longer in one stretch, which is less than what makes it miss its
+   * The microcontroller is simulated no longer at once, which is less than what makes it miss its
    * daemon: a machine that is too slow slows the simulated world and trips no timer of it.
    */
   private static final long MAX_MICROS = 100_000;

@@ -22,7 +22,7 @@ public enum StopReason {
     this.sentence = sentence;
   }
 
-  /** Whether the daemon may clear it by itself; else it takes a person's word. */
+  /** Whether the daemon may clear it by itself; else only a person may. */
   boolean isClearedByDaemon() {
     return this == POWER_UP || this == LINK;
   }

@@ -3,8 +3,8 @@ package org.toqa.agent.formation;
 import org.toqa.agent.chassis.Chassis;
 
 /**
- * At which ticks a leader speaks. Ticks are late by more or less; the one nearest to the time is
- * meant, else the words would come now a tick early and now a tick late.
+ * At which ticks a leader broadcasts. Ticks are late by more or less; the one nearest to the time
+ * is meant, else the messages would come now a tick early and now a tick late.
  */
 public final class BroadcastTimer {
 
@@ -18,7 +18,7 @@ public final class BroadcastTimer {
   private long due;
 
   /**
-   * @param nanos when it speaks first
+   * @param nanos when it broadcasts first
    */
   BroadcastTimer(long nanos) {
     due = nanos;
@@ -28,7 +28,7 @@ public final class BroadcastTimer {
    * To be asked at every tick.
    *
    * @param braking whether the leader stops for a follower's sake and still moves
-   * @return whether it speaks at this one
+   * @return whether it broadcasts at this one
    */
   boolean fireIfDue(boolean braking, long nanos) {
     long time = braking ? due - PERIOD_NANOS + BRAKING_PERIOD_NANOS : due;

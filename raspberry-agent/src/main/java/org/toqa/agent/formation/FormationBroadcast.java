@@ -14,12 +14,12 @@ import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.LeaderPose;
 
 /**
- * A leader's word to its followers: its pose every 200 ms, and at the end the end of the formation
- * until each has answered. For one thread.
+ * What a leader sends to its followers: its pose every 200 ms, and at the end the end of the
+ * formation until each has answered. For one thread.
  */
 public final class FormationBroadcast implements AutoCloseable {
 
-  /** A follower that has not heard of the end by then has a server that asks what became of it. */
+  /** A follower that does not know of the end by then is asked by its server. */
   private static final long END_TIMEOUT_NANOS = 10_000_000_000L;
 
   /** Two seconds of answers of the largest formation. */
@@ -53,7 +53,7 @@ public final class FormationBroadcast implements AutoCloseable {
   }
 
   /**
-   * Tells where the leader is, if it is time.
+   * Sends where the leader is, if it is time.
    *
    * @param stamp milliseconds since 1970
    * @param pose map frame
@@ -67,14 +67,14 @@ public final class FormationBroadcast implements AutoCloseable {
     }
   }
 
-  /** From now on it tells of the end. */
+  /** From now on it sends the end of the formation. */
   public void beginEnd(long nanos) {
     ending = true;
     endNanos = nanos;
     timer = new BroadcastTimer(nanos);
   }
 
-  /** Tells of the end, if it is time, until {@link #isOver}. */
+  /** Sends the end of the formation, if it is time, until {@link #isOver}. */
   public void sendEnd(long nanos) {
     for (FollowerLink.Answer answer : takeAnswers()) {
       if (answer.report().seq() == 0) {

@@ -59,8 +59,7 @@ public final class FormationBroadcasts implements AutoCloseable {
   /** Without an end where it is not at its goal: its followers stop, and ask their server. */
   private void end(FormationBroadcast over, Optional<PhaseEnd> done, long nanos) {
     boolean isAtGoal =
-        done.filter(
-                end -> end.phase() == 2 && Objects.equals(end.task(), over.order().task()))
+        done.filter(end -> end.phase() == 2 && Objects.equals(end.task(), over.order().task()))
             .isPresent();
     if (isAtGoal) {
       over.beginEnd(nanos);

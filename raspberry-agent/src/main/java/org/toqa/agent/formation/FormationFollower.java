@@ -62,7 +62,7 @@ public final class FormationFollower {
     return new FollowerReport(order.task(), lastSeq, actual, follower.error(), mode);
   }
 
-  /** Why it is not where it should be; empty while it is, and before its leader has spoken. */
+  /** Why it is not where it should be; empty while it is, and before its leader's first pose. */
   public Optional<Fault> fault() {
     return follower
         .trouble()

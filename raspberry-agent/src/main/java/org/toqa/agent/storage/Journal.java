@@ -18,12 +18,11 @@ import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * The daemon's memory across its own death: one small file that is replaced as a whole, so that it
- * is always the old entry or the new one. An entry that could not be written is not taken.
+ * What outlives the daemon's process: one small file that is replaced as a whole, so that it is
+ * always the old entry or the new one. An entry that could not be written is not taken.
  *
- * <p>There are two deaths to outlive. {@link #save} outlives the process; it does not wait for the
- * disk, so that it may be called while the robot drives. {@link #saveDurably} outlives a loss of
- * power too.
+ * <p>{@link #save} outlives the process; it does not wait for the disk, so that it may be called
+ * while the robot drives. {@link #saveDurably} outlives a loss of power too.
  */
 public final class Journal {
 
@@ -56,12 +55,12 @@ public final class Journal {
     return Optional.ofNullable(fault);
   }
 
-  /** Whether the entry is written now, against the death of the process. */
+  /** Whether the entry is written now, so that it outlives the process. */
   public boolean save(JournalEntry newEntry) {
     return write(newEntry, false);
   }
 
-  /** Whether the entry is written now, against a loss of power. */
+  /** Whether the entry is written now, so that it outlives a loss of power. */
   public boolean saveDurably(JournalEntry newEntry) {
     return write(newEntry, true);
   }

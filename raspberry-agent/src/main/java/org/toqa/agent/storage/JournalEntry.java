@@ -41,7 +41,7 @@ public record JournalEntry(
     return new JournalEntry(cycle, origin, lastSeq, task, phase, load, drive, segment, held, done);
   }
 
-  /** A new drive; it tells that the server knows of the last one's end. */
+  /** A new drive; it shows that the server knows of the last one's end. */
   public JournalEntry withDrive(long newDrive, @Nullable Long ofTask, int inPhase, double onBoard) {
     return new JournalEntry(
         powerCycle, anchor, lastSeq, ofTask, inPhase, onBoard, newDrive, 0, held, null);

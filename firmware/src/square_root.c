@@ -1,7 +1,7 @@
-#include "root.h"
+#include "square_root.h"
 
 /* Bit by bit, as on paper: 16 steps. */
-uint16_t root(uint32_t square)
+uint16_t square_root(uint32_t square)
 {
     uint32_t rest = square;
     uint32_t result = 0;

@@ -1,4 +1,4 @@
-#include "truth.h"
+#include "world_state.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -31,7 +31,7 @@ static uint32_t rudenesses(void)
     return sum;
 }
 
-void truth_write(char *line, size_t size)
+void world_state_write(char *line, size_t size)
 {
     const struct rig *rig = chip_rig();
     const struct lcd_model *lcd = chip_lcd();
@@ -113,7 +113,7 @@ static bool change(const char *what, const char *how)
     return strcmp(what, "battery") == 0 && sscanf(how, "%" SCNu16, &surroundings->battery_mv) == 1;
 }
 
-bool truth_change(const char *order)
+bool world_state_change(const char *order)
 {
     char what[16];
     char how[16];

@@ -1,0 +1,43 @@
+#include "odometry.h"
+
+#include <string.h>
+
+/*
+ * vx = (v1 - v3)/sqrt(3), vy = (2 v2 - v1 - v3)/3: um a count, times 2^16; 2 pi = 710/113 and
+ * sqrt(3) = 18817/10864.
+ */
+static const int64_t ALONG_Q16 =
+    (INT64_C(710) * BODY_WHEEL_RADIUS_UM * 65536 / 113) * 10864 / 18817 / BODY_COUNTS_PER_TURN;
+static const int64_t ASIDE_Q16 =
+    (INT64_C(710) * BODY_WHEEL_RADIUS_UM * 65536 / 113) / (3 * BODY_COUNTS_PER_TURN);
+
+/* w = (v1 + v2 + v3)/(3 R): r/(3 R) turns of the body a turn of the wheels, times 2^16. */
+static const uint64_t HEADING_Q16 = (UINT64_C(1) << 48) * BODY_WHEEL_RADIUS_UM /
+                                    (UINT64_C(3) * BODY_CENTRE_TO_WHEEL_UM * BODY_COUNTS_PER_TURN);
+
+static uint32_t heading(int64_t turned)
+{
+    return (uint32_t)((HEADING_Q16 * (uint64_t)turned) >> 16);
+}
+
+void odometry_begin(struct odometry *odometry, const int32_t counts[BODY_WHEELS])
+{
+    memset(odometry, 0, sizeof *odometry);
+    memcpy(odometry->counts, counts, sizeof odometry->counts);
+}
+
+void odometry_update(struct odometry *odometry, const int32_t counts[BODY_WHEELS])
+{
+    int32_t moved[BODY_WHEELS];
+    struct step step;
+
+    for (uint8_t i = 0; i < BODY_WHEELS; i++) {
+        moved[i] = (int32_t)((uint32_t)counts[i] - (uint32_t)odometry->counts[i]);
+        odometry->turned += moved[i];
+    }
+    memcpy(odometry->counts, counts, sizeof odometry->counts);
+    step.x_um_q16 = ALONG_Q16 * ((int64_t)moved[0] - moved[2]);
+    step.y_um_q16 = ASIDE_Q16 * (2 * (int64_t)moved[1] - moved[0] - moved[2]);
+    step.turn = (int32_t)(heading(odometry->turned) - odometry->pose.heading);
+    pose_advance(&odometry->pose, &step);
+}

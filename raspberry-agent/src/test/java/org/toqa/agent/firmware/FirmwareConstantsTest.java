@@ -1,0 +1,86 @@
+package org.toqa.agent.firmware;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.toqa.agent.config.MotionLimits;
+import org.toqa.agent.drive.PaceLimits;
+import org.toqa.motion.Odometry;
+import org.toqa.motion.ThreeWheelKinematics;
+import org.toqa.motion.WheelLimits;
+
+/** Numbers that stand in the firmware's sources and in the daemon's. */
+class FirmwareConstantsTest {
+
+  private static final Path SOURCES = Path.of("firmware/src");
+  private static final double TURN = 2 * Math.PI;
+
+  @Test
+  void bodyIsTheSame() throws IOException {
+    ThreeWheelKinematics wheels = ThreeWheelKinematics.DEFAULT;
+    assertEquals(wheels.wheelRadius(), constant("body.h", "BODY_WHEEL_RADIUS_UM") / 1e6);
+    assertEquals(wheels.centreToWheel(), constant("body.h", "BODY_CENTRE_TO_WHEEL_UM") / 1e6);
+    assertEquals(wheels.wheelCount(), constant("body.h", "BODY_WHEELS"));
+    assertEquals(Odometry.COUNTS_PER_WHEEL_TURN, constant("body.h", "BODY_COUNTS_PER_TURN"));
+  }
+
+  @Test
+  void wheelLimitsAreTheSame() throws IOException {
+    WheelLimits limits = WheelLimits.DEFAULT;
+    double rated = constant("body.h", "BODY_RATED_RPM") / 60 * TURN;
+    double most = constant("body.h", "BODY_MAX_RPM") / 60 * TURN;
+    assertEquals(limits.ratedRate(), rated, 1e-9);
+    assertEquals(limits.maxRate(), most, 1e-9);
+  }
+
+  /** The simulated body turns its wheels up to the rated speed, the firmware less. */
+  @Test
+  void firmwareTurnsWheelsMoreSlowlyThanTheSimulatedBody() {
+    WheelLimits limits = WheelLimits.DEFAULT;
+    assertEquals(220 / 150.0, limits.ratedRate() / limits.maxRate(), 1e-9);
+    // a rim of 0.04 m: 150 / 60 * 2 pi * 0.04 = 0.628 m/s
+    assertEquals(0.628, limits.maxRate() * ThreeWheelKinematics.DEFAULT.wheelRadius(), 1e-3);
+  }
+
+  @Test
+  void framesCarryTheSameRange() throws IOException {
+    assertEquals(FrameCodec.MAX_SPEED, constant("twist.h", "TWIST_SPEED_LIMIT_UM_S") / 1e6);
+    assertEquals(FrameCodec.MAX_TURN_RATE, constant("twist.h", "TWIST_TURN_LIMIT_URAD_S") / 1e6);
+    assertEquals(FrameCodec.MAX_SEGMENT_SECONDS, constant("segment.h", "SEGMENT_LONGEST_MS") / 1e3);
+  }
+
+  @Test
+  void batteryIsEmptyAtTheSameVoltage() throws IOException {
+    assertEquals(FirmwareChassis.EMPTY_VOLTS, constant("battery.h", "BATTERY_LOW_MV") / 1e3);
+  }
+
+  /** Between two segments the daemon's own reference may jump more than the firmware's. */
+  @Test
+  void firmwareJumpsNoMoreThanTheDaemon() throws IOException {
+    PaceLimits daemon = PaceLimits.forSingleRobot(new MotionLimits(0.5, 3.5, 0.5, 3));
+    assertEquals(0.10, constant("segment.c", "SPEED_JUMP_UM_S") / 1e6);
+    assertEquals(0.15, daemon.speedJump());
+    assertEquals(daemon.turnRateJump(), constant("segment.c", "TURN_JUMP_URAD_S") / 1e6);
+  }
+
+  /** The value of {@code #define NAME value}, or of {@code NAME = value}; products are computed. */
+  private static double constant(String file, String name) throws IOException {
+    String source = Files.readString(SOURCES.resolve(file));
+    Matcher found =
+        Pattern.compile("\\b" + name + "(?: =)? +\\(?(?:U?INT32_C\\()?([0-9 *]+)").matcher(source);
+    assertTrue(found.find(), name + " in " + file);
+    return Pattern.compile("[0-9]+")
+        .matcher(found.group(1))
+        .results()
+        .map(MatchResult::group)
+        .mapToDouble(Double::parseDouble)
+        .reduce(1, (a, b) -> a * b);
+  }
+}
