@@ -10,8 +10,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
+import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
 import org.toqa.web.WebTestServer;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -35,11 +35,9 @@ abstract class ApiTestServer {
     token = tokenOf(WebTestServer.MANAGER);
     server
         .fleet()
-        .changeRobots(
-            none ->
-                List.of(
-                    TestFleet.robot(
-                        "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
+        .setRobots(
+                    Hall.robot(
+                        "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275));
   }
 
   @AfterEach

@@ -14,10 +14,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.web.TestClient;
+import org.toqa.web.WebServerTest;
 import org.toqa.web.access.Permission;
 
 /** Every route against every kind of client, and what every answer must have. */
-class AccessTest extends AccessTestServer {
+class AccessTest extends WebServerTest {
   /** All but those that sign out: after them, the client is anonymous. */
   static Stream<Route> routes() {
     return Routes.all().stream().filter(route -> !isSignOut(route));
