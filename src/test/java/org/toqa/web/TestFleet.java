@@ -108,14 +108,16 @@ public final class TestFleet extends TasksInMemory {
     if (!floor.grid().isFree(pose.position())) {
       return refused(null, "There is a wall. Say where the robot really stands.");
     }
-    return change(name, known -> Hall.robot(name, RobotState.IDLE, pose, known.host(), known.port()));
+    return change(
+        name, known -> Hall.robot(name, RobotState.IDLE, pose, known.host(), known.port()));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> takeOutOfService(String name, String user) {
     return change(
         name,
-        known -> Hall.robot(name, RobotState.OUT_OF_SERVICE, known.pose(), known.host(), known.port()));
+        known ->
+            Hall.robot(name, RobotState.OUT_OF_SERVICE, known.pose(), known.host(), known.port()));
   }
 
   @Override
@@ -127,7 +129,8 @@ public final class TestFleet extends TasksInMemory {
   @Override
   public CompletionStage<Answer<RobotView>> holdRobot(String name, String user) {
     return change(
-        name, known -> Hall.robot(name, RobotState.HOLDING, known.pose(), known.host(), known.port()));
+        name,
+        known -> Hall.robot(name, RobotState.HOLDING, known.pose(), known.host(), known.port()));
   }
 
   @Override
@@ -139,7 +142,8 @@ public final class TestFleet extends TasksInMemory {
   @Override
   public CompletionStage<Answer<RobotView>> sendHome(String name, String user) {
     return change(
-        name, known -> Hall.robot(name, RobotState.DRIVING, known.pose(), known.host(), known.port()));
+        name,
+        known -> Hall.robot(name, RobotState.DRIVING, known.pose(), known.host(), known.port()));
   }
 
   @Override

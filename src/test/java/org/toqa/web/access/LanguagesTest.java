@@ -48,9 +48,7 @@ public class LanguagesTest extends WebServerTest {
   void speakArabic() {
     server
         .fleet()
-        .setRobots(
-                    Hall.robot(
-                        "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275));
+        .setRobots(Hall.robot("r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275));
     server.fleet().changeFloor(Hall.crowdedFloor());
     arab = clerk;
     arab.get("language/ar");

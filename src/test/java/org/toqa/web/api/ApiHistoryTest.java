@@ -131,9 +131,7 @@ class ApiHistoryTest extends ApiTestServer {
         .changeRobots(
             none ->
                 names.stream()
-                    .map(
-                        name ->
-                            Hall.robot(name, RobotState.IDLE, new Pose(1, 1, 0), "h", 7275))
+                    .map(name -> Hall.robot(name, RobotState.IDLE, new Pose(1, 1, 0), "h", 7275))
                     .toList());
     for (String name : names) {
       server.store().saveRobot(new RobotRecord(name, "hall", "h", 7275, 5, null, false, null));

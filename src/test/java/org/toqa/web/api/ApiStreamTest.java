@@ -58,8 +58,7 @@ class ApiStreamTest extends ApiTestServer {
           .changeRobots(
               robots ->
                   List.of(
-                      Hall.robot(
-                          "r1", RobotState.DRIVING, new Pose(2, 2, 0), "127.0.0.1", 7275)));
+                      Hall.robot("r1", RobotState.DRIVING, new Pose(2, 2, 0), "127.0.0.1", 7275)));
       long second = version(lines);
       assertEquals(first + 1, second);
       JsonNode snapshot = JSON.readTree(after("data: ", lines));

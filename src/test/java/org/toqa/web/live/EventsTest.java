@@ -208,8 +208,7 @@ class EventsTest {
         .changeRobots(
             robots ->
                 List.of(
-                    Hall.robot(
-                        "r1", RobotState.DRIVING, new Pose(x, 2, 0), "127.0.0.1", 7275)));
+                    Hall.robot("r1", RobotState.DRIVING, new Pose(x, 2, 0), "127.0.0.1", 7275)));
   }
 
   private String request() {

@@ -41,8 +41,7 @@ class EditConflictTest {
     server
         .fleet()
         .changeRobots(
-            none ->
-                List.of(Hall.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "r1.lan", 7275)));
+            none -> List.of(Hall.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "r1.lan", 7275)));
   }
 
   @AfterEach

@@ -47,9 +47,9 @@ class ReplayInBrowserTest extends BrowserTest {
     server
         .fleet()
         .setRobots(
-                    Hall.robot("r1", RobotState.IDLE, new Pose(10, 1, 0), "127.0.0.1", 7275),
-                    Hall.robot("r2", RobotState.IDLE, new Pose(4, 2, 0), "127.0.0.1", 7276),
-                    Hall.robot("r3", RobotState.IDLE, new Pose(6, 3, 0), "127.0.0.1", 7277));
+            Hall.robot("r1", RobotState.IDLE, new Pose(10, 1, 0), "127.0.0.1", 7275),
+            Hall.robot("r2", RobotState.IDLE, new Pose(4, 2, 0), "127.0.0.1", 7276),
+            Hall.robot("r3", RobotState.IDLE, new Pose(6, 3, 0), "127.0.0.1", 7277));
     for (String robot : List.of("r1", "r2")) {
       server
           .store()

@@ -178,7 +178,8 @@ class AccessTest extends WebServerTest {
   /** Whatever the servlet then answered, no permission was missing. */
   private static void assertPassed(int status) {
     assertTrue(
-        Set.of(200, 303, 404, 410, 415, 422).contains(status), "The permission was missing: " + status);
+        Set.of(200, 303, 404, 410, 415, 422).contains(status),
+        "The permission was missing: " + status);
   }
 
   private static int status(TestClient client, Route route) {

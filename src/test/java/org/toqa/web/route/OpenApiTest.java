@@ -42,8 +42,7 @@ class OpenApiTest {
         .changeRobots(
             none ->
                 List.of(
-                    Hall.robot(
-                        "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
+                    Hall.robot("r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
     WorkHistory.in(server).addHour(Instant.now().minusSeconds(3600));
     clerk.post(
         "tasks/new",
