@@ -15,7 +15,6 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Reject;
-import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage;
@@ -30,7 +29,6 @@ import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
-import org.toqa.motion.Trajectory;
 
 /**
  * A robot at the other end of the link, without a link: it answers by the contract, drives one
@@ -41,37 +39,16 @@ public final class ScriptedRobot {
   static final double FOOTPRINT = 0.255;
 
   private final String name;
-  private Pose pose;
-  private List<Vec2> obstacles = List.of();
-  private double battery = 0.8;
-  private double footprint = FOOTPRINT;
-  private int stepsASegment = 1;
-  private int steps;
-  private boolean mute;
-  private boolean stuck;
-  private boolean held;
-  private boolean endsFirst;
-  private @Nullable Fault fault;
+  private final ScriptedCondition condition = new ScriptedCondition();
+  private final ScriptedDrive drive = new ScriptedDrive();
+  private final ScriptedFormation formation = new ScriptedFormation(peer -> this);
   private final List<Command> obeyed = new ArrayList<>();
+  private Pose pose;
+  private int steps;
+  private boolean held;
   private RobotLink.@Nullable Listener listener;
   private boolean connected;
-
-  private @Nullable Trajectory trajectory;
-  private @Nullable Long task;
-  private @Nullable Done done;
-  private int phase;
-  private long drive;
-  private int segment;
-  private int released;
-  private boolean last;
   private long lastSeq;
-  private @Nullable Lead leading;
-  private @Nullable Follow following;
-
-  /** The task whose formation it has brought to its goal. */
-  private @Nullable Long ended;
-
-  private Function<String, ScriptedRobot> others = name -> this;
 
   ScriptedRobot(String name, Vec2 at) {
     this.name = name;
@@ -80,23 +57,23 @@ public final class ScriptedRobot {
 
   /** How it finds the robots that it carries together with. */
   synchronized void setPeers(Function<String, ScriptedRobot> byName) {
-    others = byName;
+    formation.setPeers(byName);
   }
 
   synchronized void setObstacles(Vec2... points) {
-    obstacles = List.of(points);
+    condition.obstacles = List.of(points);
   }
 
   /**
    * @param share of 0 to 1
    */
   synchronized void setBattery(double share) {
-    battery = share;
+    condition.battery = share;
   }
 
   /** It drives a segment only after so many steps. */
   synchronized void setStepsPerSegment(int stepsForOne) {
-    stepsASegment = stepsForOne;
+    condition.stepsPerSegment = stepsForOne;
   }
 
   /**
@@ -105,39 +82,39 @@ public final class ScriptedRobot {
    * @param diameter metres
    */
   synchronized void setFootprint(double diameter) {
-    footprint = diameter;
+    condition.footprint = diameter;
   }
 
   /** From now on it says nothing, and drives nothing. */
   synchronized void fallSilent() {
-    mute = true;
+    condition.mute = true;
   }
 
   synchronized void speakAgain() {
-    mute = false;
+    condition.mute = false;
   }
 
   /** It speaks, and does not move though it may. */
   synchronized void setStuck(boolean stuck) {
-    this.stuck = stuck;
+    condition.stuck = stuck;
   }
 
   /** Its drive is at an end a moment before it hears the next change of that. */
   synchronized void endBeforeNextChange() {
-    endsFirst = true;
+    condition.endsBeforeNextChange = true;
   }
 
   synchronized boolean isAwaitingChange() {
-    return endsFirst;
+    return condition.endsBeforeNextChange;
   }
 
   /** From now on its body cannot drive. */
   synchronized void breakDown(String code) {
-    fault = new Fault(code, "It cannot drive.");
+    condition.fault = new Fault(code, "It cannot drive.");
   }
 
   synchronized void repair() {
-    fault = null;
+    condition.fault = null;
   }
 
   synchronized boolean isHeld() {
@@ -146,7 +123,7 @@ public final class ScriptedRobot {
 
   /** Falls silent for good with its connection; what comes next begins with a hello. */
   synchronized void loseConnection() {
-    mute = true;
+    condition.mute = true;
     connected = false;
     Objects.requireNonNull(listener).disconnected("cut");
   }
@@ -157,7 +134,7 @@ public final class ScriptedRobot {
   }
 
   synchronized boolean isDriving() {
-    return drive != 0;
+    return drive.number() != 0;
   }
 
   synchronized Vec2 position() {
@@ -186,7 +163,7 @@ public final class ScriptedRobot {
 
   /** A moment of its life: a segment, and what it says then. */
   synchronized void step() {
-    if (mute || listener == null) {
+    if (condition.mute || listener == null) {
       return;
     }
     if (!connected) {
@@ -196,43 +173,31 @@ public final class ScriptedRobot {
     }
     steps++;
     boolean mayMove =
-        !stuck && !held && fault == null && steps % stepsASegment == 0 && missing() == null;
+        !condition.stuck
+            && !held
+            && condition.fault == null
+            && steps % condition.stepsPerSegment == 0
+            && formation.missing() == null;
     keepPlace();
-    if (trajectory != null && segment < released && mayMove) {
-      segment++;
-      pose = trajectory.poseAfter(segment);
-    }
-    if (trajectory != null && !held && last && segment == trajectory.segments().size()) {
-      done = new Done(task, phase, drive);
-      ended = leading == null ? ended : task;
-      leading = null;
-      trajectory = null;
-      drive = 0;
+    Pose next = mayMove ? drive.nextPose() : null;
+    pose = next == null ? pose : next;
+    if (!held && drive.isAtGoal()) {
+      drive.end();
+      formation.endLeading(drive.task());
     }
     listener.received(state());
+    Done done = drive.done();
     if (done != null) {
       listener.received(done);
     }
   }
 
-  /** A follower that does not follow; null while all do, or it leads none. */
-  private @Nullable String missing() {
-    Lead lead = leading;
-    return lead == null
-        ? null
-        : lead.followers().stream()
-            .map(ServerMessage.Follower::robot)
-            .filter(follower -> !others.apply(follower).isKeepingPlace(lead.task()))
-            .findFirst()
-            .orElse(null);
-  }
-
-  private synchronized boolean isKeepingPlace(long task) {
-    return following != null && following.task() == task && !mute && !held && fault == null;
+  synchronized boolean isKeepingPlace(long task) {
+    return formation.isFollowing(task) && !condition.mute && !held && condition.fault == null;
   }
 
   private synchronized boolean hasEnded(long task) {
-    return ended != null && ended == task;
+    return formation.hasEnded(task);
   }
 
   private synchronized Pose pose() {
@@ -240,16 +205,15 @@ public final class ScriptedRobot {
   }
 
   private void keepPlace() {
-    Follow order = following;
+    Follow order = formation.following();
     if (order == null) {
       return;
     }
-    ScriptedRobot leader = others.apply(order.leader());
+    ScriptedRobot leader = formation.leader();
     pose = leader.pose().compose(new Pose(order.offset().x(), order.offset().y(), 0));
     if (leader.hasEnded(order.task())) {
-      done = new Done(task, phase, drive);
-      following = null;
-      drive = 0;
+      drive.end();
+      formation.endFollowing();
     }
   }
 
@@ -258,17 +222,13 @@ public final class ScriptedRobot {
       return;
     }
     if (message instanceof AckDone ack) {
-      if (done != null && done.drive() == ack.done()) {
-        task = done.phase() == 3 ? null : task;
-        done = null;
-      }
+      drive.acknowledge(ack);
     } else if (message instanceof Command command && command.seq() > lastSeq) {
       lastSeq = command.seq();
       boolean isChange = command instanceof Extend || command instanceof Release;
-      if (isChange && (endsFirst || trajectory == null)) {
-        endsFirst = false;
-        trajectory = null;
-        drive = 0;
+      if (isChange && (condition.endsBeforeNextChange || !drive.hasTrajectory())) {
+        condition.endsBeforeNextChange = false;
+        drive.abandon();
         say(new Reject(command.seq(), "There is no such drive any more; the robot has none."));
         return;
       }
@@ -282,48 +242,20 @@ public final class ScriptedRobot {
       obeyed.add(command);
     }
     switch (command) {
-      case Lead l -> {
-        leading = l;
-        ended = null;
-      }
+      case Lead l -> formation.lead(l);
       case Follow f -> {
-        following = f;
-        task = f.task();
-        phase = 2;
-        drive = f.seq();
-        segment = 0;
-        released = 0;
-        done = null;
+        formation.follow(f);
+        drive.follow(f);
       }
       case Hold h -> held = true;
       case Resume r -> held = false;
-      case Drive d -> {
-        trajectory = new Trajectory(d.start(), d.segments());
-        task = d.task();
-        phase = d.phase();
-        drive = d.seq();
-        segment = 0;
-        released = d.released();
-        last = d.last();
-        done = null;
-      }
-      case Extend e -> {
-        Trajectory old = Objects.requireNonNull(trajectory);
-        var segments = new ArrayList<>(old.segments().subList(0, e.from()));
-        segments.addAll(e.segments());
-        trajectory = new Trajectory(old.start(), segments);
-        released = e.released();
-        last = e.last();
-      }
-      case Release r -> released = r.released();
+      case Drive d -> drive.start(d);
+      case Extend e -> drive.extend(e);
+      case Release r -> drive.release(r);
       case Cancel c -> {
-        if (Objects.equals(c.task(), task)) {
-          trajectory = null;
-          leading = null;
-          following = null;
-          task = null;
-          drive = 0;
-          done = null;
+        if (Objects.equals(c.task(), drive.task())) {
+          drive.cancel();
+          formation.cancel();
         }
       }
       default -> {}
@@ -331,36 +263,29 @@ public final class ScriptedRobot {
   }
 
   private void say(AgentMessage message) {
-    if (!mute && listener != null) {
+    if (!condition.mute && listener != null) {
       listener.received(message);
     }
   }
 
   private Mode mode() {
-    if (fault != null) {
+    if (condition.fault != null) {
       return Mode.ERROR;
     }
     if (held) {
       return Mode.HOLDING;
     }
-    if (following != null) {
+    if (formation.following() != null) {
       return Mode.FOLLOWING;
     }
-    return drive == 0 ? Mode.IDLE : Mode.DRIVING;
-  }
-
-  private Role role() {
-    if (following != null) {
-      return Role.FOLLOWER;
-    }
-    return leading == null ? Role.ALONE : Role.LEADER;
+    return drive.number() == 0 ? Mode.IDLE : Mode.DRIVING;
   }
 
   private List<Fault> faults() {
-    if (fault != null) {
-      return List.of(fault);
+    if (condition.fault != null) {
+      return List.of(condition.fault);
     }
-    String missing = missing();
+    String missing = formation.missing();
     return missing == null
         ? List.of()
         : List.of(
@@ -373,16 +298,16 @@ public final class ScriptedRobot {
         name,
         5,
         0.5,
-        footprint,
+        condition.footprint,
         true,
         pose,
         mode(),
-        task,
-        phase,
-        role(),
-        drive,
-        segment,
-        released,
+        drive.task(),
+        drive.phase(),
+        formation.role(),
+        drive.number(),
+        drive.segment(),
+        drive.released(),
         lastSeq,
         null);
   }
@@ -394,15 +319,15 @@ public final class ScriptedRobot {
         pose,
         new Speed(0, 0),
         mode(),
-        task,
-        phase,
-        role(),
-        drive,
-        segment,
-        released,
-        battery,
+        drive.task(),
+        drive.phase(),
+        formation.role(),
+        drive.number(),
+        drive.segment(),
+        drive.released(),
+        condition.battery,
         List.of(),
-        obstacles,
+        condition.obstacles,
         faults());
   }
 }

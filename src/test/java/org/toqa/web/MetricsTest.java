@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TaskState;
+import org.toqa.testbed.Hall;
 
 /** What Prometheus reads. */
 class MetricsTest {
@@ -28,9 +29,9 @@ class MetricsTest {
         .changeRobots(
             none ->
                 List.of(
-                    TestFleet.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "127.0.0.1", 7275),
-                    TestFleet.robot("r2", RobotState.IDLE, new Pose(2, 1, 0), "127.0.0.1", 7276),
-                    TestFleet.robot("r3", RobotState.LOST, new Pose(3, 1, 0), "127.0.0.1", 7277)));
+                    Hall.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "127.0.0.1", 7275),
+                    Hall.robot("r2", RobotState.IDLE, new Pose(2, 1, 0), "127.0.0.1", 7276),
+                    Hall.robot("r3", RobotState.LOST, new Pose(3, 1, 0), "127.0.0.1", 7277)));
   }
 
   @AfterEach

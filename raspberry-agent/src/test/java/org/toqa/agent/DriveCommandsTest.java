@@ -5,14 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Collections;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.agent.chassis.Chassis;
@@ -27,25 +23,7 @@ import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.motion.Segment;
 
 /** What a robot refuses, and in which words. */
-class DriveCommandsTest {
-
-  private static final Segment METRE = new Segment(0.25, 0, 4);
-
-  @TempDir Path folder;
-  private Rig rig;
-  private TestServer server;
-
-  @BeforeEach
-  void connect() {
-    rig = new Rig(folder);
-    server = rig.connect();
-  }
-
-  @AfterEach
-  void close() {
-    rig.close();
-  }
-
+class DriveCommandsTest extends ConnectedRobotTest {
   @Test
   void driveFromWhereTheRobotStandsIsAccepted() {
     assertEquals(new Ack(1), server.ask(driveOf(1, METRE)));

@@ -4,13 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage.Done;
@@ -27,28 +23,7 @@ import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
 /** How a robot drives, seen from its server. */
-class DrivingTest {
-
-  /** One metre straight on in four seconds. */
-  private static final Segment METRE = new Segment(0.25, 0, 4);
-
-  private static final Duration MINUTE = Duration.ofMinutes(1);
-
-  @TempDir Path folder;
-  private Rig rig;
-  private TestServer server;
-
-  @BeforeEach
-  void connect() {
-    rig = new Rig(folder);
-    server = rig.connect();
-  }
-
-  @AfterEach
-  void close() {
-    rig.close();
-  }
-
+class DrivingTest extends ConnectedRobotTest {
   @Test
   void trajectoryOfTwentyMetresEndsWhereItWasPlanned() {
     // turn, straight, arc left, straight, arc right ... as the fitter makes them, at 0.25 m/s

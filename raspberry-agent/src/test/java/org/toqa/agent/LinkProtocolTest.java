@@ -8,42 +8,19 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage.Ping;
-import org.toqa.motion.Segment;
 
 /** How a daemon treats peers of every kind. */
-class LinkProtocolTest {
-
-  private static final Segment METRE = new Segment(0.25, 0, 4);
-
-  @TempDir Path folder;
-  private Rig rig;
-  private TestServer server;
-
-  @BeforeEach
-  void connect() {
-    rig = new Rig(folder);
-    server = rig.connect();
-  }
-
-  @AfterEach
-  void close() {
-    rig.close();
-  }
-
+class LinkProtocolTest extends ConnectedRobotTest {
   @Test
   void stateComesFiveTimesASecond() {
     server.synchronise();

@@ -7,13 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.chassis.SimulatedChassis;
 import org.toqa.geometry.Pose;
@@ -29,26 +25,7 @@ import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.motion.Segment;
 
 /** What a daemon knows after it was started anew over its journal and its body. */
-class RestartTest {
-
-  private static final Segment METRE = new Segment(0.25, 0, 4);
-  private static final Duration MINUTE = Duration.ofMinutes(1);
-
-  @TempDir Path folder;
-  private Rig rig;
-  private TestServer server;
-
-  @BeforeEach
-  void connect() {
-    rig = new Rig(folder);
-    server = rig.connect();
-  }
-
-  @AfterEach
-  void close() {
-    rig.close();
-  }
-
+class RestartTest extends ConnectedRobotTest {
   @Test
   void driveUnderWayIsGivenUpButNotItsTask() {
     server.assertAccepted(TestServer.drive(7, 5L, 2, Rig.START, List.of(METRE, METRE, METRE)));

@@ -16,7 +16,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,13 +24,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TaskState;
+import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
+import org.toqa.web.WebServerTest;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
 
 /** Which language an answer is in, and what Arabic pages and forms are like. */
-public class LanguagesTest {
+public class LanguagesTest extends WebServerTest {
   private static final String ARABIC_PAGE = "<html lang=\"ar\" dir=\"rtl\"";
   private static final String ENGLISH_PAGE = "<html lang=\"en\" dir=\"ltr\"";
   private static final Map<String, String> TASK =
@@ -42,32 +42,17 @@ public class LanguagesTest {
           "goalX", "١٠٫٣٥",
           "goalY", "۱٫۰۵");
 
-  private static WebTestServer server;
-  private static TestClient arab;
-  private static TestClient manager;
+  private TestClient arab;
 
   @BeforeAll
-  static void start() throws Exception {
-    server = WebTestServer.start();
+  void speakArabic() {
     server
         .fleet()
-        .changeRobots(
-            none ->
-                List.of(
-                    TestFleet.robot(
-                        "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
-    server.fleet().changeFloor(TestFleet.crowdedFloor());
-    arab = TestClient.signedIn(server.root(), WebTestServer.CLERK);
+        .setRobots(Hall.robot("r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275));
+    server.fleet().changeFloor(Hall.crowdedFloor());
+    arab = clerk;
     arab.get("language/ar");
-    manager = TestClient.signedIn(server.root(), WebTestServer.MANAGER);
     manager.get("language/ar");
-  }
-
-  @AfterAll
-  static void stop() throws Exception {
-    arab.close();
-    manager.close();
-    server.close();
   }
 
   @ParameterizedTest

@@ -17,7 +17,7 @@ import org.toqa.fleet.RobotState;
 import org.toqa.fleet.history.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
-import org.toqa.web.TestFleet;
+import org.toqa.testbed.Hall;
 import org.toqa.wording.Sentence;
 import tools.jackson.databind.JsonNode;
 
@@ -54,7 +54,7 @@ class ApiHistoryTest extends ApiTestServer {
     server
         .fleet()
         .changeRobots(
-            none -> List.of(TestFleet.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
+            none -> List.of(Hall.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
     server.store().saveRobot(new RobotRecord("r1", "hall", "h", 7275, 5, null, false, null));
     Instant now = server.fleet().latest().at();
     server
@@ -131,9 +131,7 @@ class ApiHistoryTest extends ApiTestServer {
         .changeRobots(
             none ->
                 names.stream()
-                    .map(
-                        name ->
-                            TestFleet.robot(name, RobotState.IDLE, new Pose(1, 1, 0), "h", 7275))
+                    .map(name -> Hall.robot(name, RobotState.IDLE, new Pose(1, 1, 0), "h", 7275))
                     .toList());
     for (String name : names) {
       server.store().saveRobot(new RobotRecord(name, "hall", "h", 7275, 5, null, false, null));

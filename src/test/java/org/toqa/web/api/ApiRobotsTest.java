@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
-import org.toqa.web.TestFleet;
+import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
 import tools.jackson.databind.JsonNode;
 
@@ -34,7 +34,7 @@ class ApiRobotsTest extends ApiTestServer {
     server
         .fleet()
         .changeRobots(
-            none -> List.of(TestFleet.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
+            none -> List.of(Hall.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "h", 7275)));
     HttpResponse<String> answer =
         post(
             token,

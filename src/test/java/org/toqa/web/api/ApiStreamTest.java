@@ -12,14 +12,14 @@ import java.util.Scanner;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
-import org.toqa.web.TestFleet;
+import org.toqa.testbed.Hall;
 import tools.jackson.databind.JsonNode;
 
 /** The stream of snapshots that the API sends. */
 class ApiStreamTest extends ApiTestServer {
   @Test
   void theStreamTellsWhatIsInTheWay() {
-    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    server.fleet().changeFloor(Hall.crowdedFloor());
     HttpResponse<InputStream> stream =
         visitor.send(
             visitor.request("api/v1/events").header("Authorization", "Bearer " + token).build(),
@@ -58,8 +58,7 @@ class ApiStreamTest extends ApiTestServer {
           .changeRobots(
               robots ->
                   List.of(
-                      TestFleet.robot(
-                          "r1", RobotState.DRIVING, new Pose(2, 2, 0), "127.0.0.1", 7275)));
+                      Hall.robot("r1", RobotState.DRIVING, new Pose(2, 2, 0), "127.0.0.1", 7275)));
       long second = version(lines);
       assertEquals(first + 1, second);
       JsonNode snapshot = JSON.readTree(after("data: ", lines));

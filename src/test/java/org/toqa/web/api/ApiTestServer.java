@@ -4,14 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
-import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
+import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
 import org.toqa.web.WebTestServer;
 import tools.jackson.databind.json.JsonMapper;
 
@@ -35,11 +34,7 @@ abstract class ApiTestServer {
     token = tokenOf(WebTestServer.MANAGER);
     server
         .fleet()
-        .changeRobots(
-            none ->
-                List.of(
-                    TestFleet.robot(
-                        "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
+        .setRobots(Hall.robot("r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275));
   }
 
   @AfterEach

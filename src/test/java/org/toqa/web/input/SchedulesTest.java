@@ -10,20 +10,18 @@ import java.net.http.HttpResponse;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.web.TestClient;
-import org.toqa.web.WebTestServer;
+import org.toqa.web.WebServerTest;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** Schedules through the form and the API. */
-class SchedulesTest {
+class SchedulesTest extends WebServerTest {
   private static final JsonMapper JSON = new JsonMapper();
   private static final String TASK =
       "{\"name\":\"box\",\"load\":1,\"start\":{\"station\":\"Dock A\"},\"goal\":{\"x\":9,\"y\":1.05}}";
@@ -34,24 +32,6 @@ class SchedulesTest {
           "startStation", "Dock A",
           "goalStation", "Shelf 3",
           "zone", "Europe/Paris");
-
-  private static WebTestServer server;
-  private static TestClient clerk;
-  private static TestClient manager;
-
-  @BeforeAll
-  static void start() throws Exception {
-    server = WebTestServer.start();
-    clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK);
-    manager = TestClient.signedIn(server.root(), WebTestServer.MANAGER);
-  }
-
-  @AfterAll
-  static void stop() throws Exception {
-    clerk.close();
-    manager.close();
-    server.close();
-  }
 
   @AfterEach
   void deleteAll() {

@@ -27,8 +27,8 @@ import org.toqa.accounts.Account;
 import org.toqa.accounts.Role;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
+import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
 import org.toqa.web.WebTestServer;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -208,8 +208,7 @@ class EventsTest {
         .changeRobots(
             robots ->
                 List.of(
-                    TestFleet.robot(
-                        "r1", RobotState.DRIVING, new Pose(x, 2, 0), "127.0.0.1", 7275)));
+                    Hall.robot("r1", RobotState.DRIVING, new Pose(x, 2, 0), "127.0.0.1", 7275)));
   }
 
   private String request() {

@@ -15,7 +15,7 @@ import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.testbed.BrowserTest;
-import org.toqa.web.TestFleet;
+import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
 
 /** What the pages put together from changes is what the server would have sent whole. */
@@ -89,7 +89,7 @@ class LiveInBrowserTest extends BrowserTest {
     String name = "r" + random.nextInt(8);
     next.removeIf(robot -> robot.name().equals(name));
     Pose pose = new Pose(random.nextInt(9) + 1, 2, 0);
-    next.add(TestFleet.robot(name, RobotState.DRIVING, pose, "127.0.0.1", 7275));
+    next.add(Hall.robot(name, RobotState.DRIVING, pose, "127.0.0.1", 7275));
     Collections.shuffle(next, random);
     return next;
   }

@@ -21,8 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.mission.TaskState;
 import org.toqa.testbed.BrowserTest;
+import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
 import org.toqa.web.WebTestServer;
 
 /** Every page by the rules of WCAG 2.2, levels A and AA, that axe can check. */
@@ -63,7 +63,7 @@ class AccessibilityInBrowserTest extends BrowserTest {
       PagesInBrowserTest.addSchedules(clerk);
     }
     server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
-    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    server.fleet().changeFloor(Hall.crowdedFloor());
   }
 
   @AfterEach

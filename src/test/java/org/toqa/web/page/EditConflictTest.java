@@ -20,8 +20,8 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
+import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
 import org.toqa.web.WebTestServer;
 
 /** Two managers have the same form open: the second one replaces nothing that he has not seen. */
@@ -41,8 +41,7 @@ class EditConflictTest {
     server
         .fleet()
         .changeRobots(
-            none ->
-                List.of(TestFleet.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "r1.lan", 7275)));
+            none -> List.of(Hall.robot("r1", RobotState.IDLE, new Pose(1, 1, 0), "r1.lan", 7275)));
   }
 
   @AfterEach

@@ -24,7 +24,7 @@ import org.toqa.fleet.history.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.testbed.BrowserTest;
-import org.toqa.web.TestFleet;
+import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Sentence;
 
@@ -42,11 +42,9 @@ class HistoryInBrowserTest extends BrowserTest {
     server = WebTestServer.startForBrowser();
     server
         .fleet()
-        .changeRobots(
-            none ->
-                List.of(
-                    TestFleet.robot("r1", RobotState.IDLE, new Pose(2, 1, 0), "127.0.0.1", 7275),
-                    TestFleet.robot("r2", RobotState.IDLE, new Pose(4, 1, 0), "127.0.0.1", 7276)));
+        .setRobots(
+            Hall.robot("r1", RobotState.IDLE, new Pose(2, 1, 0), "127.0.0.1", 7275),
+            Hall.robot("r2", RobotState.IDLE, new Pose(4, 1, 0), "127.0.0.1", 7276));
     page().setDefaultTimeout(10_000);
     page().navigate(server.root().toString());
     page().getByLabel("Name").fill(WebTestServer.CLERK);
@@ -265,10 +263,10 @@ class HistoryInBrowserTest extends BrowserTest {
       String who,
       String text) {
     return new EventRecord(
-        TestFleet.START.plusSeconds(second), kind, task, robot, who, Sentence.verbatim(text));
+        Hall.START.plusSeconds(second), kind, task, robot, who, Sentence.verbatim(text));
   }
 
   private static TrackPoint at(Duration ago, double x, double y) {
-    return new TrackPoint("r1", TestFleet.START.plus(ago), new Vec2(x, y));
+    return new TrackPoint("r1", Hall.START.plus(ago), new Vec2(x, y));
   }
 }

@@ -21,8 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.mission.TaskState;
 import org.toqa.testbed.BrowserTest;
+import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
 import org.toqa.web.WebTestServer;
 import org.toqa.web.access.LanguagesTest;
 
@@ -140,7 +140,7 @@ class LanguagesInBrowserTest extends BrowserTest {
     addTasks();
     server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1", "r2"), "r1 carries the load.");
     server.fleet().changeTask(3, TaskState.DONE, List.of("r2"), "r2 has parked.");
-    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    server.fleet().changeFloor(Hall.crowdedFloor());
     page().setViewportSize(width, height);
     page().emulateMedia(new EmulateMediaOptions().setColorScheme(scheme));
     arabic();

@@ -41,8 +41,8 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.TaskState;
+import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -262,7 +262,7 @@ class PagesInBrowserTest {
     assertThat(page.locator("#attention")).not().containsText("Standstill");
     Object before = pictureOf(page);
 
-    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    server.fleet().changeFloor(Hall.crowdedFloor());
 
     assertThat(page.locator("#attention")).containsText("r2, r3 at (2.25, 0.75)");
     assertThat(page.locator("#attention")).containsText("Charger C1 does not charge");
@@ -282,7 +282,7 @@ class PagesInBrowserTest {
 
   @Test
   void whatIsMostUrgentComesFirst() {
-    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    server.fleet().changeFloor(Hall.crowdedFloor());
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
 
     assertThat(page.locator("#attention-list strong"))
@@ -619,7 +619,7 @@ class PagesInBrowserTest {
     }
     server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
     server.fleet().changeTask(3, TaskState.DONE, List.of("r2"), "r2 has parked.");
-    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    server.fleet().changeFloor(Hall.crowdedFloor());
     Page page = loggedIn(width, height, scheme);
     assertThat(page.locator("#robots li")).hasCount(6);
     for (String path :
@@ -736,7 +736,7 @@ class PagesInBrowserTest {
         2,
         List.of(),
         Phrase.CARRIES_LOAD.with(task),
-        TestFleet.START,
+        Hall.START,
         false,
         null,
         null,
@@ -771,7 +771,7 @@ class PagesInBrowserTest {
   }
 
   private static RobotView robot(String name, RobotState state, Pose pose) {
-    RobotView still = TestFleet.robot(name, state, pose, "127.0.0.1", 7275);
+    RobotView still = Hall.robot(name, state, pose, "127.0.0.1", 7275);
     return state == RobotState.ERROR
         ? new RobotView(
             name,
@@ -792,7 +792,7 @@ class PagesInBrowserTest {
             0,
             List.of(new Fault("BATTERY_LOW", "The battery is nearly empty.")),
             Phrase.HAS_FAULT.with("The battery is nearly empty."),
-            TestFleet.START,
+            Hall.START,
             false,
             null,
             null,

@@ -5,12 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpResponse;
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,12 +16,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
-import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
+import org.toqa.testbed.Hall;
+import org.toqa.web.WebServerTest;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
 
-class PagesTest {
+class PagesTest extends WebServerTest {
   private static final Map<String, String> GOOD_TASK =
       Map.of(
           "name", "Box of bolts",
@@ -32,29 +30,11 @@ class PagesTest {
           "goalX", "10.35",
           "goalY", "1.05");
 
-  private static WebTestServer server;
-  private static TestClient clerk;
-  private static TestClient manager;
-
   @BeforeAll
-  static void start() throws Exception {
-    server = WebTestServer.start();
-    clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK);
-    manager = TestClient.signedIn(server.root(), WebTestServer.MANAGER);
+  void addRobot() {
     server
         .fleet()
-        .changeRobots(
-            none ->
-                List.of(
-                    TestFleet.robot(
-                        "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
-  }
-
-  @AfterAll
-  static void stop() throws Exception {
-    clerk.close();
-    manager.close();
-    server.close();
+        .setRobots(Hall.robot("r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275));
   }
 
   @ParameterizedTest
@@ -329,7 +309,7 @@ class PagesTest {
     manager.post("robots/r6/out-of-service", Map.of());
     assertFalse(manager.get("robots/r6").body().contains("Confirm release"));
 
-    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    server.fleet().changeFloor(Hall.crowdedFloor());
 
     assertTrue(manager.get("robots/r6").body().contains("Confirm release"));
   }

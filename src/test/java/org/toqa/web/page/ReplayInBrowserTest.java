@@ -27,7 +27,7 @@ import org.toqa.fleet.history.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.testbed.BrowserTest;
-import org.toqa.web.TestFleet;
+import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -46,12 +46,10 @@ class ReplayInBrowserTest extends BrowserTest {
     server = WebTestServer.startForBrowser();
     server
         .fleet()
-        .changeRobots(
-            none ->
-                List.of(
-                    TestFleet.robot("r1", RobotState.IDLE, new Pose(10, 1, 0), "127.0.0.1", 7275),
-                    TestFleet.robot("r2", RobotState.IDLE, new Pose(4, 2, 0), "127.0.0.1", 7276),
-                    TestFleet.robot("r3", RobotState.IDLE, new Pose(6, 3, 0), "127.0.0.1", 7277)));
+        .setRobots(
+            Hall.robot("r1", RobotState.IDLE, new Pose(10, 1, 0), "127.0.0.1", 7275),
+            Hall.robot("r2", RobotState.IDLE, new Pose(4, 2, 0), "127.0.0.1", 7276),
+            Hall.robot("r3", RobotState.IDLE, new Pose(6, 3, 0), "127.0.0.1", 7277));
     for (String robot : List.of("r1", "r2")) {
       server
           .store()

@@ -14,10 +14,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.web.TestClient;
+import org.toqa.web.WebServerTest;
 import org.toqa.web.access.Permission;
 
 /** Every route against every kind of client, and what every answer must have. */
-class AccessTest extends AccessTestServer {
+class AccessTest extends WebServerTest {
   /** All but those that sign out: after them, the client is anonymous. */
   static Stream<Route> routes() {
     return Routes.all().stream().filter(route -> !isSignOut(route));
@@ -176,7 +177,8 @@ class AccessTest extends AccessTestServer {
   /** Whatever the servlet then answered, no permission was missing. */
   private static void assertPassed(int status) {
     assertTrue(
-        Set.of(200, 303, 404, 410, 415, 422).contains(status), "The permission was missing: " + status);
+        Set.of(200, 303, 404, 410, 415, 422).contains(status),
+        "The permission was missing: " + status);
   }
 
   private static int status(TestClient client, Route route) {

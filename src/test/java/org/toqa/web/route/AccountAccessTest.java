@@ -11,10 +11,11 @@ import org.junit.jupiter.api.Test;
 import org.toqa.accounts.Role;
 import org.toqa.fleet.EventRecord;
 import org.toqa.web.TestClient;
+import org.toqa.web.WebServerTest;
 import org.toqa.web.WebTestServer;
 
 /** What a change of an account means for its sessions, and who may change one. */
-class AccountAccessTest extends AccessTestServer {
+class AccountAccessTest extends WebServerTest {
   @Test
   void aNewPasswordEndsTheUsersOtherSessions() {
     server.accounts().add("Nora", hash(), Role.CLERK, EventRecord.SYSTEM);
@@ -96,7 +97,7 @@ class AccountAccessTest extends AccessTestServer {
     assertEquals(200, put(path, "{\"role\":\"MANAGER\",\"disabled\":false}", read), "as it was");
   }
 
-  private static int put(String path, String body, String version) {
+  private int put(String path, String body, String version) {
     return manager
         .send(
             manager
@@ -109,7 +110,7 @@ class AccountAccessTest extends AccessTestServer {
         .statusCode();
   }
 
-  private static String hash() {
+  private String hash() {
     return server.accounts().accountByName(WebTestServer.CLERK).orElseThrow().passwordHash();
   }
 }

@@ -18,8 +18,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
 import org.toqa.web.WebTestServer;
 
 /**
@@ -103,7 +103,7 @@ class AttacksTest {
   void start() throws Exception {
     server = WebTestServer.start();
     manager = TestClient.signedIn(server.root(), WebTestServer.MANAGER);
-    server.fleet().changeFloor(TestFleet.crowdedFloor());
+    server.fleet().changeFloor(Hall.crowdedFloor());
   }
 
   @AfterEach
@@ -216,7 +216,7 @@ class AttacksTest {
       }
       try (TestClient other = TestClient.signedIn(server.root(), WebTestServer.MANAGER)) {
         long before = server.fleet().latest().version();
-        server.fleet().changeFloor(TestFleet.crowdedFloor());
+        server.fleet().changeFloor(Hall.crowdedFloor());
         assertTrue(server.fleet().latest().version() > before);
         assertEquals(200, other.get("map").statusCode());
         assertEquals(200, other.get("api/v1/robots").statusCode());

@@ -13,10 +13,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.web.TestClient;
+import org.toqa.web.WebServerTest;
 import org.toqa.web.WebTestServer;
 
 /** Sessions from the login to the logout. */
-class LoginTest extends AccessTestServer {
+class LoginTest extends WebServerTest {
   @Test
   void theSessionsIdChangesAtLoginAndItsCookieIsKeptFromScripts() {
     try (TestClient visitor = new TestClient(server.root())) {

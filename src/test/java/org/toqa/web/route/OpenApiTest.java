@@ -16,8 +16,8 @@ import org.junit.jupiter.api.Test;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TaskState;
+import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
-import org.toqa.web.TestFleet;
 import org.toqa.web.WebTestServer;
 import org.toqa.web.WorkHistory;
 import org.toqa.web.access.Permission;
@@ -42,8 +42,7 @@ class OpenApiTest {
         .changeRobots(
             none ->
                 List.of(
-                    TestFleet.robot(
-                        "r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
+                    Hall.robot("r1", RobotState.IDLE, new Pose(1.05, 0.75, 0), "127.0.0.1", 7275)));
     WorkHistory.in(server).addHour(Instant.now().minusSeconds(3600));
     clerk.post(
         "tasks/new",

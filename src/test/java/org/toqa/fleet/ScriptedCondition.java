@@ -1,0 +1,24 @@
+package org.toqa.fleet;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Fault;
+
+/** What a test lets be so with a scripted robot, until it lets it be otherwise. */
+final class ScriptedCondition {
+  /** Metres, on the map. */
+  List<Vec2> obstacles = List.of();
+
+  /** Of 0 to 1. */
+  double battery = 0.8;
+
+  /** Metres across. */
+  double footprint = ScriptedRobot.FOOTPRINT;
+
+  int stepsPerSegment = 1;
+  boolean mute;
+  boolean stuck;
+  boolean endsBeforeNextChange;
+  @Nullable Fault fault;
+}

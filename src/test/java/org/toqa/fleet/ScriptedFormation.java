@@ -1,0 +1,87 @@
+package org.toqa.fleet;
+
+import java.util.Objects;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.toqa.link.message.AgentMessage.Role;
+import org.toqa.link.message.ServerMessage;
+import org.toqa.link.message.ServerMessage.Follow;
+import org.toqa.link.message.ServerMessage.Lead;
+
+/** What a scripted robot is in a formation, and how it finds the others of it. */
+final class ScriptedFormation {
+  private Function<String, ScriptedRobot> peers;
+  private @Nullable Lead leading;
+  private @Nullable Follow following;
+
+  /** The task whose formation it has brought to its goal. */
+  private @Nullable Long ended;
+
+  ScriptedFormation(Function<String, ScriptedRobot> peers) {
+    this.peers = peers;
+  }
+
+  void setPeers(Function<String, ScriptedRobot> byName) {
+    peers = byName;
+  }
+
+  void lead(Lead order) {
+    leading = order;
+    ended = null;
+  }
+
+  void follow(Follow order) {
+    following = order;
+  }
+
+  void cancel() {
+    leading = null;
+    following = null;
+  }
+
+  /** Its drive is at its goal, and with it the formation, if it leads one. */
+  void endLeading(@Nullable Long task) {
+    ended = leading == null ? ended : task;
+    leading = null;
+  }
+
+  void endFollowing() {
+    following = null;
+  }
+
+  /** What it was told to follow; null while it follows nobody. */
+  @Nullable Follow following() {
+    return following;
+  }
+
+  ScriptedRobot leader() {
+    return peers.apply(Objects.requireNonNull(following).leader());
+  }
+
+  boolean isFollowing(long task) {
+    return following != null && following.task() == task;
+  }
+
+  boolean hasEnded(long task) {
+    return ended != null && ended == task;
+  }
+
+  /** A follower that does not follow; null while all do, or it leads none. */
+  @Nullable String missing() {
+    Lead lead = leading;
+    return lead == null
+        ? null
+        : lead.followers().stream()
+            .map(ServerMessage.Follower::robot)
+            .filter(follower -> !peers.apply(follower).isKeepingPlace(lead.task()))
+            .findFirst()
+            .orElse(null);
+  }
+
+  Role role() {
+    if (following != null) {
+      return Role.FOLLOWER;
+    }
+    return leading == null ? Role.ALONE : Role.LEADER;
+  }
+}

@@ -1,0 +1,347 @@
+package org.toqa.web;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.Fleet;
+import org.toqa.persistence.StoreException;
+import org.toqa.fleet.TaskArchive;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TaskPreview;
+import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.FloorMap;
+import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.Mission;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Objection;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask;
+import org.toqa.mission.Trouble;
+import org.toqa.testbed.Hall;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** Tasks in memory: it takes orders by the contract's rules, and finds tasks by state and text. */
+abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArchive {
+  /** Kilograms; what all robots together can carry. */
+  private static final double HEAVIEST = 50;
+
+  final FloorMap floor = Hall.floor();
+  private final Map<UUID, Long> keys = new HashMap<>();
+  private final List<EventRecord> events = new ArrayList<>();
+  private boolean silent;
+
+  /** From now on the store does not answer. */
+  public void stopAnswering() {
+    silent = true;
+  }
+
+  /** Publishes another state of a task and records it. */
+  public void changeTask(long id, TaskState state, List<String> robots, String sentence) {
+    lock.lock();
+    try {
+      tasks.replaceAll(
+          view ->
+              view.id() == id
+                  ? new TaskView(
+                      view.task(), state, false, robots, null, null, null, null, latest.at())
+                  : view);
+      events.add(
+          new EventRecord(
+              latest.at(), state.name(), id, null, "fleet", Sentence.verbatim(sentence)));
+      publish(latest.robots());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Publishes that a task will miss its deadline. */
+  public void setLate(long id, Sentence sentence) {
+    lock.lock();
+    try {
+      tasks.replaceAll(
+          t ->
+              t.id() == id
+                  ? new TaskView(
+                      t.task(),
+                      t.state(),
+                      t.held(),
+                      t.robots(),
+                      t.loadAt(),
+                      t.waitingFor(),
+                      t.needs(),
+                      sentence,
+                      t.changedAt())
+                  : t);
+      publish(latest.robots());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
+    if (silent) {
+      return CompletableFuture.failedFuture(new StoreException("no store", null));
+    }
+    lock.lock();
+    try {
+      Answer<TransportTask> checked = checked(order, user);
+      if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
+        return CompletableFuture.completedFuture(checked.asRejection());
+      }
+      TaskView view =
+          new TaskView(
+              task,
+              TaskState.QUEUED,
+              false,
+              List.of(),
+              null,
+              Phrase.LOOKING_FOR_ROBOT.with(),
+              null,
+              null,
+              latest.at());
+      tasks.add(view);
+      keys.put(key, view.id());
+      events.add(
+          new EventRecord(
+              latest.at(), "QUEUED", task.id(), null, user, Phrase.ASKED_FOR_BY.with(user)));
+      publish(latest.robots());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(view));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<BatchAnswer> submitAll(
+      List<TaskOrder> orders, String user, List<UUID> keys) {
+    if (silent) {
+      return CompletableFuture.failedFuture(new StoreException("no store", null));
+    }
+    lock.lock();
+    try {
+      List<BatchAnswer.Rejection> refusals = refusalsOf(orders, user);
+      if (!refusals.isEmpty()) {
+        return CompletableFuture.completedFuture(new BatchAnswer.Rejected(refusals));
+      }
+      List<TaskView> added = new ArrayList<>();
+      for (int i = 0; i < orders.size(); i++) {
+        submit(orders.get(i), user, keys.get(i));
+        added.add(tasks.getLast());
+      }
+      return CompletableFuture.completedFuture(new BatchAnswer.Accepted(added));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public CompletionStage<List<BatchAnswer.Rejection>> rejections(
+      List<TaskOrder> orders, String user) {
+    lock.lock();
+    try {
+      return CompletableFuture.completedFuture(refusalsOf(orders, user));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private List<BatchAnswer.Rejection> refusalsOf(List<TaskOrder> orders, String user) {
+    List<BatchAnswer.Rejection> refusals = new ArrayList<>();
+    for (int i = 0; i < orders.size(); i++) {
+      if (checked(orders.get(i), user)
+          instanceof Answer.Rejected<TransportTask>(String field, Sentence sentence)) {
+        refusals.add(new BatchAnswer.Rejection(i, field, sentence));
+      }
+    }
+    return refusals;
+  }
+
+  private Answer<TransportTask> checked(TaskOrder order, String user) {
+    Optional<TaskPlace> start = place(order.start());
+    Optional<TaskPlace> goal = place(order.goal());
+    if (order.floor() != null && !order.floor().equals(floor.name())) {
+      return new Answer.Rejected<>("floor", Phrase.NO_SUCH_FLOOR.with(order.floor()));
+    }
+    if (order.load() > HEAVIEST) {
+      return new Answer.Rejected<>("load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), HEAVIEST));
+    }
+    if (start.isEmpty()) {
+      return new Answer.Rejected<>(
+          "start",
+          Sentence.verbatim("The start is not a free place of the floor. Choose another one."));
+    }
+    if (goal.isEmpty()) {
+      return new Answer.Rejected<>(
+          "goal",
+          Sentence.verbatim("The goal is not a free place of the floor. Choose another one."));
+    }
+    return new Answer.Accepted<>(
+        new TransportTask(
+            tasks.size() + 1,
+            order.name(),
+            order.load(),
+            start.get(),
+            goal.get(),
+            floor.name(),
+            order.priority(),
+            order.deadline(),
+            order.size(),
+            user,
+            latest.at()));
+  }
+
+  /** Two carry it, straight from start to goal. */
+  @Override
+  public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
+    lock.lock();
+    try {
+      Answer<TransportTask> checked = checked(order, user);
+      return CompletableFuture.completedFuture(
+          checked instanceof Answer.Accepted<TransportTask>(TransportTask task)
+              ? new Answer.Accepted<>(
+                  new TaskPreview(
+                      2,
+                      List.of("r1", "r2"),
+                      Phrase.IS_SOONER.with(),
+                      List.of(task.start().position(), task.goal().position())))
+              : checked.asRejection());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Tasks are the mission of one robot, r1. */
+  @Override
+  public CompletionStage<Answer<TaskView>> commandTask(long id, MissionEvent.OperatorCommand wish) {
+    lock.lock();
+    try {
+      Mission mission = mission(task(id).orElseThrow());
+      Optional<Objection> objection = mission.objectionTo(wish);
+      if (objection.isPresent()) {
+        return CompletableFuture.completedFuture(Answer.conflict(objection.get()));
+      }
+      TaskView next = TaskView.of(mission.apply(wish).mission(), null, latest.at());
+      tasks.replaceAll(view -> view.id() == id ? next : view);
+      publish(latest.robots());
+      return CompletableFuture.completedFuture(new Answer.Accepted<>(next));
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private static Mission mission(TaskView view) {
+    int phase = view.state() == TaskState.CARRYING ? 2 : 1;
+    List<AssignedRobot> carriers =
+        view.robots().stream().map(robot -> new AssignedRobot(robot, phase, false, false)).toList();
+    Trouble trouble =
+        view.needs() == null
+            ? null
+            : new Trouble(
+                "r1", Phrase.IS_NOT_HEARD_OF.with(), new TaskPlace(new Vec2(2, 2), null), false);
+    return new Mission(view.task(), view.state(), carriers, view.held(), null, null, trouble);
+  }
+
+  /** Publishes that a robot of the task, which has the load on board, is lost. */
+  public void loseRobotOf(long id) {
+    lock.lock();
+    try {
+      MissionEvent lost = new MissionEvent.RobotLost("r1", new TaskPlace(new Vec2(2, 2), null));
+      tasks.replaceAll(
+          view ->
+              view.id() == id
+                  ? TaskView.of(mission(view).apply(lost).mission(), null, latest.at())
+                  : view);
+      publish(latest.robots());
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public List<TaskView> tasks(Filter filter, Sort sort, int offset, int limit) {
+    lock.lock();
+    try {
+      Comparator<TaskView> order =
+          sort.by() == Sort.Column.LOAD
+              ? Comparator.comparingDouble(t -> t.task().load())
+              : Comparator.comparingLong(TaskView::id);
+      return tasks.stream()
+          .filter(task -> isIncluded(task, filter))
+          .sorted(sort.descending() ? order.reversed() : order)
+          .skip(offset)
+          .limit(limit)
+          .toList();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** By state and text only; the store's tests hold the rest. */
+  private static boolean isIncluded(TaskView task, Filter filter) {
+    return (filter.states().isEmpty() || filter.states().contains(task.state()))
+        && (filter.text() == null || task.task().name().contains(filter.text()));
+  }
+
+  @Override
+  public Optional<TaskView> taskByKey(UUID key) {
+    lock.lock();
+    try {
+      return Optional.ofNullable(keys.get(key)).flatMap(this::task);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public Optional<TaskView> task(long id) {
+    lock.lock();
+    try {
+      return tasks.stream().filter(t -> t.id() == id).findFirst();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public List<EventRecord> history(long id) {
+    lock.lock();
+    try {
+      return events.stream().filter(e -> e.task() != null && e.task() == id).toList();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public long count(Filter filter) {
+    lock.lock();
+    try {
+      return tasks.stream().filter(task -> isIncluded(task, filter)).count();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private Optional<TaskPlace> place(Where where) {
+    return switch (where) {
+      case Where.Point(Vec2 position) ->
+          Optional.of(new TaskPlace(position, null)).filter(p -> floor.grid().isFree(p.position()));
+      case Where.Station(String name) ->
+          floor.place(name).map(p -> new TaskPlace(p.position(), p.name()));
+    };
+  }
+}
