@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.io.PrintWriter;
 import java.util.Set;
+import java.util.TreeSet;
 import org.toqa.app.bench.AllocationBench;
 import org.toqa.app.bench.BenchCommand;
 import org.toqa.app.bench.DaemonBench;
@@ -12,12 +13,11 @@ import org.toqa.app.bench.FormationBench;
 import org.toqa.app.bench.TaskBench;
 import org.toqa.app.bench.WebBench;
 import org.toqa.app.config.ConfigurationException;
-import org.toqa.app.config.Spelling;
 import org.toqa.app.demo.DemoCommand;
 import org.toqa.app.plan.PlanCommand;
 import org.toqa.app.server.ServerCommand;
 import org.toqa.app.server.WebappFolder;
-import picocli.CommandLine;
+import org.toqa.yaml.Spelling;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -26,6 +26,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
+import picocli.CommandLine;
 
 /** The command line of the server. */
 @Command(
@@ -91,7 +92,7 @@ public final class Main implements Runnable {
     String sentence = "\"" + written + "\" is not known";
     return known.isEmpty()
         ? sentence
-        : sentence + "; the nearest is " + Spelling.nearest(written, known).word();
+        : sentence + "; the nearest is " + Spelling.nearest(written, new TreeSet<>(known)).word();
   }
 
   private static int reportFailure(Exception e, CommandLine command) {

@@ -3,15 +3,12 @@ package org.toqa.grid;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.yaml.snakeyaml.LoaderOptions;
-import org.yaml.snakeyaml.Yaml;
-import org.yaml.snakeyaml.constructor.SafeConstructor;
-import org.yaml.snakeyaml.error.MarkedYAMLException;
-import org.yaml.snakeyaml.error.YAMLException;
+import org.toqa.yaml.Spelling;
+import org.toqa.yaml.YamlParser;
+import org.toqa.yaml.YamlSyntaxException;
 
 /** The keys and values of one YAML mapping, read with their types or refused by place. */
 final class YamlFields {
@@ -25,21 +22,13 @@ final class YamlFields {
 
   /** The whole file as one mapping with no other keys than these. */
   static YamlFields read(Path file, List<String> known) throws MapFormatException {
-    LoaderOptions limits = new LoaderOptions();
-    limits.setAllowDuplicateKeys(false);
-    limits.setMaxAliasesForCollections(0);
-    limits.setNestingDepthLimit(8);
     byte[] bytes = MapLimits.readBytes(file, MapLimits.MAX_YAML_BYTES);
     try {
-      Object root =
-          new Yaml(new SafeConstructor(limits)).load(new String(bytes, StandardCharsets.UTF_8));
+      Object root = YamlParser.parse(new String(bytes, StandardCharsets.UTF_8));
       return of(file.toString(), root, known);
-    } catch (MarkedYAMLException e) {
-      int line = e.getProblemMark() == null ? 1 : e.getProblemMark().getLine() + 1;
-      throw new MapFormatException(
-          "%s, line %d: not valid YAML (%s).".formatted(file, line, e.getProblem()), e);
-    } catch (YAMLException e) {
-      throw new MapFormatException(file + ": not valid YAML (" + e.getMessage() + ").", e);
+    } catch (YamlSyntaxException e) {
+      String place = e.line().isPresent() ? file + ", line " + e.line().getAsInt() : file.toString();
+      throw new MapFormatException("%s: not valid YAML (%s).".formatted(place, e.problem()), e);
     }
   }
 
@@ -53,7 +42,7 @@ final class YamlFields {
       if (!(key instanceof String name && known.contains(name))) {
         throw new MapFormatException(
             "%s: unknown key '%s'; did you mean '%s'?"
-                .formatted(place, key, nearest(String.valueOf(key), known)));
+                .formatted(place, key, Spelling.nearest(String.valueOf(key), known).word()));
       }
     }
     return new YamlFields(place, map);
@@ -126,27 +115,5 @@ final class YamlFields {
       throw error(key, "is missing; add it.");
     }
     return value;
-  }
-
-  private static String nearest(String word, List<String> known) {
-    return known.stream().min(Comparator.comparingInt(k -> editDistance(word, k))).orElseThrow();
-  }
-
-  /** Letters to insert, delete or replace (Levenshtein, 1966). */
-  private static int editDistance(String a, String b) {
-    int[] row = new int[b.length() + 1];
-    for (int j = 0; j <= b.length(); j++) {
-      row[j] = j;
-    }
-    for (int i = 1; i <= a.length(); i++) {
-      int diagonal = row[0];
-      row[0] = i;
-      for (int j = 1; j <= b.length(); j++) {
-        int replaced = diagonal + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
-        diagonal = row[j];
-        row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
-      }
-    }
-    return row[b.length()];
   }
 }

@@ -32,6 +32,7 @@ public final class Database implements AutoCloseable {
   private Database(HikariDataSource pool) {
     this.pool = pool;
     this.jdbi = Jdbi.create((DataSource) pool);
+    DatabaseTypes.register(jdbi);
   }
 
   /**

@@ -1,13 +1,11 @@
 package org.toqa.store;
 
-import java.sql.ResultSet;
-import java.sql.SQLException;
 import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.statement.PreparedBatch;
-import org.jdbi.v3.core.statement.StatementContext;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventRecord;
 import org.toqa.wording.Sentence;
 
@@ -34,7 +32,7 @@ final class EventTable {
                 + ") values (:at, :kind, :task, :robot, :who, :text, :said)");
     for (EventRecord e : events) {
       batch
-          .bind("at", SqlExecutor.utc(e.at()))
+          .bind("at", e.at())
           .bind("kind", e.kind())
           .bind("task", e.task())
           .bind("robot", e.robot())
@@ -55,10 +53,11 @@ final class EventTable {
 
   private static boolean isStored(Handle h, EventRecord e) {
     return h
-        .createQuery("select " + COLUMNS + " from events where at = :at and kind = :kind")
-        .bind("at", SqlExecutor.utc(e.at()))
+        .createQuery("select id, " + COLUMNS + " from events where at = :at and kind = :kind")
+        .bind("at", e.at())
         .bind("kind", e.kind())
-        .map(EventTable::mapEvent)
+        .mapTo(EventRow.class)
+        .map(EventRow::toRecord)
         .stream()
         .anyMatch(
             stored ->
@@ -70,19 +69,25 @@ final class EventTable {
 
   /** Oldest first. */
   static List<EventRecord> ofTask(Handle h, long task) {
-    return h.createQuery("select " + COLUMNS + " from events where task_id = :task order by id")
+    return h.createQuery("select id, " + COLUMNS + " from events where task_id = :task order by id")
         .bind("task", task)
-        .map(EventTable::mapEvent)
+        .mapTo(EventRow.class)
+        .map(EventRow::toRecord)
         .list();
   }
 
-  static EventRecord mapEvent(ResultSet rs, StatementContext context) throws SQLException {
-    return new EventRecord(
-        Rows.instant(rs, "at"),
-        rs.getString("kind"),
-        Rows.nullableLong(rs, "task_id"),
-        rs.getString("robot"),
-        rs.getString("who"),
-        SentenceJson.read(rs.getString("said"), rs.getString("text")));
+  /** A row of the table. */
+  record EventRow(
+      long id,
+      Instant at,
+      String kind,
+      @Nullable Long taskId,
+      @Nullable String robot,
+      String who,
+      String text,
+      @Nullable String said) {
+    EventRecord toRecord() {
+      return new EventRecord(at, kind, taskId, robot, who, SentenceJson.read(said, text));
+    }
   }
 }

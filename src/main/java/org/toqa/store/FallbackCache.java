@@ -1,29 +1,19 @@
 package org.toqa.store;
 
-import java.util.Collections;
-import java.util.LinkedHashMap;
-import java.util.Map;
+import com.github.benmanes.caffeine.cache.Cache;
+import com.github.benmanes.caffeine.cache.Caffeine;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.toqa.persistence.StoreException;
 
 /**
  * Answers that were given before, for the time in which the database does not answer: whoever was
- * logged in goes on to see the robots. It keeps the newest thousand.
+ * logged in goes on to see the robots. It keeps a thousand.
  */
 final class FallbackCache<K, V> {
   private static final int MAX_ENTRIES = 1000;
 
-  private final Map<K, V> answers =
-      Collections.synchronizedMap(
-          new LinkedHashMap<>() {
-            private static final long serialVersionUID = 1;
-
-            @Override
-            protected boolean removeEldestEntry(Map.Entry<K, V> eldest) {
-              return size() > MAX_ENTRIES;
-            }
-          });
+  private final Cache<K, V> answers = Caffeine.newBuilder().maximumSize(MAX_ENTRIES).build();
 
   /**
    * @param question asks the database
@@ -31,10 +21,10 @@ final class FallbackCache<K, V> {
   Optional<V> get(K key, Supplier<Optional<V>> question) {
     try {
       Optional<V> answer = question.get();
-      answer.ifPresentOrElse(value -> answers.put(key, value), () -> answers.remove(key));
+      answer.ifPresentOrElse(value -> answers.put(key, value), () -> answers.invalidate(key));
       return answer;
     } catch (StoreException e) {
-      V known = answers.get(key);
+      V known = answers.getIfPresent(key);
       if (known == null) {
         throw e;
       }

@@ -69,7 +69,7 @@ public final class HistoryPruner {
 
   private int deleteOlder(String statement, Instant before) {
     return sql.withHandle(
-        h -> h.createUpdate(statement).bind("before", SqlExecutor.utc(before)).execute());
+        h -> h.createUpdate(statement).bind("before", before).execute());
   }
 
   private int deleteEndedTasks(Instant before) {
@@ -77,7 +77,7 @@ public final class HistoryPruner {
         h -> {
           List<Long> ids =
               h.createQuery(OLD_TASKS)
-                  .bind("before", SqlExecutor.utc(before))
+                  .bind("before", before)
                   .mapTo(Long.class)
                   .list();
           if (!ids.isEmpty()) {

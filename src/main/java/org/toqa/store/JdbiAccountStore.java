@@ -1,7 +1,5 @@
 package org.toqa.store;
 
-import java.sql.ResultSet;
-import java.sql.SQLException;
 import java.sql.SQLIntegrityConstraintViolationException;
 import java.time.Instant;
 import java.time.InstantSource;
@@ -13,7 +11,6 @@ import java.util.Optional;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.JdbiException;
-import org.jdbi.v3.core.statement.StatementContext;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
@@ -30,9 +27,6 @@ import org.toqa.wording.Sentence;
  * manager) are kept by this object's lock rather than by the database's.
  */
 public final class JdbiAccountStore implements AccountStore {
-  private static final String COLUMNS =
-      "u.id as user_id, u.name, u.email, u.password_hash, u.role, u.disabled, u.created_at";
-
   private final SqlExecutor sql;
   private final InstantSource clock;
 
@@ -59,8 +53,8 @@ public final class JdbiAccountStore implements AccountStore {
     return sql.withHandle(
         handle ->
             handle
-                .createQuery("select " + COLUMNS + " from users u order by u.name_key")
-                .map(JdbiAccountStore::mapAccount)
+                .createQuery("select " + AccountTable.COLUMNS + " from users u order by u.name_key")
+                .mapTo(Account.class)
                 .list());
   }
 
@@ -74,9 +68,9 @@ public final class JdbiAccountStore implements AccountStore {
     return sql.withHandle(
         handle ->
             handle
-                .createQuery("select " + COLUMNS + " from users u where u.name_key = :key")
+                .createQuery("select " + AccountTable.COLUMNS + " from users u where u.name_key = :key")
                 .bind("key", nameKey(name))
-                .map(JdbiAccountStore::mapAccount)
+                .mapTo(Account.class)
                 .findOne());
   }
 
@@ -89,9 +83,9 @@ public final class JdbiAccountStore implements AccountStore {
     return sql.withHandle(
         handle ->
             handle
-                .createQuery("select " + COLUMNS + " from users u where lower(u.email) = :email")
+                .createQuery("select " + AccountTable.COLUMNS + " from users u where lower(u.email) = :email")
                 .bind("email", nameKey(email))
-                .map(JdbiAccountStore::mapAccount)
+                .mapTo(Account.class)
                 .list());
   }
 
@@ -181,18 +175,11 @@ public final class JdbiAccountStore implements AccountStore {
           if (account.isEmpty()) {
             return false;
           }
-          setPassword(handle, id, passwordHash);
+          AccountTable.setPassword(handle, id, passwordHash);
           recordEvent(
               handle, "user.password", by, Phrase.PASSWORD_CHANGED.with(by, account.get().name()));
           return true;
         });
-  }
-
-  /** Ends what the old password, or a link to replace it, opened. */
-  static void setPassword(Handle handle, long id, String passwordHash) {
-    JdbiSessionStore.endAll(handle, id);
-    handle.execute("delete from password_resets where user_id = ?", id);
-    handle.execute("update users set password_hash = ? where id = ?", passwordHash, id);
   }
 
   @Override
@@ -213,26 +200,11 @@ public final class JdbiAccountStore implements AccountStore {
         });
   }
 
-  static Account mapAccount(ResultSet row, StatementContext context) throws SQLException {
-    return new Account(
-        row.getLong("user_id"),
-        row.getString("name"),
-        row.getString("email"),
-        row.getString("password_hash"),
-        Role.valueOf(row.getString("role")),
-        row.getBoolean("disabled"),
-        Rows.instant(row, "created_at"));
-  }
-
-  static String columns() {
-    return COLUMNS;
-  }
-
   private static Optional<Account> find(Handle handle, long id) {
     return handle
-        .createQuery("select " + COLUMNS + " from users u where u.id = :id")
+        .createQuery("select " + AccountTable.COLUMNS + " from users u where u.id = :id")
         .bind("id", id)
-        .map(JdbiAccountStore::mapAccount)
+        .mapTo(Account.class)
         .findOne();
   }
 
@@ -251,7 +223,7 @@ public final class JdbiAccountStore implements AccountStore {
             .bind("email", email)
             .bind("hash", passwordHash)
             .bind("role", role.name())
-            .bind("now", SqlExecutor.utc(now))
+            .bind("now", now)
             .executeAndReturnGeneratedKeys("id")
             .mapTo(Long.class)
             .one();

@@ -30,8 +30,8 @@ public final class JdbiEventArchive implements EventArchive {
           isFamily ? filter.kind().replaceAll("[%_]", "") + ".%" : filter.kind());
     }
     add(conditions, "kind not like :h", filter.users() ? null : "user.%");
-    add(conditions, "at >= :f", filter.from() == null ? null : SqlExecutor.utc(filter.from()));
-    add(conditions, "at < :g", filter.until() == null ? null : SqlExecutor.utc(filter.until()));
+    add(conditions, "at >= :f", filter.from());
+    add(conditions, "at < :g", filter.until());
     return sql.withHandle(
         h -> {
           Query query =
@@ -46,7 +46,8 @@ public final class JdbiEventArchive implements EventArchive {
                   query.bind(condition.substring(condition.indexOf(':') + 1), value));
           return query
               .bind("limit", limit)
-              .map((rs, context) -> new Entry(rs.getLong("id"), EventTable.mapEvent(rs, context)))
+              .mapTo(EventTable.EventRow.class)
+              .map(row -> new Entry(row.id(), row.toRecord()))
               .list();
         });
   }

@@ -35,7 +35,7 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
               "insert into password_resets (user_id, secret_hash, expires_at) values (?, ?, ?)",
               user.id(),
               Secret.hash(secret),
-              SqlExecutor.utc(now.plus(life)));
+              now.plus(life));
           EventTable.addAccountEvent(
               handle, now, "user.reset", by, Phrase.PASSWORD_LINK_MADE.with(user.name()));
           return secret;
@@ -60,7 +60,7 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
             return false;
           }
           String name = user.get().name();
-          JdbiAccountStore.setPassword(handle, user.get().id(), passwordHash);
+          AccountTable.setPassword(handle, user.get().id(), passwordHash);
           EventTable.addAccountEvent(
               handle, clock.instant(), "user.password", name, Phrase.PASSWORD_REPLACED.with(name));
           return true;
@@ -71,14 +71,14 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
     return handle
         .createQuery(
             "select "
-                + JdbiAccountStore.columns()
+                + AccountTable.COLUMNS
                 + """
                    from users u join password_resets p on p.user_id = u.id
                   where p.secret_hash = :hash and p.expires_at > :now
                   """)
         .bind("hash", Secret.hash(secret))
-        .bind("now", SqlExecutor.utc(clock.instant()))
-        .map(JdbiAccountStore::mapAccount)
+        .bind("now", clock.instant())
+        .mapTo(Account.class)
         .findOne();
   }
 }

@@ -1,14 +1,10 @@
 package org.toqa.store;
 
-import java.sql.ResultSet;
-import java.sql.SQLException;
 import java.time.DayOfWeek;
 import java.time.Duration;
 import java.time.Instant;
-import java.time.LocalDateTime;
 import java.time.LocalTime;
 import java.time.ZoneId;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -17,7 +13,6 @@ import java.util.UUID;
 import java.util.stream.Collectors;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
-import org.jdbi.v3.core.statement.StatementContext;
 import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventRecord;
@@ -49,7 +44,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
   @Override
   public List<Schedule> schedules() {
     return sql.withHandle(
-        h -> h.createQuery(SELECT + "order by id").map(JdbiScheduleStore::mapSchedule).list());
+        h -> h.createQuery(SELECT + "order by id").mapTo(ScheduleRow.class).map(ScheduleRow::toSchedule).list());
   }
 
   @Override
@@ -58,7 +53,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
         h ->
             h.createQuery(SELECT + "where id = :id")
                 .bind("id", id)
-                .map(JdbiScheduleStore::mapSchedule)
+                .mapTo(ScheduleRow.class).map(ScheduleRow::toSchedule)
                 .findOne());
   }
 
@@ -67,8 +62,8 @@ public final class JdbiScheduleStore implements ScheduleStore {
     return sql.withHandle(
         h ->
             h.createQuery(SELECT + "where submission = :key")
-                .bind("key", key.toString())
-                .map(JdbiScheduleStore::mapSchedule)
+                .bind("key", key)
+                .mapTo(ScheduleRow.class).map(ScheduleRow::toSchedule)
                 .findOne());
   }
 
@@ -77,8 +72,8 @@ public final class JdbiScheduleStore implements ScheduleStore {
     return sql.withHandle(
         h ->
             h.createQuery(SELECT + "where not paused and due_at <= :now order by due_at, id")
-                .bind("now", SqlExecutor.utc(now))
-                .map(JdbiScheduleStore::mapSchedule)
+                .bind("now", now)
+                .mapTo(ScheduleRow.class).map(ScheduleRow::toSchedule)
                 .list());
   }
 
@@ -107,7 +102,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
 
   private static Optional<Long> idOf(Handle h, UUID key) {
     return h.createQuery("select id from schedules where submission = :key")
-        .bind("key", key.toString())
+        .bind("key", key)
         .mapTo(Long.class)
         .findOne();
   }
@@ -126,7 +121,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
                   :startStation, :goalX, :goalY, :goalStation, :priority, :kind, :first, :every,
                   :weekdays, :time, :zone, :until, :paused, :at, :due)
                 """)
-            .bind("submission", key.toString())
+            .bind("submission", key)
             .bind("name", order.name())
             .bind("user", schedule.user())
             .bind("floor", order.floor())
@@ -134,10 +129,10 @@ public final class JdbiScheduleStore implements ScheduleStore {
             .bind("length", size == null ? null : size.length())
             .bind("width", size == null ? null : size.width())
             .bind("priority", order.priority())
-            .bind("until", utc(schedule.until()))
+            .bind("until", schedule.until())
             .bind("paused", schedule.paused())
-            .bind("at", SqlExecutor.utc(schedule.createdAt()))
-            .bind("due", utc(schedule.due()));
+            .bind("at", schedule.createdAt())
+            .bind("due", schedule.due());
     bind(update, "start", order.start());
     bind(update, "goal", order.goal());
     bind(update, RecurrenceColumns.of(schedule.recurrence()));
@@ -179,7 +174,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
   private static void bind(Update update, RecurrenceColumns times) {
     update
         .bind("kind", times.kind())
-        .bind("first", utc(times.first()))
+        .bind("first", times.first())
         .bind("every", times.every() == null ? null : times.every().toSeconds())
         .bind("weekdays", times.weekdays())
         .bind("time", Objects.toString(times.time(), null))
@@ -200,10 +195,10 @@ public final class JdbiScheduleStore implements ScheduleStore {
                       update schedules set due_at = :next, last_task = :task
                       where id = :id and due_at = :due
                       """)
-                  .bind("next", utc(next))
+                  .bind("next", next)
                   .bind("task", lastTask)
                   .bind("id", schedule.id())
-                  .bind("due", utc(schedule.due()))
+                  .bind("due", schedule.due())
                   .execute();
           if (changed > 0) {
             EventTable.addMissing(h, events);
@@ -218,7 +213,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
         h -> {
           h.createUpdate("update schedules set paused = :paused, due_at = :due where id = :id")
               .bind("paused", paused)
-              .bind("due", utc(due))
+              .bind("due", due)
               .bind("id", id)
               .execute();
           EventTable.addMissing(h, events);
@@ -234,55 +229,5 @@ public final class JdbiScheduleStore implements ScheduleStore {
           EventTable.addMissing(h, events);
           return null;
         });
-  }
-
-  private static Schedule mapSchedule(ResultSet rs, StatementContext context) throws SQLException {
-    TaskOrder order =
-        new TaskOrder(
-            rs.getString("name"),
-            rs.getDouble("load_kg"),
-            mapWhere(rs, "start"),
-            mapWhere(rs, "goal"),
-            rs.getString("floor"),
-            rs.getInt("priority"),
-            null,
-            Rows.loadSize(rs));
-    return new Schedule(
-        rs.getLong("id"),
-        order,
-        mapRecurrence(rs),
-        Rows.nullableInstant(rs, "until_at"),
-        rs.getBoolean("paused"),
-        rs.getString("user_name"),
-        Rows.instant(rs, "created_at"),
-        Rows.nullableInstant(rs, "due_at"),
-        Rows.nullableLong(rs, "last_task"));
-  }
-
-  private static Where mapWhere(ResultSet rs, String end) throws SQLException {
-    String station = rs.getString(end + "_station");
-    return station == null
-        ? new Where.Point(new Vec2(rs.getDouble(end + "_x"), rs.getDouble(end + "_y")))
-        : new Where.Station(station);
-  }
-
-  private static Recurrence mapRecurrence(ResultSet rs) throws SQLException {
-    return switch (rs.getString("kind")) {
-      case "ONCE" -> new Recurrence.Once(Rows.instant(rs, "first_at"));
-      case "EVERY" ->
-          new Recurrence.Every(
-              Rows.instant(rs, "first_at"), Duration.ofSeconds(rs.getLong("every_s")));
-      default ->
-          new Recurrence.Weekly(
-              Arrays.stream(rs.getString("weekdays").split(",", -1))
-                  .map(DayOfWeek::valueOf)
-                  .collect(Collectors.toSet()),
-              LocalTime.parse(rs.getString("time_of_day")),
-              ZoneId.of(rs.getString("zone")));
-    };
-  }
-
-  private static @Nullable LocalDateTime utc(@Nullable Instant moment) {
-    return moment == null ? null : SqlExecutor.utc(moment);
   }
 }

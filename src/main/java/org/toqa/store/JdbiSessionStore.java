@@ -1,7 +1,5 @@
 package org.toqa.store;
 
-import java.sql.ResultSet;
-import java.sql.SQLException;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
@@ -10,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
-import org.jdbi.v3.core.statement.StatementContext;
+import org.jdbi.v3.core.mapper.Nested;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.Secret;
@@ -29,8 +27,10 @@ public final class JdbiSessionStore implements SessionStore {
   private static final Duration SEEN_RESOLUTION = Duration.ofMinutes(1);
 
   private static final String COLUMNS =
-      "s.id as session_id, s.user_id as owner_id, s.kind, s.name as token_name, s.address, s.agent,"
-          + " s.created_at as begun_at, s.seen_at, s.expires_at";
+      "s.id as session_id, s.user_id as session_user_id, s.kind as session_kind,"
+          + " s.name as session_name, s.address as session_address, s.agent as session_agent,"
+          + " s.created_at as session_created_at, s.seen_at as session_seen_at,"
+          + " s.expires_at as session_expires_at";
 
   private final SqlExecutor sql;
   private final InstantSource clock;
@@ -81,8 +81,9 @@ public final class JdbiSessionStore implements SessionStore {
                           """
                         + MAX_LISTED)
                 .bind("user", userId)
-                .bind("now", SqlExecutor.utc(clock.instant()))
-                .map(JdbiSessionStore::mapSession)
+                .bind("now", clock.instant())
+                .mapTo(ListedSessionRow.class)
+                .map(row -> row.session().toSession())
                 .list());
   }
 
@@ -112,17 +113,13 @@ public final class JdbiSessionStore implements SessionStore {
             handle.execute("delete from sessions where secret_hash = ?", Secret.hash(secret)));
   }
 
-  static void endAll(Handle handle, long userId) {
-    handle.execute("delete from sessions where user_id = ?", userId);
-  }
-
   private Optional<AuthenticatedSession> findAndTouch(Handle handle, Kind kind, String hash) {
     Instant now = clock.instant();
     Optional<AuthenticatedSession> login =
         handle
             .createQuery(
                 "select "
-                    + JdbiAccountStore.columns()
+                    + AccountTable.COLUMNS
                     + ", "
                     + COLUMNS
                     + """
@@ -131,11 +128,9 @@ public final class JdbiSessionStore implements SessionStore {
                       """)
             .bind("hash", hash)
             .bind("kind", kind.name())
-            .bind("now", SqlExecutor.utc(now))
-            .map(
-                (row, context) ->
-                    new AuthenticatedSession(
-                        JdbiAccountStore.mapAccount(row, context), mapSession(row, context)))
+            .bind("now", now)
+            .mapTo(OwnedSessionRow.class)
+            .map(row -> new AuthenticatedSession(row.account(), row.session().toSession()))
             .findOne();
     login
         .map(AuthenticatedSession::session)
@@ -148,8 +143,8 @@ public final class JdbiSessionStore implements SessionStore {
     Instant end = session.kind() == Kind.BROWSER ? now.plus(LIFETIME) : session.expiresAt();
     handle.execute(
         "update sessions set seen_at = ?, expires_at = ? where id = ?",
-        SqlExecutor.utc(now),
-        SqlExecutor.utc(end),
+        now,
+        end,
         session.id());
   }
 
@@ -157,7 +152,7 @@ public final class JdbiSessionStore implements SessionStore {
       Handle handle, Account user, Kind kind, @Nullable String name, Origin origin, Duration life) {
     Instant now = clock.instant().truncatedTo(ChronoUnit.MILLIS);
     String secret = Secret.random();
-    handle.execute("delete from sessions where expires_at <= ?", SqlExecutor.utc(now));
+    handle.execute("delete from sessions where expires_at <= ?", now);
     long id =
         handle
             .createUpdate(
@@ -172,8 +167,8 @@ public final class JdbiSessionStore implements SessionStore {
             .bind("hash", Secret.hash(secret))
             .bind("address", origin.address())
             .bind("agent", origin.agent())
-            .bind("now", SqlExecutor.utc(now))
-            .bind("end", SqlExecutor.utc(now.plus(life)))
+            .bind("now", now)
+            .bind("end", now.plus(life))
             .executeAndReturnGeneratedKeys("id")
             .mapTo(Long.class)
             .one();
@@ -181,15 +176,26 @@ public final class JdbiSessionStore implements SessionStore {
         new Session(id, user.id(), kind, name, origin, now, now, now.plus(life)), secret);
   }
 
-  private static Session mapSession(ResultSet row, StatementContext context) throws SQLException {
-    return new Session(
-        row.getLong("session_id"),
-        row.getLong("owner_id"),
-        Kind.valueOf(row.getString("kind")),
-        row.getString("token_name"),
-        new Origin(row.getString("address"), row.getString("agent")),
-        Rows.instant(row, "begun_at"),
-        Rows.instant(row, "seen_at"),
-        Rows.instant(row, "expires_at"));
+  /** A session among those of one user. */
+  record ListedSessionRow(@Nested("session") SessionRow session) {}
+
+  /** A session with its user. */
+  record OwnedSessionRow(@Nested Account account, @Nested("session") SessionRow session) {}
+
+  /** A row of the table of sessions. */
+  record SessionRow(
+      long id,
+      long userId,
+      Kind kind,
+      @Nullable String name,
+      String address,
+      String agent,
+      Instant createdAt,
+      Instant seenAt,
+      Instant expiresAt) {
+    Session toSession() {
+      return new Session(
+          id, userId, kind, name, new Origin(address, agent), createdAt, seenAt, expiresAt);
+    }
   }
 }

@@ -127,7 +127,7 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
                   .mapToObj(i -> branch.formatted(i, i + 1))
                   .collect(Collectors.joining(" union all ")));
       for (int i = 0; i < period.borders().size(); i++) {
-        query.bind("border" + i, SqlExecutor.utc(period.borders().get(i)));
+        query.bind("border" + i, period.borders().get(i));
       }
       query.scanResultSet(
           (rows, context) -> {
@@ -145,14 +145,14 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
           .createQuery(FAILURES)
           .bind("standstill", FailureKind.STANDSTILL.kind())
           .bindList("kinds", Stream.of(FailureKind.values()).map(FailureKind::kind).toList())
-          .bind("begin", SqlExecutor.utc(period.begin()))
-          .bind("end", SqlExecutor.utc(period.end()))
+          .bind("begin", period.begin())
+          .bind("end", period.end())
           .scanResultSet(
               (rows, context) -> {
                 ResultSet row = rows.get();
                 while (row.next()) {
                   FailureKind failure = FailureKind.of(row.getString("kind"));
-                  buckets.get(period.bucketIndex(Rows.instant(row, "at"))).addFailure(failure);
+                  buckets.get(period.bucketIndex(DatabaseTypes.instant(row, "at"))).addFailure(failure);
                   total.addFailure(failure);
                 }
                 return total;

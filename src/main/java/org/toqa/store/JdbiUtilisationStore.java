@@ -39,7 +39,7 @@ public final class JdbiUtilisationStore implements UtilisationStore {
               batch.bind(column(use), record.time().getOrDefault(use, Duration.ZERO).toMillis());
             }
             batch
-                .bind("at", SqlExecutor.utc(record.at()))
+                .bind("at", record.at())
                 .bind("robot", record.robot())
                 .bind("way", Math.round(record.metres() * MILLIMETRES))
                 .bind("battery", record.battery())

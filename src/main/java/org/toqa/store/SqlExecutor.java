@@ -1,9 +1,5 @@
 package org.toqa.store;
 
-import java.time.Instant;
-import java.time.LocalDateTime;
-import java.time.ZoneOffset;
-import java.time.temporal.ChronoUnit;
 import java.util.function.Function;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
@@ -37,10 +33,5 @@ final class SqlExecutor {
   private static StoreException storeException(JdbiException e) {
     Throwable cause = e.getCause() == null ? e : e.getCause();
     return new StoreException(String.valueOf(cause.getMessage()), e);
-  }
-
-  /** As the columns have it: UTC, milliseconds. */
-  static LocalDateTime utc(Instant instant) {
-    return LocalDateTime.ofInstant(instant.truncatedTo(ChronoUnit.MILLIS), ZoneOffset.UTC);
   }
 }

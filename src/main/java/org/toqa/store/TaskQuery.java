@@ -40,10 +40,10 @@ final class TaskQuery {
       addText(filter.text());
     }
     if (filter.from() != null) {
-      add("created_at >= :from", "from", SqlExecutor.utc(filter.from()));
+      add("created_at >= :from", "from", filter.from());
     }
     if (filter.until() != null) {
-      add("created_at < :until", "until", SqlExecutor.utc(filter.until()));
+      add("created_at < :until", "until", filter.until());
     }
   }
 

@@ -39,6 +39,7 @@ class AccountStoreTest {
             .formatted(System.nanoTime());
     Flyway.configure().dataSource(url, "sa", "").locations("classpath:sql").load().migrate();
     jdbi = Jdbi.create(url, "sa", "");
+    DatabaseTypes.register(jdbi);
     accounts = new JdbiAccountStore(jdbi, () -> now);
     sessions = new JdbiSessionStore(jdbi, () -> now);
     resets = new JdbiPasswordResetStore(jdbi, () -> now);

@@ -225,8 +225,8 @@ class StatisticsTest extends DatabaseTest {
                     h.createQuery(
                             "select count(*) from tasks where %s >= :a and %s < :b and %s"
                                 .formatted(column, column, condition))
-                        .bind("a", SqlExecutor.utc(period.begin()))
-                        .bind("b", SqlExecutor.utc(period.end()))
+                        .bind("a", period.begin())
+                        .bind("b", period.end())
                         .mapTo(Long.class)
                         .one());
     assertEquals(counted, figures.buckets().stream().mapToLong(part).sum(), column);

@@ -15,6 +15,7 @@ import org.toqa.app.command.Arguments;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Inflation;
+import org.toqa.statistics.Percentiles;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -169,13 +170,13 @@ public final class AllocationBench implements Callable<Integer> {
             .mapToDouble(
                 run -> {
                   double[] costs = distances(size, random);
-                  double begin = Timings.processorMillis();
+                  double begin = ProcessorTime.millis();
                   Assignment.leastCost(costs, size);
-                  return Timings.processorMillis() - begin;
+                  return ProcessorTime.millis() - begin;
                 })
             .skip(SOLVER_RUNS)
             .toArray();
-    return new Timings(millis).percentile(0.5);
+    return new Percentiles(millis).percentile(0.5);
   }
 
   private static double[] distances(int size, Random random) {

@@ -15,8 +15,8 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.AllocationProblem.GivenTask;
+import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.AllocationTask;
 import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Availability;
@@ -26,6 +26,7 @@ import org.toqa.allocation.Energy;
 import org.toqa.app.bench.AllocationWorkload.RobotSpec;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.statistics.Percentiles;
 
 /**
  * A shift's work under one allocator, from event to event: a task comes, or a robot has driven a
@@ -104,7 +105,7 @@ final class AllocationRun {
       }
       next = nextEvent();
     }
-    Timings seconds = timings(secondsToGoal);
+    Percentiles seconds = timings(secondsToGoal);
     return new Report(
         secondsToGoal.size(),
         seconds.mean(),
@@ -114,8 +115,8 @@ final class AllocationRun {
         timings(roundMillis).percentile(0.99));
   }
 
-  private static Timings timings(List<Double> values) {
-    return new Timings(values.stream().mapToDouble(Double::doubleValue).toArray());
+  private static Percentiles timings(List<Double> values) {
+    return new Percentiles(values.stream().mapToDouble(Double::doubleValue).toArray());
   }
 
   private Optional<Instant> nextEvent() {
@@ -180,9 +181,9 @@ final class AllocationRun {
 
   private void allocate() {
     AllocationProblem situation = situation();
-    double begin = Timings.processorMillis();
+    double begin = ProcessorTime.millis();
     List<Decision> decisions = allocator.allocate(situation);
-    roundMillis.add(Timings.processorMillis() - begin);
+    roundMillis.add(ProcessorTime.millis() - begin);
     Map<Robot, AllocationTask> begun = new LinkedHashMap<>();
     for (Decision decision : decisions) {
       if (decision instanceof Decision.Assigned(long id, List<String> names, var _)) {

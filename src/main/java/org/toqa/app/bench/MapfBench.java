@@ -22,17 +22,18 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Scenario;
 import org.toqa.planning.Heading;
+import org.toqa.statistics.Percentiles;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.check.TrafficChecker;
 import org.toqa.traffic.check.TrafficChecker.Violation;
+import org.toqa.traffic.check.TrafficChecker;
 import org.toqa.traffic.mapf.MapfInstance;
 import org.toqa.traffic.mapf.MapfPlan;
-import org.toqa.traffic.mapf.MapfResult;
 import org.toqa.traffic.mapf.MapfResult.Solved;
 import org.toqa.traffic.mapf.MapfResult.Unsolved;
+import org.toqa.traffic.mapf.MapfResult;
 import org.toqa.traffic.mapf.OneShotPlanner;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -212,8 +213,8 @@ final class MapfBench implements Callable<Integer> {
   }
 
   private static double median(List<Double> times) {
-    List<Double> sorted = times.stream().sorted().toList();
-    return sorted.get(sorted.size() / 2);
+    return new Percentiles(times.stream().mapToDouble(Double::doubleValue).toArray())
+        .percentile(0.5);
   }
 
   private void printError(String sentence) {

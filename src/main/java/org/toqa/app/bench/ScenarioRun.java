@@ -14,8 +14,9 @@ import org.toqa.grid.Scenario;
 import org.toqa.planning.Path;
 import org.toqa.planning.PathPlanner;
 import org.toqa.planning.PlanChecker;
-import org.toqa.planning.PlanResult;
 import org.toqa.planning.PlanResult.Found;
+import org.toqa.planning.PlanResult;
+import org.toqa.statistics.Percentiles;
 
 /** The queries of a scenario, planned one after the other in a warm process, timed and checked. */
 final class ScenarioRun {
@@ -82,7 +83,7 @@ final class ScenarioRun {
       micros[i] = (System.nanoTime() - begin) / 1e3;
       lengths[i] = recordResult(i, result);
     }
-    Timings timings = new Timings(micros);
+    Percentiles timings = new Percentiles(micros);
     double seconds = Arrays.stream(micros).sum() / 1e6;
     return new Report(
         queries.size(),

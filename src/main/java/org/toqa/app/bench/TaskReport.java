@@ -3,6 +3,7 @@ package org.toqa.app.bench;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.HashSet;
+import org.toqa.statistics.Percentiles;
 
 /**
  * What came of putting tasks in.
@@ -30,7 +31,7 @@ record TaskReport(
    */
   static TaskReport of(
       double[] millis, int others, Duration took, int clients, Collection<String> names) {
-    Timings timings = new Timings(millis);
+    Percentiles timings = new Percentiles(millis);
     double seconds = took.toNanos() / 1e9;
     int different = new HashSet<>(names).size();
     return new TaskReport(

@@ -9,12 +9,13 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.toqa.grid.Cell;
+import org.toqa.statistics.Percentiles;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.check.TrafficChecker;
 import org.toqa.traffic.check.TrafficChecker.Violation;
+import org.toqa.traffic.check.TrafficChecker;
 import org.toqa.traffic.lifelong.LifelongPlan;
 import org.toqa.traffic.lifelong.LifelongPlanner;
 import org.toqa.traffic.lifelong.PlannedRobot;
@@ -110,7 +111,7 @@ final class TrafficRun {
       drive(plan);
       listener.stepTaken(stances);
     }
-    Timings timings = new Timings(Arrays.copyOf(millis, step));
+    Percentiles timings = new Percentiles(Arrays.copyOf(millis, step));
     return new Report(
         goalsReached,
         collisions,

@@ -7,15 +7,13 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.EnumMap;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.yaml.snakeyaml.LoaderOptions;
-import org.yaml.snakeyaml.Yaml;
-import org.yaml.snakeyaml.constructor.SafeConstructor;
-import org.yaml.snakeyaml.error.MarkedYAMLException;
-import org.yaml.snakeyaml.error.YAMLException;
+import org.toqa.yaml.Spelling;
+import org.toqa.yaml.YamlParser;
+import org.toqa.yaml.YamlSyntaxException;
 
 /** The settings that one source gives: the command line, the environment or a file. */
 public final class SettingSource {
@@ -24,7 +22,7 @@ public final class SettingSource {
   /** The variable that names the file, and so is no setting itself. */
   public static final String FILE_ENVIRONMENT_VARIABLE = PREFIX + "CONFIG";
 
-  /** How far a name may be from a known one to be taken for a slip of the pen. */
+  /** How far a name may be from a known one to be taken for a misspelt one. */
   private static final int MAX_TYPO_DISTANCE = 2;
 
   /**
@@ -53,11 +51,11 @@ public final class SettingSource {
     return layer;
   }
 
-  /** From the {@code TOQA_} variables. Foreign ones are left alone, slips of the pen are not. */
+  /** From the {@code TOQA_} variables. Foreign ones are left alone, misspelt ones are refused. */
   public static SettingSource fromEnvironment(Map<String, String> environment)
       throws ConfigurationException {
     SettingSource layer = new SettingSource();
-    Map<String, Setting> known = new HashMap<>();
+    Map<String, Setting> known = new TreeMap<>();
     for (Setting setting : Setting.values()) {
       known.put(setting.environmentVariable(), setting);
     }
@@ -67,7 +65,7 @@ public final class SettingSource {
       if (setting != null) {
         layer.values.put(setting, new Value(entry.getValue(), variable, Path.of("")));
       } else if (variable.startsWith(PREFIX) && !variable.equals(FILE_ENVIRONMENT_VARIABLE)) {
-        Spelling.Match nearest = Spelling.nearest(variable, known.keySet());
+        Spelling.Suggestion nearest = Spelling.nearest(variable, known.keySet());
         if (nearest.distance() <= MAX_TYPO_DISTANCE) {
           throw new ConfigurationException(
               "The environment variable "
@@ -93,13 +91,8 @@ public final class SettingSource {
   }
 
   private static Object parse(Path file) throws ConfigurationException {
-    LoaderOptions limits = new LoaderOptions();
-    limits.setAllowDuplicateKeys(false);
-    limits.setMaxAliasesForCollections(0);
-    limits.setNestingDepthLimit(5);
-    limits.setCodePointLimit(1_000_000);
     try {
-      Object root = new Yaml(new SafeConstructor(limits)).load(Files.readString(file));
+      Object root = YamlParser.parse(Files.readString(file));
       return root == null ? Map.of() : root;
     } catch (NoSuchFileException e) {
       throw new ConfigurationException(file + ": there is no such file.");
@@ -107,17 +100,13 @@ public final class SettingSource {
       throw new ConfigurationException(file + ": is no UTF-8 text.");
     } catch (IOException e) {
       throw new ConfigurationException(file + ": cannot be read (" + e.getMessage() + ").");
-    } catch (MarkedYAMLException e) {
-      int line = e.getProblemMark() == null ? 1 : e.getProblemMark().getLine() + 1;
+    } catch (YamlSyntaxException e) {
       throw new ConfigurationException(
-          file + ", line " + line + ": " + e.getProblem() + "; write \"key: value\".");
-    } catch (YAMLException e) {
-      throw new ConfigurationException(file + ": is no YAML (" + firstLine(e) + ").");
+          e.line().isPresent()
+              ? "%s, line %d: %s; write \"key: value\"."
+                  .formatted(file, e.line().getAsInt(), e.problem())
+              : file + ": is no YAML (" + e.problem().lines().findFirst().orElse("") + ").");
     }
-  }
-
-  private static String firstLine(Exception e) {
-    return String.valueOf(e.getMessage()).lines().findFirst().orElse("");
   }
 
   private void readKeys(Path file, String prefix, Map<?, ?> map) throws ConfigurationException {
@@ -156,6 +145,6 @@ public final class SettingSource {
   }
 
   private static List<String> keys() {
-    return Arrays.stream(Setting.values()).map(Setting::key).toList();
+    return Arrays.stream(Setting.values()).map(Setting::key).sorted().toList();
   }
 }

@@ -2,6 +2,7 @@ package org.toqa.fleet.history;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import org.toqa.statistics.Percentiles;
 
 /**
  * How long something took, over some tasks.
@@ -15,21 +16,16 @@ public record DurationStatistics(int count, double mean, double median, double p
   private static final double MICROSECONDS = 1e6;
 
   /** Null where there is nothing to say. */
-  static @Nullable public DurationStatistics of(long[] microseconds) {
+  public static @Nullable DurationStatistics of(long[] microseconds) {
     if (microseconds.length == 0) {
       return null;
     }
-    long[] sorted = microseconds.clone();
-    Arrays.sort(sorted);
+    Percentiles durations =
+        new Percentiles(Arrays.stream(microseconds).asDoubleStream().toArray());
     return new DurationStatistics(
-        sorted.length,
-        Arrays.stream(sorted).average().orElseThrow() / MICROSECONDS,
-        percentile(sorted, 0.5),
-        percentile(sorted, 0.9));
-  }
-
-  /** The nearest rank: the smallest value that this share of all does not exceed. */
-  private static double percentile(long[] sorted, double share) {
-    return sorted[(int) Math.ceil(share * sorted.length) - 1] / MICROSECONDS;
+        durations.count(),
+        durations.mean() / MICROSECONDS,
+        durations.percentile(0.5) / MICROSECONDS,
+        durations.percentile(0.9) / MICROSECONDS);
   }
 }

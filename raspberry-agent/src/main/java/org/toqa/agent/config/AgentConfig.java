@@ -13,11 +13,8 @@ import org.toqa.formation.FollowerLaw;
 import org.toqa.formation.Gains;
 import org.toqa.formation.NonHolonomicLaw;
 import org.toqa.formation.SingleIntegratorLaw;
-import org.yaml.snakeyaml.LoaderOptions;
-import org.yaml.snakeyaml.Yaml;
-import org.yaml.snakeyaml.constructor.SafeConstructor;
-import org.yaml.snakeyaml.error.MarkedYAMLException;
-import org.yaml.snakeyaml.error.YAMLException;
+import org.toqa.yaml.YamlParser;
+import org.toqa.yaml.YamlSyntaxException;
 
 /**
  * What a daemon is started with. The keys of the file are explained in {@code
@@ -90,10 +87,7 @@ public record AgentConfig(
 
   private static Map<?, ?> readKeys(Path file) throws ConfigException {
     try {
-      LoaderOptions options = new LoaderOptions();
-      options.setAllowDuplicateKeys(false);
-      Object content = new Yaml(new SafeConstructor(options)).load(Files.readString(file));
-      if (content instanceof Map<?, ?> map) {
+      if (YamlParser.parse(Files.readString(file)) instanceof Map<?, ?> map) {
         return map;
       }
       throw new ConfigException(file + ": this is not a list of keys and values.");
@@ -103,12 +97,12 @@ public record AgentConfig(
       throw new ConfigException(file + ": this is not text in UTF-8.");
     } catch (IOException e) {
       throw new ConfigException(file + ": cannot be read: " + e.getMessage());
-    } catch (MarkedYAMLException e) {
-      int line = e.getProblemMark() == null ? 1 : e.getProblemMark().getLine() + 1;
+    } catch (YamlSyntaxException e) {
       throw new ConfigException(
-          "%s, line %d: this is not YAML: %s.".formatted(file, line, e.getProblem()));
-    } catch (YAMLException e) {
-      throw new ConfigException(file + ": this is not YAML.");
+          e.line().isPresent()
+              ? "%s, line %d: this is not YAML: %s."
+                  .formatted(file, e.line().getAsInt(), e.problem())
+              : file + ": this is not YAML.");
     }
   }
 

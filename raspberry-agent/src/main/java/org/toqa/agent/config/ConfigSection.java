@@ -1,11 +1,10 @@
 package org.toqa.agent.config;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import org.toqa.geometry.Vec2;
+import org.toqa.yaml.Spelling;
 
 /**
  * A part of a configuration file. It has no key that it does not know; each question names a key,
@@ -29,7 +28,7 @@ final class ConfigSection {
       if (!List.of(known).contains(String.valueOf(key))) {
         throw new ConfigException(
             "%s: there is no key \"%s%s\"; did you mean \"%s%s\"?"
-                .formatted(file, path, key, path, closest(String.valueOf(key), known)));
+                .formatted(file, path, key, path, Spelling.nearest(String.valueOf(key), List.of(known)).word()));
       }
     }
   }
@@ -130,29 +129,7 @@ final class ConfigSection {
     throw invalid(key, value, "a text");
   }
 
-  private static String closest(String key, String... known) {
-    return Stream.of(known).min(Comparator.comparingInt(k -> editDistance(k, key))).orElseThrow();
-  }
-
   private static String plain(double number) {
     return number == Math.rint(number) ? String.valueOf((long) number) : String.valueOf(number);
-  }
-
-  /** Levenshtein: insertions, deletions and replacements that lead from one text to the other. */
-  private static int editDistance(String a, String b) {
-    int[] row = new int[b.length() + 1];
-    for (int j = 0; j <= b.length(); j++) {
-      row[j] = j;
-    }
-    for (int i = 1; i <= a.length(); i++) {
-      int diagonal = row[0];
-      row[0] = i;
-      for (int j = 1; j <= b.length(); j++) {
-        int replaced = diagonal + (a.charAt(i - 1) == b.charAt(j - 1) ? 0 : 1);
-        diagonal = row[j];
-        row[j] = Math.min(replaced, 1 + Math.min(row[j], row[j - 1]));
-      }
-    }
-    return row[b.length()];
   }
 }

@@ -1,4 +1,4 @@
-package org.toqa.app.config;
+package org.toqa.yaml;
 
 import java.util.Collection;
 import java.util.Comparator;
@@ -9,22 +9,29 @@ public final class Spelling {
   private Spelling() {}
 
   /**
+   * A known word.
+   *
    * @param distance letters to change, add or leave out, without regard to case
    */
-  public record Match(String word, int distance) {}
+  public record Suggestion(String word, int distance) {}
 
-  public static Match nearest(String written, Collection<String> known) {
+  /**
+   * The nearest of the known words; of several the first.
+   *
+   * @param known at least one
+   */
+  public static Suggestion nearest(String written, Collection<String> known) {
     return known.stream()
-        .map(word -> new Match(word, distance(fold(written), fold(word))))
-        .min(Comparator.comparingInt(Match::distance).thenComparing(Match::word))
+        .map(word -> new Suggestion(word, distance(folded(written), folded(word))))
+        .min(Comparator.comparingInt(Suggestion::distance))
         .orElseThrow();
   }
 
-  private static String fold(String word) {
+  private static String folded(String word) {
     return word.toLowerCase(Locale.ROOT);
   }
 
-  /** Levenshtein's distance, one row at a time. */
+  /** Letters to insert, delete or replace (Levenshtein, 1966), one row of the table at a time. */
   private static int distance(String a, String b) {
     int[] row = new int[b.length() + 1];
     for (int j = 0; j < row.length; j++) {

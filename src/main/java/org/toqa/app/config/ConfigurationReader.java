@@ -1,0 +1,341 @@
+package org.toqa.app.config;
+
+import ch.qos.logback.classic.Level;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.Policy;
+import org.toqa.app.config.Configuration.DatabaseSettings;
+import org.toqa.app.config.Configuration.FirstManager;
+import org.toqa.app.config.Configuration.LogFormat;
+import org.toqa.app.config.Configuration.MailSecurity;
+import org.toqa.app.config.Configuration.MailServer;
+import org.toqa.app.config.Configuration.TlsFiles;
+import org.toqa.app.config.ValueRange.Choice;
+import org.toqa.app.config.ValueRange.Decimal;
+import org.toqa.app.config.ValueRange.WholeNumber;
+import org.toqa.app.config.ValueRange.WholeNumbers;
+import org.toqa.fleet.ChargingRules;
+
+/**
+ * Reads a configuration and checks every value.
+ *
+ * @param layers the first one that gives a setting decides
+ */
+record ConfigurationReader(List<SettingSource> layers) {
+
+  Configuration read(Path shippedMap) throws ConfigurationException {
+    Path data = folder(Setting.DATA);
+    int simulate = wholeNumber(Setting.SIMULATE);
+    Duration lostAfter = Duration.ofSeconds(wholeNumber(Setting.LOST_AFTER));
+    double speed = number(Setting.SPEED);
+    if (speed != 1 && simulate == 0) {
+      throw invalid(
+          Setting.SPEED, "only simulated robots can be made faster: set simulate as well.");
+    }
+    return new Configuration(
+        address(),
+        wholeNumber(Setting.PORT),
+        tls(),
+        proxy(),
+        wholeNumber(Setting.REQUESTS_PER_SECOND),
+        data,
+        map(shippedMap),
+        database(data),
+        allocationPolicy(),
+        simulate,
+        batteries(),
+        firmware(simulate),
+        lostAfter,
+        charging(),
+        speed,
+        Duration.ofDays(wholeNumber(Setting.KEEP_TRACKS)),
+        Duration.ofDays(wholeNumber(Setting.KEEP_HISTORY)),
+        firstManager(),
+        mailServer(),
+        flag(Setting.PLAIN_LINKS),
+        logLevel(),
+        logFormat());
+  }
+
+  private List<Double> batteries() throws ConfigurationException {
+    List<Double> batteries = new ArrayList<>();
+    for (String word : text(Setting.SIMULATE_BATTERIES).split(",", -1)) {
+      if (!word.strip().matches("[1-9][0-9]{0,2}")) {
+        throw outOfRange(Setting.SIMULATE_BATTERIES);
+      }
+      int percent = Integer.parseInt(word.strip());
+      if (!(Setting.SIMULATE_BATTERIES.range() instanceof WholeNumbers range
+          && range.contains(percent))) {
+        throw outOfRange(Setting.SIMULATE_BATTERIES);
+      }
+      batteries.add(percent / 100.0);
+    }
+    return List.copyOf(batteries);
+  }
+
+  private ChargingRules charging() throws ConfigurationException {
+    int below = wholeNumber(Setting.CHARGING_BELOW);
+    int until = wholeNumber(Setting.CHARGING_UNTIL);
+    if (until <= below) {
+      throw invalid(
+          Setting.CHARGING_UNTIL, "it must be more than charging.below, which is " + below + ".");
+    }
+    return new ChargingRules(
+        below / 100.0,
+        until / 100.0,
+        Duration.ofSeconds(Math.round(3600 * number(Setting.CHARGING_AFTER_HOURS))),
+        Duration.ofMinutes(wholeNumber(Setting.CHARGING_MINUTES)),
+        ChargingRules.USUAL.patience());
+  }
+
+  private InetAddress address() throws ConfigurationException {
+    String text = text(Setting.ADDRESS);
+    try {
+      return InetAddress.getByName(text);
+    } catch (UnknownHostException e) {
+      throw outOfRange(Setting.ADDRESS);
+    }
+  }
+
+  private @Nullable TlsFiles tls() throws ConfigurationException {
+    if (text(Setting.TLS_CERTIFICATE).isEmpty() && text(Setting.TLS_KEY).isEmpty()) {
+      return null;
+    }
+    return new TlsFiles(pem(Setting.TLS_CERTIFICATE), pem(Setting.TLS_KEY));
+  }
+
+  private Path pem(Setting setting) throws ConfigurationException {
+    if (text(setting).isEmpty()) {
+      throw outOfRange(setting);
+    }
+    Path file = path(setting);
+    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+      throw invalid(setting, "there is no such file that can be read.");
+    }
+    return file;
+  }
+
+  private @Nullable InetAddress proxy() throws ConfigurationException {
+    String text = text(Setting.PROXY).strip();
+    try {
+      return text.isEmpty() ? null : InetAddress.ofLiteral(text);
+    } catch (IllegalArgumentException e) {
+      throw outOfRange(Setting.PROXY);
+    }
+  }
+
+  private int wholeNumber(Setting setting) throws ConfigurationException {
+    int number = parsed(setting, Integer::valueOf);
+    if (!(setting.range() instanceof WholeNumber range && range.contains(number))) {
+      throw outOfRange(setting);
+    }
+    return number;
+  }
+
+  private double number(Setting setting) throws ConfigurationException {
+    double number = parsed(setting, Double::valueOf);
+    if (!(setting.range() instanceof Decimal range && range.contains(number))) {
+      throw outOfRange(setting);
+    }
+    return number;
+  }
+
+  /** One of the words that the setting may have. */
+  private String choice(Setting setting) throws ConfigurationException {
+    String word = text(setting).strip();
+    if (!(setting.range() instanceof Choice choice && choice.words().contains(word))) {
+      throw outOfRange(setting);
+    }
+    return word;
+  }
+
+  private <T> T parsed(Setting setting, Function<String, T> parser)
+      throws ConfigurationException {
+    try {
+      return parser.apply(text(setting).strip());
+    } catch (NumberFormatException e) {
+      throw outOfRange(setting);
+    }
+  }
+
+  private Path folder(Setting setting) throws ConfigurationException {
+    Path folder = path(setting);
+    if (Files.exists(folder) && !Files.isDirectory(folder)) {
+      throw invalid(setting, "this is a file; it must be a folder.");
+    }
+    Path present = folder;
+    while (!Files.exists(present) && present.getParent() != null) {
+      present = present.getParent();
+    }
+    if (!Files.isWritable(present)) {
+      throw invalid(setting, "nothing can be written to " + present + "; name another folder.");
+    }
+    return folder;
+  }
+
+  private @Nullable Path firmware(int simulate) throws ConfigurationException {
+    if (text(Setting.FIRMWARE).isEmpty()) {
+      return null;
+    }
+    if (simulate == 0) {
+      throw invalid(Setting.FIRMWARE, "only simulated robots need it: set simulate as well.");
+    }
+    Path folder = path(Setting.FIRMWARE);
+    if (!Files.isExecutable(folder.resolve("toqa-sim"))) {
+      throw outOfRange(Setting.FIRMWARE);
+    }
+    return folder;
+  }
+
+  private Path map(Path shipped) throws ConfigurationException {
+    if (text(Setting.MAP).isEmpty()) {
+      return shipped;
+    }
+    Path file = path(Setting.MAP);
+    if (!file.toString().matches(".*\\.(yaml|map)")) {
+      throw outOfRange(Setting.MAP);
+    }
+    if (!Files.isReadable(file)) {
+      throw invalid(Setting.MAP, "there is no such file that can be read.");
+    }
+    return file;
+  }
+
+  private Path path(Setting setting) throws ConfigurationException {
+    SettingSource.Value value = value(setting);
+    if (value.text().isBlank()) {
+      throw outOfRange(setting);
+    }
+    try {
+      return value.folder().resolve(value.text()).toAbsolutePath().normalize();
+    } catch (InvalidPathException e) {
+      throw outOfRange(setting);
+    }
+  }
+
+  private DatabaseSettings database(Path data) throws ConfigurationException {
+    String url = text(Setting.DATABASE_URL);
+    if (url.isEmpty()) {
+      // Without WRITE_DELAY=0 a killed process loses rows that it had committed.
+      return new DatabaseSettings(
+          "jdbc:h2:file:"
+              + data.resolve("toqa")
+              + ";MODE=MySQL;DATABASE_TO_LOWER=TRUE;CASE_INSENSITIVE_IDENTIFIERS=TRUE"
+              + ";WRITE_DELAY=0",
+          null,
+          null);
+    }
+    if (!url.startsWith("jdbc:mysql:") && !url.startsWith("jdbc:h2:")) {
+      throw outOfRange(Setting.DATABASE_URL);
+    }
+    return new DatabaseSettings(
+        url,
+        nullIfEmpty(text(Setting.DATABASE_USER)),
+        nullIfEmpty(text(Setting.DATABASE_PASSWORD)));
+  }
+
+  private Policy allocationPolicy() throws ConfigurationException {
+    String word = choice(Setting.ALLOCATOR);
+    return Arrays.stream(Policy.values())
+        .filter(policy -> policy.word().equals(word))
+        .findFirst()
+        .orElseThrow(() -> outOfRange(Setting.ALLOCATOR));
+  }
+
+  private @Nullable FirstManager firstManager() throws ConfigurationException {
+    String text = text(Setting.MANAGER);
+    if (text.isEmpty()) {
+      return null;
+    }
+    int colon = text.indexOf(':');
+    if (colon < 1 || colon == text.length() - 1) {
+      throw outOfRange(Setting.MANAGER);
+    }
+    return new FirstManager(text.substring(0, colon), text.substring(colon + 1));
+  }
+
+  private @Nullable MailServer mailServer() throws ConfigurationException {
+    String host = text(Setting.MAIL_HOST).strip();
+    if (host.isEmpty()) {
+      return null;
+    }
+    return new MailServer(
+        host,
+        wholeNumber(Setting.MAIL_PORT),
+        mailSecurity(),
+        nullIfEmpty(text(Setting.MAIL_USER)),
+        nullIfEmpty(text(Setting.MAIL_PASSWORD)),
+        matching(Setting.MAIL_FROM, "[^\\s@<>,;]+@[^\\s@<>,;]+"),
+        matching(Setting.SITE, "https?://[^\\s/?#]+(/[^\\s?#]*)?").replaceFirst("/+$", ""));
+  }
+
+  private MailSecurity mailSecurity() throws ConfigurationException {
+    return MailSecurity.valueOf(choice(Setting.MAIL_SECURITY).toUpperCase(Locale.ROOT));
+  }
+
+  private String matching(Setting setting, String pattern) throws ConfigurationException {
+    String text = text(setting).strip();
+    if (!text.matches(pattern)) {
+      throw outOfRange(setting);
+    }
+    return text;
+  }
+
+  private boolean flag(Setting setting) throws ConfigurationException {
+    return Boolean.parseBoolean(choice(setting));
+  }
+
+  private LogFormat logFormat() throws ConfigurationException {
+    return LogFormat.valueOf(choice(Setting.LOG_FORMAT).toUpperCase(Locale.ROOT));
+  }
+
+  private Level logLevel() throws ConfigurationException {
+    String word = text(Setting.LOG_LEVEL).toUpperCase(Locale.ROOT);
+    if (!(Setting.LOG_LEVEL.range() instanceof Choice choice && choice.words().contains(word))) {
+      throw outOfRange(Setting.LOG_LEVEL);
+    }
+    return Level.valueOf(word);
+  }
+
+  private String text(Setting setting) {
+    return value(setting).text();
+  }
+
+  private SettingSource.Value value(Setting setting) {
+    for (SettingSource layer : layers) {
+      SettingSource.Value value = layer.value(setting);
+      if (value != null) {
+        return value;
+      }
+    }
+    return new SettingSource.Value(setting.defaultValue(), setting.key(), Path.of(""));
+  }
+
+  private ConfigurationException outOfRange(Setting setting) {
+    return invalid(setting, "it must be " + setting.allowedValues() + ".");
+  }
+
+  private ConfigurationException invalid(Setting setting, String remedy) {
+    SettingSource.Value value = value(setting);
+    String shown = setting.isSecret() ? "" : " \"" + abbreviated(value.text()) + "\"";
+    return new ConfigurationException(value.origin() + shown + ": " + remedy);
+  }
+
+  private static String abbreviated(String text) {
+    return text.length() <= 100 ? text : text.substring(0, 100) + "...";
+  }
+
+  private static @Nullable String nullIfEmpty(String text) {
+    return text.isEmpty() ? null : text;
+  }
+}

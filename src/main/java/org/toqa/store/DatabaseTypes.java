@@ -1,0 +1,93 @@
+package org.toqa.store;
+
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.Types;
+import java.time.Instant;
+import java.time.LocalDateTime;
+import java.time.ZoneOffset;
+import java.time.temporal.ChronoUnit;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.function.Function;
+import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.argument.ArgumentFactory;
+import org.jdbi.v3.core.argument.NullArgument;
+import org.jdbi.v3.core.mapper.reflect.ConstructorMapper;
+import org.toqa.accounts.Account;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.Hold;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.link.trust.Fingerprint;
+import org.toqa.motion.Trajectory;
+
+/** How values stand in columns, and which records are read from rows by the names of columns. */
+final class DatabaseTypes {
+  private DatabaseTypes() {}
+
+  static void register(Jdbi jdbi) {
+    // Not the library's own reading of moments, which goes by the time zone of the process.
+    jdbi.registerArgument(argument(Instant.class, Types.TIMESTAMP, DatabaseTypes::utc));
+    jdbi.registerColumnMapper(
+        Instant.class,
+        (row, column, context) -> {
+          LocalDateTime at = row.getObject(column, LocalDateTime.class);
+          return at == null ? null : at.toInstant(ZoneOffset.UTC);
+        });
+    jdbi.registerArgument(argument(UUID.class, Types.VARCHAR, UUID::toString));
+    jdbi.registerArgument(argument(Fingerprint.class, Types.VARCHAR, Fingerprint::hex));
+    jdbi.registerColumnMapper(
+        Fingerprint.class,
+        (row, column, context) -> {
+          String hex = row.getString(column);
+          return hex == null ? null : new Fingerprint(hex);
+        });
+    jdbi.registerArgument(argument(Trajectory.class, Types.VARCHAR, TrajectoryJson::write));
+    jdbi.registerColumnMapper(
+        Trajectory.class, (row, column, context) -> TrajectoryJson.read(row.getString(column)));
+
+    jdbi.registerRowMapper(ConstructorMapper.factory(RobotRecord.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(Hold.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(StoredDrive.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(RobotTable.ChargeRow.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(TaskRow.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(TaskTable.AssignedRobotRow.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(ScheduleRow.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(EventTable.EventRow.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(JdbiSessionStore.ListedSessionRow.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(JdbiSessionStore.OwnedSessionRow.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(Account.class));
+  }
+
+  /**
+   * The moment in a column that is not null.
+   *
+   * @throws SQLException when there is no such column
+   */
+  static Instant instant(ResultSet row, String column) throws SQLException {
+    return row.getObject(column, LocalDateTime.class).toInstant(ZoneOffset.UTC);
+  }
+
+  /** UTC, milliseconds. */
+  private static LocalDateTime utc(Instant instant) {
+    return LocalDateTime.ofInstant(instant.truncatedTo(ChronoUnit.MILLIS), ZoneOffset.UTC);
+  }
+
+  /**
+   * Binds values of a type.
+   *
+   * @param sqlType of {@link Types}, for values that are null
+   * @param column the value as the column has it
+   */
+  private static <T> ArgumentFactory argument(
+      Class<T> type, int sqlType, Function<T, Object> column) {
+    return (given, value, config) ->
+        given.equals(type)
+            ? Optional.of(
+                value == null
+                    ? new NullArgument(sqlType)
+                    : (position, statement, context) ->
+                        statement.setObject(position, column.apply(type.cast(value))))
+            : Optional.empty();
+  }
+}

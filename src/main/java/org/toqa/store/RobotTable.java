@@ -1,0 +1,145 @@
+package org.toqa.store;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jdbi.v3.core.Handle;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.ChargeRecord;
+import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.persistence.StoreException;
+
+/** The tables of robots and of their drives, within a transaction of somebody else. */
+final class RobotTable {
+  private RobotTable() {}
+
+  static List<RobotRecord> robots(Handle h) {
+    return h.createQuery(
+            """
+            select name, floor, host, port, max_load, parking, simulated, fingerprint
+            from robots where not removed order by id
+            """)
+        .mapTo(RobotRecord.class)
+        .list();
+  }
+
+  static int save(Handle h, RobotRecord robot) {
+    return h.createUpdate(
+            """
+            insert into robots (name, floor, host, port, max_load, parking, simulated, fingerprint, availability, phase, last_seq)
+            values (:name, :floor, :host, :port, :maxLoad, :parking, :simulated, :fingerprint, 1, 0, 0)
+            on duplicate key update floor = values(floor), host = values(host), port = values(port),
+              max_load = values(max_load), parking = values(parking), simulated = values(simulated),
+              fingerprint = values(fingerprint),
+              out_of_service = case when removed then false else out_of_service end,
+              removed = false
+            """)
+        .bindMethods(robot)
+        .execute();
+  }
+
+  static void remove(Handle h, String robot) {
+    h.createUpdate(
+            """
+            update robots set removed = true, out_of_service = true, held = false,
+              parking = null, charger = null, charger_since = null, worked_s = 0
+            where id = :id
+            """)
+        .bind("id", id(h, robot))
+        .execute();
+  }
+
+  /** The names of the robots of which that column is true. */
+  static Set<String> flagged(Handle h, String column) {
+    return h.createQuery("select name from robots where " + column + " = true")
+        .mapTo(String.class)
+        .set();
+  }
+
+  static void saveFlag(Handle h, String column, String robot, boolean value) {
+    h.createUpdate("update robots set " + column + " = :value where id = :id")
+        .bind("value", value)
+        .bind("id", id(h, robot))
+        .execute();
+  }
+
+  /**
+   * @param workedS seconds
+   */
+  record ChargeRow(
+      String name, double workedS, @Nullable String charger, @Nullable Instant chargerSince) {
+    ChargeRecord toRecord() {
+      Turn turn = charger == null || chargerSince == null ? null : new Turn(charger, chargerSince);
+      return new ChargeRecord(name, Duration.ofMillis(Math.round(1000 * workedS)), turn);
+    }
+  }
+
+  static List<ChargeRecord> chargeRecords(Handle h) {
+    return h.createQuery("select name, worked_s, charger, charger_since from robots order by id")
+        .mapTo(ChargeRow.class)
+        .map(ChargeRow::toRecord)
+        .list();
+  }
+
+  static void saveCharge(Handle h, ChargeRecord record) {
+    Turn turn = record.turn();
+    h.createUpdate(
+            """
+            update robots set worked_s = :worked, charger = :charger, charger_since = :since
+            where id = :id
+            """)
+        .bind("worked", record.worked().toMillis() / 1000.0)
+        .bind("charger", turn == null ? null : turn.point())
+        .bind("since", turn == null ? null : turn.since())
+        .bind("id", id(h, record.robot()))
+        .execute();
+  }
+
+  static Optional<StoredDrive> drive(Handle h, String robot) {
+    return h.createQuery(
+            """
+            select d.seq, d.task_id as task, d.phase, d.way as trajectory
+            from drives d join robots r on r.id = d.robot_id where r.name = :robot
+            """)
+        .bind("robot", robot)
+        .mapTo(StoredDrive.class)
+        .findOne();
+  }
+
+  static int saveDrive(Handle h, String robot, StoredDrive drive) {
+    long id = id(h, robot);
+    h.createUpdate(
+            """
+            insert into drives (robot_id, seq, task_id, phase, way, created_at)
+            values (:id, :seq, :task, :phase, :way, :at)
+            on duplicate key update seq = values(seq), task_id = values(task_id), phase = values(phase),
+              way = values(way), created_at = values(created_at)
+            """)
+        .bind("id", id)
+        .bind("seq", drive.seq())
+        .bind("task", drive.task())
+        .bind("phase", drive.phase())
+        .bind("way", drive.trajectory())
+        .bind("at", Instant.now())
+        .execute();
+    return h.createUpdate("update robots set last_seq = :seq where id = :id")
+        .bind("seq", drive.seq())
+        .bind("id", id)
+        .execute();
+  }
+
+  /**
+   * @throws StoreException when there is no robot of that name
+   */
+  static long id(Handle h, String name) {
+    return h.createQuery("select id from robots where name = :name")
+        .bind("name", name)
+        .mapTo(Long.class)
+        .findOne()
+        .orElseThrow(() -> new StoreException("There is no robot " + name + ".", null));
+  }
+}

@@ -1,0 +1,76 @@
+package org.toqa.store;
+
+import java.time.DayOfWeek;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.LocalTime;
+import java.time.ZoneId;
+import java.util.Arrays;
+import java.util.Objects;
+import java.util.stream.Collectors;
+import org.jdbi.v3.core.mapper.Nested;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.schedule.Recurrence;
+import org.toqa.fleet.schedule.Schedule;
+
+/**
+ * A row of the table of schedules.
+ *
+ * @param kind ONCE, EVERY or WEEKLY; which of the next five columns are null hangs on it
+ * @param everyS seconds
+ * @param weekdays names of {@link DayOfWeek} with commas between
+ */
+record ScheduleRow(
+    long id,
+    String name,
+    String userName,
+    String floor,
+    double loadKg,
+    @Nullable Double loadLength,
+    @Nullable Double loadWidth,
+    @Nested("start") PlaceColumns start,
+    @Nested("goal") PlaceColumns goal,
+    int priority,
+    String kind,
+    @Nullable Instant firstAt,
+    long everyS,
+    @Nullable String weekdays,
+    @Nullable String timeOfDay,
+    @Nullable String zone,
+    @Nullable Instant untilAt,
+    boolean paused,
+    Instant createdAt,
+    @Nullable Instant dueAt,
+    @Nullable Long lastTask) {
+
+  Schedule toSchedule() {
+    TaskOrder order =
+        new TaskOrder(
+            name,
+            loadKg,
+            start.toWhere(),
+            goal.toWhere(),
+            floor,
+            priority,
+            null,
+            TaskRow.loadSize(loadLength, loadWidth));
+    return new Schedule(
+        id, order, recurrence(), untilAt, paused, userName, createdAt, dueAt, lastTask);
+  }
+
+  private Recurrence recurrence() {
+    return switch (kind) {
+      case "ONCE" -> new Recurrence.Once(Objects.requireNonNull(firstAt));
+      case "EVERY" ->
+          new Recurrence.Every(Objects.requireNonNull(firstAt), Duration.ofSeconds(everyS));
+      default ->
+          new Recurrence.Weekly(
+              Arrays.stream(Objects.requireNonNull(weekdays).split(",", -1))
+                  .map(DayOfWeek::valueOf)
+                  .collect(Collectors.toSet()),
+              LocalTime.parse(Objects.requireNonNull(timeOfDay)),
+              ZoneId.of(Objects.requireNonNull(zone)));
+    };
+  }
+}

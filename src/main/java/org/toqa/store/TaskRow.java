@@ -1,0 +1,104 @@
+package org.toqa.store;
+
+import java.time.Instant;
+import java.util.List;
+import org.jdbi.v3.core.mapper.Nested;
+import org.jdbi.v3.core.mapper.PropagateNull;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore.OpenTask;
+import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Vec2;
+import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.LoadChoice;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TaskState;
+import org.toqa.mission.TransportTask;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.mission.Trouble;
+
+/** A row of the table of tasks: a mission without its robots. */
+record TaskRow(
+    long id,
+    String name,
+    String userName,
+    String floor,
+    double loadKg,
+    @Nullable Double loadLength,
+    @Nullable Double loadWidth,
+    @Nested("start") PlaceColumns start,
+    @Nested("goal") PlaceColumns goal,
+    int priority,
+    @Nullable Instant deadline,
+    TaskState state,
+    Instant createdAt,
+    Instant changedAt,
+    boolean held,
+    @Nullable LoadChoice ending,
+    @Nullable Double setDownX,
+    @Nullable Double setDownY,
+    @Nested("trouble") @Nullable TroubleColumns trouble) {
+
+  static final String COLUMNS =
+      """
+      id, name, user_name, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
+      goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at, held, ending,
+      set_down_x, set_down_y, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits
+      """;
+
+  /** What keeps a robot from going on; all null where nothing does. */
+  record TroubleColumns(
+      @PropagateNull String robot,
+      String why,
+      @Nullable String said,
+      @Nullable Double x,
+      @Nullable Double y,
+      boolean waits) {
+    Trouble toTrouble() {
+      return new Trouble(robot, SentenceJson.read(said, why), place(x, y), waits);
+    }
+  }
+
+  OpenTask toOpenTask(List<AssignedRobot> robots) {
+    return new OpenTask(toMission(robots), changedAt);
+  }
+
+  TaskView toView(List<AssignedRobot> robots) {
+    return TaskView.of(toMission(robots), null, changedAt);
+  }
+
+  private Mission toMission(List<AssignedRobot> robots) {
+    return new Mission(
+        toTask(),
+        state,
+        robots,
+        held,
+        ending,
+        place(setDownX, setDownY),
+        trouble == null ? null : trouble.toTrouble());
+  }
+
+  private TransportTask toTask() {
+    return new TransportTask(
+        id,
+        name,
+        loadKg,
+        start.toTaskPlace(),
+        goal.toTaskPlace(),
+        floor,
+        priority,
+        deadline,
+        loadSize(loadLength, loadWidth),
+        userName,
+        createdAt);
+  }
+
+  /** Null where nobody said it. */
+  static @Nullable LoadSize loadSize(@Nullable Double length, @Nullable Double width) {
+    return length == null || width == null ? null : new LoadSize(length, width);
+  }
+
+  private static @Nullable TaskPlace place(@Nullable Double x, @Nullable Double y) {
+    return x == null || y == null ? null : new TaskPlace(new Vec2(x, y), null);
+  }
+}

@@ -1,0 +1,194 @@
+package org.toqa.store;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.UUID;
+import java.util.function.BiFunction;
+import org.jdbi.v3.core.Handle;
+import org.toqa.fleet.FleetStore.Submission;
+import org.toqa.mission.AssignedRobot;
+import org.toqa.mission.Mission;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
+import org.toqa.mission.TransportTask.LoadSize;
+import org.toqa.mission.Trouble;
+
+/** The tables of tasks and of who executes them, within a transaction of somebody else. */
+final class TaskTable {
+  /** Of whose robots are asked for at a time; a statement takes only so many values. */
+  private static final int MAX_IDS = 1000;
+
+  private TaskTable() {}
+
+  static TransportTask add(Handle h, Submission submission) {
+    TransportTask task = submission.task();
+    LoadSize size = task.size();
+    long id =
+        h.createUpdate(
+                """
+                      insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
+                        start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
+                        state, created_at, changed_at, submission)
+                      values (:name, (select id from users where name_key = :userKey), :user, :floor, :load,
+                        :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
+                        :priority, :deadline, 'QUEUED', :at, :at, :submission)
+                      """)
+            .bind("name", task.name())
+            .bind("userKey", task.user().toLowerCase(Locale.ROOT))
+            .bind("user", task.user())
+            .bind("floor", task.floor())
+            .bind("load", task.load())
+            .bind("length", size == null ? null : size.length())
+            .bind("width", size == null ? null : size.width())
+            .bind("startX", task.start().position().x())
+            .bind("startY", task.start().position().y())
+            .bind("startStation", task.start().station())
+            .bind("goalX", task.goal().position().x())
+            .bind("goalY", task.goal().position().y())
+            .bind("goalStation", task.goal().station())
+            .bind("priority", task.priority())
+            .bind("deadline", task.deadline())
+            .bind("at", task.createdAt())
+            .bind("submission", submission.idempotencyKey())
+            .executeAndReturnGeneratedKeys("id")
+            .mapTo(Long.class)
+            .one();
+    return task.withId(id);
+  }
+
+  static void withdraw(Handle h, UUID key) {
+    String of = " (select id from tasks where submission = :submission)";
+    h.createUpdate("delete from events where task_id in" + of)
+        .bind("submission", key)
+        .execute();
+    h.createUpdate("delete from tasks where submission = :submission")
+        .bind("submission", key)
+        .execute();
+  }
+
+  static void saveState(Handle h, Mission mission, Instant at) {
+    TaskPlace setDown = mission.setDownPlace();
+    Trouble trouble = mission.trouble();
+    TaskPlace place = trouble == null ? null : trouble.place();
+    h.createUpdate(
+            """
+            update tasks set state = :state, changed_at = :at, priority = :priority, held = :held, ending = :ending,
+              assigned_at = coalesce(assigned_at, :assigned), delivered_at = coalesce(delivered_at, :delivered),
+              set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
+              trouble_why = :troubleWhy, trouble_said = :troubleSaid, trouble_x = :troubleX,
+              trouble_y = :troubleY, trouble_waits = :troubleWaits
+            where id = :id
+            """)
+        .bind("state", mission.state().name())
+        .bind("at", at)
+        .bind("priority", mission.task().priority())
+        .bind("assigned", mission.state().isAssigned() ? at : null)
+        .bind("delivered", mission.state().isDelivered() ? at : null)
+        .bind("held", mission.held())
+        .bind("ending", mission.ending())
+        .bind("setDownX", setDown == null ? null : setDown.position().x())
+        .bind("setDownY", setDown == null ? null : setDown.position().y())
+        .bind("troubleRobot", trouble == null ? null : trouble.robot())
+        .bind("troubleWhy", trouble == null ? null : trouble.why().english())
+        .bind("troubleSaid", trouble == null ? null : SentenceJson.write(trouble.why()))
+        .bind("troubleX", place == null ? null : place.position().x())
+        .bind("troubleY", place == null ? null : place.position().y())
+        .bind("troubleWaits", trouble != null && trouble.isAwaited())
+        .bind("id", mission.id())
+        .execute();
+  }
+
+  static List<Long> robotsOf(Handle h, long task) {
+    return h.createQuery("select robot_id from task_robots where task_id = :task")
+        .bind("task", task)
+        .mapTo(Long.class)
+        .list();
+  }
+
+  static void saveAssignedRobots(Handle h, Mission mission) {
+    h.createUpdate("delete from task_robots where task_id = :id")
+        .bind("id", mission.id())
+        .execute();
+    for (int place = 0; place < mission.assignedRobots().size(); place++) {
+      saveAssignedRobot(h, mission.id(), place, mission.assignedRobots().get(place));
+    }
+  }
+
+  private static void saveAssignedRobot(Handle h, long task, int place, AssignedRobot assigned) {
+    long robot = RobotTable.id(h, assigned.robot());
+    h.createUpdate(
+            """
+            insert into task_robots (task_id, robot_id, place, phase, arrived, released)
+            values (:task, :robot, :place, :phase, :arrived, :released)
+            """)
+        .bind("task", task)
+        .bind("robot", robot)
+        .bind("place", place)
+        .bind("phase", assigned.phase())
+        .bind("arrived", assigned.arrived())
+        .bind("released", assigned.unassigned())
+        .execute();
+  }
+
+  /** From what the robot is in now: a task, the way home from one, or neither. */
+  static void saveAvailability(Handle h, long robot) {
+    // availability 1: can be given a task; phase 0: parked   (Tanta, "Database")
+    h.createUpdate(
+            """
+            update robots set
+              availability = case when exists (select 1 from task_robots t
+                where t.robot_id = :robot and not t.released and t.phase < 3) then 0 else 1 end,
+              phase = coalesce((select min(t.phase) from task_robots t
+                where t.robot_id = :robot and not t.released), 0)
+            where id = :robot
+            """)
+        .bind("robot", robot)
+        .execute();
+  }
+
+  /**
+   * The rows, each with the robots that execute it.
+   *
+   * @param made of a row and its robots, in the order they were chosen
+   */
+  static <T> List<T> withRobots(
+      Handle h, List<TaskRow> rows, BiFunction<TaskRow, List<AssignedRobot>, T> made) {
+    Map<Long, List<AssignedRobot>> robots = new HashMap<>();
+    for (int i = 0; i < rows.size(); i += MAX_IDS) {
+      List<TaskRow> part = rows.subList(i, Math.min(rows.size(), i + MAX_IDS));
+      for (AssignedRobotRow row : assignedRobots(h, part.stream().map(TaskRow::id).toList())) {
+        robots.computeIfAbsent(row.task(), task -> new ArrayList<>()).add(row.toAssignedRobot());
+      }
+    }
+    return rows.stream()
+        .map(row -> made.apply(row, robots.getOrDefault(row.id(), List.of())))
+        .toList();
+  }
+
+  /** A robot's part in a task. */
+  record AssignedRobotRow(
+      long task, String robot, int phase, boolean arrived, boolean released) {
+    AssignedRobot toAssignedRobot() {
+      return new AssignedRobot(robot, phase, arrived, released);
+    }
+  }
+
+  /**
+   * @param tasks at least one id
+   */
+  private static List<AssignedRobotRow> assignedRobots(Handle h, List<Long> tasks) {
+    return h.createQuery(
+            """
+            select t.task_id as task, r.name as robot, t.phase, t.arrived, t.released
+            from task_robots t join robots r on r.id = t.robot_id
+            where t.task_id in (<tasks>) order by t.task_id, t.place
+            """)
+        .bindList("tasks", tasks)
+        .mapTo(AssignedRobotRow.class)
+        .list();
+  }
+}
