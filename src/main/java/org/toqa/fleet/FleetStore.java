@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Mission;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TransportTask;
 import org.toqa.motion.Trajectory;
 
@@ -117,7 +118,7 @@ public interface FleetStore {
    * @param seq of the robot link
    * @param task null when it drives for no task
    */
-  record StoredDrive(long seq, @Nullable Long task, int phase, Trajectory trajectory) {}
+  record StoredDrive(long seq, @Nullable Long task, Phase phase, Trajectory trajectory) {}
 
   /** The store did not answer, or refused. */
   final class StoreException extends RuntimeException {

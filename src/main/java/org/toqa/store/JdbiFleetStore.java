@@ -29,6 +29,7 @@ import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -256,7 +257,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                         new StoredDrive(
                             rs.getLong("seq"),
                             Rows.nullableLong(rs, "task_id"),
-                            rs.getInt("phase"),
+                            Phase.stored(rs.getInt("phase")),
                             TrajectoryJson.read(rs.getString("way"))))
                 .findOne());
   }
@@ -276,7 +277,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
               .bind("id", id)
               .bind("seq", drive.seq())
               .bind("task", drive.task())
-              .bind("phase", drive.phase())
+              .bind("phase", drive.phase().number())
               .bind("way", TrajectoryJson.write(drive.trajectory()))
               .bind("at", SqlExecutor.utc(Instant.now()))
               .execute();
@@ -482,7 +483,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         .bind("task", task)
         .bind("robot", robot)
         .bind("place", place)
-        .bind("phase", carrier.phase())
+        .bind("phase", carrier.phase().number())
         .bind("arrived", carrier.arrived())
         .bind("released", carrier.unassigned())
         .execute();
@@ -611,7 +612,7 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
             (rs, ctx) ->
                 new AssignedRobot(
                     rs.getString("name"),
-                    rs.getInt("phase"),
+                    Phase.stored(rs.getInt("phase")),
                     rs.getBoolean("arrived"),
                     rs.getBoolean("released")))
         .list();

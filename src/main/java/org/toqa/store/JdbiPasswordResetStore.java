@@ -8,6 +8,7 @@ import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.Secret;
+import org.toqa.fleet.EventKind;
 import org.toqa.wording.Phrase;
 
 /**
@@ -40,7 +41,7 @@ public final class JdbiPasswordResetStore {
               Secret.hash(secret),
               SqlExecutor.utc(now.plus(life)));
           EventTable.addAccountEvent(
-              handle, now, "user.reset", by, Phrase.PASSWORD_LINK_MADE.with(user.name()));
+              handle, now, EventKind.USER_RESET, by, Phrase.PASSWORD_LINK_MADE.with(user.name()));
           return secret;
         });
   }
@@ -65,7 +66,7 @@ public final class JdbiPasswordResetStore {
           String name = user.get().name();
           JdbiAccountStore.setPassword(handle, user.get().id(), passwordHash);
           EventTable.addAccountEvent(
-              handle, clock.instant(), "user.password", name, Phrase.PASSWORD_REPLACED.with(name));
+              handle, clock.instant(), EventKind.USER_PASSWORD, name, Phrase.PASSWORD_REPLACED.with(name));
           return true;
         });
   }

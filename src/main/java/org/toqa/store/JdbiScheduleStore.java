@@ -20,6 +20,7 @@ import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.statement.StatementContext;
 import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
@@ -98,7 +99,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
   private static EventRecord added(Schedule schedule, long id) {
     return new EventRecord(
         schedule.createdAt(),
-        "schedule.added",
+        EventKind.SCHEDULE_ADDED,
         null,
         null,
         schedule.user(),

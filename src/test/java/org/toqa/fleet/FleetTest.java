@@ -34,6 +34,7 @@ import org.toqa.grid.Place;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Phase;
 import org.toqa.mission.Reply;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
@@ -750,7 +751,7 @@ class FleetTest {
     reopenWith("r3", DOOR, null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
 
-    assertEquals(0, accepted(stage.fleet.sendHome("r2", "Max")).phase());
+    assertEquals(Phase.NONE, accepted(stage.fleet.sendHome("r2", "Max")).phase());
     assertInstanceOf(Answer.Conflict.class, answer(stage.fleet.sendHome("r3", "Max")));
     assertInstanceOf(Answer.Unknown.class, answer(stage.fleet.sendHome("r9", "Max")));
 

@@ -37,6 +37,7 @@ import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -189,7 +190,7 @@ class FleetStoreTest {
     Mission.Step step =
         Mission.queued(task).assign(List.of("r2", "r1"), Sentence.verbatim("heavy"));
     store.saveMission(step.mission(), AT, List.of());
-    Mission.Step next = step.mission().apply(new MissionEvent.PhaseEnded("r1", 1));
+    Mission.Step next = step.mission().apply(new MissionEvent.PhaseEnded("r1", Phase.TO_OBJECT));
     EventRecord event =
         new EventRecord(AT, "task.at-object", task.id(), "r1", "toqa", Sentence.verbatim("here"));
     store.saveMission(next.mission(), AT.plusMillis(5), List.of(event));
@@ -197,7 +198,7 @@ class FleetStoreTest {
     OpenTask open = store.openTasks().getFirst();
     assertEquals(next.mission(), open.mission());
     assertEquals(
-        List.of(new AssignedRobot("r2", 1, false, false), new AssignedRobot("r1", 1, true, false)),
+        List.of(new AssignedRobot("r2", Phase.TO_OBJECT, false, false), new AssignedRobot("r1", Phase.TO_OBJECT, true, false)),
         open.mission().assignedRobots());
     assertEquals(AT.plusMillis(5), open.changedAt());
     assertEquals(event, store.history(task.id()).getLast());
@@ -259,7 +260,7 @@ class FleetStoreTest {
         new Mission(
             task,
             TaskState.CARRYING,
-            List.of(new AssignedRobot("r1", 2, false, false)),
+            List.of(new AssignedRobot("r1", Phase.TO_GOAL, false, false)),
             true,
             LoadChoice.BACK,
             place,
@@ -271,7 +272,7 @@ class FleetStoreTest {
         new Mission(
             task,
             TaskState.QUEUED,
-            List.of(new AssignedRobot("r2", 1, false, true)),
+            List.of(new AssignedRobot("r2", Phase.TO_OBJECT, false, true)),
             false,
             null,
             null,
@@ -316,7 +317,7 @@ class FleetStoreTest {
         new Mission(
             first,
             TaskState.DONE,
-            List.of(new AssignedRobot("r1", 3, true, true)),
+            List.of(new AssignedRobot("r1", Phase.HOME, true, true)),
             false,
             null,
             null,
@@ -399,8 +400,8 @@ class FleetStoreTest {
         new Trajectory(
             new Pose(0.1, 1 / 3.0, -3),
             List.of(new Segment(0.25, 0, 1.2), new Segment(0, 0.5, 0.1)));
-    store.saveDrive("r1", new StoredDrive(4, null, 0, way));
-    StoredDrive second = new StoredDrive(9, 77L, 2, way);
+    store.saveDrive("r1", new StoredDrive(4, null, Phase.NONE, way));
+    StoredDrive second = new StoredDrive(9, 77L, Phase.TO_GOAL, way);
     store.saveDrive("r1", second);
     assertEquals(Optional.of(second), store.drive("r1"));
   }

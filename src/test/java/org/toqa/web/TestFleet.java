@@ -48,6 +48,7 @@ import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -427,7 +428,7 @@ public final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
   }
 
   private static Mission mission(TaskView view) {
-    int phase = view.state() == TaskState.CARRYING ? 2 : 1;
+    Phase phase = view.state() == TaskState.CARRYING ? Phase.TO_GOAL : Phase.TO_OBJECT;
     List<AssignedRobot> carriers =
         view.robots().stream().map(robot -> new AssignedRobot(robot, phase, false, false)).toList();
     Trouble trouble =
@@ -625,7 +626,7 @@ public final class TestFleet implements Fleet, SnapshotFeed, TaskArchive {
         pose,
         pose == null ? null : Double.valueOf(0.84),
         null,
-        0,
+        Phase.NONE,
         5,
         0.255,
         0.25,

@@ -10,6 +10,7 @@ import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.DriveCommand;
 import org.toqa.wording.Sentence;
 
@@ -199,7 +200,7 @@ final class DriveDispatcher {
         robot.agent.tell(
             new RobotMessage.Drive(
                 goal == null ? null : goal.task(),
-                goal == null ? 0 : goal.phase(),
+                goal == null ? Phase.NONE : goal.phase(),
                 begin.trajectory(),
                 begin.released(),
                 begin.endsAtGoal(),

@@ -14,6 +14,7 @@ import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.trust.Fingerprint;
+import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.RemainingPath;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -165,7 +166,7 @@ final class FloorRobot {
         reported.pose(),
         reported.battery(),
         work == null ? null : work.task(),
-        work == null ? 0 : work.phase(),
+        work == null ? Phase.NONE : work.phase(),
         maxLoad(),
         reported.footprint(),
         reported.capabilities().speeds().forward(),
@@ -247,13 +248,14 @@ final class FloorRobot {
       return Sentence.verbatim(reason);
     }
     Long task = work.task();
-    if (task == null || work.phase() == 0) {
+    if (task == null) {
       return Phrase.DRIVES_HOME.with();
     }
     return switch (work.phase()) {
-      case 1 -> Phrase.DRIVES_TO_LOAD.with(task);
-      case 2 -> Phrase.CARRIES_LOAD.with(task);
-      default -> Phrase.DRIVES_HOME_FROM.with(task);
+      case NONE -> Phrase.DRIVES_HOME.with();
+      case TO_OBJECT -> Phrase.DRIVES_TO_LOAD.with(task);
+      case TO_GOAL -> Phrase.CARRIES_LOAD.with(task);
+      case HOME -> Phrase.DRIVES_HOME_FROM.with(task);
     };
   }
 }

@@ -34,7 +34,7 @@ public enum RobotActivity {
     if (robot.held()) {
       return HELD;
     }
-    if (robot.phase() == 1 || robot.phase() == 2) {
+    if (robot.phase().isCarryingTask()) {
       return WORKING;
     }
     return robot.state() == RobotState.IDLE ? IDLE : TRAVELLING;

@@ -55,7 +55,7 @@ final class Candidates {
   }
 
   private static Availability workingAvailability(RobotView robot, Set<String> promised) {
-    boolean isBusy = promised.contains(robot.name()) || (robot.task() != null && robot.phase() < 3);
+    boolean isBusy = promised.contains(robot.name()) || robot.phase().isCarryingTask();
     return isBusy ? Availability.BUSY : Availability.FREE;
   }
 }

@@ -8,6 +8,7 @@ import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer.Rejection;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.schedule.Recurrence;
@@ -96,7 +97,7 @@ public final class ScheduleCommands {
               schedule.id(),
               true,
               schedule.due(),
-              events(schedule, user, "schedule.paused", Phrase.SCHEDULE_PAUSED));
+              events(schedule, user, EventKind.SCHEDULE_PAUSED, Phrase.SCHEDULE_PAUSED));
     }
   }
 
@@ -109,17 +110,17 @@ public final class ScheduleCommands {
               schedule.id(),
               false,
               schedule.nextDueAfter(services.clock().instant()).orElse(null),
-              events(schedule, user, "schedule.resumed", Phrase.SCHEDULE_RESUMED));
+              events(schedule, user, EventKind.SCHEDULE_RESUMED, Phrase.SCHEDULE_RESUMED));
     }
   }
 
   public void delete(Schedule schedule, Caller user) {
     services
         .schedules()
-        .delete(schedule.id(), events(schedule, user, "schedule.deleted", Phrase.SCHEDULE_DELETED));
+        .delete(schedule.id(), events(schedule, user, EventKind.SCHEDULE_DELETED, Phrase.SCHEDULE_DELETED));
   }
 
-  private List<EventRecord> events(Schedule schedule, Caller user, String kind, Phrase done) {
+  private List<EventRecord> events(Schedule schedule, Caller user, EventKind kind, Phrase done) {
     return List.of(
         new EventRecord(
             services.clock().instant(),
