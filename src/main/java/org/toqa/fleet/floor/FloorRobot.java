@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.fleet.RobotCondition;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -85,10 +86,7 @@ final class FloorRobot {
 
   /** In service, hears, knows where it is, and is well. */
   boolean isFit() {
-    return settings.isInService()
-        && isHeard()
-        && reported.report().localised()
-        && reported.mode() != Mode.ERROR;
+    return state().isFit();
   }
 
   /** What it shall drive now, if it is in service. */
@@ -135,24 +133,15 @@ final class FloorRobot {
   }
 
   RobotState state() {
-    if (!settings.isInService()) {
-      return RobotState.OUT_OF_SERVICE;
-    }
-    if (reported.report().at() == null) {
-      return RobotState.CONNECTING;
-    }
-    if (!isHeard()) {
-      return RobotState.LOST;
-    }
-    if (!reported.report().localised()) {
-      return RobotState.NOT_LOCALISED;
-    }
-    return switch (reported.mode()) {
-      case IDLE -> charging.isCharging() ? RobotState.CHARGING : RobotState.IDLE;
-      case DRIVING, FOLLOWING -> RobotState.DRIVING;
-      case HOLDING -> RobotState.HOLDING;
-      case ERROR -> RobotState.ERROR;
-    };
+    RobotReport report = reported.report();
+    return new RobotCondition(
+            settings.isInService(),
+            report.at() != null,
+            isHeard(),
+            report.localised(),
+            report.mode(),
+            charging.isCharging())
+        .state();
   }
 
   /**
