@@ -20,8 +20,8 @@ import org.toqa.wording.Sentence;
  * @param phase of its task that it is in
  * @param footprint diameter in metres
  * @param speed metres a second at which it drives straight on
- * @param path the rest of its way as a line, map frame; empty when it stands
- * @param released how many points of {@code route} it may already drive to
+ * @param path the rest of its path as a line, metres, map frame; empty when it stands
+ * @param released how many points of {@code path} it may already drive to
  * @param held whether it shall hold: by a person's word, for its task, or since all are paused
  * @param charger the charging point that it charges at, drives to or waits for; null: none
  * @param fingerprint of the certificate that pairing recorded; null: the link is not encrypted

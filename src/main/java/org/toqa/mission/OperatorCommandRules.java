@@ -106,7 +106,9 @@ final class OperatorCommandRules {
   /** Robots that had arrived somewhere drive anew. */
   private static Mission withRobotsDriving(Mission mission) {
     return mission.withAssignedRobots(
-        mission.assignedRobots().stream().map(c -> c.unassigned() ? c : c.withPhase(Phase.TO_GOAL)).toList());
+        mission.assignedRobots().stream()
+            .map(c -> c.unassigned() ? c : c.withPhase(Phase.TO_GOAL))
+            .toList());
   }
 
   private static List<MissionCommand> stopCommands(Mission mission) {

@@ -113,7 +113,8 @@ final class TroubleRules {
 
   private static Mission.Step stopWorking(Mission mission, Trouble trouble) {
     return switch (mission.phaseOf(trouble.robot())) {
-      case TO_OBJECT -> requeue(mission, trouble, Phrase.ANOTHER_LOOKED_FOR.with(trouble.sentence()));
+      case TO_OBJECT ->
+          requeue(mission, trouble, Phrase.ANOTHER_LOOKED_FOR.with(trouble.sentence()));
       case TO_GOAL -> ask(mission, trouble);
       case HOME, NONE -> mission.unassign(trouble.robot(), trouble.sentence());
     };

@@ -157,7 +157,10 @@ public final class JdbiAccountStore {
           }
           handle.execute("delete from users where id = ?", id);
           recordEvent(
-              handle, EventKind.USER_DELETED, by, Phrase.USER_DELETED.with(by, account.get().name()));
+              handle,
+              EventKind.USER_DELETED,
+              by,
+              Phrase.USER_DELETED.with(by, account.get().name()));
           return Outcome.DONE;
         });
   }
@@ -180,7 +183,8 @@ public final class JdbiAccountStore {
           handle.execute(
               "update users set role = ?, disabled = ? where id = ?", role.name(), disabled, id);
           if (role != old.role() || disabled != old.disabled()) {
-            recordEvent(handle, EventKind.USER_CHANGED, by, changeSentence(old, role, disabled, by));
+            recordEvent(
+                handle, EventKind.USER_CHANGED, by, changeSentence(old, role, disabled, by));
           }
           return Outcome.DONE;
         });
@@ -206,7 +210,10 @@ public final class JdbiAccountStore {
           }
           setPassword(handle, id, passwordHash);
           recordEvent(
-              handle, EventKind.USER_PASSWORD, by, Phrase.PASSWORD_CHANGED.with(by, account.get().name()));
+              handle,
+              EventKind.USER_PASSWORD,
+              by,
+              Phrase.PASSWORD_CHANGED.with(by, account.get().name()));
           return true;
         });
   }
@@ -235,7 +242,10 @@ public final class JdbiAccountStore {
                     handle.execute("update users set email = ? where id = ?", email, id);
                     handle.execute("delete from password_resets where user_id = ?", id);
                     recordEvent(
-                        handle, EventKind.USER_CHANGED, by, Phrase.EMAIL_CHANGED.with(by, old.name()));
+                        handle,
+                        EventKind.USER_CHANGED,
+                        by,
+                        Phrase.EMAIL_CHANGED.with(by, old.name()));
                   });
           return found.isPresent();
         });

@@ -66,7 +66,11 @@ public final class JdbiPasswordResetStore {
           String name = user.get().name();
           JdbiAccountStore.setPassword(handle, user.get().id(), passwordHash);
           EventTable.addAccountEvent(
-              handle, clock.instant(), EventKind.USER_PASSWORD, name, Phrase.PASSWORD_REPLACED.with(name));
+              handle,
+              clock.instant(),
+              EventKind.USER_PASSWORD,
+              name,
+              Phrase.PASSWORD_REPLACED.with(name));
           return true;
         });
   }

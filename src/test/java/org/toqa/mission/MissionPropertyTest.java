@@ -131,15 +131,18 @@ class MissionPropertyTest {
       case QUEUED, DONE, CANCELLED -> assertTrue(allReleased, mission::toString);
       case ASSIGNED, TO_OBJECT ->
           assertTrue(
-              mission.assignedRobots().stream().allMatch(c -> c.phase() == Phase.TO_OBJECT && !c.unassigned()),
+              mission.assignedRobots().stream()
+                  .allMatch(c -> c.phase() == Phase.TO_OBJECT && !c.unassigned()),
               mission::toString);
       case CARRYING ->
           assertTrue(
-              mission.assignedRobots().stream().allMatch(c -> c.phase() == Phase.TO_GOAL && !c.unassigned()),
+              mission.assignedRobots().stream()
+                  .allMatch(c -> c.phase() == Phase.TO_GOAL && !c.unassigned()),
               mission::toString);
       case RETURNING ->
           assertTrue(
-              !allReleased && mission.assignedRobots().stream().allMatch(c -> c.phase() == Phase.HOME),
+              !allReleased
+                  && mission.assignedRobots().stream().allMatch(c -> c.phase() == Phase.HOME),
               mission::toString);
       case FAILED -> assertFalse(true, "nothing leads there");
     }

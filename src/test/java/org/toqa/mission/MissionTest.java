@@ -64,7 +64,9 @@ class MissionTest {
     Mission.Step second = first.mission().apply(new MissionEvent.PhaseEnded("r2", Phase.TO_OBJECT));
     assertEquals(TaskState.CARRYING, second.mission().state());
     assertEquals(
-        List.of(new MissionCommand.Drive("r1", Phase.TO_GOAL), new MissionCommand.Drive("r2", Phase.TO_GOAL)),
+        List.of(
+            new MissionCommand.Drive("r1", Phase.TO_GOAL),
+            new MissionCommand.Drive("r2", Phase.TO_GOAL)),
         second.commands());
   }
 
@@ -105,7 +107,8 @@ class MissionTest {
 
     assertEquals(TaskState.QUEUED, toObject("r1").apply(charges).mission().state());
     assertFalse(carrying("r1").apply(charges).hasChanges());
-    Mission returning = carrying("r1").apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission();
+    Mission returning =
+        carrying("r1").apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission();
     assertEquals(TaskState.DONE, returning.apply(charges).mission().state());
   }
 
@@ -197,12 +200,14 @@ class MissionTest {
     Mission back = mission.apply(new MissionEvent.Cancel("max", LoadChoice.BACK)).mission();
     assertEquals(TASK.start(), back.destination());
     assertEquals(
-        TaskState.CANCELLED, back.apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission().state());
+        TaskState.CANCELLED,
+        back.apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission().state());
   }
 
   @Example
   void whatIsDeliveredOrEndedIsNotCancelled() {
-    Mission delivered = carrying("r1").apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission();
+    Mission delivered =
+        carrying("r1").apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission();
     MissionEvent.Cancel cancel = new MissionEvent.Cancel("max", LoadChoice.HERE);
     assertTrue(delivered.objectionTo(cancel).isPresent());
     assertTrue(

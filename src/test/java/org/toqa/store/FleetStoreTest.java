@@ -198,7 +198,9 @@ class FleetStoreTest {
     OpenTask open = store.openTasks().getFirst();
     assertEquals(next.mission(), open.mission());
     assertEquals(
-        List.of(new AssignedRobot("r2", Phase.TO_OBJECT, false, false), new AssignedRobot("r1", Phase.TO_OBJECT, true, false)),
+        List.of(
+            new AssignedRobot("r2", Phase.TO_OBJECT, false, false),
+            new AssignedRobot("r1", Phase.TO_OBJECT, true, false)),
         open.mission().assignedRobots());
     assertEquals(AT.plusMillis(5), open.changedAt());
     assertEquals(event, store.history(task.id()).getLast());

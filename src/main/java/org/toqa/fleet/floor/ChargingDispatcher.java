@@ -258,7 +258,8 @@ final class ChargingDispatcher {
       }
       case RECOVERED -> {
         setStatus(robot, Phrase.CHARGES_AT.with(point.name()));
-        addToHistory(robot, EventKind.ROBOT_CHARGER_WORKS, Phrase.CHARGER_WORKS_AGAIN.with(point.name()));
+        addToHistory(
+            robot, EventKind.ROBOT_CHARGER_WORKS, Phrase.CHARGER_WORKS_AGAIN.with(point.name()));
       }
       case UNCHANGED -> {}
     }
@@ -294,7 +295,8 @@ final class ChargingDispatcher {
   }
 
   private void abandonTurn(FloorRobot robot, Sentence why) {
-    endTurn(robot, EventKind.ROBOT_CHARGE_ENDED, Phrase.ROBOT_CHARGES_NO_MORE.with(robot.name(), why));
+    endTurn(
+        robot, EventKind.ROBOT_CHARGE_ENDED, Phrase.ROBOT_CHARGES_NO_MORE.with(robot.name(), why));
   }
 
   private void endTurn(FloorRobot robot, EventKind kind, Sentence text) {

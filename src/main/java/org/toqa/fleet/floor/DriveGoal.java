@@ -38,7 +38,8 @@ record DriveGoal(
           case TO_GOAL -> mission.destination().position();
           case HOME, NONE -> home.orElse(mission.task().goal().position());
         };
-    double load = phase == Phase.TO_GOAL ? mission.task().load() / mission.assignedRobots().size() : 0;
+    double load =
+        phase == Phase.TO_GOAL ? mission.task().load() / mission.assignedRobots().size() : 0;
     return new DriveGoal(mission.id(), phase, goal, null, load);
   }
 }

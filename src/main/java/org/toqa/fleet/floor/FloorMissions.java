@@ -62,9 +62,14 @@ final class FloorMissions {
             .map(
                 text ->
                     new EventRecord(
-                        at, EventKind.TASK_ASSIGNED, m.mission().id(), null, EventRecord.SYSTEM, text))
+                        at,
+                        EventKind.TASK_ASSIGNED,
+                        m.mission().id(),
+                        null,
+                        EventRecord.SYSTEM,
+                        text))
             .toList());
-    reports.send(); // first, so that the task is in every picture
+    reports.send(); // first, so that the task is in every snapshot
     manager.tell(new FloorEvent.TaskBegun(m.mission().id()));
   }
 

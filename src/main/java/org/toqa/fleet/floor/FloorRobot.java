@@ -101,8 +101,7 @@ final class FloorRobot {
 
   boolean isStanding() {
     boolean stands =
-        reported.mode() == Mode.IDLE
-            || (reported.mode() == Mode.HOLDING && !reported.isMoving());
+        reported.mode() == Mode.IDLE || (reported.mode() == Mode.HOLDING && !reported.isMoving());
     return stands && hasNoDrive();
   }
 

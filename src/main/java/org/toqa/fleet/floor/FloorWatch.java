@@ -60,7 +60,9 @@ final class FloorWatch {
         .map(
             obstacle ->
                 new HistoryLine(
-                    EventKind.FLOOR_OBSTACLE, robot, Phrase.SEES_OBSTACLE.with(robot, sentence(obstacle))))
+                    EventKind.FLOOR_OBSTACLE,
+                    robot,
+                    Phrase.SEES_OBSTACLE.with(robot, sentence(obstacle))))
         .toList();
   }
 
@@ -101,7 +103,8 @@ final class FloorWatch {
     for (StandstillView begun : change.begun()) {
       begun
           .robots()
-          .forEach(r -> remarks.add(new HistoryLine(EventKind.TRAFFIC_STANDSTILL, r, begun.text())));
+          .forEach(
+              r -> remarks.add(new HistoryLine(EventKind.TRAFFIC_STANDSTILL, r, begun.text())));
     }
     for (StandstillView over : change.ended()) {
       Sentence text = StandstillTracker.endSentence(over);

@@ -72,8 +72,7 @@ final class Formations {
       return goal;
     }
     Pose place = formation.get().pose(index(mission, robot));
-    return new DriveGoal(
-        goal.task(), Phase.TO_OBJECT, place.position(), place.theta(), 0);
+    return new DriveGoal(goal.task(), Phase.TO_OBJECT, place.position(), place.theta(), 0);
   }
 
   private static int index(Mission mission, String robot) {
@@ -154,8 +153,7 @@ final class Formations {
           state.traffic.removeRobot(robot.name());
         }
       } else if (!state.traffic.hasRobot(robot.name()) && report.role() == Role.FOLLOWER) {
-        state.traffic.reportStanding(
-            robot.name(), pose, robot.reported.footprint(), state.now);
+        state.traffic.reportStanding(robot.name(), pose, robot.reported.footprint(), state.now);
       }
       if (state.traffic.hasRobot(robot.name())) {
         state.traffic.setFormation(

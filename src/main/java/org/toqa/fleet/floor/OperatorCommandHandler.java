@@ -70,7 +70,10 @@ final class OperatorCommandHandler {
     }
     EventRecord event =
         state.historyEvent(
-            EventKind.ROBOT_REMOVED, m.robot(), m.user(), Phrase.ROBOT_REMOVED.with(m.user(), m.robot()));
+            EventKind.ROBOT_REMOVED,
+            m.robot(),
+            m.user(),
+            Phrase.ROBOT_REMOVED.with(m.user(), m.robot()));
     state.writer.tryOnce(
         () -> state.store.removeRobot(m.robot(), List.of(event)),
         () -> self.tell(new FloorMessage.RobotRemoved(m)),
@@ -112,7 +115,8 @@ final class OperatorCommandHandler {
     robot.agent.tell(new RobotMessage.Locate(m.pose()));
     Sentence text = Phrase.ROBOT_LOCATED.with(m.user(), m.robot());
     state.addToHistory(
-        new EventRecord(state.clock.instant(), EventKind.ROBOT_LOCATED, null, m.robot(), m.user(), text));
+        new EventRecord(
+            state.clock.instant(), EventKind.ROBOT_LOCATED, null, m.robot(), m.user(), text));
     return new Answer.Accepted<>(reports.view(robot));
   }
 
@@ -136,9 +140,15 @@ final class OperatorCommandHandler {
   private EventRecord holdEvent(FloorMessage.HoldRobot m) {
     return m.hold()
         ? state.historyEvent(
-            EventKind.ROBOT_HELD, m.robot(), m.user(), Phrase.ROBOT_PUT_ON_HOLD.with(m.user(), m.robot()))
+            EventKind.ROBOT_HELD,
+            m.robot(),
+            m.user(),
+            Phrase.ROBOT_PUT_ON_HOLD.with(m.user(), m.robot()))
         : state.historyEvent(
-            EventKind.ROBOT_RESUMED, m.robot(), m.user(), Phrase.ROBOT_LET_GO_ON.with(m.user(), m.robot()));
+            EventKind.ROBOT_RESUMED,
+            m.robot(),
+            m.user(),
+            Phrase.ROBOT_LET_GO_ON.with(m.user(), m.robot()));
   }
 
   void sendHome(FloorMessage.SendHome m) {

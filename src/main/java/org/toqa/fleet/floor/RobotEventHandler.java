@@ -157,9 +157,7 @@ final class RobotEventHandler {
   /** Tells the history whom the robot did not let in; of many, a few. */
   private void recordStrangers(FloorRobot robot) {
     Optional<Fault> refusal =
-        robot.reported.report().errors().stream()
-            .filter(e -> e.code().equals(REFUSED))
-            .findFirst();
+        robot.reported.report().errors().stream().filter(e -> e.code().equals(REFUSED)).findFirst();
     Instant notedAt = robot.reported.strangerNotedAt();
     if (refusal.isPresent() && !notedAt.plus(STRANGERS_INTERVAL).isAfter(state.now)) {
       robot.reported.setStrangerNotedAt(state.now);

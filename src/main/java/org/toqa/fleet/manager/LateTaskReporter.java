@@ -65,6 +65,7 @@ final class LateTaskReporter {
         .check(task, forecast.earliestDelivery(task, fleet.robotsOn(floor), here), at)
         .map(
             sentence ->
-                new EventRecord(at, EventKind.TASK_LATE, task.id(), null, EventRecord.SYSTEM, sentence));
+                new EventRecord(
+                    at, EventKind.TASK_LATE, task.id(), null, EventRecord.SYSTEM, sentence));
   }
 }

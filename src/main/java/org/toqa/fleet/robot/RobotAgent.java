@@ -169,7 +169,8 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   /** What it drives then is its leader's affair, so its own trajectory is empty. */
   private void follow(RobotMessage.Follow m) {
-    StoredDrive next = new StoredDrive(++seq, m.task(), Phase.TO_GOAL, new Trajectory(m.pose(), List.of()));
+    StoredDrive next =
+        new StoredDrive(++seq, m.task(), Phase.TO_GOAL, new Trajectory(m.pose(), List.of()));
     storeThenSend(
         next,
         new ServerMessage.Follow(

@@ -21,7 +21,7 @@ import org.toqa.wording.Sentence;
 public sealed interface RobotMessage {
 
   /**
-   * Drive this way.
+   * Drive this trajectory.
    *
    * @param released so many segments of it for now
    * @param last whether it ends the phase

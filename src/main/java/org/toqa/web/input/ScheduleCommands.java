@@ -117,7 +117,9 @@ public final class ScheduleCommands {
   public void delete(Schedule schedule, Caller user) {
     services
         .schedules()
-        .delete(schedule.id(), events(schedule, user, EventKind.SCHEDULE_DELETED, Phrase.SCHEDULE_DELETED));
+        .delete(
+            schedule.id(),
+            events(schedule, user, EventKind.SCHEDULE_DELETED, Phrase.SCHEDULE_DELETED));
   }
 
   private List<EventRecord> events(Schedule schedule, Caller user, EventKind kind, Phrase done) {
