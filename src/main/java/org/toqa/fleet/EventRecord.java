@@ -12,7 +12,7 @@ import org.toqa.wording.Sentence;
 /**
  * One line of the history.
  *
- * @param kind a word for programs, such as {@code task.carrying}
+ * @param kind the text of an {@link EventKind}, or of one that an earlier version knew
  * @param task the task it concerns, if any
  * @param robot the robot it concerns, if any
  * @param who a user's name, or {@code toqa}
@@ -31,6 +31,16 @@ public record EventRecord(
   /** Who acts when no person does. */
   public static final String SYSTEM = "toqa";
 
+  public EventRecord(
+      Instant at,
+      EventKind kind,
+      @Nullable Long task,
+      @Nullable String robot,
+      String who,
+      Sentence sentence) {
+    this(at, kind.text(), task, robot, who, sentence);
+  }
+
   /** In English. */
   public String text() {
     String text = sentence.english();
@@ -45,7 +55,7 @@ public record EventRecord(
   public static EventRecord added(TransportTask task) {
     return new EventRecord(
         task.createdAt(),
-        "task.added",
+        EventKind.TASK_ADDED,
         task.id(),
         null,
         task.user(),
@@ -57,8 +67,9 @@ public record EventRecord(
     String robot = event instanceof MissionEvent.OfRobot e ? e.robot() : null;
     String who = event instanceof MissionEvent.OperatorCommand command ? command.user() : SYSTEM;
     long task = step.mission().id();
+    EventKind kind = EventKind.of(event);
     return step.history().stream()
-        .map(said -> new EventRecord(at, event.kind(), task, robot, who, said))
+        .map(said -> new EventRecord(at, kind, task, robot, who, said))
         .toList();
   }
 }

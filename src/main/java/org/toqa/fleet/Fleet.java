@@ -9,11 +9,13 @@ import org.toqa.grid.FloorMap;
 import org.toqa.mission.MissionEvent;
 
 /**
- * The fleet's door for its users: wishes go in, stored answers come back, snapshots show the rest.
+ * The fleet as its users see it: orders and commands go in, stored answers come back, snapshots
+ * show the rest.
  *
  * <ol>
- *   <li>A wish is checked against floors and robots; a refusal is a value with a sentence.
- *   <li>An accepted wish is stored before its answer completes, so it survives a crash from then
+ *   <li>An order or command is checked against floors and robots; a refusal is a value with a
+ *       sentence.
+ *   <li>What is accepted is stored before its answer completes, so it survives a crash from then
  *       on.
  *   <li>What becomes of it is seen in {@link #snapshots}.
  * </ol>

@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Mission;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TransportTask;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
@@ -103,7 +104,7 @@ public interface FleetStore {
 
   /**
    * @param task its id is not known yet
-   * @param idempotencyKey names this wish, so that it can be withdrawn
+   * @param idempotencyKey names this submission, so that it can be withdrawn
    */
   record Submission(TransportTask task, UUID idempotencyKey) {}
 
@@ -118,5 +119,5 @@ public interface FleetStore {
    * @param seq of the robot link
    * @param task null when it drives for no task
    */
-  record StoredDrive(long seq, @Nullable Long task, int phase, Trajectory trajectory) {}
+  record StoredDrive(long seq, @Nullable Long task, Phase phase, Trajectory trajectory) {}
 }

@@ -7,6 +7,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.trust.Fingerprint;
+import org.toqa.mission.Phase;
 import org.toqa.wording.Sentence;
 
 /**
@@ -16,11 +17,11 @@ import org.toqa.wording.Sentence;
  *     stand there any more
  * @param battery 0 to 1; null while it was never heard of
  * @param task the task it works for, if any
- * @param phase 0 parked or going home without a task, else the phase it is in
+ * @param phase of its task that it is in
  * @param footprint diameter in metres
  * @param speed metres a second at which it drives straight on
- * @param path the rest of its way as a line, map frame; empty when it stands
- * @param released how many points of {@code route} it may already drive to
+ * @param path the rest of its path as a line, metres, map frame; empty when it stands
+ * @param released how many points of {@code path} it may already drive to
  * @param held whether it shall hold: by a person's word, for its task, or since all are paused
  * @param charger the charging point that it charges at, drives to or waits for; null: none
  * @param fingerprint of the certificate that pairing recorded; null: the link is not encrypted
@@ -33,7 +34,7 @@ public record RobotView(
     @Nullable Pose pose,
     @Nullable Double battery,
     @Nullable Long task,
-    int phase,
+    Phase phase,
     double maxLoad,
     double footprint,
     double speed,

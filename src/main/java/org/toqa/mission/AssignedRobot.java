@@ -3,21 +3,21 @@ package org.toqa.mission;
 /**
  * A robot's part in a mission.
  *
- * @param phase 1 to the object, 2 to the goal, 3 home
+ * @param phase the one that it is in
  * @param arrived whether it has ended that phase
  * @param unassigned whether it works for this mission no longer: parked, failed, or on another task
  */
-public record AssignedRobot(String robot, int phase, boolean arrived, boolean unassigned) {
+public record AssignedRobot(String robot, Phase phase, boolean arrived, boolean unassigned) {
 
   static AssignedRobot of(String robot) {
-    return new AssignedRobot(robot, 1, false, false);
+    return new AssignedRobot(robot, Phase.TO_OBJECT, false, false);
   }
 
   AssignedRobot withArrived() {
     return new AssignedRobot(robot, phase, true, unassigned);
   }
 
-  AssignedRobot withPhase(int next) {
+  AssignedRobot withPhase(Phase next) {
     return new AssignedRobot(robot, next, false, unassigned);
   }
 

@@ -62,7 +62,7 @@ public record Mission(
             .withState(TaskState.ASSIGNED)
             .withTrouble(null);
     return mission.step(
-        mission.driveCommands(1), Phrase.GIVEN_TO.with(Sentence.names(robots), why));
+        mission.driveCommands(Phase.TO_OBJECT), Phrase.GIVEN_TO.with(Sentence.names(robots), why));
   }
 
   public long id() {
@@ -86,8 +86,8 @@ public record Mission(
   }
 
   /**
-   * Where the load stands if that is neither its start nor its goal; null too while it is on its
-   * way.
+   * Where the load stands if that is neither its start nor its goal; null too while it is
+   * carried.
    */
   public @Nullable TaskPlace loadAt() {
     if (state != TaskState.CARRYING) {
@@ -163,11 +163,11 @@ public record Mission(
   }
 
   /** The phase that the robot is in for it. */
-  int phaseOf(String robot) {
-    return assignedRobot(robot).map(AssignedRobot::phase).orElse(0);
+  Phase phaseOf(String robot) {
+    return assignedRobot(robot).map(AssignedRobot::phase).orElse(Phase.NONE);
   }
 
-  List<MissionCommand> driveCommands(int phase) {
+  List<MissionCommand> driveCommands(Phase phase) {
     List<MissionCommand> commands = new ArrayList<>();
     for (AssignedRobot c : assignedRobots) {
       if (c.isDriving()) {

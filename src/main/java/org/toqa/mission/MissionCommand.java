@@ -5,8 +5,8 @@ public sealed interface MissionCommand {
 
   String robot();
 
-  /** Send the robot its way for the phase: 1 to the object, 2 to the goal, 3 home. */
-  record Drive(String robot, int phase) implements MissionCommand {}
+  /** Let the robot drive the phase. */
+  record Drive(String robot, Phase phase) implements MissionCommand {}
 
   /** Let the robot come to a stand where it is, and set the load down. */
   record Stop(String robot) implements MissionCommand {}

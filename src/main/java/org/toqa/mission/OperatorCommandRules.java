@@ -77,7 +77,7 @@ final class OperatorCommandRules {
       case HERE -> ending.step(stopCommands(ending), Phrase.CANCELLED_LOAD_HERE.with(event.user()));
       case BACK ->
           ending.step(
-              ending.driveCommands(2),
+              ending.driveCommands(Phase.TO_GOAL),
               Phrase.CANCELLED_LOAD_BACK.with(event.user(), mission.task().start().sentence()));
     };
   }
@@ -106,7 +106,9 @@ final class OperatorCommandRules {
   /** Robots that had arrived somewhere drive anew. */
   private static Mission withRobotsDriving(Mission mission) {
     return mission.withAssignedRobots(
-        mission.assignedRobots().stream().map(c -> c.unassigned() ? c : c.withPhase(2)).toList());
+        mission.assignedRobots().stream()
+            .map(c -> c.unassigned() ? c : c.withPhase(Phase.TO_GOAL))
+            .toList());
   }
 
   private static List<MissionCommand> stopCommands(Mission mission) {

@@ -9,7 +9,7 @@ final class PhaseRules {
   private PhaseRules() {}
 
   static Mission.Step onDriveStarted(Mission mission, MissionEvent.DriveStarted event) {
-    if (mission.state() != TaskState.ASSIGNED || event.phase() != 1) {
+    if (mission.state() != TaskState.ASSIGNED || event.phase() != Phase.TO_OBJECT) {
       return mission.unchangedStep();
     }
     return mission
@@ -25,14 +25,14 @@ final class PhaseRules {
     Mission arrived = withoutTroubleOf(event.robot(), mission);
     arrived = arrived.withRobotChanged(event.robot(), AssignedRobot::withArrived);
     return switch (event.phase()) {
-      case 1 -> arriveAtObject(arrived, Phrase.IS_AT_LOAD.with(event.robot()));
-      case 2 -> arriveAtDestination(arrived, event.robot());
-      default -> arrived.unassign(event.robot(), Phrase.HAS_PARKED.with(event.robot()));
+      case TO_OBJECT -> arriveAtObject(arrived, Phrase.IS_AT_LOAD.with(event.robot()));
+      case TO_GOAL -> arriveAtDestination(arrived, event.robot());
+      case HOME, NONE -> arrived.unassign(event.robot(), Phrase.HAS_PARKED.with(event.robot()));
     };
   }
 
   static Mission.Step onRetasked(Mission mission, MissionEvent.Retasked event) {
-    return mission.phaseOf(event.robot()) == 3
+    return mission.phaseOf(event.robot()) == Phase.HOME
         ? mission.unassign(event.robot(), Phrase.TOOK_ANOTHER.with(event.robot()))
         : mission.unchangedStep();
   }
@@ -47,7 +47,7 @@ final class PhaseRules {
         .step(
             List.of(
                 new MissionCommand.Unassign(event.robot()),
-                new MissionCommand.Drive(event.newRobot(), 1)),
+                new MissionCommand.Drive(event.newRobot(), Phase.TO_OBJECT)),
             Phrase.GIVEN_INSTEAD.with(event.newRobot(), event.robot(), event.why()));
   }
 
@@ -73,9 +73,9 @@ final class PhaseRules {
       return mission.withState(TaskState.TO_OBJECT).step(List.of(), one);
     }
     Mission carrying =
-        mission.withAssignedRobots(inPhase(mission, 2)).withState(TaskState.CARRYING);
+        mission.withAssignedRobots(inPhase(mission, Phase.TO_GOAL)).withState(TaskState.CARRYING);
     return carrying.step(
-        carrying.driveCommands(2),
+        carrying.driveCommands(Phase.TO_GOAL),
         sentences(mission, one, Phrase.PICKED_UP.with(mission.object().sentence())));
   }
 
@@ -95,12 +95,12 @@ final class PhaseRules {
     }
     Mission returning =
         mission
-            .withAssignedRobots(inPhase(mission, 3))
+            .withAssignedRobots(inPhase(mission, Phase.HOME))
             .withState(TaskState.RETURNING)
             .withLoadAt(null)
             .withTrouble(null);
     return returning.step(
-        returning.driveCommands(3), sentences(mission, one, Phrase.DELIVERED.with(where)));
+        returning.driveCommands(Phase.HOME), sentences(mission, one, Phrase.DELIVERED.with(where)));
   }
 
   private static Mission withoutTroubleOf(String robot, Mission mission) {
@@ -112,7 +112,7 @@ final class PhaseRules {
     return mission.assignedRobots().stream().allMatch(c -> c.arrived() || c.unassigned());
   }
 
-  private static List<AssignedRobot> inPhase(Mission mission, int phase) {
+  private static List<AssignedRobot> inPhase(Mission mission, Phase phase) {
     return mission.assignedRobots().stream()
         .map(c -> c.unassigned() ? c : c.withPhase(phase))
         .toList();

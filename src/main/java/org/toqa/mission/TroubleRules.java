@@ -15,7 +15,7 @@ final class TroubleRules {
   private TroubleRules() {}
 
   static Mission.Step onRobotLost(Mission mission, MissionEvent.RobotLost event) {
-    return mission.phaseOf(event.robot()) == 3
+    return mission.phaseOf(event.robot()) == Phase.HOME
         ? mission.unchangedStep()
         : ask(
             mission,
@@ -40,13 +40,13 @@ final class TroubleRules {
   static Mission.Step onChargingRequired(Mission mission, MissionEvent.ChargingRequired event) {
     Sentence sentence = Phrase.MUST_CHARGE_SINCE.with(event.robot(), event.why());
     return switch (mission.phaseOf(event.robot())) {
-      case 1 ->
+      case TO_OBJECT ->
           requeue(
               mission,
               new Trouble(event.robot(), Phrase.MUST_CHARGE.with(), null, false),
               Phrase.ANOTHER_LOOKED_FOR.with(sentence));
-      case 2 -> mission.unchangedStep();
-      default -> mission.unassign(event.robot(), sentence);
+      case TO_GOAL -> mission.unchangedStep();
+      case HOME, NONE -> mission.unassign(event.robot(), sentence);
     };
   }
 
@@ -113,9 +113,10 @@ final class TroubleRules {
 
   private static Mission.Step stopWorking(Mission mission, Trouble trouble) {
     return switch (mission.phaseOf(trouble.robot())) {
-      case 1 -> requeue(mission, trouble, Phrase.ANOTHER_LOOKED_FOR.with(trouble.sentence()));
-      case 2 -> ask(mission, trouble);
-      default -> mission.unassign(trouble.robot(), trouble.sentence());
+      case TO_OBJECT ->
+          requeue(mission, trouble, Phrase.ANOTHER_LOOKED_FOR.with(trouble.sentence()));
+      case TO_GOAL -> ask(mission, trouble);
+      case HOME, NONE -> mission.unassign(trouble.robot(), trouble.sentence());
     };
   }
 

@@ -19,6 +19,7 @@ import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.link.trust.Fingerprint;
+import org.toqa.mission.Phase;
 import org.toqa.motion.Trajectory;
 
 /** How values stand in columns, and which records are read from rows by the names of columns. */
@@ -42,6 +43,9 @@ final class DatabaseTypes {
           String hex = row.getString(column);
           return hex == null ? null : new Fingerprint(hex);
         });
+    jdbi.registerArgument(argument(Phase.class, Types.INTEGER, Phase::number));
+    jdbi.registerColumnMapper(
+        Phase.class, (row, column, context) -> Phase.stored(row.getInt(column)));
     jdbi.registerArgument(argument(Trajectory.class, Types.VARCHAR, TrajectoryJson::write));
     jdbi.registerColumnMapper(
         Trajectory.class, (row, column, context) -> TrajectoryJson.read(row.getString(column)));

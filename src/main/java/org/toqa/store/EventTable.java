@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.Objects;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.statement.PreparedBatch;
+import org.jdbi.v3.core.statement.StatementContext;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.wording.Sentence;
 
@@ -47,7 +49,7 @@ final class EventTable {
   }
 
   /** What somebody did with a user. */
-  static void addAccountEvent(Handle h, Instant at, String kind, String by, Sentence said) {
+  static void addAccountEvent(Handle h, Instant at, EventKind kind, String by, Sentence said) {
     addAll(h, List.of(new EventRecord(at, kind, null, null, by, said)));
   }
 

@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
+import org.toqa.fleet.EventKind;
 import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -97,7 +98,7 @@ public final class JdbiAccountStore implements AccountStore {
           sql.inTransaction(
               handle -> {
                 Account account = insert(handle, name, email, passwordHash, role);
-                recordEvent(handle, "user.added", by, Phrase.USER_ADDED.with(by, name));
+                recordEvent(handle, EventKind.USER_ADDED, by, Phrase.USER_ADDED.with(by, name));
                 return account;
               }));
     } catch (StoreException e) {
@@ -109,7 +110,7 @@ public final class JdbiAccountStore implements AccountStore {
     }
   }
 
-  private void recordEvent(Handle handle, String kind, String by, Sentence said) {
+  private void recordEvent(Handle handle, EventKind kind, String by, Sentence said) {
     EventTable.addAccountEvent(handle, clock.instant(), kind, by, said);
   }
 
@@ -131,7 +132,10 @@ public final class JdbiAccountStore implements AccountStore {
           }
           handle.execute("delete from users where id = ?", id);
           recordEvent(
-              handle, "user.deleted", by, Phrase.USER_DELETED.with(by, account.get().name()));
+              handle,
+              EventKind.USER_DELETED,
+              by,
+              Phrase.USER_DELETED.with(by, account.get().name()));
           return ChangeResult.DONE;
         });
   }
@@ -151,7 +155,8 @@ public final class JdbiAccountStore implements AccountStore {
           handle.execute(
               "update users set role = ?, disabled = ? where id = ?", role.name(), disabled, id);
           if (role != old.role() || disabled != old.disabled()) {
-            recordEvent(handle, "user.changed", by, changeSentence(old, role, disabled, by));
+            recordEvent(
+                handle, EventKind.USER_CHANGED, by, changeSentence(old, role, disabled, by));
           }
           return ChangeResult.DONE;
         });
@@ -177,7 +182,10 @@ public final class JdbiAccountStore implements AccountStore {
           }
           AccountTable.setPassword(handle, id, passwordHash);
           recordEvent(
-              handle, "user.password", by, Phrase.PASSWORD_CHANGED.with(by, account.get().name()));
+              handle,
+              EventKind.USER_PASSWORD,
+              by,
+              Phrase.PASSWORD_CHANGED.with(by, account.get().name()));
           return true;
         });
   }
@@ -194,7 +202,10 @@ public final class JdbiAccountStore implements AccountStore {
                     handle.execute("update users set email = ? where id = ?", email, id);
                     handle.execute("delete from password_resets where user_id = ?", id);
                     recordEvent(
-                        handle, "user.changed", by, Phrase.EMAIL_CHANGED.with(by, old.name()));
+                        handle,
+                        EventKind.USER_CHANGED,
+                        by,
+                        Phrase.EMAIL_CHANGED.with(by, old.name()));
                   });
           return found.isPresent();
         });

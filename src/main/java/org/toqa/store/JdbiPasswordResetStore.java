@@ -9,6 +9,7 @@ import org.jdbi.v3.core.Jdbi;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.PasswordResetStore;
 import org.toqa.accounts.Secret;
+import org.toqa.fleet.EventKind;
 import org.toqa.wording.Phrase;
 
 /**
@@ -37,7 +38,7 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
               Secret.hash(secret),
               now.plus(life));
           EventTable.addAccountEvent(
-              handle, now, "user.reset", by, Phrase.PASSWORD_LINK_MADE.with(user.name()));
+              handle, now, EventKind.USER_RESET, by, Phrase.PASSWORD_LINK_MADE.with(user.name()));
           return secret;
         });
   }
@@ -62,7 +63,11 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
           String name = user.get().name();
           AccountTable.setPassword(handle, user.get().id(), passwordHash);
           EventTable.addAccountEvent(
-              handle, clock.instant(), "user.password", name, Phrase.PASSWORD_REPLACED.with(name));
+              handle,
+              clock.instant(),
+              EventKind.USER_PASSWORD,
+              name,
+              Phrase.PASSWORD_REPLACED.with(name));
           return true;
         });
   }

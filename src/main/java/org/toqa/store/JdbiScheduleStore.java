@@ -15,6 +15,7 @@ import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
@@ -93,7 +94,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
   private static EventRecord added(Schedule schedule, long id) {
     return new EventRecord(
         schedule.createdAt(),
-        "schedule.added",
+        EventKind.SCHEDULE_ADDED,
         null,
         null,
         schedule.user(),

@@ -16,6 +16,7 @@ import org.toqa.accounts.Session;
 import org.toqa.accounts.Session.Kind;
 import org.toqa.accounts.Session.Origin;
 import org.toqa.accounts.SessionStore;
+import org.toqa.fleet.EventKind;
 import org.toqa.wording.Phrase;
 
 /** Who is logged in, from where, and by which secret. They outlive the server's process. */
@@ -53,7 +54,7 @@ public final class JdbiSessionStore implements SessionStore {
           EventTable.addAccountEvent(
               handle,
               clock.instant(),
-              "user.token",
+              EventKind.USER_TOKEN,
               user.name(),
               Phrase.TOKEN_MADE.with(user.name(), name));
           return insert(handle, user, Kind.TOKEN, name, origin, life);
@@ -98,7 +99,7 @@ public final class JdbiSessionStore implements SessionStore {
             EventTable.addAccountEvent(
                 handle,
                 clock.instant(),
-                "user.session",
+                EventKind.USER_SESSION,
                 by,
                 Phrase.SESSION_ENDED.with(by, user.name()));
           }

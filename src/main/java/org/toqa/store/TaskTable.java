@@ -1,5 +1,8 @@
 package org.toqa.store;
 
+import org.toqa.mission.Phase;
+
+
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -171,7 +174,7 @@ final class TaskTable {
 
   /** A robot's part in a task. */
   record AssignedRobotRow(
-      long task, String robot, int phase, boolean arrived, boolean released) {
+      long task, String robot, Phase phase, boolean arrived, boolean released) {
     AssignedRobot toAssignedRobot() {
       return new AssignedRobot(robot, phase, arrived, released);
     }

@@ -197,7 +197,8 @@ class ExchangeCrashTest {
 
   private static boolean isBy(FleetSnapshot view, long task, String robot, int phase) {
     return view.tasks().stream().anyMatch(t -> t.id() == task && t.robots().equals(List.of(robot)))
-        && view.robots().stream().anyMatch(r -> r.name().equals(robot) && r.phase() == phase);
+        && view.robots().stream()
+            .anyMatch(r -> r.name().equals(robot) && r.phase().number() == phase);
   }
 
   private static boolean isDone(FleetStage stage, long... tasks) {
@@ -218,7 +219,8 @@ class ExchangeCrashTest {
     stage.store.openTasks().stream()
         .flatMap(t -> t.mission().assignedRobots().stream())
         .filter(c -> !c.unassigned())
-        .forEach(c -> phases.merge(c.robot(), List.of(c.phase()), ExchangeCrashTest::both));
+        .forEach(
+            c -> phases.merge(c.robot(), List.of(c.phase().number()), ExchangeCrashTest::both));
     assertTrue(phases.values().stream().allMatch(p -> p.size() <= 1), phases::toString);
     Map<String, String> expected =
         phases.entrySet().stream().collect(toMap(Map.Entry::getKey, e -> row(e.getValue())));

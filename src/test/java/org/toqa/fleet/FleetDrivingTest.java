@@ -1,5 +1,8 @@
 package org.toqa.fleet;
 
+import org.toqa.mission.Phase;
+
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
@@ -77,7 +80,7 @@ class FleetDrivingTest extends HallFleetTest {
     reopenWith("r3", DOOR, null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
 
-    assertEquals(0, accepted(stage.fleet.sendHome("r2", "Max")).phase());
+    assertEquals(Phase.NONE, accepted(stage.fleet.sendHome("r2", "Max")).phase());
     assertInstanceOf(Answer.Conflict.class, answer(stage.fleet.sendHome("r3", "Max")));
     assertInstanceOf(Answer.Unknown.class, answer(stage.fleet.sendHome("r9", "Max")));
 

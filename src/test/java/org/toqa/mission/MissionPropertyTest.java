@@ -131,22 +131,25 @@ class MissionPropertyTest {
       case QUEUED, DONE, CANCELLED -> assertTrue(allReleased, mission::toString);
       case ASSIGNED, TO_OBJECT ->
           assertTrue(
-              mission.assignedRobots().stream().allMatch(c -> c.phase() == 1 && !c.unassigned()),
+              mission.assignedRobots().stream()
+                  .allMatch(c -> c.phase() == Phase.TO_OBJECT && !c.unassigned()),
               mission::toString);
       case CARRYING ->
           assertTrue(
-              mission.assignedRobots().stream().allMatch(c -> c.phase() == 2 && !c.unassigned()),
+              mission.assignedRobots().stream()
+                  .allMatch(c -> c.phase() == Phase.TO_GOAL && !c.unassigned()),
               mission::toString);
       case RETURNING ->
           assertTrue(
-              !allReleased && mission.assignedRobots().stream().allMatch(c -> c.phase() == 3),
+              !allReleased
+                  && mission.assignedRobots().stream().allMatch(c -> c.phase() == Phase.HOME),
               mission::toString);
       case FAILED -> assertFalse(true, "nothing leads there");
     }
     Trouble trouble = mission.trouble();
     if (trouble != null) {
       AssignedRobot assigned = mission.assignedRobot(trouble.robot()).orElseThrow();
-      assertTrue(assigned.phase() < 3 && !assigned.unassigned(), mission::toString);
+      assertTrue(assigned.phase().isCarryingTask() && !assigned.unassigned(), mission::toString);
     }
     if (mission.state().isEnded()) {
       assertFalse(mission.held(), mission::toString);
@@ -161,7 +164,7 @@ class MissionPropertyTest {
   @Provide
   Arbitrary<List<MissionEvent>> events() {
     Arbitrary<String> robots = Arbitraries.of("r1", "r2", "stranger");
-    Arbitrary<Integer> phases = Arbitraries.integers().between(1, 3);
+    Arbitrary<Phase> phases = Arbitraries.of(Phase.TO_OBJECT, Phase.TO_GOAL, Phase.HOME);
     Arbitrary<TaskPlace> places = Arbitraries.just(spot()).injectNull(0.3);
     Arbitrary<MissionEvent> started =
         Combinators.combine(robots, phases).as(MissionEvent.DriveStarted::new);

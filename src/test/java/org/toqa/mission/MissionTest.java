@@ -34,21 +34,21 @@ class MissionTest {
   void oneRobotFetchesCarriesAndParks() {
     Mission.Step step = Mission.queued(TASK).assign(List.of("r1"), Sentence.verbatim("nearest"));
     assertEquals(TaskState.ASSIGNED, step.mission().state());
-    assertEquals(List.of(new MissionCommand.Drive("r1", 1)), step.commands());
+    assertEquals(List.of(new MissionCommand.Drive("r1", Phase.TO_OBJECT)), step.commands());
 
-    step = step.mission().apply(new MissionEvent.DriveStarted("r1", 1));
+    step = step.mission().apply(new MissionEvent.DriveStarted("r1", Phase.TO_OBJECT));
     assertEquals(TaskState.TO_OBJECT, step.mission().state());
 
-    step = step.mission().apply(new MissionEvent.PhaseEnded("r1", 1));
+    step = step.mission().apply(new MissionEvent.PhaseEnded("r1", Phase.TO_OBJECT));
     assertEquals(TaskState.CARRYING, step.mission().state());
-    assertEquals(List.of(new MissionCommand.Drive("r1", 2)), step.commands());
+    assertEquals(List.of(new MissionCommand.Drive("r1", Phase.TO_GOAL)), step.commands());
     assertEquals(List.of("Picked up at Store"), said(step));
 
-    step = step.mission().apply(new MissionEvent.PhaseEnded("r1", 2));
+    step = step.mission().apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL));
     assertEquals(TaskState.RETURNING, step.mission().state());
     assertEquals(List.of("Delivered at (5.00, 2.00)"), said(step));
 
-    step = step.mission().apply(new MissionEvent.PhaseEnded("r1", 3));
+    step = step.mission().apply(new MissionEvent.PhaseEnded("r1", Phase.HOME));
     assertEquals(TaskState.DONE, step.mission().state());
     assertEquals(List.of(new MissionCommand.Unassign("r1")), step.commands());
   }
@@ -57,14 +57,16 @@ class MissionTest {
   void phaseTwoStartsWhenAllRobotsAreAtTheObject() {
     Mission mission =
         Mission.queued(TASK).assign(List.of("r1", "r2"), Sentence.verbatim("heavy")).mission();
-    Mission.Step first = mission.apply(new MissionEvent.PhaseEnded("r1", 1));
+    Mission.Step first = mission.apply(new MissionEvent.PhaseEnded("r1", Phase.TO_OBJECT));
     assertEquals(TaskState.TO_OBJECT, first.mission().state());
     assertTrue(first.commands().isEmpty());
 
-    Mission.Step second = first.mission().apply(new MissionEvent.PhaseEnded("r2", 1));
+    Mission.Step second = first.mission().apply(new MissionEvent.PhaseEnded("r2", Phase.TO_OBJECT));
     assertEquals(TaskState.CARRYING, second.mission().state());
     assertEquals(
-        List.of(new MissionCommand.Drive("r1", 2), new MissionCommand.Drive("r2", 2)),
+        List.of(
+            new MissionCommand.Drive("r1", Phase.TO_GOAL),
+            new MissionCommand.Drive("r2", Phase.TO_GOAL)),
         second.commands());
   }
 
@@ -72,9 +74,9 @@ class MissionTest {
   void robotInPhaseThreeMayTakeTheNextTask() {
     Mission mission =
         Mission.queued(TASK).assign(List.of("r1"), Sentence.verbatim("nearest")).mission();
-    mission = mission.apply(new MissionEvent.PhaseEnded("r1", 1)).mission();
+    mission = mission.apply(new MissionEvent.PhaseEnded("r1", Phase.TO_OBJECT)).mission();
     assertFalse(mission.apply(new MissionEvent.Retasked("r1")).hasChanges());
-    mission = mission.apply(new MissionEvent.PhaseEnded("r1", 2)).mission();
+    mission = mission.apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission();
     assertEquals(TaskState.DONE, mission.apply(new MissionEvent.Retasked("r1")).mission().state());
   }
 
@@ -88,7 +90,7 @@ class MissionTest {
     assertEquals(TaskState.ASSIGNED, step.mission().state());
     assertEquals(List.of("r2"), step.mission().robots());
     assertEquals(
-        List.of(new MissionCommand.Unassign("r1"), new MissionCommand.Drive("r2", 1)),
+        List.of(new MissionCommand.Unassign("r1"), new MissionCommand.Drive("r2", Phase.TO_OBJECT)),
         step.commands());
     assertEquals(List.of("Reassigned to r2 from r1: it is nearer"), said(step));
     assertFalse(step.mission().apply(exchanged).hasChanges(), "repeated");
@@ -105,7 +107,8 @@ class MissionTest {
 
     assertEquals(TaskState.QUEUED, toObject("r1").apply(charges).mission().state());
     assertFalse(carrying("r1").apply(charges).hasChanges());
-    Mission returning = carrying("r1").apply(new MissionEvent.PhaseEnded("r1", 2)).mission();
+    Mission returning =
+        carrying("r1").apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission();
     assertEquals(TaskState.DONE, returning.apply(charges).mission().state());
   }
 
@@ -144,7 +147,7 @@ class MissionTest {
     assertEquals(TaskState.QUEUED, queued.state());
     assertEquals(THERE, queued.object());
     Mission again = queued.assign(List.of("r2"), Sentence.verbatim("free")).mission();
-    again = again.apply(new MissionEvent.PhaseEnded("r2", 1)).mission();
+    again = again.apply(new MissionEvent.PhaseEnded("r2", Phase.TO_OBJECT)).mission();
     assertEquals(TaskState.CARRYING, again.state());
     assertEquals(null, again.loadAt());
   }
@@ -197,17 +200,19 @@ class MissionTest {
     Mission back = mission.apply(new MissionEvent.Cancel("max", LoadChoice.BACK)).mission();
     assertEquals(TASK.start(), back.destination());
     assertEquals(
-        TaskState.CANCELLED, back.apply(new MissionEvent.PhaseEnded("r1", 2)).mission().state());
+        TaskState.CANCELLED,
+        back.apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission().state());
   }
 
   @Example
   void whatIsDeliveredOrEndedIsNotCancelled() {
-    Mission delivered = carrying("r1").apply(new MissionEvent.PhaseEnded("r1", 2)).mission();
+    Mission delivered =
+        carrying("r1").apply(new MissionEvent.PhaseEnded("r1", Phase.TO_GOAL)).mission();
     MissionEvent.Cancel cancel = new MissionEvent.Cancel("max", LoadChoice.HERE);
     assertTrue(delivered.objectionTo(cancel).isPresent());
     assertTrue(
         delivered
-            .apply(new MissionEvent.PhaseEnded("r1", 3))
+            .apply(new MissionEvent.PhaseEnded("r1", Phase.HOME))
             .mission()
             .objectionTo(cancel)
             .isPresent());
@@ -221,11 +226,11 @@ class MissionTest {
     return Mission.queued(TASK)
         .assign(List.of(robot), Sentence.verbatim("nearest"))
         .mission()
-        .apply(new MissionEvent.DriveStarted(robot, 1))
+        .apply(new MissionEvent.DriveStarted(robot, Phase.TO_OBJECT))
         .mission();
   }
 
   private static Mission carrying(String robot) {
-    return toObject(robot).apply(new MissionEvent.PhaseEnded(robot, 1)).mission();
+    return toObject(robot).apply(new MissionEvent.PhaseEnded(robot, Phase.TO_OBJECT)).mission();
   }
 }

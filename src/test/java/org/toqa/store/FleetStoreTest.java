@@ -1,5 +1,8 @@
 package org.toqa.store;
 
+import org.toqa.mission.Phase;
+
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -99,7 +102,7 @@ class FleetStoreTest extends FleetDatabaseTest {
     Mission.Step step =
         Mission.queued(task).assign(List.of("r2", "r1"), Sentence.verbatim("heavy"));
     store.saveMission(step.mission(), AT, List.of());
-    Mission.Step next = step.mission().apply(new MissionEvent.PhaseEnded("r1", 1));
+    Mission.Step next = step.mission().apply(new MissionEvent.PhaseEnded("r1", Phase.TO_OBJECT));
     EventRecord event =
         new EventRecord(AT, "task.at-object", task.id(), "r1", "toqa", Sentence.verbatim("here"));
     store.saveMission(next.mission(), AT.plusMillis(5), List.of(event));
@@ -107,7 +110,7 @@ class FleetStoreTest extends FleetDatabaseTest {
     OpenTask open = store.openTasks().getFirst();
     assertEquals(next.mission(), open.mission());
     assertEquals(
-        List.of(new AssignedRobot("r2", 1, false, false), new AssignedRobot("r1", 1, true, false)),
+        List.of(new AssignedRobot("r2", Phase.TO_OBJECT, false, false), new AssignedRobot("r1", Phase.TO_OBJECT, true, false)),
         open.mission().assignedRobots());
     assertEquals(AT.plusMillis(5), open.changedAt());
     assertEquals(event, store.history(task.id()).getLast());
@@ -169,7 +172,7 @@ class FleetStoreTest extends FleetDatabaseTest {
         new Mission(
             task,
             TaskState.CARRYING,
-            List.of(new AssignedRobot("r1", 2, false, false)),
+            List.of(new AssignedRobot("r1", Phase.TO_GOAL, false, false)),
             true,
             LoadChoice.BACK,
             place,
@@ -181,7 +184,7 @@ class FleetStoreTest extends FleetDatabaseTest {
         new Mission(
             task,
             TaskState.QUEUED,
-            List.of(new AssignedRobot("r2", 1, false, true)),
+            List.of(new AssignedRobot("r2", Phase.TO_OBJECT, false, true)),
             false,
             null,
             null,

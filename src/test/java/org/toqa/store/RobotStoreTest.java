@@ -1,5 +1,8 @@
 package org.toqa.store;
 
+import org.toqa.mission.Phase;
+
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
@@ -116,8 +119,8 @@ class RobotStoreTest extends FleetDatabaseTest {
         new Trajectory(
             new Pose(0.1, 1 / 3.0, -3),
             List.of(new Segment(0.25, 0, 1.2), new Segment(0, 0.5, 0.1)));
-    store.saveDrive("r1", new StoredDrive(4, null, 0, way));
-    StoredDrive second = new StoredDrive(9, 77L, 2, way);
+    store.saveDrive("r1", new StoredDrive(4, null, Phase.NONE, way));
+    StoredDrive second = new StoredDrive(9, 77L, Phase.TO_GOAL, way);
     store.saveDrive("r1", second);
     assertEquals(Optional.of(second), store.drive("r1"));
   }

@@ -1,5 +1,8 @@
 package org.toqa.store;
 
+import org.toqa.mission.Phase;
+
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
@@ -26,7 +29,7 @@ class TaskArchiveTest extends FleetDatabaseTest {
         new Mission(
             first,
             TaskState.DONE,
-            List.of(new AssignedRobot("r1", 3, true, true)),
+            List.of(new AssignedRobot("r1", Phase.HOME, true, true)),
             false,
             null,
             null,

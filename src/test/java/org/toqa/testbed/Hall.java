@@ -1,5 +1,6 @@
 package org.toqa.testbed;
 
+import org.toqa.mission.Phase;
 import java.time.Instant;
 import java.util.BitSet;
 import java.util.List;
@@ -36,7 +37,7 @@ public final class Hall {
         pose,
         pose == null ? null : Double.valueOf(0.84),
         null,
-        0,
+        Phase.NONE,
         5,
         0.255,
         0.25,

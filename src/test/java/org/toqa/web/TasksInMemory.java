@@ -1,5 +1,8 @@
 package org.toqa.web;
 
+import org.toqa.mission.Phase;
+
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -244,7 +247,7 @@ abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArc
   }
 
   private static Mission mission(TaskView view) {
-    int phase = view.state() == TaskState.CARRYING ? 2 : 1;
+    Phase phase = view.state() == TaskState.CARRYING ? Phase.TO_GOAL : Phase.TO_OBJECT;
     List<AssignedRobot> carriers =
         view.robots().stream().map(robot -> new AssignedRobot(robot, phase, false, false)).toList();
     Trouble trouble =

@@ -10,6 +10,7 @@ import org.toqa.allocation.Energy;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.ChargingRules;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -17,6 +18,7 @@ import org.toqa.grid.Place;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Phase;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -115,18 +117,18 @@ final class ChargingDispatcher {
       return Optional.empty();
     }
     Optional<Mission> mission = state.missions.missionOf(robot.name());
-    return switch (mission.map(m -> phase(m, robot)).orElse(0)) {
-      case 1 ->
+    return switch (mission.map(m -> phase(m, robot)).orElse(Phase.NONE)) {
+      case TO_OBJECT ->
           battery < rules.below() && !isBatteryEnoughFor(mission.orElseThrow(), robot, battery)
               ? Optional.of(Phrase.NOT_ENOUGH_FOR_ITS_TASK.with(percent(battery)))
               : Optional.empty();
-      case 2 -> Optional.empty();
-      default -> Optional.ofNullable(dueReason(robot, battery));
+      case TO_GOAL -> Optional.empty();
+      case HOME, NONE -> Optional.ofNullable(dueReason(robot, battery));
     };
   }
 
-  private static int phase(Mission mission, FloorRobot robot) {
-    return mission.assignedRobot(robot.name()).map(AssignedRobot::phase).orElse(0);
+  private static Phase phase(Mission mission, FloorRobot robot) {
+    return mission.assignedRobot(robot.name()).map(AssignedRobot::phase).orElse(Phase.NONE);
   }
 
   private @Nullable Sentence dueReason(FloorRobot robot, double battery) {
@@ -180,11 +182,11 @@ final class ChargingDispatcher {
     List<FloorRobot> ahead = queues.robotsAhead(robot, point);
     if (ahead.isEmpty()) {
       Sentence text = Phrase.ROBOT_DRIVES_TO_CHARGER.with(robot.name(), point.name(), why);
-      saveTurn(robot, "robot.to-charger", text);
+      saveTurn(robot, EventKind.ROBOT_TO_CHARGER, text);
     } else {
       Sentence text =
           Phrase.ROBOT_AWAITS_CHARGER.with(robot.name(), chargerSentence(point, ahead), why);
-      saveTurn(robot, "robot.waits-for-charger", text);
+      saveTurn(robot, EventKind.ROBOT_WAITS_FOR_CHARGER, text);
     }
   }
 
@@ -230,7 +232,7 @@ final class ChargingDispatcher {
       setStatus(robot, Phrase.CHARGES_AT.with(point.name()));
       if (robot.drive.goal() != null) { // else it stood there when the server started
         addToHistory(
-            robot, "robot.charging", Phrase.ROBOT_CHARGES.with(robot.name(), point.name()));
+            robot, EventKind.ROBOT_CHARGING, Phrase.ROBOT_CHARGES.with(robot.name(), point.name()));
       }
     }
     robot.charging.setCharging(isThere);
@@ -251,12 +253,13 @@ final class ChargingDispatcher {
         setStatus(robot, Phrase.STANDS_AT_FAULTY_CHARGER.with(point.name()));
         addToHistory(
             robot,
-            "robot.charger-fails",
+            EventKind.ROBOT_CHARGER_FAILS,
             Phrase.CHARGER_FAILS.with(point.name(), robot.name(), percent(battery)));
       }
       case RECOVERED -> {
         setStatus(robot, Phrase.CHARGES_AT.with(point.name()));
-        addToHistory(robot, "robot.charger-works", Phrase.CHARGER_WORKS_AGAIN.with(point.name()));
+        addToHistory(
+            robot, EventKind.ROBOT_CHARGER_WORKS, Phrase.CHARGER_WORKS_AGAIN.with(point.name()));
       }
       case UNCHANGED -> {}
     }
@@ -287,22 +290,23 @@ final class ChargingDispatcher {
     robot.charging.resetWork();
     endTurn(
         robot,
-        "robot.charged",
+        EventKind.ROBOT_CHARGED,
         Phrase.ROBOT_HAS_CHARGED.with(robot.name(), point.name(), percent(battery)));
   }
 
   private void abandonTurn(FloorRobot robot, Sentence why) {
-    endTurn(robot, "robot.charge-ended", Phrase.ROBOT_CHARGES_NO_MORE.with(robot.name(), why));
+    endTurn(
+        robot, EventKind.ROBOT_CHARGE_ENDED, Phrase.ROBOT_CHARGES_NO_MORE.with(robot.name(), why));
   }
 
-  private void endTurn(FloorRobot robot, String kind, Sentence text) {
+  private void endTurn(FloorRobot robot, EventKind kind, Sentence text) {
     robot.charging.endTurn();
     state.chargers.robotLeft(robot.name());
     robot.drive.dropGoalWithoutTask();
     saveTurn(robot, kind, text);
   }
 
-  private void saveTurn(FloorRobot robot, String kind, Sentence text) {
+  private void saveTurn(FloorRobot robot, EventKind kind, Sentence text) {
     state.changed = true;
     ChargeRecord record = robot.charging.record(robot.name());
     EventRecord event = event(robot, kind, text);
@@ -311,11 +315,11 @@ final class ChargingDispatcher {
         () -> self.tell(new FloorMessage.ChargeStored(robot.name(), record.turn())));
   }
 
-  private void addToHistory(FloorRobot robot, String kind, Sentence text) {
+  private void addToHistory(FloorRobot robot, EventKind kind, Sentence text) {
     state.addToHistory(event(robot, kind, text));
   }
 
-  private EventRecord event(FloorRobot robot, String kind, Sentence text) {
+  private EventRecord event(FloorRobot robot, EventKind kind, Sentence text) {
     return state.historyEvent(kind, robot.name(), EventRecord.SYSTEM, text);
   }
 

@@ -11,7 +11,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Place;
 
-/** Who charges where, who comes next, and when: an estimate from ways and batteries. */
+/** Who charges where, who comes next, and when: an estimate from paths and batteries. */
 final class ChargingQueues {
   /** What a robot that nobody can move is taken to keep a charging point for. */
   private static final double BLOCKED_SECONDS = 3600;
@@ -86,7 +86,9 @@ final class ChargingQueues {
   }
 
   private double driveSeconds(FloorRobot robot, Place point) {
-    return isAt(robot, point) ? 0 : metres(robot, point.position()) / robot.reported.capabilities().speeds().forward();
+    return isAt(robot, point)
+        ? 0
+        : metres(robot, point.position()) / robot.reported.capabilities().speeds().forward();
   }
 
   private double chargeSeconds(FloorRobot robot) {
@@ -99,7 +101,9 @@ final class ChargingQueues {
     return pose == null ? Double.POSITIVE_INFINITY : metres(robot, pose.position(), place);
   }
 
-  /** The length of a robot's way, metres; infinite where there is none. */
+  /**
+   * The length of a robot's path, metres, between places in the map frame; infinite without one.
+   */
   double metres(FloorRobot robot, Vec2 from, Vec2 to) {
     return distances.lengthsFrom(to, robot.reported.footprint()).applyAsDouble(from);
   }

@@ -8,9 +8,7 @@ import org.jspecify.annotations.Nullable;
 final class ConditionTimer {
   private @Nullable Instant since;
 
-  /**
-   * Whether the condition holds now, and has held for so long. To be called once a tick.
-   */
+  /** Whether the condition holds now, and has held for so long. To be called once a tick. */
   boolean update(boolean holds, Duration duration, Instant now) {
     if (!holds) {
       since = null;

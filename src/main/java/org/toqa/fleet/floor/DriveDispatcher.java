@@ -10,12 +10,13 @@ import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.DriveCommand;
 import org.toqa.wording.Sentence;
 
 /** Tells the traffic what each robot is to do, and the robots what the traffic decides. */
 final class DriveDispatcher {
-  /** Who walks across a way is gone again after this; and what is not was looked at all round. */
+  /** Who walks across a path is gone again after this; and what is not was looked at all round. */
   private static final Duration OBSTACLE_PATIENCE = Duration.ofSeconds(5);
 
   /** The robot's word that it stands before something. */
@@ -74,11 +75,12 @@ final class DriveDispatcher {
   /** Whether it only drives out of the way of others; that may end. */
   private static boolean isSteppingAside(FloorRobot robot) {
     DriveOrder order = robot.drive.order();
-    return order.knownGoal() == null && order.storedDrive().filter(d -> d.task() == null).isPresent();
+    return order.knownGoal() == null
+        && order.storedDrive().filter(d -> d.task() == null).isPresent();
   }
 
   /**
-   * Whether it has stood for a while before something on a part of its way that it cannot be told
+   * Whether it has stood for a while before something on a part of its path that it cannot be told
    * otherwise any more: it is stopped, and begins anew round that.
    */
   private boolean updateObstructed(FloorRobot robot) {
@@ -104,7 +106,7 @@ final class DriveDispatcher {
     }
   }
 
-  /** What followed from the end of this errand is being stored, and brings another one. */
+  /** What followed from the end of this drive is being stored, and brings another goal. */
   private boolean isGoalOutdated(FloorRobot robot, @Nullable DriveGoal goal) {
     if (goal == null) {
       return false;
@@ -132,7 +134,7 @@ final class DriveDispatcher {
             .isPresent();
   }
 
-  /** A follower has no way of its own: it is told its place, and its leader does the rest. */
+  /** A follower has no path of its own: it is told its place, and its leader does the rest. */
   private void keepInFormation(FloorRobot robot, Mission mission) {
     boolean isWaiting = robot.drive.isPostponed(state.now);
     if (state.traffic.hasRobot(robot.name())) {
@@ -199,7 +201,7 @@ final class DriveDispatcher {
         robot.agent.tell(
             new RobotMessage.Drive(
                 goal == null ? null : goal.task(),
-                goal == null ? 0 : goal.phase(),
+                goal == null ? Phase.NONE : goal.phase(),
                 begin.trajectory(),
                 begin.released(),
                 begin.endsAtGoal(),

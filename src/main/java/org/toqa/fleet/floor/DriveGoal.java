@@ -5,22 +5,24 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
+import org.toqa.mission.Phase;
 
 /**
  * A phase that a robot shall drive.
  *
- * @param task null when it drives home or to a charger, in phase 0
+ * @param task null when it drives home or to a charger
  * @param goal metres, map frame
  * @param heading how it shall face there, radians, counter-clockwise, map frame; null: in any way
  * @param load kilograms that it has on board
  */
-record DriveGoal(@Nullable Long task, int phase, Vec2 goal, @Nullable Double heading, double load) {
+record DriveGoal(
+    @Nullable Long task, Phase phase, Vec2 goal, @Nullable Double heading, double load) {
   static DriveGoal toParking(Vec2 parking) {
-    return new DriveGoal(null, 0, parking, null, 0);
+    return new DriveGoal(null, Phase.NONE, parking, null, 0);
   }
 
   static DriveGoal toCharger(Vec2 point) {
-    return new DriveGoal(null, 0, point, null, 0);
+    return new DriveGoal(null, Phase.NONE, point, null, 0);
   }
 
   /**
@@ -29,14 +31,15 @@ record DriveGoal(@Nullable Long task, int phase, Vec2 goal, @Nullable Double hea
    * @param home its parking point
    */
   static DriveGoal of(Mission mission, String robot, Optional<Vec2> home) {
-    int phase = mission.assignedRobot(robot).map(AssignedRobot::phase).orElse(3);
+    Phase phase = mission.assignedRobot(robot).map(AssignedRobot::phase).orElse(Phase.HOME);
     Vec2 goal =
         switch (phase) {
-          case 1 -> mission.object().position();
-          case 2 -> mission.destination().position();
-          default -> home.orElse(mission.task().goal().position());
+          case TO_OBJECT -> mission.object().position();
+          case TO_GOAL -> mission.destination().position();
+          case HOME, NONE -> home.orElse(mission.task().goal().position());
         };
-    double load = phase == 2 ? mission.task().load() / mission.assignedRobots().size() : 0;
+    double load =
+        phase == Phase.TO_GOAL ? mission.task().load() / mission.assignedRobots().size() : 0;
     return new DriveGoal(mission.id(), phase, goal, null, load);
   }
 }

@@ -13,7 +13,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.DistanceField;
 
 /**
- * The lengths of ways on a floor by its map: the planner's distances, one field for each place and
+ * The lengths of paths on a floor by its map: the planner's distances, one field for each place and
  * size of robot, the last ones kept. Any thread may ask.
  */
 public final class FloorDistances implements PathLengths {

@@ -10,6 +10,7 @@ import java.util.Set;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.MissionChange;
 import org.toqa.fleet.FleetStore.OpenTask;
@@ -61,9 +62,14 @@ final class FloorMissions {
             .map(
                 text ->
                     new EventRecord(
-                        at, "task.assigned", m.mission().id(), null, EventRecord.SYSTEM, text))
+                        at,
+                        EventKind.TASK_ASSIGNED,
+                        m.mission().id(),
+                        null,
+                        EventRecord.SYSTEM,
+                        text))
             .toList());
-    reports.send(); // first, so that the task is in every picture
+    reports.send(); // first, so that the task is in every snapshot
     manager.tell(new FloorEvent.TaskBegun(m.mission().id()));
   }
 
@@ -127,7 +133,7 @@ final class FloorMissions {
         .missions
         .missionOf(robot)
         .flatMap(mission -> mission.assignedRobot(robot))
-        .filter(carrier -> carrier.phase() < 3)
+        .filter(assigned -> assigned.phase().isCarryingTask())
         .isPresent();
   }
 

@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.fleet.RobotCondition;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -14,6 +15,7 @@ import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.trust.Fingerprint;
+import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.RemainingPath;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -84,10 +86,7 @@ final class FloorRobot {
 
   /** In service, hears, knows where it is, and is well. */
   boolean isFit() {
-    return settings.isInService()
-        && isHeard()
-        && reported.report().localised()
-        && reported.mode() != Mode.ERROR;
+    return state().isFit();
   }
 
   /** What it shall drive now, if it is in service. */
@@ -102,8 +101,7 @@ final class FloorRobot {
 
   boolean isStanding() {
     boolean stands =
-        reported.mode() == Mode.IDLE
-            || (reported.mode() == Mode.HOLDING && !reported.isMoving());
+        reported.mode() == Mode.IDLE || (reported.mode() == Mode.HOLDING && !reported.isMoving());
     return stands && hasNoDrive();
   }
 
@@ -134,24 +132,15 @@ final class FloorRobot {
   }
 
   RobotState state() {
-    if (!settings.isInService()) {
-      return RobotState.OUT_OF_SERVICE;
-    }
-    if (reported.report().at() == null) {
-      return RobotState.CONNECTING;
-    }
-    if (!isHeard()) {
-      return RobotState.LOST;
-    }
-    if (!reported.report().localised()) {
-      return RobotState.NOT_LOCALISED;
-    }
-    return switch (reported.mode()) {
-      case IDLE -> charging.isCharging() ? RobotState.CHARGING : RobotState.IDLE;
-      case DRIVING, FOLLOWING -> RobotState.DRIVING;
-      case HOLDING -> RobotState.HOLDING;
-      case ERROR -> RobotState.ERROR;
-    };
+    RobotReport report = reported.report();
+    return new RobotCondition(
+            settings.isInService(),
+            report.at() != null,
+            isHeard(),
+            report.localised(),
+            report.mode(),
+            charging.isCharging())
+        .state();
   }
 
   /**
@@ -165,7 +154,7 @@ final class FloorRobot {
         reported.pose(),
         reported.battery(),
         work == null ? null : work.task(),
-        work == null ? 0 : work.phase(),
+        work == null ? Phase.NONE : work.phase(),
         maxLoad(),
         reported.footprint(),
         reported.capabilities().speeds().forward(),
@@ -247,13 +236,14 @@ final class FloorRobot {
       return Sentence.verbatim(reason);
     }
     Long task = work.task();
-    if (task == null || work.phase() == 0) {
+    if (task == null) {
       return Phrase.DRIVES_HOME.with();
     }
     return switch (work.phase()) {
-      case 1 -> Phrase.DRIVES_TO_LOAD.with(task);
-      case 2 -> Phrase.CARRIES_LOAD.with(task);
-      default -> Phrase.DRIVES_HOME_FROM.with(task);
+      case NONE -> Phrase.DRIVES_HOME.with();
+      case TO_OBJECT -> Phrase.DRIVES_TO_LOAD.with(task);
+      case TO_GOAL -> Phrase.CARRIES_LOAD.with(task);
+      case HOME -> Phrase.DRIVES_HOME_FROM.with(task);
     };
   }
 }

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
@@ -88,7 +89,7 @@ public final class FloorState {
   }
 
   /** A line for the history of the robot and of the task that it works for. */
-  EventRecord historyEvent(String kind, String robot, String who, Sentence text) {
+  EventRecord historyEvent(EventKind kind, String robot, String who, Sentence text) {
     Long task = missions.missionOf(robot).map(Mission::id).orElse(null);
     return new EventRecord(clock.instant(), kind, task, robot, who, text);
   }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
@@ -31,7 +32,7 @@ final class FloorWatch {
   private final StandstillTracker standstills;
 
   /** A line for the history of a robot and of the task that it has. */
-  record HistoryLine(String kind, String robot, Sentence text) {}
+  record HistoryLine(EventKind kind, String robot, Sentence text) {}
 
   FloorWatch(FloorMap floor, FloorTraffic traffic) {
     this.floor = floor;
@@ -59,7 +60,9 @@ final class FloorWatch {
         .map(
             obstacle ->
                 new HistoryLine(
-                    "floor.obstacle", robot, Phrase.SEES_OBSTACLE.with(robot, sentence(obstacle))))
+                    EventKind.FLOOR_OBSTACLE,
+                    robot,
+                    Phrase.SEES_OBSTACLE.with(robot, sentence(obstacle))))
         .toList();
   }
 
@@ -79,7 +82,7 @@ final class FloorWatch {
         .map(
             obstacle ->
                 new HistoryLine(
-                    "floor.obstacle-gone",
+                    EventKind.FLOOR_OBSTACLE_GONE,
                     obstacle.seenBy(),
                     Phrase.OBSTACLE_GONE.with(sentence(obstacle))))
         .toList();
@@ -100,11 +103,12 @@ final class FloorWatch {
     for (StandstillView begun : change.begun()) {
       begun
           .robots()
-          .forEach(r -> remarks.add(new HistoryLine("traffic.standstill", r, begun.text())));
+          .forEach(
+              r -> remarks.add(new HistoryLine(EventKind.TRAFFIC_STANDSTILL, r, begun.text())));
     }
     for (StandstillView over : change.ended()) {
       Sentence text = StandstillTracker.endSentence(over);
-      over.robots().forEach(r -> remarks.add(new HistoryLine("traffic.resolved", r, text)));
+      over.robots().forEach(r -> remarks.add(new HistoryLine(EventKind.TRAFFIC_RESOLVED, r, text)));
     }
     return remarks;
   }

@@ -21,7 +21,7 @@ import org.toqa.traffic.mapf.LacamJointPlanner;
 
 /**
  * Finds places round a load where all its robots can stand: {@link Shape#around}, turned east,
- * north, west or south until every place is clear of walls and the group has a way to the goal,
+ * north, west or south until every place is clear of walls and the group has a path to the goal,
  * each place moved to the middle of a cell so that no two robots touch the same one. A function of
  * its arguments: a restarted server finds the same. Confined to one thread.
  */
@@ -53,7 +53,7 @@ final class FormationPlacement {
    * @param object where the load is, metres, map frame
    * @param goal where it is carried, metres, map frame
    * @param radius of the largest robot, metres
-   * @return empty where there is no room for them or no way, whichever way the load faces
+   * @return empty where there is no room for them or no path, wherever the load faces
    */
   Optional<Formation> find(
       Vec2 object, Vec2 goal, int robots, @Nullable LoadSize requestedSize, double radius) {

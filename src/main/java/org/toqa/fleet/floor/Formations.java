@@ -13,6 +13,7 @@ import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.wording.Phrase;
@@ -67,11 +68,11 @@ final class Formations {
   DriveGoal driveGoal(Mission mission, String robot) {
     DriveGoal goal = DriveGoal.of(mission, robot, state.parkingPoint(robot));
     Optional<Formation> formation = of(mission);
-    if (goal.phase() != 1 || formation.isEmpty()) {
+    if (goal.phase() != Phase.TO_OBJECT || formation.isEmpty()) {
       return goal;
     }
     Pose place = formation.get().pose(index(mission, robot));
-    return new DriveGoal(goal.task(), 1, place.position(), place.theta(), 0);
+    return new DriveGoal(goal.task(), Phase.TO_OBJECT, place.position(), place.theta(), 0);
   }
 
   private static int index(Mission mission, String robot) {
@@ -152,8 +153,7 @@ final class Formations {
           state.traffic.removeRobot(robot.name());
         }
       } else if (!state.traffic.hasRobot(robot.name()) && report.role() == Role.FOLLOWER) {
-        state.traffic.reportStanding(
-            robot.name(), pose, robot.reported.footprint(), state.now);
+        state.traffic.reportStanding(robot.name(), pose, robot.reported.footprint(), state.now);
       }
       if (state.traffic.hasRobot(robot.name())) {
         state.traffic.setFormation(

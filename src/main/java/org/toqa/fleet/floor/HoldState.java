@@ -6,8 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.wording.Sentence;
 
 /**
- * Whether a robot shall hold, and what it was told of that. Only {@link HoldDispatcher} changes
- * it.
+ * Whether a robot shall hold, and what it was told of that. Only {@link HoldDispatcher} changes it.
  */
 final class HoldState {
   private @Nullable Sentence reason;

@@ -5,6 +5,7 @@ import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.robot.RobotMessage;
@@ -69,7 +70,10 @@ final class OperatorCommandHandler {
     }
     EventRecord event =
         state.historyEvent(
-            "robot.removed", m.robot(), m.user(), Phrase.ROBOT_REMOVED.with(m.user(), m.robot()));
+            EventKind.ROBOT_REMOVED,
+            m.robot(),
+            m.user(),
+            Phrase.ROBOT_REMOVED.with(m.user(), m.robot()));
     state.writer.tryOnce(
         () -> state.store.removeRobot(m.robot(), List.of(event)),
         () -> self.tell(new FloorMessage.RobotRemoved(m)),
@@ -111,7 +115,8 @@ final class OperatorCommandHandler {
     robot.agent.tell(new RobotMessage.Locate(m.pose()));
     Sentence text = Phrase.ROBOT_LOCATED.with(m.user(), m.robot());
     state.addToHistory(
-        new EventRecord(state.clock.instant(), "robot.located", null, m.robot(), m.user(), text));
+        new EventRecord(
+            state.clock.instant(), EventKind.ROBOT_LOCATED, null, m.robot(), m.user(), text));
     return new Answer.Accepted<>(reports.view(robot));
   }
 
@@ -135,9 +140,15 @@ final class OperatorCommandHandler {
   private EventRecord holdEvent(FloorMessage.HoldRobot m) {
     return m.hold()
         ? state.historyEvent(
-            "robot.held", m.robot(), m.user(), Phrase.ROBOT_PUT_ON_HOLD.with(m.user(), m.robot()))
+            EventKind.ROBOT_HELD,
+            m.robot(),
+            m.user(),
+            Phrase.ROBOT_PUT_ON_HOLD.with(m.user(), m.robot()))
         : state.historyEvent(
-            "robot.resumed", m.robot(), m.user(), Phrase.ROBOT_LET_GO_ON.with(m.user(), m.robot()));
+            EventKind.ROBOT_RESUMED,
+            m.robot(),
+            m.user(),
+            Phrase.ROBOT_LET_GO_ON.with(m.user(), m.robot()));
   }
 
   void sendHome(FloorMessage.SendHome m) {
@@ -154,7 +165,7 @@ final class OperatorCommandHandler {
     homing.sendHome(robot);
     EventRecord event =
         state.historyEvent(
-            "robot.sent-home",
+            EventKind.ROBOT_SENT_HOME,
             m.robot(),
             m.user(),
             Phrase.ROBOT_SENT_HOME.with(m.user(), m.robot()));
@@ -178,7 +189,7 @@ final class OperatorCommandHandler {
     }
     EventRecord event =
         state.historyEvent(
-            m.inService() ? "robot.in-service" : "robot.out-of-service",
+            m.inService() ? EventKind.ROBOT_IN_SERVICE : EventKind.ROBOT_OUT_OF_SERVICE,
             m.robot(),
             m.user(),
             servicePhrase(m, clears).with(m.user(), m.robot()));

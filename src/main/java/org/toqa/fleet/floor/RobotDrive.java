@@ -103,7 +103,9 @@ final class RobotDrive {
   void reconnect(Optional<StoredDrive> drive) {
     Vec2 leadsTo = order.knownGoal();
     order =
-        drive.<DriveOrder>map(d -> new DriveOrder.Driving(d, leadsTo)).orElse(new DriveOrder.None());
+        drive
+            .<DriveOrder>map(d -> new DriveOrder.Driving(d, leadsTo))
+            .orElse(new DriveOrder.None());
   }
 
   /** It has taken the drive, or never will. */

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Objects;
 import java.util.Optional;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.robot.RobotEvent;
@@ -17,6 +18,7 @@ import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Phase;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -53,7 +55,7 @@ final class RobotEventHandler {
       case RobotEvent.LinkRefused m -> {
         robot.reported.setDisconnected(state.now);
         robot.reported.setAlert(m.why());
-        addToHistory(robot, "robot.link-refused", m.why());
+        addToHistory(robot, EventKind.ROBOT_LINK_REFUSED, m.why());
       }
       case RobotEvent.FellSilent m -> robot.reported.setSilent(state.now);
       case RobotEvent.HeardAgain m -> {
@@ -155,22 +157,20 @@ final class RobotEventHandler {
   /** Tells the history whom the robot did not let in; of many, a few. */
   private void recordStrangers(FloorRobot robot) {
     Optional<Fault> refusal =
-        robot.reported.report().errors().stream()
-            .filter(e -> e.code().equals(REFUSED))
-            .findFirst();
+        robot.reported.report().errors().stream().filter(e -> e.code().equals(REFUSED)).findFirst();
     Instant notedAt = robot.reported.strangerNotedAt();
     if (refusal.isPresent() && !notedAt.plus(STRANGERS_INTERVAL).isAfter(state.now)) {
       robot.reported.setStrangerNotedAt(state.now);
       addToHistory(
           robot,
-          "robot.stranger",
+          EventKind.ROBOT_STRANGER,
           Phrase.STRANGER_NOT_LET_IN.with(robot.name(), refusal.get().text()));
     } else if (refusal.isEmpty()) {
       robot.reported.setStrangerNotedAt(Instant.MIN);
     }
   }
 
-  private void addToHistory(FloorRobot robot, String kind, Sentence text) {
+  private void addToHistory(FloorRobot robot, EventKind kind, Sentence text) {
     state.addToHistory(state.historyEvent(kind, robot.name(), EventRecord.SYSTEM, text));
   }
 
@@ -194,11 +194,13 @@ final class RobotEventHandler {
   private void phaseEnded(FloorRobot robot, PhaseEnd end) {
     Optional<Mission> mission =
         Optional.ofNullable(end.task()).flatMap(task -> state.missions.get(task));
+    Optional<Phase> phase = Phase.of(end.phase());
     if (mission.isPresent()
-        && (end.phase() == 3 || state.formations.isAtGoal(mission.get(), robot))) {
+        && phase.isPresent()
+        && (phase.get() == Phase.HOME || state.formations.isAtGoal(mission.get(), robot))) {
       missions.applyEvent(
-          mission.get().id(), new MissionEvent.PhaseEnded(robot.name(), end.phase()));
-    } // else its way was changed meanwhile, or the task has ended
+          mission.get().id(), new MissionEvent.PhaseEnded(robot.name(), phase.get()));
+    } // else its drive was changed meanwhile, or the task has ended
     // written in order: acknowledged only when what follows from the flag is safe
     state.writer.write(() -> {}, () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));
   }

@@ -83,7 +83,6 @@ record RobotReport(
   }
 
   RobotReport withoutPose() {
-    return new RobotReport(
-        localised, null, battery, mode, role, moving, drive, task, errors, at);
+    return new RobotReport(localised, null, battery, mode, role, moving, drive, task, errors, at);
   }
 }

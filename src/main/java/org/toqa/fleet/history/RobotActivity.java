@@ -21,12 +21,12 @@ public enum RobotActivity {
   OUT_OF_SERVICE;
 
   static RobotActivity of(RobotView robot) {
-    return switch (robot.state()) {
+    return switch (robot.state().kind()) {
       case OUT_OF_SERVICE -> OUT_OF_SERVICE;
-      case CONNECTING, LOST -> LOST;
-      case NOT_LOCALISED, ERROR -> TROUBLED;
+      case UNREACHABLE -> LOST;
+      case TROUBLED -> TROUBLED;
       case CHARGING -> CHARGING;
-      case IDLE, DRIVING, HOLDING -> ofOperational(robot);
+      case OPERATIONAL -> ofOperational(robot);
     };
   }
 
@@ -34,7 +34,7 @@ public enum RobotActivity {
     if (robot.held()) {
       return HELD;
     }
-    if (robot.phase() == 1 || robot.phase() == 2) {
+    if (robot.phase().isCarryingTask()) {
       return WORKING;
     }
     return robot.state() == RobotState.IDLE ? IDLE : TRAVELLING;

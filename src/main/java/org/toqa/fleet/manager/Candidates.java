@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.toqa.allocation.Availability;
 import org.toqa.allocation.Candidate;
+import org.toqa.fleet.RobotCondition;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
@@ -18,7 +19,9 @@ final class Candidates {
    * @param promised robots that are being given a task which no report tells of yet
    */
   static List<Candidate> of(FloorMap floor, List<RobotView> robots, Set<String> promised) {
-    return robots.stream().map(r -> of(floor, r, availability(r, promised))).toList();
+    return robots.stream()
+        .map(r -> of(floor, r, RobotCondition.availability(r, promised.contains(r.name()))))
+        .toList();
   }
 
   private static Candidate of(FloorMap floor, RobotView robot, Availability availability) {
@@ -38,24 +41,5 @@ final class Candidates {
         robot.battery(),
         availability,
         availability == Availability.BUSY ? robot.task() : null);
-  }
-
-  private static Availability availability(RobotView robot, Set<String> promised) {
-    return switch (robot.state()) {
-      case CONNECTING -> Availability.CONNECTING;
-      case LOST -> Availability.LOST;
-      case NOT_LOCALISED -> Availability.NOT_LOCALISED;
-      case ERROR -> Availability.ERROR;
-      case OUT_OF_SERVICE -> Availability.OUT_OF_SERVICE;
-      case HOLDING -> robot.task() == null ? Availability.HELD : Availability.BUSY;
-      case CHARGING -> Availability.CHARGING;
-      case IDLE, DRIVING ->
-          robot.charger() != null ? Availability.CHARGING : workingAvailability(robot, promised);
-    };
-  }
-
-  private static Availability workingAvailability(RobotView robot, Set<String> promised) {
-    boolean isBusy = promised.contains(robot.name()) || (robot.task() != null && robot.phase() < 3);
-    return isBusy ? Availability.BUSY : Availability.FREE;
   }
 }

@@ -53,7 +53,7 @@ final class DeliveryForecast {
 
   private Optional<Double> metres(TaskView task, RobotView robot, Map<Long, TaskView> tasks) {
     Pose pose = robot.pose();
-    if (pose == null || !canWork(robot)) {
+    if (pose == null || !robot.state().isFit()) {
       return Optional.empty();
     }
     TaskView current = robot.task() == null ? null : tasks.get(robot.task());
@@ -85,12 +85,5 @@ final class DeliveryForecast {
 
   private double metres(RobotView robot, Vec2 from, Vec2 to) {
     return travel.lengthsFrom(to, robot.footprint()).applyAsDouble(from);
-  }
-
-  private static boolean canWork(RobotView robot) {
-    return switch (robot.state()) {
-      case IDLE, DRIVING, CHARGING, HOLDING -> true;
-      case CONNECTING, NOT_LOCALISED, ERROR, LOST, OUT_OF_SERVICE -> false;
-    };
   }
 }

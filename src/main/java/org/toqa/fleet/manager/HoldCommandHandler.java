@@ -11,6 +11,7 @@ import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
@@ -69,7 +70,7 @@ final class HoldCommandHandler {
     EventRecord event =
         event(
             at,
-            m.pause() ? "fleet.paused" : "fleet.resumed",
+            m.pause() ? EventKind.FLEET_PAUSED : EventKind.FLEET_RESUMED,
             m.user(),
             (m.pause() ? Phrase.ALL_PAUSED : Phrase.ALL_LET_GO_ON).with(m.user()));
     if (next != null) {
@@ -110,7 +111,7 @@ final class HoldCommandHandler {
     EventRecord event =
         event(
             at,
-            m.hold() ? "floor.held" : "floor.resumed",
+            m.hold() ? EventKind.FLOOR_HELD : EventKind.FLOOR_RESUMED,
             m.user(),
             (m.hold() ? Phrase.FLOOR_PUT_ON_HOLD : Phrase.FLOOR_LET_GO_ON)
                 .with(m.user(), m.floor()));
@@ -140,7 +141,7 @@ final class HoldCommandHandler {
     Objects.requireNonNull(floors.get(floor)).tell(new FloorMessage.HoldFloor(next));
   }
 
-  private static EventRecord event(Instant at, String kind, String user, Sentence text) {
+  private static EventRecord event(Instant at, EventKind kind, String user, Sentence text) {
     return new EventRecord(at, kind, null, null, user, text);
   }
 

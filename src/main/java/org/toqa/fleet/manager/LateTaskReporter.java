@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.TaskView;
 
@@ -64,6 +65,7 @@ final class LateTaskReporter {
         .check(task, forecast.earliestDelivery(task, fleet.robotsOn(floor), here), at)
         .map(
             sentence ->
-                new EventRecord(at, "task.late", task.id(), null, EventRecord.SYSTEM, sentence));
+                new EventRecord(
+                    at, EventKind.TASK_LATE, task.id(), null, EventRecord.SYSTEM, sentence));
   }
 }

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
@@ -51,7 +52,7 @@ final class RobotCommandHandler {
         m.order().code(),
         new RobotRegistrar.Request(
             m.user(),
-            "robot.added",
+            EventKind.ROBOT_ADDED,
             Phrase.ROBOT_ADDED.with(m.user(), robot.name()),
             new RegistrationReply(
                 m.replyTo(),
@@ -71,7 +72,7 @@ final class RobotCommandHandler {
         order.code(),
         new RobotRegistrar.Request(
             m.user(),
-            "robot.paired",
+            EventKind.ROBOT_PAIRED,
             Phrase.ROBOT_PAIRED.with(m.user(), robot.name()),
             new RegistrationReply(
                 m.replyTo(),
@@ -97,7 +98,7 @@ final class RobotCommandHandler {
         null,
         new RobotRegistrar.Request(
             m.user(),
-            "robot.changed",
+            EventKind.ROBOT_CHANGED,
             Phrase.ROBOT_CHANGED.with(m.user(), robot.name()),
             new RegistrationReply(
                 m.replyTo(),

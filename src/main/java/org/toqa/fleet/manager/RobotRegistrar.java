@@ -4,6 +4,7 @@ import java.time.InstantSource;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
@@ -41,14 +42,14 @@ final class RobotRegistrar {
   }
 
   /**
-   * Whose wish it is, and who is told.
+   * Who asks for it, and who is told.
    *
-   * @param eventKind of the history's line, such as {@code robot.added}
+   * @param eventKind of the history's line
    * @param text of that line
    */
-  record Request(String user, String eventKind, Sentence text, Listener listener) {}
+  record Request(String user, EventKind eventKind, Sentence text, Listener listener) {}
 
-  /** Is told one of these, by a thread of the intake's. */
+  /** Is told one of these, by a thread of the registrar's. */
   interface Listener {
     void stored(RobotRecord robot);
 
@@ -95,13 +96,13 @@ final class RobotRegistrar {
 
   private void reject(String field, Sentence sentence, RobotRecord robot, Request request) {
     Sentence text = Phrase.ROBOT_NOT_PAIRED.with(request.user(), robot.name(), sentence);
-    EventRecord event = event("robot.pairing-refused", robot, request, text);
+    EventRecord event = event(EventKind.ROBOT_PAIRING_REFUSED, robot, request, text);
     writer.write(
         () -> store.addEvents(List.of(event)),
         () -> request.listener().rejected(new Answer.Rejected<>(field, sentence)));
   }
 
-  private EventRecord event(String kind, RobotRecord robot, Request request, Sentence text) {
+  private EventRecord event(EventKind kind, RobotRecord robot, Request request, Sentence text) {
     return new EventRecord(clock.instant(), kind, null, robot.name(), request.user(), text);
   }
 }

@@ -17,6 +17,7 @@ import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorMessage.Move;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskState;
 import org.toqa.wording.Sentence;
 
@@ -58,7 +59,7 @@ final class TaskExchanges {
     return robot != null
         && !robot.held()
         && (robot.state() == RobotState.DRIVING || robot.state() == RobotState.IDLE)
-        && robot.phase() == 1
+        && robot.phase() == Phase.TO_OBJECT
         && Long.valueOf(task.id()).equals(robot.task());
   }
 

@@ -28,6 +28,7 @@ import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.Command;
+import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.wording.Sentence;
@@ -161,7 +162,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         new ServerMessage.Drive(
             next.seq(),
             m.task(),
-            m.phase(),
+            m.phase().number(),
             m.trajectory().start(),
             m.trajectory().segments(),
             m.released(),
@@ -170,9 +171,10 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     floor.tell(new RobotEvent.DriveBegun(robot.name(), next));
   }
 
-  /** What it drives then is its leader's affair, so its own way is empty. */
+  /** What it drives then is its leader's affair, so its own trajectory is empty. */
   private void follow(RobotMessage.Follow m) {
-    StoredDrive next = new StoredDrive(++seq, m.task(), 2, new Trajectory(m.pose(), List.of()));
+    StoredDrive next =
+        new StoredDrive(++seq, m.task(), Phase.TO_GOAL, new Trajectory(m.pose(), List.of()));
     storeThenSend(
         next,
         new ServerMessage.Follow(

@@ -12,6 +12,7 @@ import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Follower;
+import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.wording.Sentence;
@@ -20,7 +21,7 @@ import org.toqa.wording.Sentence;
 public sealed interface RobotMessage {
 
   /**
-   * Drive this way.
+   * Drive this trajectory.
    *
    * @param released so many segments of it for now
    * @param last whether it ends the phase
@@ -28,7 +29,7 @@ public sealed interface RobotMessage {
    */
   record Drive(
       @Nullable Long task,
-      int phase,
+      Phase phase,
       Trajectory trajectory,
       int released,
       boolean last,

@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.Schedule;
@@ -72,7 +73,7 @@ public final class Scheduler {
       advance(
           schedule,
           now,
-          "schedule.skipped",
+          EventKind.SCHEDULE_SKIPPED,
           task,
           Phrase.SCHEDULE_SKIPPED.with(schedule.id(), schedule.user(), task));
     } else {
@@ -109,7 +110,7 @@ public final class Scheduler {
     advance(
         schedule,
         now,
-        "schedule.began",
+        EventKind.SCHEDULE_BEGAN,
         task,
         Phrase.SCHEDULE_BEGAN.with(schedule.id(), schedule.user()));
   }
@@ -118,13 +119,13 @@ public final class Scheduler {
     advance(
         schedule,
         now,
-        "schedule.refused",
+        EventKind.SCHEDULE_REFUSED,
         null,
         Phrase.SCHEDULE_REFUSED.with(schedule.id(), schedule.user(), sentence));
   }
 
   private void advance(
-      Schedule schedule, Instant now, String kind, @Nullable Long task, Sentence text) {
+      Schedule schedule, Instant now, EventKind kind, @Nullable Long task, Sentence text) {
     store.advance(
         schedule,
         schedule.nextDueAfter(now).orElse(null),

@@ -1,5 +1,8 @@
 package org.toqa.fleet.schedule;
 
+import org.toqa.fleet.EventKind;
+
+
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
@@ -110,7 +113,7 @@ public final class StoredSchedules implements Schedules {
                 schedule,
                 true,
                 before.due(),
-                events(before, user, "schedule.paused", Phrase.SCHEDULE_PAUSED));
+                events(before, user, EventKind.SCHEDULE_PAUSED, Phrase.SCHEDULE_PAUSED));
           }
           return store.schedule(schedule).orElseThrow();
         });
@@ -126,7 +129,7 @@ public final class StoredSchedules implements Schedules {
                 schedule,
                 false,
                 before.nextDueAfter(clock.instant()).orElse(null),
-                events(before, user, "schedule.resumed", Phrase.SCHEDULE_RESUMED));
+                events(before, user, EventKind.SCHEDULE_RESUMED, Phrase.SCHEDULE_RESUMED));
           }
           return store.schedule(schedule).orElseThrow();
         });
@@ -138,12 +141,12 @@ public final class StoredSchedules implements Schedules {
         schedule,
         before -> {
           store.delete(
-              schedule, events(before, user, "schedule.deleted", Phrase.SCHEDULE_DELETED));
+              schedule, events(before, user, EventKind.SCHEDULE_DELETED, Phrase.SCHEDULE_DELETED));
           return before;
         });
   }
 
-  private List<EventRecord> events(Schedule schedule, String user, String kind, Phrase done) {
+  private List<EventRecord> events(Schedule schedule, String user, EventKind kind, Phrase done) {
     return List.of(
         new EventRecord(
             clock.instant(),

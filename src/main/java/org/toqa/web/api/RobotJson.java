@@ -46,7 +46,7 @@ public record RobotJson(
         view.pose(),
         view.battery(),
         view.task(),
-        view.phase(),
+        view.phase().number(),
         view.maxLoad(),
         view.footprint(),
         view.speed(),

@@ -11,6 +11,7 @@ import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
@@ -72,7 +73,7 @@ class FleetMeterTest {
         new Pose(x, y, 0),
         1.0,
         null,
-        0,
+        Phase.NONE,
         5,
         name.equals("r1") ? 0.2 : 0.3,
         0.25,

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
+import org.toqa.mission.Phase;
 import org.toqa.wording.Sentence;
 
 class UtilisationMeterTest {
@@ -138,7 +139,7 @@ class UtilisationMeterTest {
   private static RobotView seenAt(Instant at, RobotView view) {
     double x = view.pose() == null ? 0 : view.pose().x();
     double battery = view.battery() == null ? 0 : view.battery();
-    return robot(view.state(), view.phase(), x, battery, view.held(), at);
+    return robot(view.state(), view.phase().number(), x, battery, view.held(), at);
   }
 
   private static RobotView robot(
@@ -150,7 +151,7 @@ class UtilisationMeterTest {
         new Pose(x, 0, 0),
         battery,
         phase == 0 ? null : 7L,
-        phase,
+        Phase.stored(phase),
         5,
         0.3,
         SPEED,

@@ -40,6 +40,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskState;
 import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
@@ -724,7 +725,7 @@ class PagesInBrowserTest {
         pose,
         0.84,
         task,
-        2,
+        Phase.TO_GOAL,
         5,
         0.255,
         0.25,
@@ -780,7 +781,7 @@ class PagesInBrowserTest {
             pose,
             0.12,
             null,
-            0,
+            Phase.NONE,
             5,
             0.255,
             0.25,

@@ -1,0 +1,106 @@
+package org.toqa.fleet;
+
+import org.toqa.mission.MissionEvent;
+
+/** What a line of the history tells, for programs that read it. */
+public enum EventKind {
+  TASK_ADDED("task.added"),
+  TASK_ANSWERED("task.answered"),
+  TASK_ASSIGNED("task.assigned"),
+  TASK_AT_OBJECT("task.at-object"),
+  TASK_CANCELLED("task.cancelled"),
+  TASK_DELIVERED("task.delivered"),
+  TASK_EXCHANGED("task.exchanged"),
+  TASK_HELD("task.held"),
+  TASK_LATE("task.late"),
+  TASK_PARKED("task.parked"),
+  TASK_PRIORITISED("task.prioritised"),
+  TASK_RESUMED("task.resumed"),
+  TASK_RETASKED("task.retasked"),
+  TASK_ROBOT_BACK("task.robot-back"),
+  TASK_ROBOT_CHARGES("task.robot-charges"),
+  TASK_ROBOT_FAILED("task.robot-failed"),
+  TASK_ROBOT_LOST("task.robot-lost"),
+  TASK_ROBOT_WITHDRAWN("task.robot-withdrawn"),
+  TASK_SET_DOWN("task.set-down"),
+  TASK_STARTED("task.started"),
+  ROBOT_ADDED("robot.added"),
+  ROBOT_CHANGED("robot.changed"),
+  ROBOT_CHARGE_ENDED("robot.charge-ended"),
+  ROBOT_CHARGED("robot.charged"),
+  ROBOT_CHARGER_FAILS("robot.charger-fails"),
+  ROBOT_CHARGER_WORKS("robot.charger-works"),
+  ROBOT_CHARGING("robot.charging"),
+  ROBOT_HELD("robot.held"),
+  ROBOT_IN_SERVICE("robot.in-service"),
+  ROBOT_LINK_REFUSED("robot.link-refused"),
+  ROBOT_LOCATED("robot.located"),
+  ROBOT_OUT_OF_SERVICE("robot.out-of-service"),
+  ROBOT_PAIRED("robot.paired"),
+  ROBOT_PAIRING_REFUSED("robot.pairing-refused"),
+  ROBOT_REMOVED("robot.removed"),
+  ROBOT_RESUMED("robot.resumed"),
+  ROBOT_SENT_HOME("robot.sent-home"),
+  ROBOT_STRANGER("robot.stranger"),
+  ROBOT_TO_CHARGER("robot.to-charger"),
+  ROBOT_WAITS_FOR_CHARGER("robot.waits-for-charger"),
+  TRAFFIC_RESOLVED("traffic.resolved"),
+  TRAFFIC_STANDSTILL("traffic.standstill"),
+  FLOOR_HELD("floor.held"),
+  FLOOR_OBSTACLE("floor.obstacle"),
+  FLOOR_OBSTACLE_GONE("floor.obstacle-gone"),
+  FLOOR_RESUMED("floor.resumed"),
+  FLEET_PAUSED("fleet.paused"),
+  FLEET_RESUMED("fleet.resumed"),
+  SCHEDULE_ADDED("schedule.added"),
+  SCHEDULE_BEGAN("schedule.began"),
+  SCHEDULE_DELETED("schedule.deleted"),
+  SCHEDULE_PAUSED("schedule.paused"),
+  SCHEDULE_REFUSED("schedule.refused"),
+  SCHEDULE_RESUMED("schedule.resumed"),
+  SCHEDULE_SKIPPED("schedule.skipped"),
+  USER_ADDED("user.added"),
+  USER_CHANGED("user.changed"),
+  USER_DELETED("user.deleted"),
+  USER_PASSWORD("user.password"),
+  USER_RESET("user.reset"),
+  USER_SESSION("user.session"),
+  USER_TOKEN("user.token");
+
+  private final String text;
+
+  EventKind(String text) {
+    this.text = text;
+  }
+
+  /** As it is stored, and told by the API. */
+  public String text() {
+    return text;
+  }
+
+  /** What the history calls such an event of a mission. */
+  static EventKind of(MissionEvent event) {
+    return switch (event) {
+      case MissionEvent.DriveStarted ignored -> TASK_STARTED;
+      case MissionEvent.PhaseEnded e ->
+          switch (e.phase()) {
+            case TO_OBJECT -> TASK_AT_OBJECT;
+            case TO_GOAL -> TASK_DELIVERED;
+            case HOME, NONE -> TASK_PARKED;
+          };
+      case MissionEvent.Retasked ignored -> TASK_RETASKED;
+      case MissionEvent.Exchanged ignored -> TASK_EXCHANGED;
+      case MissionEvent.Stopped ignored -> TASK_SET_DOWN;
+      case MissionEvent.RobotLost ignored -> TASK_ROBOT_LOST;
+      case MissionEvent.RobotFailed ignored -> TASK_ROBOT_FAILED;
+      case MissionEvent.RobotWithdrawn ignored -> TASK_ROBOT_WITHDRAWN;
+      case MissionEvent.ChargingRequired ignored -> TASK_ROBOT_CHARGES;
+      case MissionEvent.RobotRecovered ignored -> TASK_ROBOT_BACK;
+      case MissionEvent.Cancel ignored -> TASK_CANCELLED;
+      case MissionEvent.Hold ignored -> TASK_HELD;
+      case MissionEvent.Resume ignored -> TASK_RESUMED;
+      case MissionEvent.Prioritise ignored -> TASK_PRIORITISED;
+      case MissionEvent.Answer ignored -> TASK_ANSWERED;
+    };
+  }
+}
