@@ -62,9 +62,7 @@ final class TaskTable {
 
   static void withdraw(Handle h, UUID key) {
     String of = " (select id from tasks where submission = :submission)";
-    h.createUpdate("delete from events where task_id in" + of)
-        .bind("submission", key)
-        .execute();
+    h.createUpdate("delete from events where task_id in" + of).bind("submission", key).execute();
     h.createUpdate("delete from tasks where submission = :submission")
         .bind("submission", key)
         .execute();
@@ -170,8 +168,7 @@ final class TaskTable {
   }
 
   /** A robot's part in a task. */
-  record AssignedRobotRow(
-      long task, String robot, int phase, boolean arrived, boolean released) {
+  record AssignedRobotRow(long task, String robot, int phase, boolean arrived, boolean released) {
     AssignedRobot toAssignedRobot() {
       return new AssignedRobot(robot, phase, arrived, released);
     }
