@@ -64,8 +64,8 @@ public interface AccountStore {
   Optional<Account> addFirstManager(String name, String passwordHash);
 
   /**
-   * Changes what the user may do; it holds from his next request on. A name stays: tasks and history
-   * go by it.
+   * Changes what the user may do; it holds from his next request on. A name stays: tasks and
+   * history go by it.
    *
    * @param by who does it
    */

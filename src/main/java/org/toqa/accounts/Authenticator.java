@@ -35,8 +35,7 @@ public final class Authenticator {
   private final PasswordHasher passwords;
   private final LoginThrottle throttle;
 
-  private Authenticator(
-      AccountStore accounts, PasswordHasher passwords, LoginThrottle throttle) {
+  private Authenticator(AccountStore accounts, PasswordHasher passwords, LoginThrottle throttle) {
     this.accounts = accounts;
     this.passwords = passwords;
     this.throttle = throttle;

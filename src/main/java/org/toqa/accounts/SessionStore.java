@@ -40,8 +40,8 @@ public interface SessionStore {
   NewSession issueToken(Account account, String name, Session.Origin origin, Duration lifetime);
 
   /**
-   * Whose secret it is, while it is good; what was read last while the store does not answer. Asking
-   * counts as use of the session.
+   * Whose secret it is, while it is good; what was read last while the store does not answer.
+   * Asking counts as use of the session.
    */
   Optional<AuthenticatedSession> authenticate(Session.Kind kind, String secret);
 

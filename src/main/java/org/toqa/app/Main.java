@@ -18,6 +18,7 @@ import org.toqa.app.plan.PlanCommand;
 import org.toqa.app.server.ServerCommand;
 import org.toqa.app.server.WebappFolder;
 import org.toqa.yaml.Spelling;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Model.CommandSpec;
@@ -26,7 +27,6 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.UnmatchedArgumentException;
-import picocli.CommandLine;
 
 /** The command line of the server. */
 @Command(

@@ -8,8 +8,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Keeps schedules. Each call is one transaction; it throws {@link
- * org.toqa.persistence.StoreException} when the store does not answer. Called by threads that
- * may wait.
+ * org.toqa.persistence.StoreException} when the store does not answer. Called by threads that may
+ * wait.
  */
 public interface ScheduleStore {
 

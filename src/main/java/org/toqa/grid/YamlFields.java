@@ -27,7 +27,8 @@ final class YamlFields {
       Object root = YamlParser.parse(new String(bytes, StandardCharsets.UTF_8));
       return of(file.toString(), root, known);
     } catch (YamlSyntaxException e) {
-      String place = e.line().isPresent() ? file + ", line " + e.line().getAsInt() : file.toString();
+      String place =
+          e.line().isPresent() ? file + ", line " + e.line().getAsInt() : file.toString();
       throw new MapFormatException("%s: not valid YAML (%s).".formatted(place, e.problem()), e);
     }
   }

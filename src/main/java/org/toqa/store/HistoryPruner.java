@@ -68,18 +68,13 @@ public final class HistoryPruner {
   }
 
   private int deleteOlder(String statement, Instant before) {
-    return sql.withHandle(
-        h -> h.createUpdate(statement).bind("before", before).execute());
+    return sql.withHandle(h -> h.createUpdate(statement).bind("before", before).execute());
   }
 
   private int deleteEndedTasks(Instant before) {
     return sql.inTransaction(
         h -> {
-          List<Long> ids =
-              h.createQuery(OLD_TASKS)
-                  .bind("before", before)
-                  .mapTo(Long.class)
-                  .list();
+          List<Long> ids = h.createQuery(OLD_TASKS).bind("before", before).mapTo(Long.class).list();
           if (!ids.isEmpty()) {
             h.createUpdate("delete from events where task_id in (<ids>)")
                 .bindList("ids", ids)

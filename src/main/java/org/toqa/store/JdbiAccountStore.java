@@ -69,7 +69,8 @@ public final class JdbiAccountStore implements AccountStore {
     return sql.withHandle(
         handle ->
             handle
-                .createQuery("select " + AccountTable.COLUMNS + " from users u where u.name_key = :key")
+                .createQuery(
+                    "select " + AccountTable.COLUMNS + " from users u where u.name_key = :key")
                 .bind("key", nameKey(name))
                 .mapTo(Account.class)
                 .findOne());
@@ -84,7 +85,10 @@ public final class JdbiAccountStore implements AccountStore {
     return sql.withHandle(
         handle ->
             handle
-                .createQuery("select " + AccountTable.COLUMNS + " from users u where lower(u.email) = :email")
+                .createQuery(
+                    "select "
+                        + AccountTable.COLUMNS
+                        + " from users u where lower(u.email) = :email")
                 .bind("email", nameKey(email))
                 .mapTo(Account.class)
                 .list());

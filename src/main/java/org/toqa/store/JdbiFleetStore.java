@@ -235,16 +235,21 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   private Optional<TaskView> findTask(String column, Object value) {
-    return sql.withHandle(
-        h ->
-            TaskTable.withRobots(
-                h,
-                h.createQuery(
-                        "select " + TaskRow.COLUMNS + " from tasks where " + column + " = :value")
-                    .bind("value", value)
-                    .mapTo(TaskRow.class)
-                    .list(),
-                TaskRow::toView))
+    return sql
+        .withHandle(
+            h ->
+                TaskTable.withRobots(
+                    h,
+                    h.createQuery(
+                            "select "
+                                + TaskRow.COLUMNS
+                                + " from tasks where "
+                                + column
+                                + " = :value")
+                        .bind("value", value)
+                        .mapTo(TaskRow.class)
+                        .list(),
+                    TaskRow::toView))
         .stream()
         .findFirst();
   }

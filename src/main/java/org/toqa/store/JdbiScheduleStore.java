@@ -45,7 +45,11 @@ public final class JdbiScheduleStore implements ScheduleStore {
   @Override
   public List<Schedule> schedules() {
     return sql.withHandle(
-        h -> h.createQuery(SELECT + "order by id").mapTo(ScheduleRow.class).map(ScheduleRow::toSchedule).list());
+        h ->
+            h.createQuery(SELECT + "order by id")
+                .mapTo(ScheduleRow.class)
+                .map(ScheduleRow::toSchedule)
+                .list());
   }
 
   @Override
@@ -54,7 +58,8 @@ public final class JdbiScheduleStore implements ScheduleStore {
         h ->
             h.createQuery(SELECT + "where id = :id")
                 .bind("id", id)
-                .mapTo(ScheduleRow.class).map(ScheduleRow::toSchedule)
+                .mapTo(ScheduleRow.class)
+                .map(ScheduleRow::toSchedule)
                 .findOne());
   }
 
@@ -64,7 +69,8 @@ public final class JdbiScheduleStore implements ScheduleStore {
         h ->
             h.createQuery(SELECT + "where submission = :key")
                 .bind("key", key)
-                .mapTo(ScheduleRow.class).map(ScheduleRow::toSchedule)
+                .mapTo(ScheduleRow.class)
+                .map(ScheduleRow::toSchedule)
                 .findOne());
   }
 
@@ -74,7 +80,8 @@ public final class JdbiScheduleStore implements ScheduleStore {
         h ->
             h.createQuery(SELECT + "where not paused and due_at <= :now order by due_at, id")
                 .bind("now", now)
-                .mapTo(ScheduleRow.class).map(ScheduleRow::toSchedule)
+                .mapTo(ScheduleRow.class)
+                .map(ScheduleRow::toSchedule)
                 .list());
   }
 

@@ -143,10 +143,7 @@ public final class JdbiSessionStore implements SessionStore {
   private static void touch(Handle handle, Session session, Instant now) {
     Instant end = session.kind() == Kind.BROWSER ? now.plus(LIFETIME) : session.expiresAt();
     handle.execute(
-        "update sessions set seen_at = ?, expires_at = ? where id = ?",
-        now,
-        end,
-        session.id());
+        "update sessions set seen_at = ?, expires_at = ? where id = ?", now, end, session.id());
   }
 
   private NewSession insert(

@@ -152,7 +152,9 @@ public final class JdbiStatisticsArchive implements StatisticsArchive {
                 ResultSet row = rows.get();
                 while (row.next()) {
                   FailureKind failure = FailureKind.of(row.getString("kind"));
-                  buckets.get(period.bucketIndex(DatabaseTypes.instant(row, "at"))).addFailure(failure);
+                  buckets
+                      .get(period.bucketIndex(DatabaseTypes.instant(row, "at")))
+                      .addFailure(failure);
                   total.addFailure(failure);
                 }
                 return total;

@@ -65,9 +65,7 @@ final class TaskTable {
 
   static void withdraw(Handle h, UUID key) {
     String of = " (select id from tasks where submission = :submission)";
-    h.createUpdate("delete from events where task_id in" + of)
-        .bind("submission", key)
-        .execute();
+    h.createUpdate("delete from events where task_id in" + of).bind("submission", key).execute();
     h.createUpdate("delete from tasks where submission = :submission")
         .bind("submission", key)
         .execute();

@@ -90,7 +90,9 @@ class ExchangeCrashTest {
     }
   }
 
-  /** No {@link org.toqa.persistence.StoreException}, after which a living server would try again. */
+  /**
+   * No {@link org.toqa.persistence.StoreException}, after which a living server would try again.
+   */
   private static final class Killed extends RuntimeException {
     private static final long serialVersionUID = 1;
 

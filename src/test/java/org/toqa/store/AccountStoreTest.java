@@ -16,8 +16,8 @@ import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.PasswordResetStore;
 import org.toqa.accounts.Role;
-import org.toqa.accounts.Session.Kind;
 import org.toqa.accounts.Session;
+import org.toqa.accounts.Session.Kind;
 import org.toqa.accounts.SessionStore;
 import org.toqa.fleet.history.EventArchive.Filter;
 
@@ -230,7 +230,8 @@ class AccountStoreTest {
     assertEquals(
         AccountStore.ChangeResult.DONE, accounts.delete(second, "boss"), "he may not log in");
     assertEquals(
-        AccountStore.ChangeResult.NO_SUCH_ACCOUNT, accounts.update(second, Role.CLERK, false, "boss"));
+        AccountStore.ChangeResult.NO_SUCH_ACCOUNT,
+        accounts.update(second, Role.CLERK, false, "boss"));
   }
 
   @Test

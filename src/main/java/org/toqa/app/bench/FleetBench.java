@@ -13,6 +13,7 @@ import org.toqa.app.server.FleetServer;
 import org.toqa.app.server.ServerOperation;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -41,19 +42,7 @@ public final class FleetBench implements Callable<Integer> {
       description = "How many, 2 to 500.")
   private int robots;
 
-  @Option(
-      names = "--seconds",
-      defaultValue = "60",
-      paramLabel = "S",
-      description = "How long it is measured, 1 to 3600 (default: ${DEFAULT-VALUE}).")
-  private int seconds;
-
-  @Option(
-      names = "--warm-up",
-      defaultValue = "30",
-      paramLabel = "S",
-      description = "How long it runs before that, 0 to 3600 (default: ${DEFAULT-VALUE}).")
-  private int warmUp;
+  @Mixin private MeasuringTime time = new MeasuringTime();
 
   @Option(
       names = "--seed",
@@ -79,17 +68,16 @@ public final class FleetBench implements Callable<Integer> {
   public Integer call() throws Exception {
     Arguments arguments = new Arguments(spec);
     arguments.requireBetween("--robots", robots, 2, 500);
-    arguments.requireBetween("--seconds", seconds, 1, 3600);
-    arguments.requireBetween("--warm-up", warmUp, 0, 3600);
+    time.check(arguments);
     ServerOperation measurement = this::measure;
     return measurement.runIsolated(settings());
   }
 
   private int measure(FleetServer toqa, URI address, StopSignal stop) throws Exception {
     TaskLoadGenerator load = TaskLoadGenerator.on(toqa.fleet(), robots, seed);
-    load.run(warmUp, stop, snapshot -> {});
+    load.run(time.warmUp(), stop, snapshot -> {});
     FleetMeter meter = new FleetMeter(toqa.fleetClock());
-    load.run(seconds, stop, meter::observe);
+    load.run(time.seconds(), stop, meter::observe);
     Report report = meter.report();
     spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
     return report.nearestMetres() >= 0 ? ExitCode.OK : ExitCode.SOFTWARE;

@@ -14,8 +14,8 @@ import org.toqa.grid.Scenario;
 import org.toqa.planning.Path;
 import org.toqa.planning.PathPlanner;
 import org.toqa.planning.PlanChecker;
-import org.toqa.planning.PlanResult.Found;
 import org.toqa.planning.PlanResult;
+import org.toqa.planning.PlanResult.Found;
 import org.toqa.statistics.Percentiles;
 
 /** The queries of a scenario, planned one after the other in a warm process, timed and checked. */

@@ -14,6 +14,7 @@ import org.toqa.app.server.FleetServer;
 import org.toqa.app.server.ServerOperation;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -57,19 +58,7 @@ public final class WebBench implements Callable<Integer> {
       description = "How many pages are asked for a second, 1 to 1000 (default: ${DEFAULT-VALUE}).")
   private int rate;
 
-  @Option(
-      names = "--seconds",
-      defaultValue = "60",
-      paramLabel = "S",
-      description = "How long it is measured, 1 to 3600 (default: ${DEFAULT-VALUE}).")
-  private int seconds;
-
-  @Option(
-      names = "--warm-up",
-      defaultValue = "30",
-      paramLabel = "S",
-      description = "How long it runs before that, 0 to 3600 (default: ${DEFAULT-VALUE}).")
-  private int warmUp;
+  @Mixin private MeasuringTime time = new MeasuringTime();
 
   @Option(
       names = "--map",
@@ -93,8 +82,7 @@ public final class WebBench implements Callable<Integer> {
     arguments.requireBetween("--robots", robots, 2, 500);
     arguments.requireBetween("--browsers", browsers, 1, 2000);
     arguments.requireBetween("--rate", rate, 1, 1000);
-    arguments.requireBetween("--seconds", seconds, 1, 3600);
-    arguments.requireBetween("--warm-up", warmUp, 0, 3600);
+    time.check(arguments);
     String password = UUID.randomUUID().toString();
     ServerOperation measurement = (toqa, address, stop) -> measure(toqa, address, password, stop);
     return measurement.runIsolated(settings(password));
@@ -107,11 +95,11 @@ public final class WebBench implements Callable<Integer> {
     try (LiveStreamClients streams =
             LiveStreamClients.open(address, token, browsers, InstantSource.system());
         PageLoadGenerator pages = PageLoadGenerator.start(address, token, rate)) {
-      load.run(warmUp, stop, snapshot -> {});
+      load.run(time.warmUp(), stop, snapshot -> {});
       streams.reset();
       pages.reset();
       ProcessMeter meter = new ProcessMeter(toqa.fleetClock());
-      load.run(seconds, stop, snapshot -> {});
+      load.run(time.seconds(), stop, snapshot -> {});
       ProcessMeter.Reading reading = meter.read();
       Report report =
           new Report(

@@ -159,8 +159,7 @@ record ConfigurationReader(List<SettingSource> layers) {
     return word;
   }
 
-  private <T> T parsed(Setting setting, Function<String, T> parser)
-      throws ConfigurationException {
+  private <T> T parsed(Setting setting, Function<String, T> parser) throws ConfigurationException {
     try {
       return parser.apply(text(setting).strip());
     } catch (NumberFormatException e) {

@@ -12,10 +12,12 @@ import org.toqa.app.config.ValueRange.WholeNumbers;
 public enum Setting {
   ADDRESS("address", "127.0.0.1", "a host name or IP address of this machine"),
   PORT("port", "8080", new WholeNumber(0, 65_535, "", "; 0 takes any free port")),
-  TLS_CERTIFICATE("tls.certificate", "", "a PEM file with the certificate and those that vouch for it"),
+  TLS_CERTIFICATE(
+      "tls.certificate", "", "a PEM file with the certificate and those that vouch for it"),
   TLS_KEY("tls.key", "", "a PEM file with the certificate's private key, without a password"),
   PROXY("proxy", "", "the IP address of the proxy in front of this server"),
-  REQUESTS_PER_SECOND("requestsPerSecond", "300", new WholeNumber(0, 100_000, "", "; 0 sets no limit")),
+  REQUESTS_PER_SECOND(
+      "requestsPerSecond", "300", new WholeNumber(0, 100_000, "", "; 0 sets no limit")),
   DATA("data", "toqa-data", "a folder"),
   MAP("map", "", "a .yaml (ROS map_server) or .map (MovingAI) file"),
   DATABASE_URL("database.url", "", "a JDBC URL that begins with jdbc:mysql: or jdbc:h2:"),
@@ -34,7 +36,8 @@ public enum Setting {
   KEEP_TRACKS("keepTracks", "90", new WholeNumber(1, 3650, "days")),
   KEEP_HISTORY("keepHistory", "730", new WholeNumber(1, 3650, "days")),
   MANAGER("manager", "", "name:password of the first manager"),
-  SITE("site", "", "the address of the pages as browsers have it, such as https://toqa.example.org"),
+  SITE(
+      "site", "", "the address of the pages as browsers have it, such as https://toqa.example.org"),
   MAIL_HOST("mail.host", "", "the host name of a mail server (SMTP)"),
   MAIL_PORT("mail.port", "587", new WholeNumber(1, 65_535)),
   MAIL_SECURITY("mail.security", "starttls", new Choice("starttls", "tls", "none")),

@@ -37,7 +37,12 @@ sealed interface ValueRange {
   record WholeNumbers(int min, int max, String unit) implements ValueRange {
     @Override
     public String description() {
-      return "whole numbers" + of(unit) + " from " + min + " to " + max
+      return "whole numbers"
+          + of(unit)
+          + " from "
+          + min
+          + " to "
+          + max
           + " with commas between them";
     }
 

@@ -3,14 +3,11 @@ package org.toqa.app.server;
 import com.github.benmanes.caffeine.cache.Ticker;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import java.util.stream.Stream;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.accounts.AccountStore;
@@ -19,24 +16,17 @@ import org.toqa.accounts.SessionStore;
 import org.toqa.app.config.Configuration;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
-import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.PeriodicWork;
-import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.history.TrackRecorder;
 import org.toqa.fleet.history.UtilisationRecorder;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.fleet.schedule.Scheduler;
-import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
-import org.toqa.grid.Place;
 import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
-import org.toqa.persistence.StoreException;
 import org.toqa.sim.SimulatedFleet;
-import org.toqa.sim.SimulatedFloor;
-import org.toqa.sim.SimulatedRobot;
 import org.toqa.sim.VirtualClock;
 import org.toqa.store.Database;
 import org.toqa.store.HistoryPruner;
@@ -65,7 +55,6 @@ public final class FleetServer implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(FleetServer.class);
   private static final Duration FLEET_TICK = Duration.ofMillis(100);
   private static final Duration SCHEDULE_PERIOD = Duration.ofSeconds(1);
-  private static final double SIMULATED_MAX_LOAD = 5;
 
   private final Configuration configuration;
   private final InstantSource fleetClock;
@@ -114,7 +103,7 @@ public final class FleetServer implements AutoCloseable {
     VirtualClock clock = new VirtualClock(wallClock.instant(), configuration.simulationSpeed());
     SimulatedFleet simulated =
         configuration.simulatedRobots() > 0
-            ? startSimulatedRobots(configuration, floor, store, clock)
+            ? SimulatedRobots.start(configuration, floor, store, clock)
             : null;
     if (simulated != null) {
       parts.push(simulated);
@@ -204,73 +193,6 @@ public final class FleetServer implements AutoCloseable {
       accounts.addFirstManager(manager.name(), passwords.hash(manager.password()));
       log.info("The first manager is {}.", manager.name());
     }
-  }
-
-  /**
-   * Makes the robots r1 to rN, or finds them again with what people have changed, and tells the
-   * store where they listen.
-   */
-  private static SimulatedFleet startSimulatedRobots(
-      Configuration configuration, FloorMap floor, FleetStore store, VirtualClock clock)
-      throws IOException {
-    List<Place> places = startPlaces(floor, configuration.simulatedRobots());
-    List<SimulatedRobot> robots = new ArrayList<>();
-    for (int i = 0; i < configuration.simulatedRobots(); i++) {
-      Pose start = new Pose(places.get(i).position().x(), places.get(i).position().y(), 0);
-      Path firmware = i == 0 ? configuration.firmware() : null;
-      robots.add(
-          new SimulatedRobot(
-              "r" + (i + 1),
-              start,
-              SIMULATED_MAX_LOAD,
-              initialBattery(configuration, i),
-              firmware));
-    }
-    SimulatedFleet simulated =
-        SimulatedFleet.open(
-            configuration.data().resolve("robots"), robots, SimulatedFloor.of(floor), clock);
-    try {
-      List<RobotRecord> known = store.robots();
-      for (int i = 0; i < robots.size(); i++) {
-        String name = robots.get(i).name();
-        int port = simulated.port(name);
-        String parking = i < floor.parking().size() ? places.get(i).name() : null;
-        RobotRecord fresh =
-            new RobotRecord(
-                name, floor.name(), "127.0.0.1", port, SIMULATED_MAX_LOAD, parking, true, null);
-        store.saveRobot(
-            known.stream()
-                .filter(r -> r.simulated() && r.name().equals(name))
-                .filter(r -> r.floor().equals(floor.name()))
-                .map(r -> r.withAddress("127.0.0.1", port))
-                .findFirst()
-                .orElse(fresh));
-      }
-      return simulated;
-    } catch (StoreException e) {
-      simulated.close();
-      throw new IOException("The simulated robots cannot be stored: " + e.getMessage(), e);
-    }
-  }
-
-  private static double initialBattery(Configuration configuration, int robot) {
-    List<Double> batteries = configuration.simulatedBatteries();
-    return batteries.get(Math.min(robot, batteries.size() - 1));
-  }
-
-  /** Where robots begin: the parking points, and where these do not suffice, free cells. */
-  private static List<Place> startPlaces(FloorMap floor, int count) throws IOException {
-    List<Place> places =
-        Stream.concat(floor.parking().stream(), FreeCells.of(floor)).limit(count).toList();
-    if (places.size() < count) {
-      throw new IOException(
-          "The map "
-              + floor.name()
-              + " has room for "
-              + places.size()
-              + " robots: simulate fewer.");
-    }
-    return places;
   }
 
   Configuration configuration() {

@@ -20,8 +20,7 @@ public record DurationStatistics(int count, double mean, double median, double p
     if (microseconds.length == 0) {
       return null;
     }
-    Percentiles durations =
-        new Percentiles(Arrays.stream(microseconds).asDoubleStream().toArray());
+    Percentiles durations = new Percentiles(Arrays.stream(microseconds).asDoubleStream().toArray());
     return new DurationStatistics(
         durations.count(),
         durations.mean() / MICROSECONDS,

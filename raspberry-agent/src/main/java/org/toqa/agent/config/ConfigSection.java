@@ -28,7 +28,12 @@ final class ConfigSection {
       if (!List.of(known).contains(String.valueOf(key))) {
         throw new ConfigException(
             "%s: there is no key \"%s%s\"; did you mean \"%s%s\"?"
-                .formatted(file, path, key, path, Spelling.nearest(String.valueOf(key), List.of(known)).word()));
+                .formatted(
+                    file,
+                    path,
+                    key,
+                    path,
+                    Spelling.nearest(String.valueOf(key), List.of(known)).word()));
       }
     }
   }
