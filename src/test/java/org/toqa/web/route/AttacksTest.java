@@ -23,8 +23,8 @@ import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 
 /**
- * What attackers try, beside what AccessTest knocks at doors with: forged forms, planted sessions
- * and guessed passwords are there.
+ * What attackers try, but for forged forms, which are in {@code AccessTest}, and planted sessions
+ * and guessed passwords, which are in {@code LoginTest}.
  */
 class AttacksTest {
   private static final String SCRIPT = "<script>alert(1)</script>";
