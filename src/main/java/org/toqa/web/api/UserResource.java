@@ -157,7 +157,8 @@ public final class UserResource extends ApiHandler {
             () -> Problem.of(404, Texts.of(request).get("problem.noSuchUser")).exception());
   }
 
-  private static void refuseUnlessDone(JdbiAccountStore.Outcome outcome, HttpServletRequest request) {
+  private static void refuseUnlessDone(
+      JdbiAccountStore.Outcome outcome, HttpServletRequest request) {
     new UserCommands(services(request), Texts.of(request), new FieldErrors())
         .refusal(outcome)
         .ifPresent(

@@ -40,7 +40,9 @@ public final class LoginPage extends PageHandler {
       showAgain(request, response, "login", errors);
       return;
     }
-    switch (services(request).authenticator().authenticate(name, password, request.getRemoteAddr())) {
+    switch (services(request)
+        .authenticator()
+        .authenticate(name, password, request.getRemoteAddr())) {
       case Authenticator.Outcome.Authenticated welcome -> {
         SessionCookie.signIn(request, response, services(request), welcome.account());
         redirect(

@@ -65,8 +65,7 @@ public final class NewTaskPage extends PageHandler {
     Caller user = Caller.of(request);
     UUID key = TaskSubmitter.idempotencyKey(user.account(), "schedule " + idempotencyKey(request));
     ScheduleCommands schedules = new ScheduleCommands(services(request), Texts.of(request));
-    return switch (schedules.add(
-        order.order(), order.recurrence(), order.until(), user, key)) {
+    return switch (schedules.add(order.order(), order.recurrence(), order.until(), user, key)) {
       case ScheduleCommands.Outcome.Answered(var answer) -> acceptedValue(request, answer, errors);
       case ScheduleCommands.Outcome.Repeated(Schedule before) -> Optional.of(before);
       case ScheduleCommands.Outcome.KeyReused() ->
@@ -89,7 +88,9 @@ public final class NewTaskPage extends PageHandler {
       case TaskSubmitter.Outcome.Repeated(TaskView before) -> Optional.of(before);
       case TaskSubmitter.Outcome.KeyReused() ->
           acceptedValue(
-              request, FleetAnswers.await(services(request).fleet().submit(order, user.name())), errors);
+              request,
+              FleetAnswers.await(services(request).fleet().submit(order, user.name())),
+              errors);
     };
   }
 

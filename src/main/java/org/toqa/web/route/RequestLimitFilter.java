@@ -40,7 +40,8 @@ public final class RequestLimitFilter extends HttpFilter {
   }
 
   private static boolean isUnlimited(HttpServletRequest request) {
-    return request.getServletPath().startsWith("/assets/") || RequestPath.of(request).equals(HEALTH);
+    return request.getServletPath().startsWith("/assets/")
+        || RequestPath.of(request).equals(HEALTH);
   }
 
   private static String callerKey(HttpServletRequest request) {
