@@ -13,7 +13,7 @@ import org.toqa.accounts.Session;
 import org.toqa.web.Services;
 
 /**
- * The secret that a browser keeps. A stranger's only ties his forms to his browser; whoever logs in
+ * The secret that a browser keeps. That of who is not signed in only ties forms to his browser; whoever logs in
  * gets a fresh one, so that one planted before is worth nothing.
  */
 public final class SessionCookie {

@@ -13,7 +13,7 @@ import org.toqa.web.Services;
 import org.toqa.web.access.Caller;
 
 /**
- * Asks callers to wait who ask too fast: users by their name, strangers by their address. Static
+ * Asks callers to wait who ask too fast: users by their name, others by their address. Static
  * files, of which each page has many, and the health that monitors watch are for everybody.
  */
 public final class RequestLimitFilter extends HttpFilter {

@@ -24,7 +24,7 @@ import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 import org.toqa.web.access.Permission;
 
-/** Every door against every kind of visitor, and the tricks that are tried at doors. */
+/** Every route for every kind of visitor, and the tricks that are tried. */
 class AccessTest {
   private static WebTestServer server;
   private static TestClient anonymous;
@@ -47,7 +47,7 @@ class AccessTest {
     server.close();
   }
 
-  /** But the ways out: whoever passes them is a stranger to the next door. */
+  /** All but those that sign out: whoever uses them is not signed in for the next. */
   static Stream<Route> routes() {
     return Routes.all().stream().filter(route -> !isSignOut(route));
   }
@@ -408,10 +408,10 @@ class AccessTest {
     return cookie.split(";", 2)[0];
   }
 
-  /** Passed means: whatever the servlet then said, no door said no. */
+  /** Passed means: whatever the handler then said, no permission was missing. */
   private static void assertPassed(int status) {
     assertTrue(
-        Set.of(200, 303, 404, 410, 415, 422).contains(status), "The door was closed: " + status);
+        Set.of(200, 303, 404, 410, 415, 422).contains(status), "It was refused: " + status);
   }
 
   private static int status(TestClient client, Route route) {

@@ -24,7 +24,7 @@ import org.toqa.web.access.Permission;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
-/** Holds the API's description against the doors and against what really comes. */
+/** Holds the API's description against the routes and against what really comes. */
 class OpenApiTest {
   private static final JsonMapper JSON = new JsonMapper();
 
