@@ -15,7 +15,7 @@ public final class FleetAnswers {
 
   /**
    * @throws StoreException when nothing was done, since the store did not answer
-   * @throws FleetUnavailableException when there is no answer within ten seconds; the wish may
+   * @throws FleetUnavailableException when there is no answer within ten seconds; the command may
    *     still have been stored
    */
   public static <T> T await(CompletionStage<T> answer) {

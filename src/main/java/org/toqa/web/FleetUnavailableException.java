@@ -1,6 +1,6 @@
 package org.toqa.web;
 
-/** The fleet did not answer a wish in time, or its store failed. */
+/** The fleet did not answer in time, or its store failed. */
 public final class FleetUnavailableException extends RuntimeException {
   public FleetUnavailableException(Throwable cause) {
     super("The fleet did not answer.", cause);

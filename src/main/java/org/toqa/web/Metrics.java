@@ -91,7 +91,7 @@ public final class Metrics implements AutoCloseable {
   /**
    * A request was answered.
    *
-   * @param route its door's path, with braces, so that there are not more of them than doors
+   * @param route its path, with braces, so that there are not more of them than routes
    */
   public void recordRequest(String method, String route, int status, Duration time) {
     Timer.builder("toqa.http.requests")

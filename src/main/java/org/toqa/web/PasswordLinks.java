@@ -54,8 +54,8 @@ public final class PasswordLinks {
    * Sends a letter to the users of that name or e-mail address, if there are any who may log in and
    * have one. Whether there are is neither told nor to be found out by the time that it takes.
    *
-   * @param address where the wish comes from
-   * @return zero, or how long until the next wish is looked at
+   * @param address where the request comes from
+   * @return zero, or how long until the next request is looked at
    */
   public Duration sendLink(String nameOrEmail, String address, Texts texts) {
     String given = nameOrEmail.strip().toLowerCase(Locale.ROOT);

@@ -37,8 +37,7 @@ public abstract class ApiHandler {
    * @throws Problem.ProblemException when it is no JSON object, or with a sentence for each field
    *     that is wrong
    */
-  static <T> T readBody(HttpServletRequest request, Function<Fields, T> reader)
-      throws IOException {
+  static <T> T readBody(HttpServletRequest request, Function<Fields, T> reader) throws IOException {
     FieldErrors errors = new FieldErrors();
     T read = reader.apply(JsonFields.of(request, errors));
     throwIfAny(errors);

@@ -26,7 +26,10 @@ public final class FleetResource extends ApiHandler {
   public static void get(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Json.send(
-        request, response, 200, FleetJson.of(services(request).fleet().snapshots().latest().pause()));
+        request,
+        response,
+        200,
+        FleetJson.of(services(request).fleet().snapshots().latest().pause()));
   }
 
   public static void pause(HttpServletRequest request, HttpServletResponse response)

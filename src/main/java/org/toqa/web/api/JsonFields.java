@@ -211,8 +211,7 @@ final class JsonFields implements Fields {
     return optionalObject(name)
         .map(
             size -> {
-              LoadSize read =
-                  rules().size(path(name), size.number("length"), size.number("width"));
+              LoadSize read = rules().size(path(name), size.number("length"), size.number("width"));
               size.refuseUnknown();
               return read;
             })

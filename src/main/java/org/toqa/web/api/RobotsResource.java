@@ -19,7 +19,9 @@ public final class RobotsResource extends ApiHandler {
         request,
         response,
         200,
-        services(request).fleet().snapshots().latest().robots().stream().map(RobotJson::of).toList());
+        services(request).fleet().snapshots().latest().robots().stream()
+            .map(RobotJson::of)
+            .toList());
   }
 
   public static void add(HttpServletRequest request, HttpServletResponse response)
@@ -28,7 +30,8 @@ public final class RobotsResource extends ApiHandler {
     RobotView robot =
         acceptedValue(
             request,
-            FleetAnswers.await(services(request).fleet().addRobot(order, Caller.of(request).name())));
+            FleetAnswers.await(
+                services(request).fleet().addRobot(order, Caller.of(request).name())));
     response.setHeader(
         "Location",
         request.getContextPath()

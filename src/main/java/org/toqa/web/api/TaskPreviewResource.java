@@ -18,7 +18,8 @@ public final class TaskPreviewResource extends ApiHandler {
     TaskPreview preview =
         acceptedValue(
             request,
-            FleetAnswers.await(services(request).fleet().preview(order, Caller.of(request).name())));
+            FleetAnswers.await(
+                services(request).fleet().preview(order, Caller.of(request).name())));
     Json.send(
         request,
         response,

@@ -37,7 +37,8 @@ public final class TaskResource extends ApiHandler {
         request,
         response,
         user ->
-            read(request, (reader, fields) -> reader.readPriority(user, fields.number("priority"))));
+            read(
+                request, (reader, fields) -> reader.readPriority(user, fields.number("priority"))));
   }
 
   /** A body is needed only where the load's place must be said. */

@@ -39,6 +39,7 @@ public final class TrackResource extends ApiHandler {
         response,
         200,
         new TrackJson(
-            robot, services(request).tracks().track(robot, since).stream().map(PointJson::of).toList()));
+            robot,
+            services(request).tracks().track(robot, since).stream().map(PointJson::of).toList()));
   }
 }

@@ -14,7 +14,7 @@ import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
 
 /**
- * What values from outside must be, whichever door they come through. Each method files a sentence
+ * What values from outside must be, whichever input they come by. Each method files a sentence
  * under the field when the value is refused; what it then answers means nothing. A null number was
  * missing or has its sentence already.
  */

@@ -16,7 +16,7 @@ import org.toqa.fleet.Recurrence;
 import org.toqa.web.Texts;
 
 /**
- * What times of a schedule must be, whichever door they come through. Each method files a sentence
+ * What times of a schedule must be, whichever input they come by. Each method files a sentence
  * under the field when a value is missing or refused; what it then answers means nothing.
  */
 public final class RecurrenceRules {

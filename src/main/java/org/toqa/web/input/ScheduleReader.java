@@ -86,9 +86,7 @@ public final class ScheduleReader {
     Instant until = rules.until("until", fields.moment("until", MOMENT));
     fields.refuseUnknown();
     if (order.deadline() != null) {
-      fields
-          .errors()
-          .add(task.path("deadline"), fields.texts().get("error.schedule.deadline"));
+      fields.errors().add(task.path("deadline"), fields.texts().get("error.schedule.deadline"));
     }
     return new ScheduleOrder(order, recurrence, until);
   }

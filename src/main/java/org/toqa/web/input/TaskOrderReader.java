@@ -11,8 +11,7 @@ public final class TaskOrderReader {
 
   /** An order that a program gives: its deadline may have passed already. */
   public static TaskOrder read(Fields fields) {
-    return read(
-        fields, deadline -> fields.rules().deadline(fields.path("deadline"), deadline));
+    return read(fields, deadline -> fields.rules().deadline(fields.path("deadline"), deadline));
   }
 
   /** An order that a person enters: a deadline that has passed is a slip. */

@@ -38,7 +38,9 @@ public final class FirstStartPage extends PageHandler {
       return;
     }
     Optional<Account> manager =
-        services(request).accounts().addFirstManager(name, services(request).passwordHasher().hash(password));
+        services(request)
+            .accounts()
+            .addFirstManager(name, services(request).passwordHasher().hash(password));
     if (manager.isEmpty()) {
       errors.add("name", Texts.of(request).get("error.userName.taken"));
       showAgain(request, response, "first-start", errors);

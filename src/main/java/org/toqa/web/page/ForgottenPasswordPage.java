@@ -26,7 +26,8 @@ public final class ForgottenPasswordPage extends PageHandler {
     } else if (user == null) {
       errors.add("user", texts.get("error.forgotten.user"));
     } else {
-      Duration wait = services(request).passwordLinks().sendLink(user, request.getRemoteAddr(), texts);
+      Duration wait =
+          services(request).passwordLinks().sendLink(user, request.getRemoteAddr(), texts);
       if (wait.isZero()) {
         redirect(request, response, "/forgotten?done=sent");
         return;

@@ -94,9 +94,7 @@ final class FormFields implements Fields {
   @Override
   public @Nullable LoadSize size(String name) {
     boolean isGiven = text("length") != null || text("width") != null;
-    return isGiven
-        ? rules().size(name, number("length", name), number("width", name))
-        : null;
+    return isGiven ? rules().size(name, number("length", name), number("width", name)) : null;
   }
 
   @Override

@@ -42,8 +42,8 @@ public final class ImportPage extends PageHandler {
     }
   }
 
-  private static Optional<List<TaskView>> importTable(HttpServletRequest request, FieldErrors errors)
-      throws ServletException, IOException {
+  private static Optional<List<TaskView>> importTable(
+      HttpServletRequest request, FieldErrors errors) throws ServletException, IOException {
     Texts texts = Texts.of(request);
     byte[] table = table(request);
     Optional<ZoneId> zone = TaskImport.zone(request.getParameter("zone"));
@@ -63,7 +63,8 @@ public final class ImportPage extends PageHandler {
       byte[] table, ZoneId zone, HttpServletRequest request, FieldErrors errors) {
     Account user = Caller.of(request).account();
     UUID key = TaskSubmitter.idempotencyKey(user, "import " + request.getParameter("wish"));
-    return switch (new TaskImport(services(request), Texts.of(request)).run(table, zone, user, key)) {
+    return switch (new TaskImport(services(request), Texts.of(request))
+        .run(table, zone, user, key)) {
       case TaskImport.Outcome.Imported(List<TaskView> tasks) -> Optional.of(tasks);
       case TaskImport.Outcome.Faulty(LineFaults faults) -> {
         request.setAttribute("faults", faults);

@@ -10,7 +10,7 @@ import org.toqa.web.access.Caller;
 import org.toqa.web.access.SessionCookie;
 import org.toqa.web.input.FieldErrors;
 
-/** The front door: name and password. */
+/** Signs in with a name and a password. */
 public final class LoginPage extends PageHandler {
   private static final String FIRST_PAGE = "/map";
 
@@ -40,7 +40,9 @@ public final class LoginPage extends PageHandler {
       showAgain(request, response, "login", errors);
       return;
     }
-    switch (services(request).authenticator().authenticate(name, password, request.getRemoteAddr())) {
+    switch (services(request)
+        .authenticator()
+        .authenticate(name, password, request.getRemoteAddr())) {
       case Authenticator.Outcome.Authenticated welcome -> {
         SessionCookie.signIn(request, response, services(request), welcome.account());
         redirect(

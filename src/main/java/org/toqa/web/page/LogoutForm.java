@@ -5,7 +5,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.toqa.web.access.SessionCookie;
 
-/** The way out. */
+/** Signs out. */
 public final class LogoutForm extends PageHandler {
   public static void signOut(HttpServletRequest request, HttpServletResponse response)
       throws IOException {

@@ -104,7 +104,9 @@ public final class NewTaskPage extends PageHandler {
       case KeyedAnswer.Repeated<TaskView>(TaskView before) -> Optional.of(before);
       case KeyedAnswer.KeyReused<TaskView>() ->
           acceptedValue(
-              request, FleetAnswers.await(services(request).fleet().submit(order, user.name())), errors);
+              request,
+              FleetAnswers.await(services(request).fleet().submit(order, user.name())),
+              errors);
     };
   }
 

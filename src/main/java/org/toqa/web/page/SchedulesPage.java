@@ -85,7 +85,8 @@ public final class SchedulesPage extends PageHandler {
   private static void change(
       HttpServletRequest request, HttpServletResponse response, Change change)
       throws ServletException, IOException {
-    Optional<Schedule> schedule = services(request).schedules().schedule(RequestPath.number(request, "id"));
+    Optional<Schedule> schedule =
+        services(request).schedules().schedule(RequestPath.number(request, "id"));
     if (schedule.isEmpty()) {
       sendNotFound(request, response, "problem.noSuchSchedule");
       return;

@@ -67,9 +67,7 @@ public final class TaskPage extends PageHandler {
   public static void cancel(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     change(
-        request,
-        response,
-        (reader, fields, user) -> reader.readCancel(user, fields.text("load")));
+        request, response, (reader, fields, user) -> reader.readCancel(user, fields.text("load")));
   }
 
   public static void answer(HttpServletRequest request, HttpServletResponse response)
@@ -114,7 +112,9 @@ public final class TaskPage extends PageHandler {
     Optional<TaskView> changed =
         errors.isEmpty()
             ? acceptedValue(
-                request, FleetAnswers.await(services(request).fleet().commandTask(id, command)), errors)
+                request,
+                FleetAnswers.await(services(request).fleet().commandTask(id, command)),
+                errors)
             : Optional.empty();
     if (changed.isPresent()) {
       redirect(request, response, "/tasks/" + id);

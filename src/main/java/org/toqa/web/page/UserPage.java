@@ -81,10 +81,7 @@ public final class UserPage extends PageHandler {
 
   /** A form of the page that was sent. */
   private record Form(
-      Account user,
-      HttpServletRequest request,
-      HttpServletResponse response,
-      FieldErrors errors) {
+      Account user, HttpServletRequest request, HttpServletResponse response, FieldErrors errors) {
     UserCommands commands() {
       return new UserCommands(services(request), Texts.of(request), errors);
     }
@@ -142,7 +139,8 @@ public final class UserPage extends PageHandler {
   /** The user in the path; empty when the answer is given: there is none, or he is not seen. */
   private static Optional<Account> user(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    Optional<Account> user = services(request).accounts().account(RequestPath.number(request, "id"));
+    Optional<Account> user =
+        services(request).accounts().account(RequestPath.number(request, "id"));
     if (user.isEmpty()) {
       sendNotFound(request, response, "problem.noSuchUser");
     } else if (!UserCommands.canSee(Caller.of(request), user.get())) {

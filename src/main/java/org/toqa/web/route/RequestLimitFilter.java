@@ -13,7 +13,7 @@ import org.toqa.web.Services;
 import org.toqa.web.access.Caller;
 
 /**
- * Asks callers to wait who ask too fast: users by their name, strangers by their address. Static
+ * Asks callers to wait who ask too fast: users by their name, others by their address. Static
  * files, of which each page has many, and the health that monitors watch are for everybody.
  */
 public final class RequestLimitFilter extends HttpFilter {
@@ -40,7 +40,8 @@ public final class RequestLimitFilter extends HttpFilter {
   }
 
   private static boolean isUnlimited(HttpServletRequest request) {
-    return request.getServletPath().startsWith("/assets/") || RequestPath.of(request).equals(HEALTH);
+    return request.getServletPath().startsWith("/assets/")
+        || RequestPath.of(request).equals(HEALTH);
   }
 
   private static String callerKey(HttpServletRequest request) {

@@ -103,7 +103,8 @@ class TaskOrderReaderTest {
     HttpResponse<String> form =
         clerk.post(
             "tasks/new",
-            Map.of("name", "nuts", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
+            Map.of(
+                "name", "nuts", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
     HttpResponse<String> json =
         clerk.postJson(
             "api/v1/tasks",

@@ -15,10 +15,7 @@ class RoutesTest {
   @Test
   void everyRouteButTheFilesHasAHandler() {
     List<String> withoutHandler =
-        Routes.all().stream()
-            .filter(route -> route.handler() == null)
-            .map(Route::path)
-            .toList();
+        Routes.all().stream().filter(route -> route.handler() == null).map(Route::path).toList();
 
     assertEquals(List.of("/assets/*"), withoutHandler);
   }
