@@ -22,6 +22,7 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Vec2;
@@ -46,23 +47,38 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   // --- robots -----------------------------------------------------------------------------------
 
   @Override
-  public List<RobotRecord> robots() {
+  public List<StoredRobot> storedRobots() {
     return sql.withHandle(
         h ->
             h.createQuery(
-                    "select name, floor, host, port, max_load, parking, simulated, fingerprint from robots where not removed order by id")
-                .map(
-                    (rs, ctx) ->
-                        new RobotRecord(
-                            rs.getString("name"),
-                            rs.getString("floor"),
-                            rs.getString("host"),
-                            rs.getInt("port"),
-                            rs.getDouble("max_load"),
-                            rs.getString("parking"),
-                            rs.getBoolean("simulated"),
-                            fingerprint(rs.getString("fingerprint"))))
+                    """
+                    select name, floor, host, port, max_load, parking, simulated, fingerprint,
+                      out_of_service, held, worked_s, charger, charger_since
+                    from robots where not removed order by id
+                    """)
+                .map((rs, ctx) -> storedRobot(rs))
                 .list());
+  }
+
+  private static StoredRobot storedRobot(ResultSet rs) throws SQLException {
+    String name = rs.getString("name");
+    String charger = rs.getString("charger");
+    return new StoredRobot(
+        new RobotRecord(
+            name,
+            rs.getString("floor"),
+            rs.getString("host"),
+            rs.getInt("port"),
+            rs.getDouble("max_load"),
+            rs.getString("parking"),
+            rs.getBoolean("simulated"),
+            fingerprint(rs.getString("fingerprint"))),
+        rs.getBoolean("out_of_service"),
+        rs.getBoolean("held"),
+        new ChargeRecord(
+            name,
+            Duration.ofMillis(Math.round(1000 * rs.getDouble("worked_s"))),
+            charger == null ? null : new Turn(charger, Rows.instant(rs, "charger_since"))));
   }
 
   @Override
@@ -112,23 +128,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public Set<String> robotsOutOfService() {
-    return sql.withHandle(
-        h ->
-            h.createQuery("select name from robots where out_of_service = true")
-                .mapTo(String.class)
-                .set());
-  }
-
-  @Override
   public void saveService(String robot, boolean inService, List<EventRecord> events) {
     saveFlag("out_of_service", robot, !inService, events);
-  }
-
-  @Override
-  public Set<String> heldRobots() {
-    return sql.withHandle(
-        h -> h.createQuery("select name from robots where held = true").mapTo(String.class).set());
   }
 
   @Override
@@ -146,23 +147,6 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
           EventTable.addMissing(h, events);
           return null;
         });
-  }
-
-  @Override
-  public List<ChargeRecord> chargeRecords() {
-    return sql.withHandle(
-        h ->
-            h.createQuery("select name, worked_s, charger, charger_since from robots order by id")
-                .map(
-                    (rs, ctx) ->
-                        new ChargeRecord(
-                            rs.getString("name"),
-                            Duration.ofMillis(Math.round(1000 * rs.getDouble("worked_s"))),
-                            rs.getString("charger") == null
-                                ? null
-                                : new Turn(
-                                    rs.getString("charger"), Rows.instant(rs, "charger_since"))))
-                .list());
   }
 
   @Override

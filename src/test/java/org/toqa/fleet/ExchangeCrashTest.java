@@ -36,11 +36,8 @@ class ExchangeCrashTest {
   private static final int WRITES = 4;
   private static final Set<String> READS =
       Set.of(
-          "robots",
-          "robotsOutOfService",
-          "heldRobots",
+          "storedRobots",
           "pause",
-          "chargeRecords",
           "openTasks",
           "drive",
           "checkAvailable");

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -27,6 +28,7 @@ import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.TaskArchive.Filter;
 import org.toqa.fleet.TaskArchive.Sort;
 import org.toqa.fleet.TaskArchive.Sort.Column;
@@ -86,14 +88,14 @@ class FleetStoreTest {
   void aRobotStaysOutOfServiceWhenItsAddressChanges() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    assertEquals(Set.of(), store.robotsOutOfService());
+    assertEquals(Set.of(), robots(StoredRobot::outOfService));
 
     store.saveService("r1", false, List.of());
     store.saveService("r2", false, List.of());
     store.saveService("r2", true, List.of());
     store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
 
-    assertEquals(Set.of("r1"), store.robotsOutOfService());
+    assertEquals(Set.of("r1"), robots(StoredRobot::outOfService));
     assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
   }
 
@@ -110,7 +112,18 @@ class FleetStoreTest {
     assertThrows(StoreException.class, () -> store.removeRobot("nobody", List.of()));
     store.saveRobot(R1);
     assertEquals(Set.of("r1", "r2"), names(store.robots()));
-    assertEquals(Set.of(), store.robotsOutOfService());
+    assertEquals(Set.of(), robots(StoredRobot::outOfService));
+  }
+
+  private Set<String> robots(Predicate<StoredRobot> condition) {
+    return store.storedRobots().stream()
+        .filter(condition)
+        .map(StoredRobot::name)
+        .collect(Collectors.toSet());
+  }
+
+  private List<ChargeRecord> charges() {
+    return store.storedRobots().stream().map(StoredRobot::charge).toList();
   }
 
   private static Set<String> names(List<RobotRecord> robots) {
@@ -121,15 +134,15 @@ class FleetStoreTest {
   void whatARobotHasWorkedAndWhereItChargesComesBack() {
     store.saveRobot(R1);
     ChargeRecord rested = new ChargeRecord("r1", Duration.ZERO, null);
-    assertEquals(List.of(rested), store.chargeRecords());
+    assertEquals(List.of(rested), charges());
 
     ChargeRecord waits = new ChargeRecord("r1", Duration.ofMinutes(90), new Turn("C1", AT));
     store.saveCharge(waits, List.of());
     store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
 
-    assertEquals(List.of(waits), store.chargeRecords());
+    assertEquals(List.of(waits), charges());
     store.saveCharge(rested, List.of());
-    assertEquals(List.of(rested), store.chargeRecords());
+    assertEquals(List.of(rested), charges());
   }
 
   @Test
@@ -287,12 +300,12 @@ class FleetStoreTest {
     Hold pause = new Hold("Ann", AT);
     store.savePause(pause, List.of());
     store.savePause(pause, List.of()); // twice is as once
-    assertEquals(Set.of("r1"), store.heldRobots());
+    assertEquals(Set.of("r1"), robots(StoredRobot::held));
     assertEquals(Optional.of(pause), store.pause());
 
     store.saveHold("r1", false, List.of());
     store.savePause(null, List.of());
-    assertEquals(Set.of(), store.heldRobots());
+    assertEquals(Set.of(), robots(StoredRobot::held));
     assertEquals(Optional.empty(), store.pause());
   }
 

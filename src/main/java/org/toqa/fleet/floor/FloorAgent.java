@@ -14,6 +14,7 @@ import org.apache.pekko.pattern.StatusReply;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.robot.RobotAgent;
 import org.toqa.fleet.robot.RobotEvent;
 import org.toqa.fleet.robot.RobotMessage;
@@ -103,12 +104,12 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     robotEventHandler = new RobotEventHandler(state, missions, holds, watch);
     robotEvents = context.messageAdapter(RobotEvent.class, FloorMessage.FromRobot::new);
     drives = new DriveDispatcher(state, missions);
-    for (RobotRecord record : memory.robots()) {
-      FloorRobot robot = startRobot(record);
-      robot.inService = !memory.robotsOutOfService().contains(record.name());
-      robot.held = memory.heldRobots().contains(record.name());
+    for (StoredRobot stored : memory.robots()) {
+      FloorRobot robot = startRobot(stored.record());
+      robot.inService = !stored.outOfService();
+      robot.held = stored.held();
     }
-    memory.charges().forEach(charging::recover);
+    memory.robots().forEach(stored -> charging.recover(stored.charge()));
     memory.begunTasks().forEach(missions::recover);
   }
 

@@ -16,11 +16,10 @@ import org.apache.pekko.actor.typed.javadsl.Receive;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
-import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.OpenTask;
-import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.floor.FloorAgent;
 import org.toqa.fleet.floor.FloorDistances;
 import org.toqa.fleet.floor.FloorEvent;
@@ -33,7 +32,7 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
 
 /**
- * Takes tasks, keeps their queue, decides who carries what, and hangs up the picture of the whole
+ * Takes tasks, keeps their queue, decides who carries what, and publishes snapshots of the whole
  * fleet. An accepted task is stored before its asker is answered; robots are given it by its floor.
  */
 final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
@@ -117,11 +116,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetRules rules,
       Instant now) {
     FleetStore store = fleet.store;
-    List<RobotRecord> stored = store.robots();
-    Set<String> outOfService = store.robotsOutOfService();
-    Set<String> held = store.heldRobots();
-    List<ChargeRecord> charges = store.chargeRecords();
-    stored.forEach(r -> fleet.robots.put(r.name(), r));
+    List<StoredRobot> stored = store.storedRobots();
+    stored.forEach(r -> fleet.robots.put(r.name(), r.record()));
     open.stream()
         .filter(t -> t.mission().state() == TaskState.QUEUED)
         .forEach(t -> fleet.queue.add(t.mission(), t.changedAt(), true));
@@ -130,10 +126,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     for (FloorMap floor : floorMaps) {
       StoredFloorState memory =
           new StoredFloorState(
-              stored.stream().filter(r -> r.floor().equals(floor.name())).toList(),
-              outOfService,
-              held,
-              charges,
+              stored.stream().filter(r -> r.record().floor().equals(floor.name())).toList(),
               holdCommands.pause(),
               holdCommands.floorHold(floor.name()),
               open.stream()
@@ -243,7 +236,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     fleet.dueFloors.add(mission.task().floor());
   }
 
-  /** What changes is in the picture when every floor has done its tick, or at the next tick. */
+  /** What changes is in the snapshot when every floor has done its tick, or at the next tick. */
   private void tick(Instant now) {
     if (!ticking.isEmpty() || fleet.floors.isEmpty()) {
       publishIfChanged();
