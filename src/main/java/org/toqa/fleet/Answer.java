@@ -5,7 +5,7 @@ import org.toqa.mission.Objection;
 import org.toqa.mission.Question;
 import org.toqa.wording.Sentence;
 
-/** What the fleet answers to a wish: done and stored, or refused in a sentence. */
+/** What the fleet answers to an order or a command: done and stored, or refused in a sentence. */
 public sealed interface Answer<T> {
 
   record Accepted<T>(T value) implements Answer<T> {}

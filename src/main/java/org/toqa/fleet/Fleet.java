@@ -9,11 +9,12 @@ import org.toqa.grid.FloorMap;
 import org.toqa.mission.MissionEvent;
 
 /**
- * The fleet's door for its users: wishes go in, stored answers come back, snapshots show the rest.
+ * The fleet for its users: orders and commands go in, stored answers come back, snapshots show the
+ * rest.
  *
  * <ol>
- *   <li>A wish is checked against floors and robots; a refusal is a value with a sentence.
- *   <li>An accepted wish is stored before its answer completes, so it survives a crash from then
+ *   <li>An order is checked against floors and robots; a refusal is a value with a sentence.
+ *   <li>An accepted order is stored before its answer completes, so it survives a crash from then
  *       on.
  *   <li>What becomes of it is seen in {@link #snapshots}.
  * </ol>
@@ -81,7 +82,7 @@ public interface Fleet {
   /** A person sends a robot that has nothing to do to its parking point. */
   CompletionStage<Answer<RobotView>> sendHome(String robot, String user);
 
-  /** A person wants something of a task: to cancel it, to hold it, to answer what it asks. */
+  /** An operator command to a task: to cancel it, to hold it, to answer what it asks. */
   CompletionStage<Answer<TaskView>> commandTask(long task, MissionEvent.OperatorCommand command);
 
   /** All robots hold, those that connect later too. No safety function. */

@@ -97,7 +97,7 @@ public interface FleetStore {
 
   /**
    * @param task its id is not known yet
-   * @param idempotencyKey names this wish, so that it can be withdrawn
+   * @param idempotencyKey names this order, so that it can be withdrawn
    */
   record Submission(TransportTask task, UUID idempotencyKey) {}
 

@@ -3,7 +3,7 @@ package org.toqa.fleet;
 import org.toqa.link.trust.PairingCode;
 
 /**
- * A wish to pair a robot that is known with this server, anew or for the first time.
+ * An order to pair a robot that is known with this server, anew or for the first time.
  *
  * @param code that the robot shows
  */

@@ -3,7 +3,7 @@ package org.toqa.fleet;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A wish for another address, strength or parking point of a robot.
+ * An order for another address, strength or parking point of a robot.
  *
  * @param maxLoad kilograms
  * @param parking a parking point's name; null: it stays where its last task ends

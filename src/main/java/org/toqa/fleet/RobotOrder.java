@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.link.trust.PairingCode;
 
 /**
- * A wish for a new robot.
+ * An order for a new robot.
  *
  * @param maxLoad kilograms
  * @param parking a parking point's name; null: the first that no robot has

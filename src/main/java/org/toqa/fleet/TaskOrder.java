@@ -6,8 +6,8 @@ import org.toqa.geometry.Vec2;
 import org.toqa.mission.TransportTask.LoadSize;
 
 /**
- * A wish for a transport task, as a form or the API brings it. The fleet checks it against the
- * floor and the robots; the door has checked only its shape.
+ * An order for a transport task, as a form or the API brings it. The fleet checks it against the
+ * floor and the robots; the web has checked only its shape.
  *
  * @param load kilograms
  * @param floor null: the only floor, or the first

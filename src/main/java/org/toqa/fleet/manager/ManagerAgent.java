@@ -58,12 +58,12 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetRules rules,
       InstantSource clock,
       Instant now,
-      LatestSnapshot board) {
+      LatestSnapshot latest) {
     return Supervision.resuming(
         Behaviors.setup(
             context ->
                 new ManagerAgent(
-                    context, floors, store, links, allocator, rules, clock, now, board)));
+                    context, floors, store, links, allocator, rules, clock, now, latest)));
   }
 
   private ManagerAgent(
@@ -75,7 +75,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetRules rules,
       InstantSource clock,
       Instant now,
-      LatestSnapshot board) {
+      LatestSnapshot latest) {
     super(context);
     this.fleet = new FleetState(store, clock);
     ActorRef<ManagerMessage> self = context.getSelf();
@@ -90,7 +90,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore));
     this.rounds = new AllocationRounds(fleet, allocator, paths, self);
     this.snapshotPublisher =
-        new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, board);
+        new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, latest);
     this.taskCommands =
         new TaskCommandHandler(
             fleet, rounds, lateTasks, storeHealth, check, allocator, paths, self);

@@ -9,7 +9,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 
 /**
- * Who wished for a robot, and waits for the answer.
+ * Who asked for a robot, and waits for the answer.
  *
  * @param onStored goes on with the robot, and answers in the end
  * @param onNotStored takes back what was reserved for it

@@ -34,7 +34,7 @@ final class RobotRegistrar {
   }
 
   /**
-   * Whose wish it is, and who is told.
+   * Who asked for it, and who is answered.
    *
    * @param eventKind of the history's line, such as {@code robot.added}
    * @param text of that line
