@@ -7,8 +7,8 @@ import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps schedules. Each call is one transaction; it throws {@link
- * FleetStore.StoreException} when the store does not answer. Called by threads that may wait.
+ * Keeps schedules. Each call is one transaction; it throws {@link FleetStore.StoreException} when
+ * the store does not answer. Called by threads that may wait.
  */
 public interface ScheduleStore {
 

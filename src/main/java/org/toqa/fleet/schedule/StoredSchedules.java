@@ -137,8 +137,7 @@ public final class StoredSchedules implements Schedules {
     return change(
         schedule,
         before -> {
-          store.delete(
-              schedule, events(before, user, "schedule.deleted", Phrase.SCHEDULE_DELETED));
+          store.delete(schedule, events(before, user, "schedule.deleted", Phrase.SCHEDULE_DELETED));
           return before;
         });
   }

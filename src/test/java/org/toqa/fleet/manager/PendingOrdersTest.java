@@ -17,8 +17,7 @@ import org.toqa.wording.Sentence;
 
 class PendingOrdersTest {
   private static final TaskOrder ORDER =
-      new TaskOrder(
-          "box", 1, new Where.Station("A"), new Where.Station("B"), null, 0, null, null);
+      new TaskOrder("box", 1, new Where.Station("A"), new Where.Station("B"), null, 0, null, null);
 
   private final ActorSystem<StatusReply<Answer<TaskView>>> asker =
       ActorSystem.create(Behaviors.ignore(), "asker");
