@@ -5,11 +5,11 @@ import org.toqa.wording.Sentence;
 
 /** Whether a robot can be given a task now, or what keeps it. */
 public enum Availability {
-  /** Idle, or on its way home. */
+  /** Idle, or driving home. */
   FREE(Phrase.NEEDED_ELSEWHERE, Phrase.CANNOT_OF_SEVERAL),
   BUSY(Phrase.WORKS_ON_ANOTHER, Phrase.WORK_ON_OTHERS),
   HELD(Phrase.IS_HELD, Phrase.ARE_HELD),
-  /** At a charging point, on its way there, or waiting for one. */
+  /** At a charging point, driving to one, or waiting for one. */
   CHARGING(Phrase.CHARGES_FIRST, Phrase.CHARGE_FIRST),
   OUT_OF_SERVICE(Phrase.IS_OUT_OF_SERVICE, Phrase.ARE_OUT_OF_SERVICE),
   LOST(Phrase.IS_LOST, Phrase.ARE_LOST),

@@ -8,14 +8,14 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
 /**
- * What it costs that a robot carries a load, in joules: the energy of its way to the load and with
+ * What it costs that a robot carries a load, in joules: the energy of its path to the load and with
  * it, and what speaks against this robot besides.
  */
 final class Costs {
   /** No robot does this. */
   static final double IMPOSSIBLE = Double.POSITIVE_INFINITY;
 
-  /** An empty battery makes the way to the load count half as much again. */
+  /** An empty battery makes the path to the load count half as much again. */
   private static final double EMPTY_BATTERY = 0.5;
 
   /** A robot that is too strong by a kilogram is worth this detour, metres. */
@@ -24,7 +24,7 @@ final class Costs {
   /** A share of the battery that is left to a robot for detours when it gets to a charger. */
   private static final double RESERVE = 0.05;
 
-  /** Metres a second: a robot that is slower by half is worth a detour as long as its way. */
+  /** Metres per second: a robot that is slower by half is worth a detour as long as its path. */
   private static final double USUAL_SPEED = 0.25;
 
   private final PathLengths pathLengths;
@@ -68,7 +68,7 @@ final class Costs {
     }
   }
 
-  /** The costs of a task, by robot, in the order of the robots. */
+  /** The costs of a task for robots, in their order. */
   List<Cost> of(AllocationTask task, List<Candidate> robots) {
     Map<Double, TaskPaths> byDiameter = new HashMap<>();
     return robots.stream()
@@ -83,18 +83,18 @@ final class Costs {
     return of(task, List.of(robot)).getFirst();
   }
 
-  /** Whether the way from start to goal is wide enough for the robot. */
+  /** Whether the path from start to goal is wide enough for the robot. */
   boolean hasPathFor(AllocationTask task, Candidate robot) {
     return Double.isFinite(
         pathLengths.lengthsFrom(task.start(), robot.diameter()).applyAsDouble(task.goal()));
   }
 
-  /** How long the ways of a task are, metres, for robots of one diameter. */
+  /** How long the paths of a task are, metres, for robots of one diameter. */
   private final class TaskPaths {
     final ToDoubleFunction<Vec2> toLoad;
     final double carried;
 
-    /** To the nearest charger; 0 where there is none. */
+    /** Metres to the nearest charger; 0 where there is none. */
     final double toCharger;
 
     TaskPaths(AllocationTask task, double diameter) {
@@ -112,9 +112,9 @@ final class Costs {
     return Math.max(1, USUAL_SPEED / robot.speed());
   }
 
-  private Cost cost(AllocationTask task, Candidate robot, TaskPaths ways) {
-    double approach = ways.toLoad.applyAsDouble(robot.position());
-    double carried = ways.carried;
+  private Cost cost(AllocationTask task, Candidate robot, TaskPaths paths) {
+    double approach = paths.toLoad.applyAsDouble(robot.position());
+    double carried = paths.carried;
     if (!robot.isStrongEnough(task)) {
       return Cost.impossible(approach, Impediment.TOO_WEAK);
     }
@@ -125,7 +125,7 @@ final class Costs {
     double used =
         Energy.joules(approach, 0)
             + Energy.joules(carried, task.load())
-            + Energy.joules(ways.toCharger, 0);
+            + Energy.joules(paths.toCharger, 0);
     if (!chargers.isEmpty() && used > (charge - RESERVE) * Energy.BATTERY_JOULES) {
       return Cost.impossible(approach, Impediment.BATTERY);
     }

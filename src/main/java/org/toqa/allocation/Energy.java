@@ -16,7 +16,7 @@ public final class Energy {
   /**
    * Joules.
    *
-   * @param metres of the way
+   * @param metres of the path
    * @param load kilograms on board
    */
   public static double joules(double metres, double load) {

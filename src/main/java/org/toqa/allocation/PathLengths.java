@@ -3,15 +3,15 @@ package org.toqa.allocation;
 import java.util.function.ToDoubleFunction;
 import org.toqa.geometry.Vec2;
 
-/** How long the ways on a floor are. The way back is as long as the way there. */
+/** How long the paths on a floor are. The path back is as long as the path there. */
 @FunctionalInterface
 public interface PathLengths {
 
-  /** As the crow flies, through whatever is in between. */
+  /** Straight lines, through whatever is in between. */
   PathLengths STRAIGHT = (place, diameter) -> place::distanceTo;
 
   /**
-   * The lengths of a robot's ways between one place and others, metres; infinite where there is
+   * The lengths of a robot's paths between one place and others, metres; infinite where there is
    * none that is wide enough for it. To be asked for once for many others.
    *
    * @param place metres, map frame

@@ -12,9 +12,9 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * Gives loads that are too heavy for every robot that fits through their way to several, and leaves
- * the rest to another allocator. The team is the smallest whose robots can each carry an even
- * share; of those that are free the ones nearest to the load, the nearest of all as the leader.
+ * Gives loads that are too heavy for every robot that fits on their path to several, and leaves the
+ * rest to another allocator. The team is the smallest whose robots can each carry an even share; of
+ * those that are free the ones nearest to the load, the nearest of all as the leader.
  *
  * <p>Robots seldom become free together. When such a load has waited longer than every other task,
  * robots that are free are kept for it, so that it does not wait for ever. Where it is fetched and
@@ -72,7 +72,7 @@ public final class TeamAllocator implements Allocator {
       }
     }
 
-    /** The robots for which the way of the load is wide enough. */
+    /** The robots for which the path of the load is wide enough. */
     private List<Candidate> fitting(AllocationTask task) {
       return problem.robots().stream().filter(r -> costs.hasPathFor(task, r)).toList();
     }

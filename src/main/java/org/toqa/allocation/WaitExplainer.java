@@ -22,7 +22,7 @@ public final class WaitExplainer {
   private final Costs costs;
 
   /**
-   * @param pathLengths {@link PathLengths#STRAIGHT} where nobody has looked for ways yet
+   * @param pathLengths {@link PathLengths#STRAIGHT} where nobody has looked for paths yet
    * @param chargers the floor's charging points, metres, map frame
    */
   public WaitExplainer(List<Candidate> robots, PathLengths pathLengths, List<Vec2> chargers) {

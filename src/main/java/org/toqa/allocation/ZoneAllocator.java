@@ -8,9 +8,9 @@ import org.toqa.wording.Sentence;
 
 /**
  * The load-based allocator (Tanta, "Load-based allocation"): of the robots that are strong enough,
- * the one that parks in the load's zone, then those beside it, then outward. A robot on its way
- * home counts as free wherever it parks. It looks at no distance, so a round is quick, and ways are
- * as short as the zones are narrow.
+ * the one that parks in the load's zone, then those beside it, then outward. A robot that drives
+ * home counts as free wherever it parks. It looks at no distance, so a round is quick, and paths
+ * are as short as the zones are narrow.
  */
 public final class ZoneAllocator implements Allocator {
   /** The load's zone and those beside it hold the zone's best robots. */

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 public record ChargeRecord(String robot, Duration worked, @Nullable Turn turn) {
 
   /**
-   * A robot's place at a charging point: there, on its way, or behind others.
+   * A robot's place at a charging point: there, driving to it, or behind others.
    *
    * @param point the charging point's name
    * @param since who came earlier comes first

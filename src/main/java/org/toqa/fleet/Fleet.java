@@ -83,7 +83,7 @@ public interface Fleet {
   /** A person sends a robot that has nothing to do to its parking point. */
   CompletionStage<Answer<RobotView>> sendHome(String robot, String user);
 
-  /** A person wants something of a task: to cancel it, to hold it, to answer what it asks. */
+  /** An operator command to a task: to cancel it, to hold it, to answer what it asks. */
   CompletionStage<Answer<TaskView>> commandTask(long task, MissionEvent.OperatorCommand command);
 
   /** All robots hold, those that connect later too. No safety function. */

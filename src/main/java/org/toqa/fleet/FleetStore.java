@@ -5,7 +5,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Mission;
@@ -18,9 +17,8 @@ import org.toqa.persistence.StoreException;
  * What the fleet must not forget.
  *
  * <ol>
- *   <li>At start the fleet reads {@link #robots}, {@link #robotsOutOfService}, {@link #heldRobots},
- *       {@link #chargeRecords}, {@link #pause}, {@link #floorHolds}, {@link #openTasks} and each
- *       robot's {@link #drive}.
+ *   <li>At start the fleet reads {@link #storedRobots}, {@link #pause}, {@link #floorHolds}, {@link
+ *       #openTasks} and each robot's {@link #drive}.
  *   <li>From then on every change is written here before the command that follows from it is sent.
  * </ol>
  *
@@ -30,22 +28,19 @@ import org.toqa.persistence.StoreException;
  */
 public interface FleetStore {
 
-  List<RobotRecord> robots();
+  /** All robots that were added and not removed, in the order in which they were added. */
+  List<StoredRobot> storedRobots();
 
-  /** The names of the robots that are out of service. */
-  Set<String> robotsOutOfService();
-
-  /** The names of the robots that a person has put on hold. */
-  Set<String> heldRobots();
+  /** The records of {@link #storedRobots}. */
+  default List<RobotRecord> robots() {
+    return storedRobots().stream().map(StoredRobot::record).toList();
+  }
 
   /** Whether all robots are paused. */
   Optional<Hold> pause();
 
   /** By name, the floors that are on hold. */
   Map<String, Hold> floorHolds();
-
-  /** How robots stand with charging. */
-  List<ChargeRecord> chargeRecords();
 
   /** Tasks that have not ended, in the order in which they came. */
   List<OpenTask> openTasks();

@@ -39,7 +39,7 @@ public final class StoreWriter implements AutoCloseable {
   }
 
   /**
-   * Tries a change once; for wishes whose asker waits for the answer.
+   * Tries a change once; for orders whose asker waits for the answer.
    *
    * @param failed gets the sentence when it could not be stored
    */

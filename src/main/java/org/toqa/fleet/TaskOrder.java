@@ -7,7 +7,7 @@ import org.toqa.mission.TransportTask.LoadSize;
 
 /**
  * An order for a transport task, as a form or the API brings it. The fleet checks it against the
- * floor and the robots; the door has checked only its shape.
+ * floor and the robots; the web has checked only its shape.
  *
  * @param load kilograms
  * @param floor null: the only floor, or the first

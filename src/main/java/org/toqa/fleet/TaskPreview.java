@@ -20,7 +20,7 @@ public record TaskPreview(int robots, List<String> chosen, Sentence reason, List
     path = List.copyOf(path);
   }
 
-  /** How far the load travels; 0 where the path is not known. */
+  /** How far the load travels, metres; 0 where the path is not known. */
   public double metres() {
     double metres = 0;
     for (int i = 1; i < path.size(); i++) {

@@ -53,7 +53,7 @@ final class DatabaseTypes {
     jdbi.registerRowMapper(ConstructorMapper.factory(RobotRecord.class));
     jdbi.registerRowMapper(ConstructorMapper.factory(Hold.class));
     jdbi.registerRowMapper(ConstructorMapper.factory(StoredDrive.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(RobotTable.ChargeRow.class));
+    jdbi.registerRowMapper(ConstructorMapper.factory(RobotTable.StoredRobotRow.class));
     jdbi.registerRowMapper(ConstructorMapper.factory(TaskRow.class));
     jdbi.registerRowMapper(ConstructorMapper.factory(TaskTable.AssignedRobotRow.class));
     jdbi.registerRowMapper(ConstructorMapper.factory(ScheduleRow.class));

@@ -1,5 +1,8 @@
 package org.toqa.store;
 
+import org.toqa.fleet.StoredRobot;
+
+
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -45,8 +48,8 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   // --- robots -----------------------------------------------------------------------------------
 
   @Override
-  public List<RobotRecord> robots() {
-    return sql.withHandle(RobotTable::robots);
+  public List<StoredRobot> storedRobots() {
+    return sql.withHandle(RobotTable::storedRobots);
   }
 
   @Override
@@ -60,28 +63,13 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public Set<String> robotsOutOfService() {
-    return sql.withHandle(h -> RobotTable.flagged(h, OUT_OF_SERVICE));
-  }
-
-  @Override
   public void saveService(String robot, boolean inService, List<EventRecord> events) {
     change(h -> RobotTable.saveFlag(h, OUT_OF_SERVICE, robot, !inService), events);
   }
 
   @Override
-  public Set<String> heldRobots() {
-    return sql.withHandle(h -> RobotTable.flagged(h, HELD));
-  }
-
-  @Override
   public void saveHold(String robot, boolean held, List<EventRecord> events) {
     change(h -> RobotTable.saveFlag(h, HELD, robot, held), events);
-  }
-
-  @Override
-  public List<ChargeRecord> chargeRecords() {
-    return sql.withHandle(RobotTable::chargeRecords);
   }
 
   @Override

@@ -1,5 +1,9 @@
 package org.toqa.store;
 
+import org.jdbi.v3.core.mapper.Nested;
+import org.toqa.fleet.StoredRobot;
+
+
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
@@ -17,13 +21,15 @@ import org.toqa.persistence.StoreException;
 final class RobotTable {
   private RobotTable() {}
 
-  static List<RobotRecord> robots(Handle h) {
+  static List<StoredRobot> storedRobots(Handle h) {
     return h.createQuery(
             """
-            select name, floor, host, port, max_load, parking, simulated, fingerprint
+            select name, floor, host, port, max_load, parking, simulated, fingerprint,
+              out_of_service, held, worked_s, charger, charger_since
             from robots where not removed order by id
             """)
-        .mapTo(RobotRecord.class)
+        .mapTo(StoredRobotRow.class)
+        .map(StoredRobotRow::toStoredRobot)
         .list();
   }
 
@@ -53,13 +59,6 @@ final class RobotTable {
         .execute();
   }
 
-  /** The names of the robots of which that column is true. */
-  static Set<String> flagged(Handle h, String column) {
-    return h.createQuery("select name from robots where " + column + " = true")
-        .mapTo(String.class)
-        .set();
-  }
-
   static void saveFlag(Handle h, String column, String robot, boolean value) {
     h.createUpdate("update robots set " + column + " = :value where id = :id")
         .bind("value", value)
@@ -68,21 +67,23 @@ final class RobotTable {
   }
 
   /**
+   * A robot with all that is stored of it.
+   *
    * @param workedS seconds
    */
-  record ChargeRow(
-      String name, double workedS, @Nullable String charger, @Nullable Instant chargerSince) {
-    ChargeRecord toRecord() {
+  record StoredRobotRow(
+      @Nested RobotRecord robot,
+      boolean outOfService,
+      boolean held,
+      double workedS,
+      @Nullable String charger,
+      @Nullable Instant chargerSince) {
+    StoredRobot toStoredRobot() {
       Turn turn = charger == null || chargerSince == null ? null : new Turn(charger, chargerSince);
-      return new ChargeRecord(name, Duration.ofMillis(Math.round(1000 * workedS)), turn);
+      Duration worked = Duration.ofMillis(Math.round(1000 * workedS));
+      return new StoredRobot(
+          robot, outOfService, held, new ChargeRecord(robot.name(), worked, turn));
     }
-  }
-
-  static List<ChargeRecord> chargeRecords(Handle h) {
-    return h.createQuery("select name, worked_s, charger, charger_since from robots order by id")
-        .mapTo(ChargeRow.class)
-        .map(ChargeRow::toRecord)
-        .list();
   }
 
   static void saveCharge(Handle h, ChargeRecord record) {

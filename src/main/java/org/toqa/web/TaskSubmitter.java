@@ -51,7 +51,8 @@ public final class TaskSubmitter {
     try {
       Optional<TaskView> before = archive.taskByKey(key);
       if (before.isEmpty()) {
-        return new KeyedAnswer.Answered<>(FleetAnswers.await(fleet.submit(order, user.name(), key)));
+        return new KeyedAnswer.Answered<>(
+            FleetAnswers.await(fleet.submit(order, user.name(), key)));
       }
       return isSameOrder(order, before.get().task())
           ? new KeyedAnswer.Repeated<>(before.get())

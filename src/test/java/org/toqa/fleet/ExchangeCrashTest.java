@@ -35,15 +35,7 @@ import org.toqa.wording.Sentence;
 class ExchangeCrashTest {
   private static final int WRITES = 4;
   private static final Set<String> READS =
-      Set.of(
-          "robots",
-          "robotsOutOfService",
-          "heldRobots",
-          "pause",
-          "chargeRecords",
-          "openTasks",
-          "drive",
-          "checkAvailable");
+      Set.of("storedRobots", "pause", "openTasks", "drive", "checkAvailable");
 
   private static final FloorMap FLOOR =
       new FloorMap(

@@ -1,5 +1,9 @@
 package org.toqa.store;
 
+import java.util.function.Predicate;
+import org.toqa.fleet.StoredRobot;
+
+
 import org.toqa.mission.Phase;
 
 
@@ -38,14 +42,14 @@ class RobotStoreTest extends FleetDatabaseTest {
   void aRobotStaysOutOfServiceWhenItsAddressChanges() {
     store.saveRobot(R1);
     store.saveRobot(R2);
-    assertEquals(Set.of(), store.robotsOutOfService());
+    assertEquals(Set.of(), robots(StoredRobot::outOfService));
 
     store.saveService("r1", false, List.of());
     store.saveService("r2", false, List.of());
     store.saveService("r2", true, List.of());
     store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
 
-    assertEquals(Set.of("r1"), store.robotsOutOfService());
+    assertEquals(Set.of("r1"), robots(StoredRobot::outOfService));
     assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
   }
 
@@ -62,7 +66,18 @@ class RobotStoreTest extends FleetDatabaseTest {
     assertThrows(StoreException.class, () -> store.removeRobot("nobody", List.of()));
     store.saveRobot(R1);
     assertEquals(Set.of("r1", "r2"), names(store.robots()));
-    assertEquals(Set.of(), store.robotsOutOfService());
+    assertEquals(Set.of(), robots(StoredRobot::outOfService));
+  }
+
+  private Set<String> robots(Predicate<StoredRobot> condition) {
+    return store.storedRobots().stream()
+        .filter(condition)
+        .map(StoredRobot::name)
+        .collect(Collectors.toSet());
+  }
+
+  private List<ChargeRecord> charges() {
+    return store.storedRobots().stream().map(StoredRobot::charge).toList();
   }
 
   private static Set<String> names(List<RobotRecord> robots) {
@@ -73,15 +88,15 @@ class RobotStoreTest extends FleetDatabaseTest {
   void whatARobotHasWorkedAndWhereItChargesComesBack() {
     store.saveRobot(R1);
     ChargeRecord rested = new ChargeRecord("r1", Duration.ZERO, null);
-    assertEquals(List.of(rested), store.chargeRecords());
+    assertEquals(List.of(rested), charges());
 
     ChargeRecord waits = new ChargeRecord("r1", Duration.ofMinutes(90), new Turn("C1", AT));
     store.saveCharge(waits, List.of());
     store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 7300, 5, "P1", true, null));
 
-    assertEquals(List.of(waits), store.chargeRecords());
+    assertEquals(List.of(waits), charges());
     store.saveCharge(rested, List.of());
-    assertEquals(List.of(rested), store.chargeRecords());
+    assertEquals(List.of(rested), charges());
   }
 
   @Test
@@ -91,12 +106,12 @@ class RobotStoreTest extends FleetDatabaseTest {
     Hold pause = new Hold("Ann", AT);
     store.savePause(pause, List.of());
     store.savePause(pause, List.of()); // twice is as once
-    assertEquals(Set.of("r1"), store.heldRobots());
+    assertEquals(Set.of("r1"), robots(StoredRobot::held));
     assertEquals(Optional.of(pause), store.pause());
 
     store.saveHold("r1", false, List.of());
     store.savePause(null, List.of());
-    assertEquals(Set.of(), store.heldRobots());
+    assertEquals(Set.of(), robots(StoredRobot::held));
     assertEquals(Optional.empty(), store.pause());
   }
 

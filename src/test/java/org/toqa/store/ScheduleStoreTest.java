@@ -14,10 +14,10 @@ import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.toqa.fleet.TaskOrder;
-import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TransportTask.LoadSize;
 

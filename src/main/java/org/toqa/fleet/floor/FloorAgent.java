@@ -15,6 +15,7 @@ import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.robot.RobotAgent;
 import org.toqa.fleet.robot.RobotEvent;
 import org.toqa.fleet.robot.RobotMessage;
@@ -114,14 +115,11 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
             state, reports, missions, holds, homing, robotEventHandler, context.getSelf());
     robotEvents = context.messageAdapter(RobotEvent.class, FloorMessage.FromRobot::new);
     drives = new DriveDispatcher(state, missions);
-    for (RobotRecord record : memory.robots()) {
+    for (StoredRobot stored : memory.robots()) {
       startRobot(
-          record,
-          new OperatorSettings(
-              !memory.robotsOutOfService().contains(record.name()),
-              memory.heldRobots().contains(record.name())));
+          stored.record(), new OperatorSettings(!stored.outOfService(), stored.held()));
     }
-    memory.charges().forEach(charging::recover);
+    memory.robots().forEach(stored -> charging.recover(stored.charge()));
     memory.begunTasks().forEach(missions::recover);
   }
 

@@ -5,7 +5,7 @@ import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
-/** Adds up the way that a robot drives, from where it is seen. */
+/** Adds up the distance that a robot drives, from where it is seen. */
 final class Odometer {
   /** Metres; what is nearer may be the shiver of one that stands. */
   private static final double STEP = 0.05;
@@ -16,7 +16,7 @@ final class Odometer {
   private @Nullable Instant lastSeenAt;
   private Vec2 lastSeen = Vec2.ZERO;
 
-  /** Up to here its way is counted. */
+  /** Up to here its distance is counted. */
   private Vec2 counted = Vec2.ZERO;
 
   /**

@@ -7,11 +7,11 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 
 /**
- * Keeps of one robot's positions those at which its way bends or its speed changes.
+ * Keeps of one robot's positions those at which its track bends or its speed changes.
  *
  * <p>Every position seen since the last one kept leaves, along each axis, a range of even speeds
  * that pass it closely enough at its moment; a position outside of what all of them have in common
- * means that the one before it is kept. That takes the same few numbers however long the way (the
+ * means that the one before it is kept. That takes the same few numbers however long the track (the
  * swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref and Zwaenepoel, "Online piece-wise linear
  * approximation of numerical streams with precision guarantees", 2009). A robot that stands costs
  * nothing.

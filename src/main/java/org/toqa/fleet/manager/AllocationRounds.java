@@ -223,8 +223,7 @@ final class AllocationRounds {
             fleet
                 .queue
                 .get(id)
-                .ifPresent(
-                    queued -> assign(queued, chosen, why, m.teams().get(id), free));
+                .ifPresent(queued -> assign(queued, chosen, why, m.teams().get(id), free));
         case Decision.Unassigned(long id, Sentence why, List<String> drained) -> {
           waiting.put(id, why);
           if (!drained.isEmpty()) {

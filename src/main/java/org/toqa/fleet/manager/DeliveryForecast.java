@@ -16,7 +16,7 @@ import org.toqa.mission.TaskState;
 
 /**
  * When a task can be delivered at the earliest: by the robot that has it, or else by the one that
- * could be there first, after what it carries now. A bound, not a plan: nobody is in its way, and
+ * could be there first, after what it carries now. A bound, not a plan: nobody blocks its path, and
  * no other task comes before it.
  */
 final class DeliveryForecast {

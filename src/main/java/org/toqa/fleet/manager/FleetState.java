@@ -53,7 +53,7 @@ final class FleetState {
   final Map<String, RobotRecord> robots = new TreeMap<>();
   final Map<String, FloorEvent.FloorReport> reports = new HashMap<>();
 
-  /** Tasks on their way from the queue to their floors. */
+  /** Tasks that were handed to their floors, which have not answered yet. */
   final Map<Long, TaskView> handedOver = new HashMap<>();
 
   final Deque<TaskView> ended = new ArrayDeque<>();

@@ -6,7 +6,7 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.SnapshotFeed;
 
-/** Where the manager agent hangs the newest snapshot, and readers on other threads find it. */
+/** Where the manager agent puts the newest snapshot, and readers on other threads find it. */
 final class LatestSnapshot implements SnapshotFeed {
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition renewed = lock.newCondition();

@@ -16,12 +16,11 @@ import org.apache.pekko.actor.typed.javadsl.Receive;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
-import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.OpenTask;
-import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.floor.FloorAgent;
 import org.toqa.fleet.floor.FloorDistances;
 import org.toqa.fleet.floor.FloorEvent;
@@ -34,7 +33,7 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
 
 /**
- * Takes tasks, keeps their queue, decides who carries what, and hangs up the picture of the whole
+ * Takes tasks, keeps their queue, decides who carries what, and publishes snapshots of the whole
  * fleet. An accepted task is stored before its asker is answered; robots are given it by its floor.
  */
 final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
@@ -61,12 +60,12 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       InstantSource clock,
       Instant now,
       FleetRuntime runtime,
-      LatestSnapshot board) {
+      LatestSnapshot latest) {
     return Supervision.resuming(
         Behaviors.setup(
             context ->
                 new ManagerAgent(
-                    context, floors, store, links, allocator, rules, clock, now, runtime, board)));
+                    context, floors, store, links, allocator, rules, clock, now, runtime, latest)));
   }
 
   private ManagerAgent(
@@ -79,7 +78,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       InstantSource clock,
       Instant now,
       FleetRuntime runtime,
-      LatestSnapshot board) {
+      LatestSnapshot latest) {
     super(context);
     this.fleet = new FleetState(store, clock, runtime);
     ActorRef<ManagerMessage> self = context.getSelf();
@@ -94,7 +93,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore));
     this.rounds = new AllocationRounds(fleet, allocator, paths, self);
     this.snapshotPublisher =
-        new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, board);
+        new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, latest);
     this.taskCommands =
         new TaskCommandHandler(
             fleet, rounds, lateTasks, storeHealth, check, allocator, paths, self);
@@ -120,11 +119,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetRules rules,
       Instant now) {
     FleetStore store = fleet.store;
-    List<RobotRecord> stored = store.robots();
-    Set<String> outOfService = store.robotsOutOfService();
-    Set<String> held = store.heldRobots();
-    List<ChargeRecord> charges = store.chargeRecords();
-    stored.forEach(r -> fleet.robots.put(r.name(), r));
+    List<StoredRobot> stored = store.storedRobots();
+    stored.forEach(r -> fleet.robots.put(r.name(), r.record()));
     open.stream()
         .filter(t -> t.mission().state() == TaskState.QUEUED)
         .forEach(t -> fleet.queue.add(t.mission(), t.changedAt(), true));
@@ -133,10 +129,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     for (FloorMap floor : floorMaps) {
       StoredFloorState memory =
           new StoredFloorState(
-              stored.stream().filter(r -> r.floor().equals(floor.name())).toList(),
-              outOfService,
-              held,
-              charges,
+              stored.stream().filter(r -> r.record().floor().equals(floor.name())).toList(),
               holdCommands.pause(),
               holdCommands.floorHold(floor.name()),
               open.stream()
@@ -255,7 +248,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     fleet.dueFloors.add(mission.task().floor());
   }
 
-  /** What changes is in the picture when every floor has done its tick, or at the next tick. */
+  /** What changes is in the snapshot when every floor has done its tick, or at the next tick. */
   private void tick(Instant now) {
     if (!ticking.isEmpty() || fleet.floors.isEmpty()) {
       publishIfChanged();

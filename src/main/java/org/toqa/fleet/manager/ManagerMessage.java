@@ -125,7 +125,7 @@ public sealed interface ManagerMessage {
       ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
-  /** A person wants something of a task. */
+  /** An operator command to a task. */
   record CommandTask(
       long task,
       MissionEvent.OperatorCommand command,

@@ -3,8 +3,6 @@ package org.toqa.fleet.manager;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.Answer;
-import org.toqa.mission.TransportTask;
 
 /**
  * Submitted orders whose checks are under way: whichever check ends first, they go on in the order

@@ -9,7 +9,7 @@ import org.toqa.fleet.RobotView;
 import org.toqa.persistence.StoreException;
 
 /**
- * Who wished for a robot, and waits for the answer.
+ * Who asked for a robot, and waits for the answer.
  *
  * @param onStored goes on with the robot, and answers in the end
  * @param onNotStored takes back what was reserved for it

@@ -14,7 +14,7 @@ import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.fleet.floor.FloorState;
 import org.toqa.wording.Phrase;
 
-/** Takes what people want of robots: checks it, stores it, and tells their floors. */
+/** Handles orders and commands of robots: checks them, stores them, and tells their floors. */
 final class RobotCommandHandler {
   private final FleetState fleet;
   private final SnapshotPublisher snapshotPublisher;
@@ -113,7 +113,7 @@ final class RobotCommandHandler {
         m.robot().name(), m.replyTo(), new FloorMessage.RobotChanged(m.robot(), m.replyTo()));
   }
 
-  /** Whoever removed the robot does not find it in the picture. */
+  /** Whoever removed the robot does not find it in the snapshot. */
   void robotRemoved(FloorEvent.RobotRemoved m) {
     fleet.robots.remove(m.robot().name());
     snapshotPublisher.publish();
@@ -127,7 +127,7 @@ final class RobotCommandHandler {
         .ifPresent(f -> f.tell(new FloorMessage.AddRobot(m.robot(), m.replyTo())));
   }
 
-  /** Whoever asked for the robot finds it in the picture. */
+  /** Whoever asked for the robot finds it in the snapshot. */
   void robotJoined(FloorEvent.RobotJoined m) {
     snapshotPublisher.publish();
     m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(m.robot())));

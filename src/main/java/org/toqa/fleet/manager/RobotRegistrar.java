@@ -42,7 +42,7 @@ final class RobotRegistrar {
   }
 
   /**
-   * Who asks for it, and who is told.
+   * Who asked for it, and who is answered.
    *
    * @param eventKind of the history's line
    * @param text of that line

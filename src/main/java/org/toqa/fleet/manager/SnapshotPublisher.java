@@ -19,7 +19,7 @@ import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.wording.Sentence;
 
-/** Hangs up what is to be seen of the whole fleet. */
+/** Publishes snapshots of the whole fleet. */
 final class SnapshotPublisher {
   private static final int QUEUED_SHOWN = 100;
 
@@ -28,7 +28,7 @@ final class SnapshotPublisher {
   private final LateTaskReporter lateTasks;
   private final HoldCommandHandler holds;
   private final StoreHealthCheck storeWatch;
-  private final LatestSnapshot board;
+  private final LatestSnapshot latest;
 
   SnapshotPublisher(
       FleetState fleet,
@@ -36,13 +36,13 @@ final class SnapshotPublisher {
       LateTaskReporter late,
       HoldCommandHandler holds,
       StoreHealthCheck storeWatch,
-      LatestSnapshot board) {
+      LatestSnapshot latest) {
     this.fleet = fleet;
     this.rounds = rounds;
     this.lateTasks = late;
     this.holds = holds;
     this.storeWatch = storeWatch;
-    this.board = board;
+    this.latest = latest;
   }
 
   void publish() {
@@ -67,9 +67,9 @@ final class SnapshotPublisher {
             .map(lateTasks::withLateness)
             .sorted(Comparator.comparingLong(TaskView::id).reversed())
             .toList();
-    board.publish(
+    latest.publish(
         new FleetSnapshot(
-            board.latest().version() + 1,
+            latest.latest().version() + 1,
             fleet.clock.instant(),
             views,
             newestFirst,

@@ -144,9 +144,7 @@ final class TaskCommandHandler {
     ManagerMessage.SubmitTasks request = m.request();
     BatchValidation.Result checked = m.checked();
     if (!checked.rejections().isEmpty()) {
-      request
-          .replyTo()
-          .tell(StatusReply.success(new BatchAnswer.Rejected(checked.rejections())));
+      request.replyTo().tell(StatusReply.success(new BatchAnswer.Rejected(checked.rejections())));
     } else if (checked.heaviestLoad() > totalCapacity()) {
       check(request, m.deadline());
     } else {

@@ -1,4 +1,6 @@
-/** Tasks that come by the calendar: changes of schedules, and what submits the tasks that are due. */
+/**
+ * Tasks that come by the calendar: changes of schedules, and what submits the tasks that are due.
+ */
 @NullMarked
 package org.toqa.fleet.schedule;
 

@@ -8,10 +8,10 @@ import java.time.LocalTime;
 import java.time.ZoneId;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.TaskOrder;
-import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.mission.TransportTask.LoadSize;
 
 /**

@@ -5,8 +5,8 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.Secret;
 import org.toqa.fleet.RobotView;
-import org.toqa.fleet.TaskView;
 import org.toqa.fleet.Schedule;
+import org.toqa.fleet.TaskView;
 
 /**
  * The version of what people change, so that nobody overwrites what somebody else has changed since

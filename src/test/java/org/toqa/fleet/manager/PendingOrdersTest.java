@@ -3,12 +3,30 @@ package org.toqa.fleet.manager;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertSame;
 
+import java.util.UUID;
+import org.apache.pekko.actor.typed.ActorSystem;
+import org.apache.pekko.actor.typed.javadsl.Behaviors;
+import org.apache.pekko.pattern.StatusReply;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TaskView;
 import org.toqa.wording.Sentence;
 
 class PendingOrdersTest {
+  private static final TaskOrder ORDER =
+      new TaskOrder("box", 1, new Where.Station("A"), new Where.Station("B"), null, 0, null, null);
+
+  private final ActorSystem<StatusReply<Answer<TaskView>>> asker =
+      ActorSystem.create(Behaviors.ignore(), "asker");
   private final PendingOrders orders = new PendingOrders();
+
+  @AfterEach
+  void stop() {
+    asker.terminate();
+  }
 
   @Test
   void whoseCheckEndsFirstWaitsForWhoCameFirst() {
@@ -25,7 +43,9 @@ class PendingOrdersTest {
   }
 
   private ManagerMessage.OrderChecked checked() {
+    ManagerMessage.SubmitTask request =
+        new ManagerMessage.SubmitTask(ORDER, "Clara", UUID.randomUUID(), asker);
     return new ManagerMessage.OrderChecked(
-        orders.add(null, 0), new Answer.Unknown<>(Sentence.verbatim("No.")), null);
+        orders.add(request, 0), new Answer.Unknown<>(Sentence.verbatim("No.")), null);
   }
 }
