@@ -50,6 +50,8 @@ public enum Setting {
 
   private final String key;
   private final String defaultValue;
+
+  @SuppressWarnings("ImmutableEnumChecker") // records of values; the one list is a copy
   private final ValueRange range;
 
   Setting(String key, String defaultValue, ValueRange range) {

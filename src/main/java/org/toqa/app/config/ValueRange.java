@@ -73,6 +73,10 @@ sealed interface ValueRange {
   record Choice(List<String> words) implements ValueRange {
     private static final int MAX_IN_PROSE = 3;
 
+    Choice {
+      words = List.copyOf(words);
+    }
+
     Choice(String... words) {
       this(List.of(words));
     }
