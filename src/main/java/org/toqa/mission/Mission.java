@@ -86,8 +86,7 @@ public record Mission(
   }
 
   /**
-   * Where the load stands if that is neither its start nor its goal; null too while it is
-   * carried.
+   * Where the load stands if that is neither its start nor its goal; null too while it is carried.
    */
   public @Nullable TaskPlace loadAt() {
     if (state != TaskState.CARRYING) {

@@ -1,8 +1,5 @@
 package org.toqa.store;
 
-import org.toqa.fleet.StoredRobot;
-
-
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +17,7 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.TransportTask;

@@ -1,20 +1,17 @@
 package org.toqa.store;
 
-import org.jdbi.v3.core.mapper.Nested;
-import org.toqa.fleet.StoredRobot;
-
-
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.jdbi.v3.core.Handle;
+import org.jdbi.v3.core.mapper.Nested;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.persistence.StoreException;
 
 /** The tables of robots and of their drives, within a transaction of somebody else. */

@@ -10,9 +10,9 @@ import java.util.Objects;
 import java.util.stream.Collectors;
 import org.jdbi.v3.core.mapper.Nested;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
+import org.toqa.fleet.TaskOrder;
 
 /**
  * A row of the table of schedules.

@@ -1,8 +1,5 @@
 package org.toqa.store;
 
-import org.toqa.mission.Phase;
-
-
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -15,6 +12,7 @@ import org.jdbi.v3.core.Handle;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -171,8 +169,7 @@ final class TaskTable {
   }
 
   /** A robot's part in a task. */
-  record AssignedRobotRow(
-      long task, String robot, Phase phase, boolean arrived, boolean released) {
+  record AssignedRobotRow(long task, String robot, Phase phase, boolean arrived, boolean released) {
     AssignedRobot toAssignedRobot() {
       return new AssignedRobot(robot, phase, arrived, released);
     }

@@ -13,10 +13,6 @@ import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.history.EventArchive;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
-import org.toqa.fleet.ScheduleStore;
-import org.toqa.store.JdbiAccountStore;
-import org.toqa.store.JdbiSessionStore;
-import org.toqa.store.JdbiStatisticsArchive;
 
 /** What the web application stands on. Whoever starts it puts this into the servlet context. */
 public record Services(

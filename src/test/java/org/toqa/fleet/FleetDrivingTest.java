@@ -1,8 +1,5 @@
 package org.toqa.fleet;
 
-import org.toqa.mission.Phase;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
@@ -12,6 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskState;
 
 /** What a driving robot is told and refused, and how idle ones get home. */

@@ -1,8 +1,5 @@
 package org.toqa.store;
 
-import org.toqa.mission.Phase;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -11,34 +8,22 @@ import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import org.junit.jupiter.api.Test;
-import org.toqa.fleet.ChargeRecord;
-import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.MissionChange;
 import org.toqa.fleet.FleetStore.OpenTask;
-import org.toqa.persistence.StoreException;
-import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.FleetStore.Submission;
-import org.toqa.fleet.Hold;
-import org.toqa.fleet.RobotRecord;
-import org.toqa.fleet.TaskArchive.Filter;
-import org.toqa.fleet.TaskArchive.Sort;
-import org.toqa.fleet.TaskArchive.Sort.Column;
-import org.toqa.fleet.TaskView;
-import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.mission.Trouble;
-import org.toqa.motion.Segment;
-import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -110,7 +95,9 @@ class FleetStoreTest extends FleetDatabaseTest {
     OpenTask open = store.openTasks().getFirst();
     assertEquals(next.mission(), open.mission());
     assertEquals(
-        List.of(new AssignedRobot("r2", Phase.TO_OBJECT, false, false), new AssignedRobot("r1", Phase.TO_OBJECT, true, false)),
+        List.of(
+            new AssignedRobot("r2", Phase.TO_OBJECT, false, false),
+            new AssignedRobot("r1", Phase.TO_OBJECT, true, false)),
         open.mission().assignedRobots());
     assertEquals(AT.plusMillis(5), open.changedAt());
     assertEquals(event, store.history(task.id()).getLast());

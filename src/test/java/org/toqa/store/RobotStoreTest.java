@@ -1,12 +1,5 @@
 package org.toqa.store;
 
-import java.util.function.Predicate;
-import org.toqa.fleet.StoredRobot;
-
-
-import org.toqa.mission.Phase;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
@@ -15,17 +8,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
-import org.toqa.persistence.StoreException;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
+import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
+import org.toqa.persistence.StoreException;
 
 /** What every database must do for robots; here H2, in {@code MySqlRobotStoreTest} MySQL. */
 class RobotStoreTest extends FleetDatabaseTest {

@@ -1,8 +1,5 @@
 package org.toqa.store;
 
-import org.toqa.mission.Phase;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
@@ -14,6 +11,7 @@ import org.toqa.fleet.TaskArchive.Sort.Column;
 import org.toqa.fleet.TaskView;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.wording.Sentence;

@@ -1,6 +1,5 @@
 package org.toqa.testbed;
 
-import org.toqa.mission.Phase;
 import java.time.Instant;
 import java.util.BitSet;
 import java.util.List;
@@ -17,6 +16,7 @@ import org.toqa.grid.CellRuns;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
+import org.toqa.mission.Phase;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 

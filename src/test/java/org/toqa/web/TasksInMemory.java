@@ -1,8 +1,5 @@
 package org.toqa.web;
 
-import org.toqa.mission.Phase;
-
-
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -16,7 +13,6 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
-import org.toqa.persistence.StoreException;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
@@ -28,10 +24,12 @@ import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
+import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.mission.Trouble;
+import org.toqa.persistence.StoreException;
 import org.toqa.testbed.Hall;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;

@@ -22,7 +22,9 @@ import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.LeaderPose;
 import org.toqa.motion.Segment;
 
-/** A robot drives alone, leads or follows, and what one activity leaves does not hinder the next. */
+/**
+ * A robot drives alone, leads or follows, and what one activity leaves does not hinder the next.
+ */
 class ActivityTest {
 
   private static final long TASK = 5;

@@ -73,7 +73,7 @@ sealed interface ValueRange {
   record Choice(List<String> words) implements ValueRange {
     private static final int MAX_IN_PROSE = 3;
 
-    Choice {
+    public Choice {
       words = List.copyOf(words);
     }
 

@@ -116,8 +116,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     robotEvents = context.messageAdapter(RobotEvent.class, FloorMessage.FromRobot::new);
     drives = new DriveDispatcher(state, missions);
     for (StoredRobot stored : memory.robots()) {
-      startRobot(
-          stored.record(), new OperatorSettings(!stored.outOfService(), stored.held()));
+      startRobot(stored.record(), new OperatorSettings(!stored.outOfService(), stored.held()));
     }
     memory.robots().forEach(stored -> charging.recover(stored.charge()));
     memory.begunTasks().forEach(missions::recover);
@@ -181,8 +180,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
-                RobotAgent.of(
-                    record, robotEvents, state.store, links, state.now, state.runtime),
+                RobotAgent.of(record, robotEvents, state.store, links, state.now, state.runtime),
                 "robot-" + ++joined);
     FloorRobot robot = new FloorRobot(record, settings, agent, state.now);
     state.robots.put(record.name(), robot);

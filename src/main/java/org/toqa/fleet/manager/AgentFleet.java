@@ -91,8 +91,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       FleetRules rules,
       InstantSource clock,
       Instant now) {
-    this(
-        floors, store, scheduleStore, links, allocator, rules, clock, now, FleetRuntime.USUAL);
+    this(floors, store, scheduleStore, links, allocator, rules, clock, now, FleetRuntime.USUAL);
   }
 
   public AgentFleet(

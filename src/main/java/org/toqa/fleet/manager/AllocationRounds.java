@@ -124,10 +124,10 @@ final class AllocationRounds {
             .map(TaskQueue.Queued::mission)
             .collect(Collectors.toMap(Mission::id, mission -> mission));
     var _ =
-        CompletableFuture.supplyAsync(
-                () -> runRound(floor, problem, missions),
+        CompletableFuture.completedFuture(null)
+            .thenComposeAsync(
+                _ -> runRound(floor, problem, missions),
                 fleet.runtime.threadPerTaskExecutor("allocation-" + floor.name()))
-            .thenCompose(round -> round)
             .whenComplete(
                 (decided, failure) -> self.tell(roundMessage(floor.name(), decided, failure)));
   }
@@ -153,19 +153,18 @@ final class AllocationRounds {
         .thenApply(
             _ ->
                 new ManagerMessage.AllocationDecided(
-                    floor.name(), decisions,
+                    floor.name(),
+                    decisions,
                     teams.entrySet().stream()
                         .collect(
-                            Collectors.toMap(
-                                Map.Entry::getKey, team -> team.getValue().join()))));
+                            Collectors.toMap(Map.Entry::getKey, team -> team.getValue().join()))));
   }
 
   private CompletableFuture<TeamFinding> teamFinding(FloorMap floor, Mission mission, int robots) {
     return paths
         .objectionToTeam(floor.grid(), mission, robots)
         .thenApply(
-            objection ->
-                new TeamFinding(PathQuery.TeamQuestion.of(mission, robots), objection));
+            objection -> new TeamFinding(PathQuery.TeamQuestion.of(mission, robots), objection));
   }
 
   /** What a robot that is free, or may be by an exchange, carries; nothing while none is free. */

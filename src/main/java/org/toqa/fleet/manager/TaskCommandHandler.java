@@ -172,8 +172,8 @@ final class TaskCommandHandler {
       List<TaskOrder> orders, String user) {
     BatchValidation batch =
         new BatchValidation(validator, orders, user, fleet.clock.instant(), totalCapacity());
-    return CompletableFuture.supplyAsync(batch::run, fleet.runtime.threadPerTaskExecutor("batch"))
-        .thenCompose(result -> result);
+    return CompletableFuture.completedFuture(null)
+        .thenComposeAsync(_ -> batch.run(), fleet.runtime.threadPerTaskExecutor("batch"));
   }
 
   private static List<Submission> submissions(List<TransportTask> tasks, List<UUID> keys) {
@@ -213,10 +213,10 @@ final class TaskCommandHandler {
             List.of(),
             fleet.candidates(floor.name()));
     var _ =
-        CompletableFuture.supplyAsync(
-                () -> new TaskPreviewer(allocator, paths, floor.grid()).preview(task, problem),
+        CompletableFuture.completedFuture(null)
+            .thenComposeAsync(
+                _ -> new TaskPreviewer(allocator, paths, floor.grid()).preview(task, problem),
                 fleet.runtime.threadPerTaskExecutor("preview"))
-            .thenCompose(preview -> preview)
             .whenComplete(
                 (preview, failure) ->
                     request

@@ -1,8 +1,5 @@
 package org.toqa.fleet.schedule;
 
-import org.toqa.fleet.EventKind;
-
-
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
@@ -18,6 +15,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer.Rejection;
+import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.KeyedAnswer;

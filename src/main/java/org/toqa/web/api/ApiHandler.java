@@ -8,7 +8,6 @@ import java.util.stream.Collectors;
 import org.toqa.fleet.Answer;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.Question;
-import org.toqa.persistence.StoreException;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;

@@ -1,17 +1,15 @@
 package org.toqa.web.api;
 
-import org.toqa.fleet.Schedules;
-import org.toqa.web.FleetAnswers;
-import org.toqa.web.input.ScheduleAccess;
-
-
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.toqa.fleet.Schedule;
+import org.toqa.fleet.Schedules;
+import org.toqa.web.FleetAnswers;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
+import org.toqa.web.input.ScheduleAccess;
 
 /** One schedule, and the commands that pause, resume and delete it. */
 public final class ScheduleResource extends ApiHandler {

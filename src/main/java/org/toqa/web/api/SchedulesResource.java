@@ -1,14 +1,12 @@
 package org.toqa.web.api;
 
-import org.toqa.fleet.KeyedAnswer;
-import org.toqa.web.FleetAnswers;
-
-
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.time.Instant;
+import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.Schedule;
+import org.toqa.web.FleetAnswers;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.ScheduleOrder;

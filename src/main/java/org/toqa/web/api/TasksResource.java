@@ -1,7 +1,5 @@
 package org.toqa.web.api;
 
-
-
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;

@@ -1,7 +1,5 @@
 package org.toqa.web.api;
 
-
-
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
@@ -159,7 +157,8 @@ public final class UserResource extends ApiHandler {
             () -> Problem.of(404, Texts.of(request).get("problem.noSuchUser")).exception());
   }
 
-  private static void refuseUnlessDone(AccountStore.ChangeResult outcome, HttpServletRequest request) {
+  private static void refuseUnlessDone(
+      AccountStore.ChangeResult outcome, HttpServletRequest request) {
     new UserCommands(services(request), Texts.of(request), new FieldErrors())
         .refusal(outcome)
         .ifPresent(

@@ -2,8 +2,8 @@ package org.toqa.web.input;
 
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
-import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.TaskOrder;
 
 /**
  * The order of a schedule.

@@ -2,8 +2,8 @@ package org.toqa.web.input;
 
 import java.time.Instant;
 import java.util.Objects;
-import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.Recurrence;
+import org.toqa.fleet.TaskOrder;
 
 /**
  * Reads the order of a schedule. What it reads means something only where no sentence was filed.

@@ -1,8 +1,5 @@
 package org.toqa.web.page;
 
-import org.toqa.fleet.KeyedAnswer;
-
-
 import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
@@ -14,13 +11,13 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
 import org.toqa.accounts.Account;
+import org.toqa.fleet.KeyedAnswer;
+import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
-import org.toqa.fleet.Schedule;
 import org.toqa.grid.FloorMap;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.TaskSubmitter;
-import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.ScheduleOrder;

@@ -1,9 +1,5 @@
 package org.toqa.web.page;
 
-import java.util.concurrent.CompletionStage;
-import org.toqa.fleet.Answer;
-
-
 import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
@@ -11,6 +7,8 @@ import java.io.IOException;
 import java.time.DayOfWeek;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletionStage;
+import org.toqa.fleet.Answer;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.Schedules;

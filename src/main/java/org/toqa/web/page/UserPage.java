@@ -1,8 +1,5 @@
 package org.toqa.web.page;
 
-import org.toqa.accounts.AccountStore;
-
-
 import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
@@ -10,6 +7,7 @@ import java.io.IOException;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.PasswordLinks;

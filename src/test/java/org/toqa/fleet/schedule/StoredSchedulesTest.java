@@ -43,7 +43,7 @@ class StoredSchedulesTest {
           0,
           null,
           null);
-  private static final Recurrence HOURLY =
+  private final Recurrence hourly =
       new Recurrence.Every(
           Instant.now().plus(1, ChronoUnit.HOURS).truncatedTo(ChronoUnit.SECONDS),
           Duration.ofHours(1));
@@ -76,12 +76,12 @@ class StoredSchedulesTest {
     assertInstanceOf(
         KeyedAnswer.KeyReused.class,
         await(
-            stage.fleet.schedules().add(ORDER, HOURLY, Instant.now().plusSeconds(9000), "c", key)));
+            stage.fleet.schedules().add(ORDER, hourly, Instant.now().plusSeconds(9000), "c", key)));
   }
 
   @Test
   void theLastPlaceIsTakenOnce() throws Exception {
-    Schedule one = Schedule.of(ORDER, HOURLY, null, "Clara", Instant.now());
+    Schedule one = Schedule.of(ORDER, hourly, null, "Clara", Instant.now());
     for (int i = 1; i < MAX_SCHEDULES; i++) {
       store.add(one, UUID.randomUUID());
     }
@@ -121,7 +121,7 @@ class StoredSchedulesTest {
   }
 
   private CompletionStage<KeyedAnswer<Schedule>> add(TaskOrder order, UUID key) {
-    return stage.fleet.schedules().add(order, HOURLY, null, "Clara", key);
+    return stage.fleet.schedules().add(order, hourly, null, "Clara", key);
   }
 
   private static Schedule scheduleOf(KeyedAnswer<Schedule> answer) {

@@ -12,6 +12,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.Objects;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -48,12 +49,12 @@ class LineChannelTest {
       assertTrue(channel.send(bytes("one\n")));
       assertTrue(channel.send(bytes("two\n")));
       LineReader lines = new LineReader(peer.getInputStream());
-      assertEquals("one", text(lines.readLine()));
-      assertEquals("two", text(lines.readLine()));
+      assertEquals("one", text(Objects.requireNonNull(lines.readLine())));
+      assertEquals("two", text(Objects.requireNonNull(lines.readLine())));
 
       peer.getOutputStream().write(bytes("three\nfour\n"));
-      assertEquals("three", text(channel.readLine()));
-      assertEquals("four", text(channel.readLine()));
+      assertEquals("three", text(Objects.requireNonNull(channel.readLine())));
+      assertEquals("four", text(Objects.requireNonNull(channel.readLine())));
       peer.close();
       assertNull(channel.readLine());
     }
@@ -81,8 +82,8 @@ class LineChannelTest {
 
       channel.start();
       LineReader lines = new LineReader(peer.getInputStream());
-      assertEquals("two", text(lines.readLine()));
-      assertEquals("three", text(lines.readLine()));
+      assertEquals("two", text(Objects.requireNonNull(lines.readLine())));
+      assertEquals("three", text(Objects.requireNonNull(lines.readLine())));
     }
   }
 
@@ -92,7 +93,7 @@ class LineChannelTest {
     channel.start();
     channel.close();
     channel.close();
-    assertThrows(IOException.class, channel::readLine);
+    assertThrows(IOException.class, () -> channel.readLine());
     assertEquals(-1, peer.getInputStream().read());
   }
 
