@@ -163,8 +163,8 @@ class AllocatorContractTest {
             new Decision.Unassigned(
                 1,
                 Sentence.verbatim(
-                    "The only robot, wide, finds no way to the load and its goal that is wide enough"
-                        + " for its 0.60 m."),
+                    "The only robot, wide, finds no path to the load and its goal that is wide enough"
+                        + " for 0.60 m."),
                 List.of())),
         Outcome.inEnglish(allocator.allocate(throughADoor(List.of(wide)))));
   }

@@ -211,7 +211,7 @@ class PairedFleetTest {
 
     String alert = String.valueOf(until(robot -> robot.alert() != null).alert());
     assertTrue(
-        Objects.requireNonNull(alert).contains("it has another key than the one recorded"), alert);
+        Objects.requireNonNull(alert).contains("its key differs from the recorded one"), alert);
     assertEquals(alert, history("robot.link-refused").text());
 
     assertInstanceOf(Answer.Accepted.class, pairAnew(daemonNow().pairingCode()));

@@ -245,10 +245,10 @@ class AccountStoreTest {
 
     assertEquals(
         List.of(
-            "boss added the user ada",
+            "boss added user ada",
             "boss made ada a manager",
             "ada changed the password of ada",
-            "boss added the user max",
+            "boss added user max",
             "max deleted user ada"),
         texts());
   }

@@ -133,8 +133,8 @@ class PairedDaemonTest {
 
       assertEquals(
           new LinkRecorder.Refusal(
-              "r1 does not accept this server: it was paired with another one, or this server’s key"
-                  + " is new. Pair it again."),
+              "r1 does not accept this server: it was paired with another server, or this server’s"
+                  + " key is new. Pair it again."),
           others.next(),
           "it was greeted");
       State told =

@@ -30,8 +30,8 @@ class StandstillTrackerTest {
 
     assertEquals(List.of(new Vec2(0.5, 1.5), new Vec2(1.5, 1.5)), begun.positions());
     assertEquals(
-        "r1, r2 at (0.50, 1.50), (1.50, 1.50) wait for each other in a ring. Their ways are planned"
-            + " anew.",
+        "r1, r2 at (0.50, 1.50), (1.50, 1.50) are blocking each other. Their paths are planned"
+            + " again.",
         begun.text().english());
     assertEquals(List.of(begun), report.lasting());
   }

@@ -96,7 +96,7 @@ class TaskPreviewTest {
     assertEquals(2, told.robots());
     assertEquals(List.of(), told.chosen());
     assertTrue(
-        told.reason().english().contains("there is no room for them round it at Mill"),
+        told.reason().english().contains("there is no room for them around the load at Mill"),
         told.reason()::english);
   }
 

@@ -34,7 +34,7 @@ class ApiStreamTest extends ApiTestServer {
       JsonNode standstill = floor.get("standstills").get(0);
       assertEquals("[\"r2\",\"r3\"]", standstill.get("robots").toString());
       assertEquals(2.25, standstill.get("where").get(0).get("x").doubleValue());
-      assertTrue(standstill.get("text").stringValue().contains("wait for each other"));
+      assertTrue(standstill.get("text").stringValue().contains("are blocking each other"));
       JsonNode charger = floor.get("faultyChargers").get(0);
       assertEquals("C1", charger.get("name").stringValue());
       assertEquals(10.95, charger.get("where").get("x").doubleValue());

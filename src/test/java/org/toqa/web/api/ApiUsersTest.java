@@ -42,10 +42,10 @@ class ApiUsersTest extends ApiTestServer {
       delimiter = '|',
       value = {
         "{\"name\":\"Omar\",\"password\":\"short\"}|422|at least 10 characters",
-        "{\"name\":\"Omar\",\"password\":\"password123\"}|422|among the first that are guessed",
-        "{\"name\":\"Omarovich\",\"password\":\"omarovich1\"}|422|among the first that are guessed",
+        "{\"name\":\"Omar\",\"password\":\"password123\"}|422|This password is easy to guess",
+        "{\"name\":\"Omarovich\",\"password\":\"omarovich1\"}|422|This password is easy to guess",
         "{\"name\":\"Omar\",\"password\":\"a long good one\",\"role\":\"KING\"}|422|CLERK or MANAGER",
-        "{\"name\":\"MAX\",\"password\":\"a long good one\"}|409|This name is taken",
+        "{\"name\":\"MAX\",\"password\":\"a long good one\"}|409|This name is already in use",
         "{\"name\":\"Omar\",\"password\":\"a long good one\",\"boss\":1}|422|boss"
       })
   void aUserWhoCannotBeAddedIsRefusedWithASentence(String body, int status, String sentence) {

@@ -157,7 +157,7 @@ class ImportTest {
       textBlock =
           """
           name,load,start,goal,colour | Line 1, colour: Unknown column “colour”. Allowed: name,
-          name,load,start,goal,Name   | The column “name” is there twice.
+          name,load,start,goal,Name   | The column “name” appears twice.
           name,load,start             | Line 1, goal: The column “goal” is missing, or goalX and goalY.
           name,start,goal,goalX       | Line 1, load: The column “load” is missing.
           name,load,start,goal        | There are no tasks in this file.
@@ -208,7 +208,7 @@ class ImportTest {
     Map<byte[], String> files =
         Map.of(
             latin,
-            "Line 4: Here is a character that is not UTF-8.",
+            "Line 4: This character is not UTF-8.",
             noise,
             "not UTF-8",
             "PK\u0003\u0004\u0000".getBytes(StandardCharsets.UTF_8),
@@ -216,13 +216,13 @@ class ImportTest {
             GOOD.getBytes(StandardCharsets.UTF_16),
             "not UTF-8",
             (GOOD + "\"open,1,Dock A,Shelf 3\nb,1,Dock A,Shelf 3").getBytes(StandardCharsets.UTF_8),
-            "Line 4: In the text that begins here a quotation mark is missing",
+            "Line 4: In the text that begins here, a quotation mark is missing",
             (GOOD + "x,1,\"Dock\" A,Shelf 3\n").getBytes(StandardCharsets.UTF_8),
-            "Line 4: In the text that begins here a quotation mark",
+            "Line 4: In the text that begins here, a quotation mark",
             new byte[0],
             "There are no tasks in this file.",
             "<script>alert(1)</script>".getBytes(StandardCharsets.UTF_8),
-            "is unknown");
+            "Unknown column");
     files.forEach(
         (file, sentence) -> {
           HttpResponse<String> answer = post("api/v1/tasks/import", file, "text/csv");
@@ -277,7 +277,7 @@ class ImportTest {
           (GOOD.substring(0, HEADER.length() + 25) + other).getBytes(StandardCharsets.UTF_8);
       HttpResponse<String> answer = post("api/v1/tasks/import", changed, "text/csv", key);
       assertEquals(422, answer.statusCode(), "longer or shorter");
-      assertTrue(answer.body().contains("came before with another order"), answer.body());
+      assertTrue(answer.body().contains("was already used for another order"), answer.body());
     }
     assertEquals(2, added());
     assertNotEquals(first, post("api/v1/tasks/import", table, "text/csv").body(), "without a key");

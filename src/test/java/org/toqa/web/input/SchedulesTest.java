@@ -179,7 +179,7 @@ class SchedulesTest extends WebServerTest {
 
       HttpResponse<String> other = add(clerk, times + ",\"until\":\"2099-01-01T00:00:00Z\"", key);
       assertEquals(422, other.statusCode(), other.body());
-      assertTrue(other.body().contains("came before with another order"), other.body());
+      assertTrue(other.body().contains("was already used for another order"), other.body());
       assertNotEquals(first, id(add(manager, times, key)), "another user's key");
     }
     assertEquals(4, JSON.readTree(clerk.get("api/v1/schedules").body()).size());
@@ -187,15 +187,15 @@ class SchedulesTest extends WebServerTest {
 
   @ParameterizedTest
   @CsvSource({
-    "once, first, '', Give a time that is still to come",
+    "once, first, '', Enter a time in the future",
     "once, first, 2001-01-01T10:00, This time has passed.",
     "every, everyMinutes, often, Enter a number, such as 2.5",
-    "every, everyMinutes, '', Give a whole number of minutes",
+    "every, everyMinutes, '', Enter a whole number of minutes",
     "weekly, time, late, Enter a time of day",
     "weekly, weekday, SOMEDAY, Choose at least one day",
     "weekly, zone, Nowhere/Land, Unknown time zone.",
-    "weekly, deadline, 2098-07-01T15:00, A task that is put in later has no deadline.",
-    "someday, first, '', Give a time that is still to come"
+    "weekly, deadline, 2098-07-01T15:00, A scheduled task has no deadline.",
+    "someday, first, '', Enter a time in the future"
   })
   void aWrongFieldIsShownAgainWithASentence(
       String when, String field, String value, String sentence) {

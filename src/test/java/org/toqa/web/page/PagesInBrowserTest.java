@@ -109,8 +109,8 @@ class PagesInBrowserTest {
     assertThat(page.locator("#preview"))
         .hasText(
             Pattern.compile(
-                "Needs 2 robots together. Estimated assignment: r1, r2 (that is"
-                    + " sooner). Estimated distance of the load: 8.0 m."));
+                "Needs 2 robots together. Estimated assignment: r1, r2 \\(that is"
+                    + " sooner\\). Estimated distance of the load: 8.0 m."));
     picture(page, "new-task-picked");
     page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
 
@@ -286,7 +286,7 @@ class PagesInBrowserTest {
     server.fleet().changeFloor(Hall.crowdedFloor());
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
 
-    assertThat(page.locator("#attention-list strong"))
+    assertThat(page.locator("#attention strong"))
         .hasText(new String[] {"r5", "Standstill", "r6", "r4", "Charger"});
   }
 
@@ -373,7 +373,7 @@ class PagesInBrowserTest {
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
     page.navigate(server.root() + "robots/r2");
     page.getByText("Take out of service").click();
-    assertThat(page.locator("#service")).containsText("make sure that it does not stand there");
+    assertThat(page.locator("#service")).containsText("make sure that the robot is not there");
     page.getByText("Confirm out of service").click();
 
     assertThat(page.locator(".heading .state")).hasText("Out of service");
@@ -447,7 +447,7 @@ class PagesInBrowserTest {
     page.navigate(server.root() + reset.substring(reset.indexOf("reset?")));
     picture(page, name + "-reset");
     page.getByLabel("New password").fill("a sentence of my own");
-    page.getByText("Reset password").click();
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Reset password")).click();
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("Your password was reset.");
     page.getByLabel("Name").fill("Clara");
     page.getByLabel("Password", new Page.GetByLabelOptions().setExact(true))

@@ -357,7 +357,7 @@ class PagesTest extends WebServerTest {
     assertEquals(status, answer.statusCode());
     assertTrue(answer.body().contains("css/base.css"));
     assertTrue(answer.body().contains("Page not found"));
-    assertTrue(answer.body().contains("<span>Log-out</span>"), "The way back stays.");
+    assertTrue(answer.body().contains("<span>Log out</span>"), "The way back stays.");
   }
 
   @Test

@@ -69,7 +69,7 @@ class LoginTest extends WebServerTest {
       assertTrue(
           answer.body().contains("Wrong name or password.")
               || answer.body().contains("Enter your password."));
-      assertFalse(answer.body().contains("<span>Log-out</span>"));
+      assertFalse(answer.body().contains("<span>Log out</span>"));
     }
   }
 

@@ -86,7 +86,7 @@ class RateLimitTest {
     assertEquals(429, refused.statusCode());
     assertEquals("1", refused.headers().firstValue("Retry-After").orElse(""));
     assertTrue(refused.body().contains("<h1>Too many requests</h1>"), refused::body);
-    assertTrue(refused.body().contains("Wait for 1 s"), refused::body);
+    assertTrue(refused.body().contains("Wait 1 s"), refused::body);
     assertEquals(200, clerk.get("assets/css/base.css").statusCode());
   }
 
