@@ -53,14 +53,14 @@ class AccessibilityInBrowserTest extends BrowserTest {
   @BeforeEach
   void start() throws Exception {
     server = WebTestServer.startForBrowser();
-    server.fleet().changeRobots(none -> PagesInBrowserTest.fleetAtWork());
+    server.fleet().changeRobots(none -> PagesInBrowser.fleetAtWork());
     try (TestClient clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK)) {
       for (int i = 0; i < 3; i++) {
         clerk.post(
             "tasks/new",
             Map.of("name", "x", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
       }
-      PagesInBrowserTest.addSchedules(clerk);
+      PagesInBrowser.addSchedules(clerk);
     }
     server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
     server.fleet().changeFloor(Hall.crowdedFloor());

@@ -38,7 +38,7 @@ class LanguagesInBrowserTest extends BrowserTest {
   @BeforeEach
   void start() throws Exception {
     server = WebTestServer.startForBrowser();
-    server.fleet().changeRobots(none -> PagesInBrowserTest.fleetAtWork());
+    server.fleet().changeRobots(none -> PagesInBrowser.fleetAtWork());
     page().setDefaultTimeout(10_000);
     page().setViewportSize(1280, 900);
   }
@@ -82,7 +82,7 @@ class LanguagesInBrowserTest extends BrowserTest {
     page().navigate(server.root() + "tasks/new");
     page().getByLabel("اسم المهمة").fill("صندوق براغٍ (2)");
     page().getByLabel("الحمولة (كغم)").fill("٢٫٥");
-    PagesInBrowserTest.clickMap(
+    PagesInBrowser.clickMap(
         page(),
         page().locator("#map"),
         1.05,
@@ -199,7 +199,7 @@ class LanguagesInBrowserTest extends BrowserTest {
 
   private void addTasks() {
     try (TestClient visitor = TestClient.signedIn(server.root(), WebTestServer.CLERK)) {
-      PagesInBrowserTest.addSchedules(visitor);
+      PagesInBrowser.addSchedules(visitor);
       for (String task : List.of("Box of bolts (2)", "منصة تروس للخط 4", "Samples")) {
         visitor.post(
             "tasks/new",

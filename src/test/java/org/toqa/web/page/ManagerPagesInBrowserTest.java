@@ -1,0 +1,223 @@
+package org.toqa.web.page;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static java.util.Objects.requireNonNull;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import com.microsoft.playwright.Locator;
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.Route;
+import com.microsoft.playwright.options.AriaRole;
+import com.microsoft.playwright.options.ColorScheme;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.fleet.FloorView;
+import org.toqa.grid.CellRuns;
+import org.toqa.web.TestClient;
+import org.toqa.web.WebTestServer;
+
+/** What managers do with robots and users, in a real browser. */
+@Tag("full")
+class ManagerPagesInBrowserTest extends PagesInBrowser {
+  @Test
+  void aRobotIsTakenOutOfServiceOnItsPage() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    page.navigate(server.root() + "robots/r2");
+    page.getByText("Take out of service").click();
+    assertThat(page.locator("#service")).containsText("make sure that the robot is not there");
+    page.getByText("Confirm out of service").click();
+
+    assertThat(page.locator(".heading .state")).hasText("Out of service");
+    assertThat(page.getByText("Confirm release")).hasCount(0);
+    server
+        .fleet()
+        .changeFloor(
+            new FloorView(
+                "hall",
+                null,
+                CellRuns.NONE,
+                Map.of("r2", new CellRuns(List.of(687, 1))),
+                List.of(),
+                List.of()));
+    page.getByText("Release its place").click();
+    picture(page, "robot-out-of-service");
+    page.getByText("Put back in service").click();
+    assertThat(page.locator(".heading .state")).hasText("Idle");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280, 900, desktop", "390, 844, phone"})
+  void aManagerDisablesAUserAndIsNotDisabledHimself(int width, int height, String name) {
+    Page page = loggedIn(width, height, ColorScheme.LIGHT);
+    page.navigate(server.root() + "users");
+    page.getByRole(AriaRole.LINK, link("Clara")).click();
+    page.getByLabel("Disabled").check();
+    picture(page, name + "-users-change");
+    page.locator("main").getByText("Save", exactly()).last().click();
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("The user was changed.");
+    assertThat(page.locator(".heading")).containsText("Clerk, disabled");
+
+    page.getByText("All users").click();
+    page.getByRole(AriaRole.LINK, link("Max")).click();
+    page.getByLabel("Disabled").check();
+    page.locator("main").getByText("Save", exactly()).last().click();
+    assertThat(page.locator("main").getByRole(AriaRole.ALERT))
+        .containsText("This is the last manager.");
+    picture(page, name + "-users-refused");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280, 900, LIGHT, desktop", "1280, 900, DARK, dark", "390, 844, LIGHT, phone"})
+  void aManagerMakesATokenAndALinkAndEndsASession(
+      int width, int height, ColorScheme scheme, String name) {
+    Page page = loggedIn(width, height, scheme);
+    TestClient.signedIn(server.root(), WebTestServer.MANAGER).close();
+    page.navigate(server.root() + "users");
+    page.getByRole(AriaRole.LINK, link("Max")).click();
+    page.getByLabel("Token name").fill("Night shift");
+    page.getByText("Create token").click();
+    assertThat(page.locator(".secret")).hasText(Pattern.compile("[A-Za-z0-9_-]{43}"));
+    assertThat(page.locator("tbody tr")).hasCount(3);
+    picture(page, name + "-user-token");
+    assertFits(page);
+    Locator other =
+        page.locator("tbody tr")
+            .filter(new Locator.FilterOptions().setHasText("Browser").setHasNotText("current"));
+    other.getByText("End", exactly()).click();
+    assertThat(page.locator("tbody tr")).hasCount(2);
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("The session has ended.");
+
+    page.getByText("All users").click();
+    picture(page, name + "-users");
+    page.getByRole(AriaRole.LINK, link("Clara")).click();
+    page.getByText("Create password link").click();
+    String reset = page.locator(".secret").textContent();
+    picture(page, name + "-user-link");
+    assertFits(page);
+    page.context().clearCookies();
+    page.navigate(server.root() + reset.substring(reset.indexOf("reset?")));
+    picture(page, name + "-reset");
+    page.getByLabel("New password").fill("a sentence of my own");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Reset password")).click();
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("Your password was reset.");
+    page.getByLabel("Name").fill("Clara");
+    page.getByLabel("Password", new Page.GetByLabelOptions().setExact(true))
+        .fill("a sentence of my own");
+    page.getByRole(AriaRole.BUTTON)
+        .filter(new Locator.FilterOptions().setHasText("Log in"))
+        .click();
+    assertThat(page.locator("#age")).containsText("Live");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280, 900, desktop", "390, 844, phone"})
+  void aManagerChangesARobotAndRemovesIt(int width, int height, String name) {
+    Page page = loggedIn(width, height, ColorScheme.LIGHT);
+    page.navigate(server.root() + "robots/r1");
+    Locator form = page.locator("#change");
+    form.getByLabel("Address").fill("not a host");
+    form.getByText("Save", exactly()).click();
+    assertThat(page.locator("#change-host-help")).isVisible();
+    form.getByLabel("Address").fill("10.0.0.8");
+    form.getByText("Save", exactly()).click();
+    assertThat(page.locator("dl").first()).containsText("10.0.0.8:");
+
+    page.getByText("Take out of service").click();
+    page.locator("#service button.danger").click();
+    assertThat(page.locator(".heading .state")).hasText("Out of service");
+    form.getByText("Remove robot").click();
+    form.scrollIntoViewIfNeeded();
+    picture(page, name + "-robot-change");
+    assertFits(page);
+    form.getByText("Confirm removal").click();
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("The robot was removed.");
+    assertThat(page.locator("main")).not().containsText("r1");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280, 900, en", "390, 844, en", "1280, 900, ar", "390, 844, ar"})
+  void whatAnotherManagerHasStoredMeanwhileStandsBesideTheEntries(
+      int width, int height, String language) {
+    Page page = loggedIn(width, height, ColorScheme.LIGHT);
+    page.navigate(server.root() + "language/" + language);
+    page.navigate(server.root() + "robots/r2");
+    Locator form = page.locator("#change");
+    form.locator("#change-port").fill("7400");
+    form.locator("#parking").selectOption("P2");
+    try (TestClient other = TestClient.signedIn(server.root(), WebTestServer.MANAGER)) {
+      Map<String, String> stored =
+          Map.of("host", "10.0.0.9", "port", "7300", "maxLoad", "5", "parking", "P3");
+      assertEquals(303, other.post("robots/r2/change", stored).statusCode());
+    }
+    form.locator("button").first().click();
+
+    assertThat(page.locator("main > [role=alert]")).isVisible();
+    assertThat(form.locator("#change-host-help")).containsText("10.0.0.9");
+    assertThat(form.locator("#change-port-help")).containsText("7300");
+    assertThat(form.locator("#parking-help")).containsText("P3");
+    assertThat(form.locator("#maxLoad-help")).hasCount(0);
+    assertThat(page.locator("#pair #port")).hasValue("7300");
+    assertThat(page.locator("#pair [aria-invalid]")).hasCount(0);
+    assertThat(form.locator("#change-port")).hasValue("7400");
+    assertThat(form.locator("#parking")).hasValue("P2");
+    picture(page, "robot-rivals-top-" + width + language);
+    form.scrollIntoViewIfNeeded();
+    picture(page, "robot-rivals-" + width + language);
+    assertFits(page);
+    form.locator("button").first().click();
+    assertThat(page.locator("main > [role=alert]")).hasCount(0);
+    assertThat(page.locator("dl").first()).containsText(":7400");
+    assertThat(page.locator("dl").first()).containsText("P2");
+  }
+
+  @Test
+  void theApiIsTriedOutOnItsPage() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    page.navigate(server.root() + "api");
+    Locator pause =
+        page.locator(".opblock-post")
+            .filter(new Locator.FilterOptions().setHasText("/api/v1/fleet/pause"));
+    pause.locator(".opblock-summary-control").click();
+    pause.getByText("Try it out").click();
+    pause.getByText("Execute", exactly()).click();
+
+    assertThat(pause.locator(".live-responses-table tbody .response-col_status"))
+        .containsText("200");
+    assertThat(page.locator("#pause")).containsText("All robots are paused");
+    picture(page, "api-tried");
+  }
+
+  @Test
+  void aPartThatComesAnewLeavesOpenWhatTheReaderOpened() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    AtomicReference<@Nullable Route> refresh = new AtomicReference<>();
+    page.route(
+        server.root() + "robots/r1",
+        route -> {
+          if (!route.request().resourceType().equals("fetch")
+              || !refresh.compareAndSet(null, route)) {
+            route.resume();
+          }
+        });
+    page.navigate(server.root() + "robots/r1");
+    page.waitForCondition(() -> refresh.get() != null);
+    Locator summary = page.getByText("Take out of service");
+    summary.focus();
+    page.keyboard().press("Enter");
+    assertThat(page.locator("#service button.danger")).isVisible();
+
+    Route route = requireNonNull(refresh.get());
+    String anew = route.fetch().text().replace("id=\"service\"", "id=\"service\" data-anew");
+    route.fulfill(new Route.FulfillOptions().setBody(anew).setContentType("text/html"));
+
+    assertThat(page.locator("#service[data-anew] button.danger")).isVisible();
+    assertThat(summary).isFocused();
+  }
+}

@@ -1,0 +1,203 @@
+package org.toqa.web.page;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+
+import com.microsoft.playwright.Locator;
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.assertions.LocatorAssertions;
+import com.microsoft.playwright.options.ColorScheme;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.FloorView;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.CellRuns;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.testbed.Hall;
+import org.toqa.web.WebTestServer;
+
+/** The live map in a real browser. */
+@Tag("full")
+class MapInBrowserTest extends PagesInBrowser {
+  @Test
+  void theMapShowsARobotMove() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#age")).containsText("Live");
+    assertThat(page.locator("#robots li")).hasCount(6);
+    Object before = pictureOf(page);
+
+    move("r1", new Pose(5, 4.6, 0));
+
+    page.waitForCondition(() -> !pictureOf(page).equals(before));
+  }
+
+  @Test
+  void theMapFollowsARobotUntilItIsMoved() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    Locator map = page.locator("#map");
+    Locator following = page.locator("#following");
+    clickMap(page, map, 4.2, 4.6);
+    assertThat(following).containsText("Following r1");
+    Object before = pictureOf(page);
+    move("r1", new Pose(8, 2.2, 0));
+    page.waitForCondition(() -> !pictureOf(page).equals(before));
+
+    page.getByText("Stop following").click();
+    assertThat(following).isHidden();
+    map.click(); // in the middle, where the robot is
+    assertThat(following).containsText("Following r1");
+    picture(page, "map-following");
+    map.press("ArrowLeft");
+    assertThat(following).isHidden();
+
+    page.navigate(server.root() + "robots/r5");
+    page.getByText("Show on map").click();
+    assertThat(following).containsText("Following r5");
+    following.getByText("r5").click();
+    assertThat(page.locator("h1")).hasText("Robot r5");
+  }
+
+  private void move(String name, Pose pose) {
+    server
+        .fleet()
+        .changeRobots(
+            robots ->
+                robots.stream()
+                    .map(robot -> robot.name().equals(name) ? driving(name, pose, 3) : robot)
+                    .toList());
+  }
+
+  @Test
+  void theMapShowsWhatIsInTheWay() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    assertThat(page.locator("#attention")).not().containsText("Standstill");
+    Object before = pictureOf(page);
+
+    server.fleet().changeFloor(Hall.crowdedFloor());
+
+    assertThat(page.locator("#attention")).containsText("r2, r3 at (2.25, 0.75)");
+    assertThat(page.locator("#attention")).containsText("Charger C1 does not charge");
+    page.waitForCondition(() -> !pictureOf(page).equals(before));
+    page.getByText("Legend").click();
+    page.locator(".legend").getByText("Standstill").scrollIntoViewIfNeeded();
+    picture(page, "map-in-the-way");
+
+    Object crowded = pictureOf(page);
+    server
+        .fleet()
+        .changeFloor(new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of()));
+
+    page.waitForCondition(() -> !pictureOf(page).equals(crowded));
+    assertThat(page.locator("#attention")).not().containsText("Standstill");
+  }
+
+  @Test
+  void whatIsMostUrgentComesFirst() {
+    server.fleet().changeFloor(Hall.crowdedFloor());
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+
+    assertThat(page.locator("#attention strong"))
+        .hasText(new String[] {"r5", "Standstill", "r6", "r4", "Charger"});
+  }
+
+  @Test
+  void theRobotsAreNarrowedDownToAState() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    Object all = pictureOf(page);
+    Locator driving = page.locator("#counts button").filter(having("Driving"));
+
+    driving.click();
+
+    assertThat(page.locator("#robots strong")).hasText(new String[] {"r1"});
+    assertThat(driving).hasAttribute("aria-pressed", "true");
+    page.waitForCondition(() -> !pictureOf(page).equals(all));
+    picture(page, "map-narrowed");
+    page.locator("#counts button").filter(having("On hold")).click();
+    assertThat(page.locator("#robots strong")).hasText(new String[] {"r1", "r3"});
+    server.fleet().changeRobots(robots -> robots.subList(1, 6));
+    assertThat(page.locator("#robots strong")).hasText(new String[] {"r3"});
+    assertThat(driving).containsText("0");
+    driving.click();
+    page.locator("#counts button").filter(having("On hold")).click();
+    assertThat(page.locator("#robots li")).hasCount(5);
+    assertThat(driving).hasCount(0);
+  }
+
+  private static Locator.FilterOptions having(String text) {
+    return new Locator.FilterOptions().setHasText(text);
+  }
+
+  @Test
+  void aFloorIsPutOnHoldOnTheMap() {
+    server
+        .fleet()
+        .changeFloor(new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of()));
+    for (int width : List.of(1280, 390)) {
+      Page page = loggedIn(width, 900, ColorScheme.LIGHT);
+      assertThat(page.locator("#floors")).containsText("Floor hall");
+
+      page.getByText("Hold all robots of the floor").click();
+      assertThat(page.locator("#floors"))
+          .containsText("All robots of this floor are on hold by Max");
+      page.getByText("Legend").scrollIntoViewIfNeeded();
+      picture(page, "map-floor-on-hold-" + width);
+
+      server.fleet().resumeFloor("hall", "Ann"); // elsewhere: the page follows
+      assertThat(page.locator("#floors")).not().containsText("on hold by");
+      assertThat(page.getByText("Hold all robots of the floor")).isVisible();
+    }
+  }
+
+  @Test
+  void theMapShowsWhoWasNotLetIn() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    assertThat(page.locator("#attention li")).hasCount(3);
+    Fault stranger =
+        new Fault(
+            "REFUSED", "10.0.0.9 was refused: it is neither this robot's server nor its leader.");
+
+    server
+        .fleet()
+        .changeRobots(
+            robots ->
+                robots.stream()
+                    .map(
+                        r ->
+                            switch (r.name()) {
+                              case "r2" -> troubled(r, List.of(stranger), null);
+                              case "r3" -> troubled(r, List.of(), "r3 has another key.");
+                              default -> r;
+                            })
+                    .toList());
+
+    assertThat(page.locator("#attention li")).hasCount(5);
+    assertThat(page.locator("#attention")).containsText("10.0.0.9 was refused");
+    assertThat(page.locator("#attention")).containsText("r3 has another key.");
+    picture(page, "map-not-let-in");
+  }
+
+  @Test
+  void theMapSaysWhenTheServerIsAway() throws Exception {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#age")).containsText("Live");
+    assertThat(page.locator("#banner")).isHidden();
+    int port = server.root().getPort();
+
+    server.close();
+
+    assertThat(page.locator("#banner")).containsText("Connection to the server lost.");
+    picture(page, "map-away");
+    try (WebTestServer _ = WebTestServer.start(port)) {
+      // it is found again; its database is another one, without this session
+      assertThat(page.locator("#banner"))
+          .containsText(
+              "Your session has ended.",
+              new LocatorAssertions.ContainsTextOptions().setTimeout(20_000));
+    }
+  }
+}

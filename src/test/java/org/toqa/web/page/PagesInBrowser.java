@@ -1,0 +1,250 @@
+package org.toqa.web.page;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import com.microsoft.playwright.Browser;
+import com.microsoft.playwright.BrowserContext;
+import com.microsoft.playwright.BrowserType;
+import com.microsoft.playwright.Locator;
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.Playwright;
+import com.microsoft.playwright.options.ColorScheme;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.mission.Phase;
+import org.toqa.testbed.Hall;
+import org.toqa.web.TestClient;
+import org.toqa.web.WebTestServer;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** A fleet at work, a browser, and what its tests look at; scripts must not complain. */
+abstract class PagesInBrowser {
+  private static final Path PICTURES = Path.of("target/screenshots");
+
+  private static Playwright playwright;
+  static Browser browser;
+
+  WebTestServer server;
+  final List<String> complaints = new ArrayList<>();
+
+  @BeforeAll
+  static void openBrowser() {
+    playwright =
+        Playwright.create(
+            new Playwright.CreateOptions().setEnv(Map.of("PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD", "1")));
+    browser =
+        playwright
+            .chromium()
+            .launch(
+                new BrowserType.LaunchOptions()
+                    .setExecutablePath(Path.of("/usr/bin/chromium"))
+                    .setArgs(List.of("--no-sandbox", "--disable-gpu")));
+  }
+
+  @AfterAll
+  static void closeBrowser() {
+    browser.close();
+    playwright.close();
+  }
+
+  @BeforeEach
+  void start() throws Exception {
+    server = WebTestServer.startForBrowser();
+    server.fleet().changeRobots(none -> fleetAtWork());
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    server.close();
+    assertEquals(List.of(), complaints);
+  }
+
+  static void assertFits(Page page) {
+    assertFalse((Boolean) page.evaluate("document.documentElement.scrollWidth > innerWidth"));
+  }
+
+  static Page.GetByRoleOptions link(String name) {
+    return new Page.GetByRoleOptions().setName(name).setExact(true);
+  }
+
+  static Locator.GetByTextOptions exactly() {
+    return new Locator.GetByTextOptions().setExact(true);
+  }
+
+  Page loggedIn(int width, int height, ColorScheme scheme) {
+    BrowserContext context =
+        browser.newContext(
+            new Browser.NewContextOptions()
+                .setViewportSize(width, height)
+                .setColorScheme(scheme)
+                .setTimezoneId("America/Bogota"));
+    Page page = context.newPage();
+    page.setDefaultTimeout(10_000);
+    page.onPageError(complaints::add);
+    page.onConsoleMessage(
+        message -> {
+          if (message.type().equals("error")
+              && !message.text().startsWith("Failed to load resource")) {
+            complaints.add(message.text());
+          }
+        });
+    page.navigate(server.root().toString());
+    page.getByLabel("Name").fill(WebTestServer.MANAGER);
+    page.getByLabel("Password").fill(WebTestServer.PASSWORD);
+    page.locator("main button").click();
+    assertThat(page.locator("#map")).isVisible();
+    return page;
+  }
+
+  /**
+   * Clicks where the floor of 12 m x 6 m, fitted into the canvas with its margin, has the point.
+   */
+  static void clickMap(Page page, Locator map, double x, double y) {
+    page.waitForFunction("document.querySelector('#map').width > 300");
+    double width = map.boundingBox().width;
+    double height = map.boundingBox().height;
+    double scale = Math.min((width - 32) / 12, (height - 32) / 6);
+    map.click(
+        new Locator.ClickOptions()
+            .setPosition(width / 2 + (x - 6) * scale, height / 2 - (y - 3) * scale));
+  }
+
+  static Object pictureOf(Page page) {
+    return page.evaluate("document.querySelector('#map').toDataURL()");
+  }
+
+  static void picture(Page page, String name) {
+    page.screenshot(new Page.ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")));
+  }
+
+  static List<RobotView> fleetAtWork() {
+    return List.of(
+        driving("r1", new Pose(4.2, 4.6, 0.3), 2),
+        robot("r2", RobotState.IDLE, new Pose(2.25, 0.75, Math.PI / 2)),
+        robot("r3", RobotState.HOLDING, new Pose(7.4, 2.8, Math.PI)),
+        robot("r4", RobotState.NOT_LOCALISED, new Pose(10.2, 3.6, -1)),
+        robot("r5", RobotState.ERROR, new Pose(8.8, 4.6, 2.3)),
+        robot("r6", RobotState.LOST, new Pose(3.4, 2.2, 0)));
+  }
+
+  static RobotView driving(String name, Pose pose, long task) {
+    RobotView still = robot(name, RobotState.DRIVING, pose);
+    return new RobotView(
+        name,
+        still.floor(),
+        still.state(),
+        pose,
+        0.84,
+        task,
+        Phase.TO_GOAL,
+        5,
+        0.255,
+        0.25,
+        "127.0.0.1",
+        7275,
+        "P1",
+        true,
+        List.of(new Vec2(5.4, 4.6), new Vec2(6.15, 3.15), new Vec2(8, 3.1), new Vec2(9, 1.05)),
+        2,
+        List.of(),
+        Phrase.CARRIES_LOAD.with(task),
+        Hall.START,
+        false,
+        null,
+        null,
+        null);
+  }
+
+  static RobotView troubled(RobotView still, List<Fault> errors, @Nullable String alert) {
+    return new RobotView(
+        still.name(),
+        still.floor(),
+        still.state(),
+        still.pose(),
+        still.battery(),
+        still.task(),
+        still.phase(),
+        still.maxLoad(),
+        still.footprint(),
+        still.speed(),
+        still.host(),
+        still.port(),
+        still.parking(),
+        still.simulated(),
+        still.path(),
+        still.released(),
+        errors,
+        still.doing(),
+        still.lastSeen(),
+        still.held(),
+        still.charger(),
+        still.fingerprint(),
+        alert == null ? null : Sentence.verbatim(alert));
+  }
+
+  static RobotView robot(String name, RobotState state, Pose pose) {
+    RobotView still = Hall.robot(name, state, pose, "127.0.0.1", 7275);
+    return state == RobotState.ERROR
+        ? new RobotView(
+            name,
+            still.floor(),
+            state,
+            pose,
+            0.12,
+            null,
+            Phase.NONE,
+            5,
+            0.255,
+            0.25,
+            "127.0.0.1",
+            7275,
+            "P3",
+            true,
+            List.of(),
+            0,
+            List.of(new Fault("BATTERY_LOW", "The battery is nearly empty.")),
+            Phrase.HAS_FAULT.with("The battery is nearly empty."),
+            Hall.START,
+            false,
+            null,
+            null,
+            null)
+        : still;
+  }
+
+  /** One of each kind. */
+  static void addSchedules(TestClient visitor) {
+    Map<String, String> task =
+        Map.of(
+            "name", "Morning tour",
+            "load", "2.5",
+            "startStation", "Dock A",
+            "goalStation", "Shelf 3",
+            "zone", "Europe/Paris");
+    for (Map<String, String> times :
+        List.of(
+            Map.of("when", "once", "first", "2098-07-01T15:00"),
+            Map.of("when", "every", "first", "2098-07-01T15:00", "everyMinutes", "30"),
+            Map.of("when", "weekly", "weekday", "MONDAY", "time", "08:00"))) {
+      Map<String, String> form = new TreeMap<>(task);
+      form.putAll(times);
+      visitor.post("tasks/new", form);
+    }
+  }
+}
