@@ -33,7 +33,7 @@
   <div class="columns">
     <form method="post" action="${root}/tasks/import" enctype="multipart/form-data">
       <t:csrf/>
-      <input type="hidden" name="wish" value="<c:out value="${wish}"/>">
+      <input type="hidden" name="idempotencyKey" value="<c:out value="${idempotencyKey}"/>">
       <input type="hidden" id="zone" name="zone" value="UTC">
       <label for="file"><fmt:message key="import.file"/></label>
       <input id="file" name="file" type="file" accept=".csv,.txt,text/csv" required aria-describedby="file-help" ${empty errors.file or not empty faults ? '' : 'aria-invalid="true"'}>

@@ -13,7 +13,7 @@
   <div class="columns pick">
     <form class="task" method="post" action="${root}/tasks/new" novalidate>
       <t:csrf/>
-      <input type="hidden" name="wish" value="<c:out value="${wish}"/>">
+      <input type="hidden" name="idempotencyKey" value="<c:out value="${idempotencyKey}"/>">
       <t:field name="name" label="newTask.name" hint="newTask.name.hint" focus="true"/>
       <t:field name="load" label="newTask.load" inputmode="decimal"/>
       <c:choose>

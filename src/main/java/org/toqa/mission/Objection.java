@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.wording.Sentence;
 
 /**
- * Why a task cannot do now what a person wishes.
+ * Why a task cannot do now what an operator command asks.
  *
  * @param needs what the person must say too, if that is what is missing
  */

@@ -168,13 +168,13 @@ public enum Phrase {
   AT_PLACE,
   NOWHERE_KNOWN,
 
-  // Why a task cannot do what a person wishes
+  // Why a task cannot do what an operator command asks
   DELIVERED_ALREADY,
   TASK_HAS_ENDED,
   TASK_ASKS_NOTHING,
   ANSWER_WITH_ONE_OF,
 
-  // Why a robot cannot do what a person wishes
+  // Why a robot cannot do what an operator command asks
   NO_SUCH_ROBOT,
   NO_SUCH_ROBOT_HERE,
   HOME_AFTER_TASK,

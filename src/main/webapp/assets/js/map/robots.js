@@ -140,8 +140,8 @@ function drawGroup(context, viewport, colours, task, poses) {
 }
 
 /** Half of the load's length and width in pixels. */
-function loadHalf(viewport, task, carrier) {
-  const least = carrier ? 1.25 * radius(viewport, carrier) : 7;
+function loadHalf(viewport, task, robot) {
+  const least = robot ? 1.25 * radius(viewport, robot) : 7;
   const {length = 0.3, width = 0.3} = task.size ?? {};
   return [length, width].map((side) => Math.max(least, (side / 2) * viewport.scale));
 }

@@ -117,7 +117,7 @@ class PairedFleetTest {
     return answer(fleetNow().pairRobot("r1", order, "boss"));
   }
 
-  /** Time goes on until r1 is as wished. */
+  /** Time goes on until r1 is as wanted. */
   private RobotView until(Predicate<RobotView> condition) throws InterruptedException {
     long end = System.nanoTime() + LIMIT.toNanos();
     FleetSnapshot view = fleetNow().snapshots().latest();

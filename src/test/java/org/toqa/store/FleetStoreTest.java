@@ -31,12 +31,12 @@ import org.toqa.wording.Sentence;
 /** What every database must do for tasks; here H2, in {@code MySqlFleetStoreTest} MySQL. */
 class FleetStoreTest extends FleetDatabaseTest {
   @Test
-  void aTaskIsFoundByTheKeyOfItsWish() {
+  void aTaskIsFoundByItsIdempotencyKey() {
     UUID key = UUID.randomUUID();
     assertEquals(Optional.empty(), store.taskByKey(key));
 
     long id =
-        store.addTasks(List.of(new FleetStore.Submission(task("wished"), key))).getFirst().id();
+        store.addTasks(List.of(new FleetStore.Submission(task("keyed"), key))).getFirst().id();
 
     assertEquals(id, store.taskByKey(key).orElseThrow().id());
     assertEquals(Optional.empty(), store.taskByKey(UUID.randomUUID()));

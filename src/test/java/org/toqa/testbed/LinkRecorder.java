@@ -59,11 +59,11 @@ public final class LinkRecorder implements RobotLink.Listener {
     return await(kind, any -> true);
   }
 
-  /** The next of this kind that is wished for; what comes before it is skipped. */
-  public <T> T await(Class<T> kind, Predicate<T> wished) throws InterruptedException {
+  /** The next of this kind that is wanted; what comes before it is skipped. */
+  public <T> T await(Class<T> kind, Predicate<T> wanted) throws InterruptedException {
     while (true) {
       Object next = next();
-      if (kind.isInstance(next) && wished.test(kind.cast(next))) {
+      if (kind.isInstance(next) && wanted.test(kind.cast(next))) {
         return kind.cast(next);
       }
     }

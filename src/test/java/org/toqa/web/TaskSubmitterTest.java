@@ -25,7 +25,7 @@ import tools.jackson.databind.json.JsonMapper;
 /** The same order twice is one task. */
 class TaskSubmitterTest {
   private static final JsonMapper JSON = new JsonMapper();
-  private static final Pattern WISH = Pattern.compile("name=\"wish\" value=\"([^\"]+)\"");
+  private static final Pattern KEY_FIELD = Pattern.compile("name=\"idempotencyKey\" value=\"([^\"]+)\"");
   private WebTestServer server;
   private TestClient clerk;
 
@@ -77,8 +77,8 @@ class TaskSubmitterTest {
 
   @Test
   void aFormThatIsSentTwiceIsOneTask() {
-    Matcher wish = WISH.matcher(clerk.get("tasks/new").body());
-    assertTrue(wish.find());
+    Matcher field = KEY_FIELD.matcher(clerk.get("tasks/new").body());
+    assertTrue(field.find());
     Map<String, String> form =
         new HashMap<>(
             Map.of(
@@ -90,15 +90,15 @@ class TaskSubmitterTest {
                 "Dock A",
                 "goalStation",
                 "Shelf 3",
-                "wish",
-                wish.group(1)));
+                "idempotencyKey",
+                field.group(1)));
 
     String first = location(clerk.post("tasks/new", form));
 
     assertEquals(first, location(clerk.post("tasks/new", form)));
     form.put("name", "y");
     assertNotEquals(first, location(clerk.post("tasks/new", form)), "another order");
-    form.remove("wish");
+    form.remove("idempotencyKey");
     assertNotEquals(
         location(clerk.post("tasks/new", form)), location(clerk.post("tasks/new", form)));
   }

@@ -227,15 +227,15 @@ abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArc
 
   /** Tasks are the mission of one robot, r1. */
   @Override
-  public CompletionStage<Answer<TaskView>> commandTask(long id, MissionEvent.OperatorCommand wish) {
+  public CompletionStage<Answer<TaskView>> commandTask(long id, MissionEvent.OperatorCommand command) {
     lock.lock();
     try {
       Mission mission = mission(task(id).orElseThrow());
-      Optional<Objection> objection = mission.objectionTo(wish);
+      Optional<Objection> objection = mission.objectionTo(command);
       if (objection.isPresent()) {
         return CompletableFuture.completedFuture(Answer.conflict(objection.get()));
       }
-      TaskView next = TaskView.of(mission.apply(wish).mission(), null, latest.at());
+      TaskView next = TaskView.of(mission.apply(command).mission(), null, latest.at());
       tasks.replaceAll(view -> view.id() == id ? next : view);
       publish(latest.robots());
       return CompletableFuture.completedFuture(new Answer.Accepted<>(next));

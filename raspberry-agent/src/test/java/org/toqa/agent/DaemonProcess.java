@@ -119,13 +119,13 @@ public final class DaemonProcess implements AutoCloseable {
       socket.getOutputStream().write(LinkCodec.encode(drive));
     }
 
-    public <M extends AgentMessage> M await(Class<M> type, Predicate<M> wished) throws IOException {
+    public <M extends AgentMessage> M await(Class<M> type, Predicate<M> wanted) throws IOException {
       while (true) {
         LineReader.Line line = lines.readLine();
         assertNotNull(line, "the daemon hung up");
         Object message =
             assertInstanceOf(Decoded.class, LinkCodec.decodeAgentMessage(line)).message();
-        if (type.isInstance(message) && wished.test(type.cast(message))) {
+        if (type.isInstance(message) && wanted.test(type.cast(message))) {
           return type.cast(message);
         }
       }

@@ -87,11 +87,11 @@ final class FormationServer implements AutoCloseable {
   }
 
   /** Waits for a state that was not heard before. */
-  State awaitState(Predicate<State> wished) {
+  State awaitState(Predicate<State> wanted) {
     int known = received.size();
     return (State)
         await(
-            m -> m instanceof State state && received.indexOf(m) >= known && wished.test(state),
+            m -> m instanceof State state && received.indexOf(m) >= known && wanted.test(state),
             () -> {});
   }
 
@@ -109,12 +109,12 @@ final class FormationServer implements AutoCloseable {
     }
   }
 
-  private AgentMessage await(Predicate<AgentMessage> wished, Runnable first) {
+  private AgentMessage await(Predicate<AgentMessage> wanted, Runnable first) {
     first.run();
     long limit = System.nanoTime() + LIMIT_NANOS;
     while (System.nanoTime() < limit) {
       for (AgentMessage message : received) {
-        if (wished.test(message)) {
+        if (wanted.test(message)) {
           return message;
         }
       }

@@ -145,12 +145,12 @@ final class TestServer implements AutoCloseable {
     }
   }
 
-  /** Time goes on until a state is as wished. */
-  State advanceUntil(Predicate<State> wished, Duration most) {
+  /** Time goes on until a state is as wanted. */
+  State advanceUntil(Predicate<State> wanted, Duration most) {
     Duration step = Duration.ofMillis(100);
     for (Duration left = most; left.isPositive(); left = left.minus(step)) {
       advance(step);
-      if (wished.test(state())) {
+      if (wanted.test(state())) {
         return state();
       }
     }
@@ -195,12 +195,12 @@ final class TestServer implements AutoCloseable {
     return new ServerMessage.Drive(seq, task, phase, start, segments, segments.size(), true, 0);
   }
 
-  private AgentMessage await(Predicate<AgentMessage> wished) {
+  private AgentMessage await(Predicate<AgentMessage> wanted) {
     long limit = System.nanoTime() + LIMIT.toNanos();
     while (System.nanoTime() < limit) {
       rig.tickWithoutTime();
       AgentMessage message = drain();
-      if (message != null && wished.test(message)) {
+      if (message != null && wanted.test(message)) {
         return message;
       }
     }

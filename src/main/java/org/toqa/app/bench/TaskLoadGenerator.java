@@ -39,7 +39,7 @@ final class TaskLoadGenerator {
   }
 
   /**
-   * Keeps the robots busy for so long, or until the wish to end.
+   * Keeps the robots busy for so long, or until it is asked to end.
    *
    * @param watcher gets each new snapshot
    */

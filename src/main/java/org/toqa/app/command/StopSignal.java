@@ -4,7 +4,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The wish to end, from Ctrl-C or a system that shuts down. The process lives on until the work is
+ * The request to end, from Ctrl-C or a system that shuts down. The process lives on until the work is
  * closed, but no longer than ten seconds.
  */
 public final class StopSignal implements AutoCloseable {

@@ -18,7 +18,7 @@ public interface ServerOperation {
 
   /**
    * @param address where the web pages are
-   * @param stop the wish to end early
+   * @param stop the request to end early
    * @return the exit code
    */
   int run(FleetServer toqa, URI address, StopSignal stop) throws Exception;

@@ -43,7 +43,6 @@ import org.toqa.wording.Sentence;
 public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private static final Logger log = LoggerFactory.getLogger(RobotAgent.class);
   private static final Duration PING_INTERVAL = Duration.ofMillis(500);
-  private static final Duration SILENT_AFTER = Duration.ofSeconds(2);
 
   private RobotRecord robot;
   private final ActorRef<RobotEvent> floor;
@@ -66,13 +65,12 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   /** Messages that wait for the store. */
   private int unsent;
 
-  private boolean silent;
   private Instant now;
 
   /** The drives that commands on their way are to change, by the commands' numbers. */
   private final Map<Long, Long> changing = new HashMap<>();
 
-  private Instant lastHeard;
+  private final SilenceDetector silence;
   private Instant lastPing = Instant.MIN;
 
   public static Behavior<RobotMessage> of(
@@ -100,7 +98,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     this.floor = floor;
     this.store = store;
     this.now = now;
-    this.lastHeard = now;
+    this.silence = new SilenceDetector(now);
     this.writer = new StoreWriter(robot.name(), runtime);
     ActorRef<RobotMessage> self = context.getSelf();
     writer.write(
@@ -238,8 +236,8 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     hello = said;
     connection++;
     changing.clear();
-    lastHeard = now;
-    silent = false;
+    silence.recordHeard(now);
+    silence.endSilence();
     seq = Math.max(seq, said.lastSeq());
     ping();
     tellConnected();
@@ -261,9 +259,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   }
 
   private void messageReceived(AgentMessage message) {
-    lastHeard = now;
-    if (silent && hello != null && driveKnown) {
-      silent = false;
+    silence.recordHeard(now);
+    if (silence.isSilent() && hello != null && driveKnown) {
+      silence.endSilence();
       log.info("{}: heard again.", robot.name());
       floor.tell(new RobotEvent.HeardAgain(robot.name()));
     }
@@ -312,9 +310,8 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     if (hello != null && !lastPing.plus(PING_INTERVAL).isAfter(now)) {
       ping();
     }
-    if (!silent && lastHeard.plus(SILENT_AFTER).isBefore(now)) {
-      silent = true;
-      floor.tell(new RobotEvent.FellSilent(robot.name(), lastHeard));
+    if (silence.detectSilence(now)) {
+      floor.tell(new RobotEvent.FellSilent(robot.name(), silence.lastHeard()));
     }
   }
 

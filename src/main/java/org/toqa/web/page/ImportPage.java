@@ -26,7 +26,7 @@ public final class ImportPage extends PageHandler {
 
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    request.setAttribute("wish", UUID.randomUUID());
+    request.setAttribute("idempotencyKey", UUID.randomUUID());
     show(request, response, "import");
   }
 
@@ -37,7 +37,7 @@ public final class ImportPage extends PageHandler {
     if (tasks.isPresent()) {
       redirect(request, response, "/tasks?imported=" + tasks.get().size());
     } else {
-      request.setAttribute("wish", UUID.randomUUID());
+      request.setAttribute("idempotencyKey", UUID.randomUUID());
       showAgain(request, response, "import", errors);
     }
   }
@@ -62,7 +62,7 @@ public final class ImportPage extends PageHandler {
   private static Optional<List<TaskView>> importTable(
       byte[] table, ZoneId zone, HttpServletRequest request, FieldErrors errors) {
     Account user = Caller.of(request).account();
-    UUID key = TaskSubmitter.idempotencyKey(user, "import " + request.getParameter("wish"));
+    UUID key = TaskSubmitter.idempotencyKey(user, "import " + request.getParameter("idempotencyKey"));
     return switch (new TaskImport(services(request), Texts.of(request))
         .run(table, zone, user, key)) {
       case TaskImport.Outcome.Imported(List<TaskView> tasks) -> Optional.of(tasks);

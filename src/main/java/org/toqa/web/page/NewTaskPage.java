@@ -29,7 +29,7 @@ public final class NewTaskPage extends PageHandler {
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     addFloorAttributes(request);
-    request.setAttribute("wish", UUID.randomUUID());
+    request.setAttribute("idempotencyKey", UUID.randomUUID());
     show(request, response, "new-task");
   }
 
@@ -49,7 +49,7 @@ public final class NewTaskPage extends PageHandler {
       redirect(request, response, next.get());
     } else {
       addFloorAttributes(request);
-      request.setAttribute("wish", idempotencyKey(request));
+      request.setAttribute("idempotencyKey", idempotencyKey(request));
       showAgain(request, response, "new-task", errors);
     }
   }
@@ -110,7 +110,7 @@ public final class NewTaskPage extends PageHandler {
   /** The same form that was sent twice, as by a double click, orders one task. */
   private static String idempotencyKey(HttpServletRequest request) {
     return Objects.requireNonNullElseGet(
-        request.getParameter("wish"), () -> UUID.randomUUID().toString());
+        request.getParameter("idempotencyKey"), () -> UUID.randomUUID().toString());
   }
 
   /** The chosen floor's stations can be selected; without a choice, the first floor's. */

@@ -103,8 +103,8 @@ class ApiRobotsTest extends ApiTestServer {
 
   @ParameterizedTest
   @ValueSource(strings = {"out-of-service", "in-service"})
-  void onlyManagersSayWhichRobotsAreInService(String wish) {
-    String path = "api/v1/robots/r1/" + wish;
+  void onlyManagersSayWhichRobotsAreInService(String command) {
+    String path = "api/v1/robots/r1/" + command;
 
     HttpResponse<String> ofClerk = post(tokenOf(WebTestServer.CLERK), path, "{}");
 
@@ -112,7 +112,7 @@ class ApiRobotsTest extends ApiTestServer {
     assertTrue(detail(ofClerk).startsWith("Only managers may do this."));
     assertEquals(401, post(null, path, "{}").statusCode());
     assertEquals("IDLE", state("r1"));
-    assertEquals(404, post(token, "api/v1/robots/none/" + wish, "{}").statusCode());
+    assertEquals(404, post(token, "api/v1/robots/none/" + command, "{}").statusCode());
     assertEquals(405, get(path).statusCode());
   }
 

@@ -36,23 +36,23 @@ class ApiTaskCommandsTest extends ApiTestServer {
 
   @ParameterizedTest
   @ValueSource(strings = {"cancel", "hold", "resume", "answer"})
-  void aTaskIsChangedByItsOwnerAndByManagersOnly(String wish) {
+  void aTaskIsChangedByItsOwnerAndByManagersOnly(String command) {
     long others = add(token);
-    String body = wish.equals("answer") ? "{\"answer\":\"wait\"}" : "";
+    String body = command.equals("answer") ? "{\"answer\":\"wait\"}" : "";
     String clerk = tokenOf(WebTestServer.CLERK);
 
-    HttpResponse<String> ofClerk = post(clerk, "api/v1/tasks/" + others + "/" + wish, body);
+    HttpResponse<String> ofClerk = post(clerk, "api/v1/tasks/" + others + "/" + command, body);
 
     assertEquals(403, ofClerk.statusCode());
     assertTrue(detail(ofClerk).startsWith("This task belongs to another user."));
-    assertEquals(401, post(null, "api/v1/tasks/" + others + "/" + wish, body).statusCode());
-    assertEquals(404, post(token, "api/v1/tasks/999/" + wish, body).statusCode());
-    assertEquals(404, post(token, "api/v1/tasks/x/" + wish, body).statusCode());
-    assertEquals(405, get("api/v1/tasks/" + others + "/" + wish).statusCode());
-    int expected = wish.equals("answer") ? 409 : 200; // it asks nothing
+    assertEquals(401, post(null, "api/v1/tasks/" + others + "/" + command, body).statusCode());
+    assertEquals(404, post(token, "api/v1/tasks/999/" + command, body).statusCode());
+    assertEquals(404, post(token, "api/v1/tasks/x/" + command, body).statusCode());
+    assertEquals(405, get("api/v1/tasks/" + others + "/" + command).statusCode());
+    int expected = command.equals("answer") ? 409 : 200; // it asks nothing
     long own = add(clerk);
-    assertEquals(expected, post(clerk, "api/v1/tasks/" + own + "/" + wish, body).statusCode());
-    assertEquals(expected, post(token, "api/v1/tasks/" + own + "/" + wish, body).statusCode());
+    assertEquals(expected, post(clerk, "api/v1/tasks/" + own + "/" + command, body).statusCode());
+    assertEquals(expected, post(token, "api/v1/tasks/" + own + "/" + command, body).statusCode());
   }
 
   @Test

@@ -30,7 +30,7 @@ import tools.jackson.databind.json.JsonMapper;
 /** Tables of tasks: all of a table are added, or none, and every bad line is named. */
 class ImportTest {
   private static final JsonMapper JSON = new JsonMapper();
-  private static final Pattern WISH = Pattern.compile("name=\"wish\" value=\"([^\"]+)\"");
+  private static final Pattern KEY_FIELD = Pattern.compile("name=\"idempotencyKey\" value=\"([^\"]+)\"");
   private static final String HEADER = "name,load,start,goal\n";
   private static final String GOOD = HEADER + "bolts,2.5,Dock A,Shelf 3\nnuts,1,Shelf 3,Dock A\n";
 
@@ -285,9 +285,9 @@ class ImportTest {
 
   @Test
   void theFormImportsATableOnce() {
-    Matcher wish = WISH.matcher(clerk.get("tasks/import").body());
-    assertTrue(wish.find());
-    Map<String, String> form = Map.of("wish", wish.group(1), "zone", "Europe/Paris");
+    Matcher field = KEY_FIELD.matcher(clerk.get("tasks/import").body());
+    assertTrue(field.find());
+    Map<String, String> form = Map.of("idempotencyKey", field.group(1), "zone", "Europe/Paris");
     byte[] table =
         "name,load,start,goal,deadline\nbolts,1,Dock A,Shelf 3,2098-07-01 15:00\n"
             .getBytes(StandardCharsets.UTF_8);

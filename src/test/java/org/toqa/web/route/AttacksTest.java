@@ -57,7 +57,7 @@ class AttacksTest {
               "weekday",
               "time",
               "until",
-              "wish"),
+              "idempotencyKey"),
           "robots",
           List.of("name", "host", "port", "maxLoad", "parking", "code"),
           "robots/r1/locate",
