@@ -292,8 +292,8 @@ public class LanguagesTest extends WebServerTest {
           assertTrue(english.contains("r1 would deliver at least 90 s late"), english);
         }
       }
-      assertTrue(said(program, "api/v1/robots/r1", "ar").contains("\"doing\":\"متفرغ\""));
-      assertTrue(said(program, "api/v1/robots/r1", "en").contains("\"doing\":\"Free\""));
+      assertTrue(said(program, "api/v1/robots/r1", "ar").contains("\"doing\":\"خامل\""));
+      assertTrue(said(program, "api/v1/robots/r1", "en").contains("\"doing\":\"Idle\""));
       assertTrue(
           said(program, "api/v1/tasks/" + task, "ar")
               .contains("\"text\":\"أنشأها \u2068" + WebTestServer.CLERK + "\u2069\""));
