@@ -62,7 +62,8 @@ public final class FollowerLink implements AutoCloseable {
     this.follower = follower;
     this.connector = connector;
     this.answers = answers;
-    thread = Thread.ofVirtual().name(leader + "-to-" + follower.robot()).start(this::run);
+    thread = Thread.ofVirtual().name(leader + "-to-" + follower.robot()).unstarted(this::run);
+    thread.start(); // only now, since what it runs asks for it
   }
 
   String follower() {
