@@ -11,9 +11,11 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.function.Function;
 import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.argument.Argument;
 import org.jdbi.v3.core.argument.ArgumentFactory;
 import org.jdbi.v3.core.argument.NullArgument;
 import org.jdbi.v3.core.mapper.reflect.ConstructorMapper;
+import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
@@ -85,13 +87,19 @@ final class DatabaseTypes {
    */
   private static <T> ArgumentFactory argument(
       Class<T> type, int sqlType, Function<T, Object> column) {
-    return (given, value, config) ->
-        given.equals(type)
-            ? Optional.of(
-                value == null
-                    ? new NullArgument(sqlType)
-                    : (position, statement, context) ->
-                        statement.setObject(position, column.apply(type.cast(value))))
-            : Optional.empty();
+    // Prepared, since of the library's own factories those that are come first.
+    return (ArgumentFactory.Preparable)
+        (given, config) ->
+            given.equals(type)
+                ? Optional.of(value -> argument(type, sqlType, column, value))
+                : Optional.empty();
+  }
+
+  private static <T> Argument argument(
+      Class<T> type, int sqlType, Function<T, Object> column, @Nullable Object value) {
+    return value == null
+        ? new NullArgument(sqlType)
+        : (position, statement, context) ->
+            statement.setObject(position, column.apply(type.cast(value)));
   }
 }
