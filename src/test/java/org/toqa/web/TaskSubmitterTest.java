@@ -25,7 +25,8 @@ import tools.jackson.databind.json.JsonMapper;
 /** The same order twice is one task. */
 class TaskSubmitterTest {
   private static final JsonMapper JSON = new JsonMapper();
-  private static final Pattern KEY_FIELD = Pattern.compile("name=\"idempotencyKey\" value=\"([^\"]+)\"");
+  private static final Pattern KEY_FIELD =
+      Pattern.compile("name=\"idempotencyKey\" value=\"([^\"]+)\"");
   private WebTestServer server;
   private TestClient clerk;
 

@@ -227,7 +227,8 @@ abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArc
 
   /** Tasks are the mission of one robot, r1. */
   @Override
-  public CompletionStage<Answer<TaskView>> commandTask(long id, MissionEvent.OperatorCommand command) {
+  public CompletionStage<Answer<TaskView>> commandTask(
+      long id, MissionEvent.OperatorCommand command) {
     lock.lock();
     try {
       Mission mission = mission(task(id).orElseThrow());

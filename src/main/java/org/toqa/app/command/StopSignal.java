@@ -4,8 +4,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The request to end, from Ctrl-C or a system that shuts down. The process lives on until the work is
- * closed, but no longer than ten seconds.
+ * The request to end, from Ctrl-C or a system that shuts down. The process lives on until the work
+ * is closed, but no longer than ten seconds.
  */
 public final class StopSignal implements AutoCloseable {
   private static final int CLOSE_TIMEOUT_SECONDS = 10;

@@ -30,7 +30,8 @@ import tools.jackson.databind.json.JsonMapper;
 /** Tables of tasks: all of a table are added, or none, and every bad line is named. */
 class ImportTest {
   private static final JsonMapper JSON = new JsonMapper();
-  private static final Pattern KEY_FIELD = Pattern.compile("name=\"idempotencyKey\" value=\"([^\"]+)\"");
+  private static final Pattern KEY_FIELD =
+      Pattern.compile("name=\"idempotencyKey\" value=\"([^\"]+)\"");
   private static final String HEADER = "name,load,start,goal\n";
   private static final String GOOD = HEADER + "bolts,2.5,Dock A,Shelf 3\nnuts,1,Shelf 3,Dock A\n";
 

@@ -148,7 +148,8 @@ class SchedulesTest extends WebServerTest {
   @Test
   void theFormAddsASchedule() {
     Map<String, String> form = new TreeMap<>(FORM);
-    form.putAll(Map.of("when", "weekly", "weekday", "MONDAY", "time", "08:00", "idempotencyKey", "w"));
+    form.putAll(
+        Map.of("when", "weekly", "weekday", "MONDAY", "time", "08:00", "idempotencyKey", "w"));
 
     HttpResponse<String> answer = clerk.post("tasks/new", form);
 
