@@ -5,21 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import com.microsoft.playwright.Browser;
-import com.microsoft.playwright.BrowserContext;
-import com.microsoft.playwright.BrowserType;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
-import com.microsoft.playwright.Playwright;
 import com.microsoft.playwright.options.ColorScheme;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
@@ -27,6 +21,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.Phase;
+import org.toqa.testbed.BrowserTest;
 import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
@@ -34,34 +29,10 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** A fleet at work, a browser, and what its tests look at; scripts must not complain. */
-abstract class PagesInBrowser {
+abstract class PagesInBrowser extends BrowserTest {
   private static final Path PICTURES = Path.of("target/screenshots");
 
-  private static Playwright playwright;
-  static Browser browser;
-
   WebTestServer server;
-  final List<String> complaints = new ArrayList<>();
-
-  @BeforeAll
-  static void openBrowser() {
-    playwright =
-        Playwright.create(
-            new Playwright.CreateOptions().setEnv(Map.of("PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD", "1")));
-    browser =
-        playwright
-            .chromium()
-            .launch(
-                new BrowserType.LaunchOptions()
-                    .setExecutablePath(Path.of("/usr/bin/chromium"))
-                    .setArgs(List.of("--no-sandbox", "--disable-gpu")));
-  }
-
-  @AfterAll
-  static void closeBrowser() {
-    browser.close();
-    playwright.close();
-  }
 
   @BeforeEach
   void start() throws Exception {
@@ -72,7 +43,9 @@ abstract class PagesInBrowser {
   @AfterEach
   void stop() throws Exception {
     server.close();
-    assertEquals(List.of(), complaints);
+    assertEquals(
+        List.of(),
+        complaints().stream().filter(c -> !c.startsWith("Failed to load resource")).toList());
   }
 
   static void assertFits(Page page) {
@@ -88,22 +61,12 @@ abstract class PagesInBrowser {
   }
 
   Page loggedIn(int width, int height, ColorScheme scheme) {
-    BrowserContext context =
-        browser.newContext(
+    Page page =
+        openPage(
             new Browser.NewContextOptions()
                 .setViewportSize(width, height)
                 .setColorScheme(scheme)
                 .setTimezoneId("America/Bogota"));
-    Page page = context.newPage();
-    page.setDefaultTimeout(10_000);
-    page.onPageError(complaints::add);
-    page.onConsoleMessage(
-        message -> {
-          if (message.type().equals("error")
-              && !message.text().startsWith("Failed to load resource")) {
-            complaints.add(message.text());
-          }
-        });
     page.navigate(server.root().toString());
     page.getByLabel("Name").fill(WebTestServer.MANAGER);
     page.getByLabel("Password").fill(WebTestServer.PASSWORD);
@@ -129,7 +92,12 @@ abstract class PagesInBrowser {
     return page.evaluate("document.querySelector('#map').toDataURL()");
   }
 
+  /**
+   * Takes a picture for people to look at; the page must be the one that it is to show, since
+   * Chromium refuses to take one while another page replaces it.
+   */
   static void picture(Page page, String name) {
+    page.waitForLoadState();
     page.screenshot(new Page.ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")));
   }
 

@@ -7,7 +7,6 @@ import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.ColorScheme;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.mission.TaskState;
@@ -16,7 +15,6 @@ import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 
 /** Every page fits its screen. Pictures of them go to {@code target/screenshots}. */
-@Tag("full")
 class PagesInBrowserTest extends PagesInBrowser {
   @ParameterizedTest
   @CsvSource({"1280, 900, LIGHT, desktop", "1280, 900, DARK, dark", "390, 844, LIGHT, phone"})
