@@ -8,6 +8,8 @@ import java.util.UUID;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
+import org.toqa.app.command.CommandOutput;
+import org.toqa.app.command.OptionalMapOption;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Setting;
 import org.toqa.app.server.FleetServer;
@@ -18,21 +20,21 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import tools.jackson.databind.json.JsonMapper;
 
 /** {@code toqa bench web}: how long people wait for pages, and for what robots do to be seen. */
 @Command(
     name = "web",
-    description = "Watches a whole server with simulated robots by many browsers.",
+    description = "Measure the web pages and live events of a server under load.",
     footer = {
       "",
-      "Prints JSON: pages (requests at the rate that was asked for, each counted from",
-      "when it was due; failed: how many were not answered by 200), poses (from when",
-      "the server heard of a robot until a browser has the event), eventsSeen by all browsers together, pace (the fleet's",
-      "seconds a second; below 1 where the machine cannot keep up) and cores (processor",
-      "seconds a second, of the whole process, the browsers included)."
+      "Prints JSON: pages (response times of the requests, each counted from when it",
+      "was due), failed (responses other than 200; exits 1 if there are any), poses",
+      "(from when the server hears from a robot until a browser has the event),",
+      "eventsSeen (all browsers together), pace (simulated seconds per second; below 1",
+      "if the machine cannot keep up) and cores (processor seconds per second of the",
+      "whole process, including the browsers)."
     })
-public final class WebBench implements Callable<Integer> {
+final class WebBench implements Callable<Integer> {
   private static final String USER = "bench";
 
   @Spec private CommandSpec spec = CommandSpec.create();
@@ -41,30 +43,26 @@ public final class WebBench implements Callable<Integer> {
       names = "--robots",
       defaultValue = "100",
       paramLabel = "N",
-      description = "How many drive, 2 to 500 (default: ${DEFAULT-VALUE}).")
+      description = "Number of robots, 2 to 500 (default: ${DEFAULT-VALUE}).")
   private int robots;
 
   @Option(
       names = "--browsers",
       defaultValue = "200",
       paramLabel = "N",
-      description = "How many watch live, 1 to 2000 (default: ${DEFAULT-VALUE}).")
+      description = "Number of live maps open, 1 to 2000 (default: ${DEFAULT-VALUE}).")
   private int browsers;
 
   @Option(
       names = "--rate",
       defaultValue = "50",
       paramLabel = "N",
-      description = "How many pages are asked for a second, 1 to 1000 (default: ${DEFAULT-VALUE}).")
+      description = "Page requests per second, 1 to 1000 (default: ${DEFAULT-VALUE}).")
   private int rate;
 
   @Mixin private MeasuringTime time = new MeasuringTime();
 
-  @Option(
-      names = "--map",
-      paramLabel = "FILE",
-      description = "The floor's map, .yaml or .map (default: the shipped map).")
-  private @Nullable String map;
+  @Mixin private OptionalMapOption map = new OptionalMapOption();
 
   private record Report(
       int robots,
@@ -111,7 +109,7 @@ public final class WebBench implements Callable<Integer> {
               streams.events(),
               reading.pace(),
               reading.cores());
-      spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+      new CommandOutput(spec).printJson(report);
       return report.failed() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
     }
   }
@@ -119,7 +117,7 @@ public final class WebBench implements Callable<Integer> {
   private Map<Setting, @Nullable String> settings(String password) {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
     settings.put(Setting.SIMULATE, String.valueOf(robots));
-    settings.put(Setting.MAP, map);
+    settings.put(Setting.MAP, map.file());
     settings.put(Setting.MANAGER, USER + ":" + password);
     return settings;
   }

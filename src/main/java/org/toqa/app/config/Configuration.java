@@ -111,11 +111,12 @@ public record Configuration(
   }
 
   /**
-   * @param webapp the folder of the web application, which holds the shipped map
+   * @param shippedMap the floor's map where none is configured
    * @param layers the first one that gives a setting decides
+   * @throws ConfigurationException a value cannot be used; names it and what it must be
    */
-  public static Configuration of(Path webapp, List<SettingSource> layers)
+  public static Configuration of(Path shippedMap, List<SettingSource> layers)
       throws ConfigurationException {
-    return new ConfigurationReader(layers).read(webapp.resolve("WEB-INF/maps/lab.yaml"));
+    return new ConfigurationReader(layers).read(shippedMap);
   }
 }

@@ -36,8 +36,8 @@ public interface ServerOperation {
       all.put(Setting.PORT, "0");
       all.put(Setting.REQUESTS_PER_SECOND, "0");
       all.put(Setting.LOG_LEVEL, "ERROR");
-      return runWith(
-          Configuration.of(webapp, List.of(SettingSource.fromCommandLine(all))), webapp, stop);
+      List<SettingSource> layers = List.of(SettingSource.fromCommandLine(all));
+      return runWith(Configuration.of(WebappFolder.shippedMap(), layers), webapp, stop);
     }
   }
 

@@ -68,7 +68,7 @@ public final class ToqaContextListener implements ServletContextListener {
       layers.add(SettingSource.fromFile(Path.of(file)));
     }
     layers.add(tomcatDefaults());
-    return Configuration.of(Path.of(folder), layers);
+    return Configuration.of(WebappFolder.shippedMap(Path.of(folder)), layers);
   }
 
   private static @Nullable String configurationFile(ServletContext context) {
@@ -81,7 +81,7 @@ public final class ToqaContextListener implements ServletContextListener {
         .orElse(null);
   }
 
-  /** A Tomcat's working folder is anybody's guess; its own folder is not. */
+  /** The folder from which Tomcat was started may be any; its own folder is known. */
   private static SettingSource tomcatDefaults() {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     String tomcat = System.getProperty("catalina.base");
