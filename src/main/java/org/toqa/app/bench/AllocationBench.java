@@ -129,10 +129,10 @@ final class AllocationBench implements Callable<Integer> {
     if (solverSize != null) {
       arguments.requireBetween("--solver-size", solverSize, 1, 5000);
     }
-    AllocationWorkload shift = workload(arguments);
+    AllocationWorkload workload = workload(arguments);
     Map<String, AllocationRun.Report> reports = new LinkedHashMap<>();
     for (Map.Entry<String, Allocator> entry : policy.allocators().entrySet()) {
-      reports.put(entry.getKey(), new AllocationRun(shift, entry.getValue(), exchange).run());
+      reports.put(entry.getKey(), new AllocationRun(workload, entry.getValue(), exchange).run());
     }
     Report report =
         new Report(

@@ -4,7 +4,6 @@ import java.net.URI;
 import java.time.Duration;
 import java.util.EnumMap;
 import java.util.Map;
-import java.util.UUID;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
@@ -30,16 +29,9 @@ import picocli.CommandLine.Spec;
       "when all tasks are queued, including the clients)."
     })
 final class TaskBench implements Callable<Integer> {
-  private static final String USER = "bench";
-
   @Spec private CommandSpec spec = CommandSpec.create();
 
-  @Option(
-      names = "--robots",
-      defaultValue = "3",
-      paramLabel = "N",
-      description = "Number of simulated robots, 0 to 500 (default: ${DEFAULT-VALUE}).")
-  private int robots;
+  @Mixin private SimulatedRobotsOption robots = new SimulatedRobotsOption(3, 0);
 
   @Option(
       names = "--warm-up",
@@ -71,14 +63,14 @@ final class TaskBench implements Callable<Integer> {
     tasks.check(arguments);
     arguments.requireBetween("--warm-up", warmUp, 0, 100_000);
     arguments.requireBetween("--clients", clients, 1, 1000);
-    arguments.requireBetween("--robots", robots, 0, 500);
-    String password = UUID.randomUUID().toString();
-    ServerOperation measurement = (toqa, address, stop) -> measure(address, password);
-    return measurement.runIsolated(settings(password));
+    robots.check(arguments);
+    BenchUser user = BenchUser.create();
+    ServerOperation measurement = (toqa, address, stop) -> measure(address, user);
+    return measurement.runIsolated(settings(user));
   }
 
-  private int measure(URI address, String password) throws Exception {
-    try (TaskApiClients apiClients = TaskApiClients.logIn(address, USER, password, clients)) {
+  private int measure(URI address, BenchUser user) throws Exception {
+    try (TaskApiClients apiClients = TaskApiClients.logIn(address, user, clients)) {
       apiClients.submit(warmUp);
       long begun = System.nanoTime();
       double[] millis = apiClients.submit(tasks.value());
@@ -89,11 +81,11 @@ final class TaskBench implements Callable<Integer> {
     }
   }
 
-  private Map<Setting, @Nullable String> settings(String password) {
+  private Map<Setting, @Nullable String> settings(BenchUser user) {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.put(Setting.SIMULATE, String.valueOf(robots));
+    settings.put(Setting.SIMULATE, String.valueOf(robots.value()));
     settings.put(Setting.DATABASE_URL, database);
-    settings.put(Setting.MANAGER, USER + ":" + password);
+    settings.put(Setting.MANAGER, user.setting());
     return settings;
   }
 }

@@ -4,7 +4,6 @@ import java.net.URI;
 import java.time.InstantSource;
 import java.util.EnumMap;
 import java.util.Map;
-import java.util.UUID;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
@@ -35,16 +34,11 @@ import picocli.CommandLine.Spec;
       "whole process, including the browsers)."
     })
 final class WebBench implements Callable<Integer> {
-  private static final String USER = "bench";
-
   @Spec private CommandSpec spec = CommandSpec.create();
 
-  @Option(
-      names = "--robots",
-      defaultValue = "100",
-      paramLabel = "N",
-      description = "Number of robots, 2 to 500 (default: ${DEFAULT-VALUE}).")
-  private int robots;
+  @Mixin private SimulatedRobotsOption robots = new SimulatedRobotsOption(100, 2);
+
+  @Mixin private OptionalMapOption map = new OptionalMapOption();
 
   @Option(
       names = "--browsers",
@@ -62,8 +56,6 @@ final class WebBench implements Callable<Integer> {
 
   @Mixin private MeasuringTime time = new MeasuringTime();
 
-  @Mixin private OptionalMapOption map = new OptionalMapOption();
-
   private record Report(
       int robots,
       int browsers,
@@ -77,19 +69,19 @@ final class WebBench implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     Arguments arguments = new Arguments(spec);
-    arguments.requireBetween("--robots", robots, 2, 500);
+    robots.check(arguments);
     arguments.requireBetween("--browsers", browsers, 1, 2000);
     arguments.requireBetween("--rate", rate, 1, 1000);
     time.check(arguments);
-    String password = UUID.randomUUID().toString();
-    ServerOperation measurement = (toqa, address, stop) -> measure(toqa, address, password, stop);
-    return measurement.runIsolated(settings(password));
+    BenchUser user = BenchUser.create();
+    ServerOperation measurement = (toqa, address, stop) -> measure(toqa, address, user, stop);
+    return measurement.runIsolated(settings(user));
   }
 
-  private int measure(FleetServer toqa, URI address, String password, StopSignal stop)
+  private int measure(FleetServer toqa, URI address, BenchUser user, StopSignal stop)
       throws Exception {
-    TaskLoadGenerator load = TaskLoadGenerator.on(toqa.fleet(), robots, 1);
-    String token = TaskApiClients.requestToken(address, USER, password);
+    TaskLoadGenerator load = TaskLoadGenerator.on(toqa.fleet(), robots.value(), 1);
+    String token = TaskApiClients.requestToken(address, user);
     try (LiveStreamClients streams =
             LiveStreamClients.open(address, token, browsers, InstantSource.system());
         PageLoadGenerator pages = PageLoadGenerator.start(address, token, rate)) {
@@ -101,7 +93,7 @@ final class WebBench implements Callable<Integer> {
       ProcessMeter.Reading reading = meter.read();
       Report report =
           new Report(
-              robots,
+              robots.value(),
               browsers,
               LatencySummary.of(pages.latencyMillis()),
               pages.failed(),
@@ -114,11 +106,11 @@ final class WebBench implements Callable<Integer> {
     }
   }
 
-  private Map<Setting, @Nullable String> settings(String password) {
+  private Map<Setting, @Nullable String> settings(BenchUser user) {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.put(Setting.SIMULATE, String.valueOf(robots));
+    settings.put(Setting.SIMULATE, String.valueOf(robots.value()));
     settings.put(Setting.MAP, map.file());
-    settings.put(Setting.MANAGER, USER + ":" + password);
+    settings.put(Setting.MANAGER, user.setting());
     return settings;
   }
 }
