@@ -18,7 +18,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code ./toqa bench daemon}: how light a robot's daemon is, and how punctual a leading one. */
+/**
+ * {@code ./toqa bench daemon}: memory and processor time of a robot's daemon, and how regularly a
+ * leader sends its pose.
+ */
 @Command(
     name = "daemon",
     description = "Measure a robot's daemon, idle and leading a follower.",
@@ -49,6 +52,14 @@ final class DaemonBench implements Callable<Integer> {
           "Number of busy threads beside the daemon, 0 to 64 (default: ${DEFAULT-VALUE}).")
   private int busyThreads;
 
+  /**
+   * @param startMs until it listens, milliseconds
+   * @param megabytes resident memory at the end, in units of 2^20 bytes; null where the system does
+   *     not tell
+   * @param standingCore processor seconds a second, idle
+   * @param drivingCore the same while it leads a follower
+   * @param offBeat how far each of the leader's poses came from 200 ms after the one before
+   */
   private record Report(
       double startMs,
       @Nullable Double megabytes,
@@ -114,7 +125,7 @@ final class DaemonBench implements Callable<Integer> {
         LatencySummary.of(peers.poseJitterMillis()));
   }
 
-  /** Processor seconds a second, over the time to measure. */
+  /** Processor seconds a second, over the time that is measured. */
   private double processorShare(MeasuredDaemon daemon) throws InterruptedException {
     Duration before = daemon.processorTime();
     long began = System.nanoTime();

@@ -80,6 +80,9 @@ final class FormationBench implements Callable<Integer> {
 
   record Report(long seed, List<Formation> formations, TrackingRun.Report tracking) {}
 
+  /**
+   * @param delayMs from when a message is sent until it arrives, milliseconds
+   */
   record Formation(String law, int delayMs, FormationRun.Report error) {}
 
   FormationBench() {

@@ -56,6 +56,14 @@ final class WebBench implements Callable<Integer> {
 
   @Mixin private MeasuringTime time = new MeasuringTime();
 
+  /**
+   * @param pages from when each page was due until it was there
+   * @param failed how many pages were not answered with status 200
+   * @param poses from when the server heard of a robot until a browser had the event
+   * @param eventsSeen by all browsers together
+   * @param pace as in {@link ProcessMeter.Reading}
+   * @param cores as there
+   */
   private record Report(
       int robots,
       int browsers,

@@ -32,6 +32,8 @@ public enum MoveSet {
   }
 
   /**
+   * A planner of such paths.
+   *
    * @param expansionListener is told after each search how many states it has expanded
    */
   public abstract PathPlanner planner(LongConsumer expansionListener);

@@ -24,12 +24,12 @@ import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code toqa demo}: the main job on embedded defaults. */
+/** {@code toqa demo}: simulated robots carry out tasks, with everything on this machine. */
 @Command(name = "demo", description = "Run a demo with simulated robots on this machine.")
 public final class DemoCommand implements Callable<Integer> {
   private static final String USER = "demo";
 
-  /** The third robot has to charge soon. */
+  /** Percent, robot by robot: the third one has to charge soon. */
   private static final String BATTERIES = "100,100,22,100";
 
   private static final String PASSWORD = "demo-robots";
