@@ -45,8 +45,8 @@ import org.toqa.web.RequestLimit;
 import org.toqa.web.Services;
 
 /**
- * The product behind its web pages: store, fleet and simulated robots. It has one owner, the
- * command that started it or, on a stock Tomcat, {@link ToqaContextListener}.
+ * Everything behind the web pages: store, fleet and simulated robots. It has one owner, the command
+ * that started it or, on a stock Tomcat, {@link ToqaContextListener}.
  *
  * <p>Started in order: map, database, first manager, simulated robots, fleet, time, records. Closed
  * in the reverse order.
@@ -199,7 +199,7 @@ public final class FleetServer implements AutoCloseable {
     return configuration;
   }
 
-  /** The fleet's own time: it goes faster than real time where robots are simulated so. */
+  /** Simulated time, which may pass faster than real time; without simulated robots, real time. */
   public InstantSource fleetClock() {
     return fleetClock;
   }
