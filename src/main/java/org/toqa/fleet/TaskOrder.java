@@ -1,8 +1,12 @@
 package org.toqa.fleet;
 
 import java.time.Instant;
+import java.time.temporal.ChronoUnit;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
 
 /**
@@ -27,5 +31,28 @@ public record TaskOrder(
     record Point(Vec2 position) implements Where {}
 
     record Station(String name) implements Where {}
+
+    private boolean isAt(TaskPlace place) {
+      return switch (this) {
+        case Station(String name) -> name.equals(place.station());
+        case Point(Vec2 position) -> place.station() == null && position.equals(place.position());
+      };
+    }
+  }
+
+  /** Whether the task is what this orders, but for the priority, which may have changed since. */
+  public boolean isOrderOf(TransportTask task) {
+    return name.equals(task.name())
+        && load == task.load()
+        && start.isAt(task.start())
+        && goal.isAt(task.goal())
+        && (floor == null || floor.equals(task.floor()))
+        && Objects.equals(asStored(deadline), asStored(task.deadline()))
+        && Objects.equals(size, task.size());
+  }
+
+  /** As far as the store keeps it. */
+  private static @Nullable Instant asStored(@Nullable Instant moment) {
+    return moment == null ? null : moment.truncatedTo(ChronoUnit.MILLIS);
   }
 }

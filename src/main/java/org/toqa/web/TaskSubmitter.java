@@ -54,7 +54,7 @@ public final class TaskSubmitter {
         return new KeyedAnswer.Answered<>(
             FleetAnswers.await(fleet.submit(order, user.name(), key)));
       }
-      return isSameOrder(order, before.get().task())
+      return order.isOrderOf(before.get().task())
           ? new KeyedAnswer.Repeated<>(before.get())
           : new KeyedAnswer.KeyReused<>();
     } finally {
@@ -92,7 +92,7 @@ public final class TaskSubmitter {
       List<TaskView> before = keys.stream().flatMap(k -> archive.taskByKey(k).stream()).toList();
       return before.size() == orders.size()
               && IntStream.range(0, orders.size())
-                  .allMatch(i -> isSameOrder(orders.get(i), before.get(i).task()))
+                  .allMatch(i -> orders.get(i).isOrderOf(before.get(i).task()))
           ? new BatchOutcome.Repeated(before)
           : new BatchOutcome.KeyReused();
     } finally {
@@ -102,29 +102,5 @@ public final class TaskSubmitter {
 
   private static UUID idempotencyKey(UUID batchKey, int index) {
     return UUID.nameUUIDFromBytes((batchKey + " " + index).getBytes(StandardCharsets.UTF_8));
-  }
-
-  /** But for the priority, which somebody may have changed since. */
-  private static boolean isSameOrder(TaskOrder order, TransportTask task) {
-    return order.name().equals(task.name())
-        && order.load() == task.load()
-        && isSamePlace(order.start(), task.start())
-        && isSamePlace(order.goal(), task.goal())
-        && (order.floor() == null || order.floor().equals(task.floor()))
-        && Objects.equals(asStored(order.deadline()), asStored(task.deadline()))
-        && Objects.equals(order.size(), task.size());
-  }
-
-  /** As far as the store keeps it. */
-  private static @Nullable Instant asStored(@Nullable Instant moment) {
-    return moment == null ? null : moment.truncatedTo(ChronoUnit.MILLIS);
-  }
-
-  private static boolean isSamePlace(TaskOrder.Where where, TaskPlace place) {
-    return switch (where) {
-      case TaskOrder.Where.Station(String name) -> name.equals(place.station());
-      case TaskOrder.Where.Point(var position) ->
-          place.station() == null && position.equals(place.position());
-    };
   }
 }

@@ -71,6 +71,10 @@ export class FloorCanvas {
     for (const name of COLOURS) {
       this.colours[name] = style.getPropertyValue(`--${name}`).trim();
     }
+    for (const letter of document.querySelectorAll('.legend [data-state]')) {
+      const colour = getComputedStyle(letter).getPropertyValue('--state').trim();
+      this.colours[`state-${letter.dataset.state}`] = colour || this.colours['state-silent'];
+    }
     this.colours.font = style.fontFamily;
   }
 }

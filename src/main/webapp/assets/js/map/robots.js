@@ -4,18 +4,11 @@ import {isOpen} from './fleet-state.js';
 
 const SMALLEST = 11; // pixels of a robot's radius
 const NOSE_ANGLE = 0.8; // radians from the heading at which the robot's disc ends and its nose begins
-const COLOURS = {
-  CONNECTING: 'state-silent',
-  IDLE: 'state-idle',
-  DRIVING: 'state-driving',
-  CHARGING: 'state-idle',
-  HOLDING: 'state-holding',
-  NOT_LOCALISED: 'state-lost-place',
-  ERROR: 'state-error',
-  LOST: 'state-silent',
-  OUT_OF_SERVICE: 'state-silent',
-  STOPPED: 'state-silent',
-};
+const COLOURS = {STOPPED: 'state-silent'}; // of a replayed robot; those of states are the legend's
+for (const {dataset: {state}} of document.querySelectorAll('.legend [data-state]')) {
+  COLOURS[state] = `state-${state}`;
+}
+
 /** Draws loads that are not on a robot, and goals. */
 export function drawTasks(context, viewport, colours, tasks) {
   for (const task of tasks.filter(isOpen)) {

@@ -2,7 +2,7 @@ import {createElement, setText, updateList} from '../shared/elements.js';
 import {locale} from '../shared/locale.js';
 import {text} from '../shared/texts.js';
 
-const STATES = [
+const FIRST_STATES = [ // others follow them
   'ERROR', 'NOT_LOCALISED', 'LOST', 'CONNECTING', 'OUT_OF_SERVICE', 'HOLDING', 'CHARGING', 'DRIVING',
   'IDLE',
 ];
@@ -24,7 +24,7 @@ export class StateFilter {
   }
 
   update(robots) {
-    const counts = STATES
+    const counts = [...new Set([...FIRST_STATES, ...robots.map(({state}) => state), ...this.#selected])]
       .map((state) => ({state, count: robots.filter((robot) => robot.state === state).length}))
       .filter(({state, count}) => count > 0 || this.#selected.has(state));
     updateList(this.#list, counts, ({state}) => state, ({state}) => this.#createButton(state), (item, {state, count}) => {

@@ -77,7 +77,7 @@ public final class RouteFilter extends HttpFilter {
         return false;
       }
       if (!caller.get().has(route.permission())) {
-        ErrorResponse.sendText(request, response, 403, "problem.managersOnly");
+        ErrorResponse.sendText(request, response, 403, route.permission().refusalKey());
         return false;
       }
     }

@@ -7,11 +7,13 @@ import java.nio.charset.MalformedInputException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.toqa.formation.FollowerLaw;
+import org.toqa.formation.FollowerLawType;
 import org.toqa.formation.Gains;
-import org.toqa.formation.NonHolonomicLaw;
 import org.toqa.formation.SingleIntegratorLaw;
 import org.toqa.yaml.YamlParser;
 import org.toqa.yaml.YamlSyntaxException;
@@ -140,11 +142,16 @@ public record AgentConfig(
             usual.mostSpeed(),
             usual.mostTurnRate());
     double linkDelay = following.number("linkDelay", Following.DEFAULT.linkDelay(), 0, 0.2);
-    String law = following.text("law", "omni");
-    return switch (law) {
-      case "omni" -> new Following(new SingleIntegratorLaw(gains), linkDelay);
-      case "non-holonomic" -> new Following(new NonHolonomicLaw(gains), linkDelay);
-      default -> throw following.invalid("law", law, "omni or non-holonomic");
-    };
+    String law = following.text("law", FollowerLawType.OMNI.word());
+    for (FollowerLawType type : FollowerLawType.values()) {
+      if (type.word().equals(law)) {
+        return new Following(type.withGains(gains), linkDelay);
+      }
+    }
+    String allowed =
+        Arrays.stream(FollowerLawType.values())
+            .map(FollowerLawType::word)
+            .collect(Collectors.joining(" or "));
+    throw following.invalid("law", law, allowed);
   }
 }
