@@ -54,17 +54,17 @@ final class TaskCommandHandler {
   TaskCommandHandler(
       FleetState fleet,
       AllocationRounds rounds,
-      LateTaskReporter late,
-      StoreHealthCheck storeWatch,
-      OrderValidator check,
+      LateTaskReporter lateTasks,
+      StoreHealthCheck storeHealth,
+      OrderValidator validator,
       Allocator allocator,
       PathQuery paths,
       ActorRef<ManagerMessage> self) {
     this.fleet = fleet;
     this.rounds = rounds;
-    this.lateTasks = late;
-    this.storeHealth = storeWatch;
-    this.validator = check;
+    this.lateTasks = lateTasks;
+    this.storeHealth = storeHealth;
+    this.validator = validator;
     this.allocator = allocator;
     this.paths = paths;
     this.self = self;
