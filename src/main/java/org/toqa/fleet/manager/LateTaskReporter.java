@@ -90,8 +90,7 @@ final class LateTaskReporter {
     } else {
       forecast(
           tasks,
-          earliest ->
-              self.tell(new ManagerMessage.QueuedDeadlinesChecked(tasks, earliest, reply)));
+          earliest -> self.tell(new ManagerMessage.QueuedDeadlinesChecked(tasks, earliest, reply)));
     }
   }
 

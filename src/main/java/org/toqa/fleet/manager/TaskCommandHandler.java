@@ -256,8 +256,7 @@ final class TaskCommandHandler {
   void taskStored(ManagerMessage.TaskStored m) {
     lateTasks.checkQueued(
         enqueue(List.of(m.task())),
-        tasks ->
-            m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(tasks.getFirst()))));
+        tasks -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(tasks.getFirst()))));
   }
 
   void tasksStored(ManagerMessage.TasksStored m) {

@@ -60,7 +60,8 @@ final class FormationPlanner {
       TrafficRobot robot, FormationFootprint formation, Vec2 goal, BitSet blocked) {
     Pose start = robot.releasedEnd();
     TrajectoryRules rules = new TrajectoryRules(formation.shape(), robot.speeds().forward());
-    SegmentFitter arcs = new SegmentFitter(robot.speeds(), rules.cornerLength(FormationLattice.EIGHTH));
+    SegmentFitter arcs =
+        new SegmentFitter(robot.speeds(), rules.cornerLength(FormationLattice.EIGHTH));
     return new FormationSearch(grid, lattice, formation, start, goal, blocked, arcs)
         .waypoints()
         .map(waypoints -> rules.slowed(arcs.fit(start, waypoints)))

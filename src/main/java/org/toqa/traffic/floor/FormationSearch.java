@@ -152,7 +152,8 @@ final class FormationSearch {
     if (countThen > 0 && !isArcOpen(state, heading, count, then)) {
       return;
     }
-    double length = lengths[state] + count * lattice.length(heading) + countThen * lattice.length(then);
+    double length =
+        lengths[state] + count * lattice.length(heading) + countThen * lattice.length(then);
     reach(at, state, length);
   }
 
@@ -183,7 +184,8 @@ final class FormationSearch {
 
   private boolean isOpen(int state) {
     if (open[state] == 0) {
-      open[state] = (byte) (formation.isClearOf(grid, lattice.pose(state), MARGIN, blocked) ? 1 : 2);
+      open[state] =
+          (byte) (formation.isClearOf(grid, lattice.pose(state), MARGIN, blocked) ? 1 : 2);
     }
     return open[state] == 1;
   }
@@ -265,7 +267,10 @@ final class FormationSearch {
       if ((previous & 7) != (state & 7)) {
         int back = legs(previous & 7);
         points.add(
-            lattice.pose(previous).compose(new Pose(back * lattice.length(previous & 7), 0, 0)).position());
+            lattice
+                .pose(previous)
+                .compose(new Pose(back * lattice.length(previous & 7), 0, 0))
+                .position());
       }
       state = previous;
     }
