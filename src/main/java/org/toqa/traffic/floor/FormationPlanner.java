@@ -27,12 +27,10 @@ final class FormationPlanner {
 
   private final OccupancyGrid grid;
   private final SectionFitter fitter;
-  private final FormationLattice lattice;
 
   FormationPlanner(OccupancyGrid grid, SectionFitter fitter) {
     this.grid = grid;
     this.fitter = fitter;
-    this.lattice = FormationLattice.of(grid);
   }
 
   /**
@@ -62,7 +60,7 @@ final class FormationPlanner {
     TrajectoryRules rules = new TrajectoryRules(formation.shape(), robot.speeds().forward());
     SegmentFitter arcs =
         new SegmentFitter(robot.speeds(), rules.cornerLength(FormationLattice.EIGHTH));
-    return new FormationSearch(grid, lattice, formation, start, goal, blocked, arcs)
+    return new FormationSearch(grid, formation, start, goal, blocked, arcs)
         .waypoints()
         .map(waypoints -> rules.slowed(arcs.fit(start, waypoints)))
         .filter(trajectory -> rules.firstBreach(trajectory).isEmpty())

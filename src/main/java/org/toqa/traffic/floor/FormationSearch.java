@@ -68,14 +68,13 @@ final class FormationSearch {
    */
   FormationSearch(
       OccupancyGrid grid,
-      FormationLattice lattice,
       FormationFootprint formation,
       Pose start,
       Vec2 goal,
       BitSet blocked,
       SegmentFitter arcs) {
     this.grid = grid;
-    this.lattice = lattice;
+    this.lattice = FormationLattice.of(grid);
     this.formation = formation;
     this.start = start;
     this.goal = goal;
