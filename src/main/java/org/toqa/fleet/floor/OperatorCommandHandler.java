@@ -26,14 +26,14 @@ final class OperatorCommandHandler {
       FloorState state,
       FloorReporter reports,
       FloorMissions missions,
-      HoldDispatcher holding,
+      HoldDispatcher holds,
       HomeDispatcher homing,
       RobotEventHandler robotEvents,
       ActorRef<FloorMessage> self) {
     this.state = state;
     this.reports = reports;
     this.missions = missions;
-    this.holds = holding;
+    this.holds = holds;
     this.homing = homing;
     this.robotEvents = robotEvents;
     this.self = self;

@@ -118,14 +118,11 @@ final class RobotEventHandler {
       abandonCommand(robot, refusal.reason());
     } // else the change and the end of the drive had crossed
     if (state.formations.isCoveredByLeader(robot.name())) {
-      if (robot.drive.order().isOf(said.drive())) {
-        robot.drive.settle();
-      }
+      robot.drive.settle(said.drive());
       if (said.drive() == 0) {
         robot.drive.endCancelling();
       }
-    } else if (robot.drive.order().isOf(said.drive())) {
-      robot.drive.settle();
+    } else if (robot.drive.settle(said.drive())) {
       if (state.traffic.hasRobot(robot.name())) {
         state.traffic.reportProgress(robot.name(), said.pose(), said.segment(), state.now);
       } else {
@@ -214,10 +211,9 @@ final class RobotEventHandler {
 
   /** A drive may be so short that no state of the robot ever tells of it. */
   private static void driveAccepted(FloorRobot robot, long drive) {
-    Optional<StoredDrive> told = robot.drive.order().storedDrive().filter(d -> d.seq() == drive);
-    if (told.isPresent()) {
-      robot.drive.settle();
-      robot.reported.setDrive(drive, told.get().task()); // a cancel must name it
+    if (robot.drive.settle(drive)) {
+      Long task = robot.drive.order().storedDrive().orElseThrow().task();
+      robot.reported.setDrive(drive, task); // a cancel must name it
     }
   }
 
@@ -232,9 +228,7 @@ final class RobotEventHandler {
 
   /** What the robot refused is given up: it stands, and is asked anew a little later. */
   private void abandonCommand(FloorRobot robot, String reason) {
-    robot.drive.settle();
-    robot.drive.endCancelling();
-    robot.drive.postpone(
+    robot.drive.abandonCommand(
         state.now.plus(RETRY_AFTER), Phrase.REFUSED_A_COMMAND.with(robot.name(), reason));
     Pose pose = robot.reported.pose();
     if (robot.reported.drive() != 0) {

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.PathLengths;
@@ -21,29 +22,34 @@ import org.toqa.mission.TaskState;
  */
 final class DeliveryForecast {
   private final PathLengths travel;
+  private final List<RobotView> robots;
+  private final Map<Long, TaskView> assigned;
 
   /**
    * @param left until it is delivered, of the fleet's time
    */
   record Delivery(String robot, Duration left) {}
 
-  DeliveryForecast(PathLengths travel) {
+  /**
+   * For the tasks of one floor.
+   *
+   * @param assigned tasks that robots have
+   */
+  DeliveryForecast(PathLengths travel, List<RobotView> robots, List<TaskView> assigned) {
     this.travel = travel;
+    this.robots = robots;
+    this.assigned = assigned.stream().collect(Collectors.toMap(TaskView::id, task -> task));
   }
 
   /**
-   * @param robots of the task's floor
-   * @param tasks those that robots have, by id
    * @return empty where no robot can carry it alone now
    */
-  Optional<Delivery> earliestDelivery(
-      TaskView task, List<RobotView> robots, Map<Long, TaskView> tasks) {
+  Optional<Delivery> earliestDelivery(TaskView task) {
     Stream<RobotView> able =
         task.robots().isEmpty()
             ? robots.stream().filter(r -> r.maxLoad() >= task.task().load())
             : robots.stream().filter(r -> task.robots().contains(r.name()));
-    return able.flatMap(
-            robot -> metres(task, robot, tasks).stream().map(m -> deliveryAfter(robot, m)))
+    return able.flatMap(robot -> metres(task, robot).stream().map(m -> deliveryAfter(robot, m)))
         .min(Comparator.comparing(Delivery::left));
   }
 
@@ -51,12 +57,12 @@ final class DeliveryForecast {
     return new Delivery(robot.name(), Duration.ofMillis(Math.round(1000 * metres / robot.speed())));
   }
 
-  private Optional<Double> metres(TaskView task, RobotView robot, Map<Long, TaskView> tasks) {
+  private Optional<Double> metres(TaskView task, RobotView robot) {
     Pose pose = robot.pose();
     if (pose == null || !robot.state().isFit()) {
       return Optional.empty();
     }
-    TaskView current = robot.task() == null ? null : tasks.get(robot.task());
+    TaskView current = robot.task() == null ? null : assigned.get(robot.task());
     double metres = remainingMetres(robot, pose.position(), task, current);
     return Double.isFinite(metres) ? Optional.of(metres) : Optional.empty();
   }

@@ -89,19 +89,19 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     List<OpenTask> open = store.openTasks();
     Set<Long> toldBefore = open.stream().map(t -> t.mission().id()).collect(Collectors.toSet());
     PathQuery paths = new PathQuery(runtime.threadPerTaskExecutor("path"));
-    OrderValidator check = new OrderValidator(floorMaps, paths);
-    this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore));
+    OrderValidator validator = new OrderValidator(floorMaps, paths);
+    this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore), self);
     this.rounds = new AllocationRounds(fleet, allocator, paths, self);
     this.snapshotPublisher =
         new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, latest);
     this.taskCommands =
         new TaskCommandHandler(
-            fleet, rounds, lateTasks, storeHealth, check, allocator, paths, self);
+            fleet, rounds, lateTasks, storeHealth, validator, allocator, paths, self);
     this.robotCommands =
         new RobotCommandHandler(
             fleet,
             snapshotPublisher,
-            check,
+            validator,
             new RobotRegistrar(links, store, fleet.writer, clock, runtime),
             self);
     recover(floorMaps, open, links, rules, now);
@@ -212,6 +212,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.FloorHoldEnded m -> holdCommands.floorHoldEnded(m.floor());
       case ManagerMessage.FromFloor m -> handle(m.event());
       case ManagerMessage.AllocationDecided m -> rounds.allocationDecided(m);
+      case ManagerMessage.DeadlinesChecked m -> lateTasks.deadlinesChecked(m);
+      case ManagerMessage.QueuedDeadlinesChecked m -> lateTasks.queuedDeadlinesChecked(m);
       case ManagerMessage.StoreHealthChanged m ->
           snapshotPublisher.publish(); // also where simulated time stands still
       case ManagerMessage.Tick m -> tick(m.now());

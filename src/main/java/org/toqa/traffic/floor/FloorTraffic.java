@@ -1,11 +1,7 @@
 package org.toqa.traffic.floor;
 
-import static java.util.Comparator.nullsLast;
-
-import java.time.Duration;
 import java.time.Instant;
 import java.util.BitSet;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -45,14 +41,9 @@ import org.toqa.wording.Sentence;
  * </ol>
  */
 public final class FloorTraffic {
-  private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
-
   private final FreeSpace freeSpace;
-  private final SingleRobotPlanner singleRobotPlanner;
-  private final LanePlanner lanePlanner;
+  private final PathAssigner pathAssigner;
   private final SectionReleaser releaser;
-  private final RoomMaker roomMaker;
-  private final WaitReasonFinder waitReasons;
   private final CellAllocations allocations;
   private final StandstillDetector standstillDetector = new StandstillDetector();
   private final ReplanTrigger trigger = new ReplanTrigger();
@@ -66,13 +57,17 @@ public final class FloorTraffic {
       OccupancyGrid grid, JointPlanner jointPlanner, Supplier<Deadline> planningDeadline) {
     SectionFitter fitter = new SectionFitter();
     this.freeSpace = new FreeSpace(grid);
-    this.singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
-    this.lanePlanner =
-        new LanePlanner(freeSpace, singleRobotPlanner, fitter, jointPlanner, planningDeadline);
     this.allocations = new CellAllocations(grid, robots.values());
     this.releaser = new SectionReleaser(fitter, robots, allocations);
-    this.roomMaker = new RoomMaker(singleRobotPlanner, robots, trigger);
-    this.waitReasons = new WaitReasonFinder(freeSpace, singleRobotPlanner);
+    SingleRobotPlanner singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
+    this.pathAssigner =
+        new PathAssigner(
+            robots,
+            allocations,
+            trigger,
+            singleRobotPlanner,
+            new LanePlanner(freeSpace, singleRobotPlanner, fitter, jointPlanner, planningDeadline),
+            new WaitReasonFinder(freeSpace, singleRobotPlanner));
   }
 
   // --- what is so -------------------------------------------------------------------------------
@@ -304,12 +299,7 @@ public final class FloorTraffic {
   public List<DriveCommand> decide(Instant now) {
     allocations.refresh();
     detectStalls(now);
-    planSingleRobots(now);
-    planJointly(now);
-    findWaitReasons(now);
-    robots.values().stream()
-        .filter(TrafficRobot::needsPath)
-        .forEach(robot -> roomMaker.makeRoomFor(robot, now));
+    pathAssigner.assignPaths(standstills(), now);
     robots.values().forEach(robot -> releaser.release(robot, now));
     standstillDetector.update(robots.values(), now);
     return robots.values().stream().flatMap(robot -> robot.takeUnsentCommand().stream()).toList();
@@ -332,66 +322,6 @@ public final class FloorTraffic {
         if (stalled) {
           freeUnreleased(robot);
         }
-      }
-    }
-  }
-
-  /** Gives their own paths to those that wait: formations first, then the longest waiting. */
-  private void planSingleRobots(Instant now) {
-    List<TrafficRobot> unserved =
-        robots.values().stream()
-            .filter(TrafficRobot::needsPath)
-            .sorted(
-                Comparator.<TrafficRobot, Boolean>comparing(robot -> !robot.isFormation())
-                    .thenComparing(
-                        robot -> robot.waiting.since(),
-                        nullsLast(Comparator.<Instant>naturalOrder())))
-            .toList();
-    for (TrafficRobot robot : unserved) {
-      if (robot.waiting.since() == null) {
-        robot.waiting.setSince(now);
-      }
-      if (trigger.isChanged() || robot.waiting.isSinglePlanOlderThan(RETRY_AFTER, now)) {
-        robot.waiting.recordSinglePlan(now);
-        planSingleRobot(robot);
-      }
-    }
-  }
-
-  private void planSingleRobot(TrafficRobot robot) {
-    BitSet claimed = robot.claimedByOthers(robots.values());
-    robots.values().stream()
-        .filter(other -> other.hasPrecedenceOver(robot))
-        .forEach(other -> claimed.or(other.waiting.wantedCells()));
-    singleRobotPlanner
-        .pathAmong(robot, robots.values(), claimed)
-        .ifPresent(
-            sections -> {
-              robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
-              robot.waiting.restart(null);
-            });
-  }
-
-  private void planJointly(Instant now) {
-    if (!trigger.takePlanNeeded(robots.values(), standstills(), now)) {
-      return;
-    }
-    LanePlanner.Outcome outcome =
-        lanePlanner.plan(robots.values(), allocations, trigger.mustReplan());
-    if (outcome == LanePlanner.Outcome.PLANNED) {
-      trigger.recordPlanned();
-      robots.values().stream()
-          .filter(TrafficRobot::hasPathToGoal)
-          .forEach(robot -> robot.waiting.endWaitForPath());
-    }
-  }
-
-  private void findWaitReasons(Instant now) {
-    for (TrafficRobot robot : robots.values()) {
-      if (!robot.needsPath()) {
-        robot.waiting.clearNoPathReason();
-      } else if (robot.waiting.isNoPathReasonOlderThan(RETRY_AFTER, now)) {
-        robot.waiting.setNoPathReason(waitReasons.reasonFor(robot, robots.values()), now);
       }
     }
   }

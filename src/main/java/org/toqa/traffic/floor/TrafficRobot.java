@@ -237,7 +237,7 @@ final class TrafficRobot {
     }
     if (formation != null) {
       Vec2 load = formation.shape().loadAt(place).position();
-      return load.distanceTo(goal) < FormationPlanner.goalTolerance(grid);
+      return load.distanceTo(goal) < FormationLattice.goalTolerance(grid);
     }
     boolean facesRight =
         goalHeading == null || Math.abs(Angles.difference(place.theta(), goalHeading)) < FACING;

@@ -72,7 +72,7 @@ final class DrivenFloor {
     }
 
     double arrived(OccupancyGrid grid) {
-      return group == null ? ARRIVED : FormationPlanner.goalTolerance(grid) + ARRIVED;
+      return group == null ? ARRIVED : FormationLattice.goalTolerance(grid) + ARRIVED;
     }
   }
 

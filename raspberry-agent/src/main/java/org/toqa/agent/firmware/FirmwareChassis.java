@@ -21,6 +21,7 @@ import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.motion.Odometry;
 import org.toqa.motion.ThreeWheelKinematics;
+import org.toqa.motion.WheelSpeeds;
 
 /**
  * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it
@@ -194,12 +195,15 @@ public final class FirmwareChassis implements Chassis {
     if (seconds <= 0) {
       return Optional.empty();
     }
-    double[] rates = new double[WHEELS.wheelCount()];
-    for (int i = 0; i < rates.length; i++) {
-      int moved = now.counts().get(i) - before.counts().get(i); // as counters wrap around
-      rates[i] = moved * RADIANS_A_COUNT / seconds;
-    }
-    return Optional.of(WHEELS.twist(rates));
+    return Optional.of(
+        WHEELS.twist(
+            WheelSpeeds.of(
+                WHEELS.wheelCount(),
+                wheel -> {
+                  // as counters wrap around
+                  int moved = now.counts().get(wheel) - before.counts().get(wheel);
+                  return moved * RADIANS_A_COUNT / seconds;
+                })));
   }
 
   private ChassisReading reading() {
