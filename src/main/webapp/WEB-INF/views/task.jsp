@@ -27,7 +27,7 @@
     <c:if test="${reached >= 0}">
       <fmt:message key="task.progress" var="label"/>
       <ol class="steps" aria-label="${label}">
-        <c:forEach items="${road}" var="state" varStatus="at">
+        <c:forEach items="${timeline}" var="state" varStatus="at">
           <li class="${at.index < reached or state == 'DONE' and reached == at.index ? 'passed' : at.index == reached ? 'here' : 'ahead'}" ${at.index == reached ? 'aria-current="step"' : ''}><fmt:message key="task.state.${state}"/></li>
         </c:forEach>
       </ol>
