@@ -22,7 +22,7 @@
     <c:if test="${not empty task.loadAt}"><p class="notice"><strong><fmt:message key="task.loadAt"/></strong>${" "}<t:place place="${task.loadAt}"/></p></c:if>
     <c:if test="${task.held}"><p class="notice"><fmt:message key="task.held"/></p></c:if>
     <c:if test="${not empty task.needs}">
-      <p class="notice bad"><strong><fmt:message key="task.needs"/></strong>${" "}<t:said sentence="${task.needs.question}"/></p>
+      <p class="notice bad"><strong><fmt:message key="task.needsAttention"/></strong>${" "}<t:said sentence="${task.needs.question}"/></p>
     </c:if>
     <c:if test="${reached >= 0}">
       <fmt:message key="task.progress" var="label"/>
@@ -62,7 +62,7 @@
             </c:choose>
           </c:forTokens>
         </c:url>
-        · <a href="<c:out value="${again}"/>"><fmt:message key="task.again"/></a>
+        · <a href="<c:out value="${again}"/>"><fmt:message key="task.duplicate"/></a>
       </article>
       <article>
         <h2><fmt:message key="task.history"/></h2>

@@ -33,7 +33,7 @@ public final class PasswordLinks {
   private final Semaphore mailPermits = new Semaphore(MAX_CONCURRENT_MAILS);
 
   /**
-   * @param mail null: no letters are sent
+   * @param mail null: no e-mails are sent
    */
   public PasswordLinks(
       AccountStore accounts,
@@ -51,7 +51,7 @@ public final class PasswordLinks {
   }
 
   /**
-   * Sends a letter to the users of that name or e-mail address, if there are any who may log in and
+   * Sends an e-mail to the users of that name or e-mail address, if there are any who may log in and
    * have one. Whether there are is neither told nor to be found out by the time that it takes.
    *
    * @param address where the request comes from
@@ -68,7 +68,7 @@ public final class PasswordLinks {
     if (mail != null && mailPermits.tryAcquire()) {
       MailSender sender = mail;
       Thread.ofVirtual()
-          .name("letter about a password")
+          .name("password e-mail")
           .start(
               () -> {
                 try {
@@ -95,12 +95,12 @@ public final class PasswordLinks {
     try {
       sender.send(
           email,
-          texts.get("forgotten.letter.subject"),
+          texts.get("forgotten.email.subject"),
           texts.get(
-              "forgotten.letter.text", account.name(), link, MAILED_LINK_LIFETIME.toMinutes()));
+              "forgotten.email.text", account.name(), link, MAILED_LINK_LIFETIME.toMinutes()));
     } catch (IOException e) {
       LOG.warn(
-          "The letter to {} about his password was not sent: {}", account.name(), e.getMessage());
+          "The password e-mail to {} was not sent: {}", account.name(), e.getMessage());
     }
   }
 

@@ -66,7 +66,7 @@ public final class SessionResource extends ApiHandler {
           Problem.of(403, texts.get("error.login.disabled")).send(request, response);
       case Authenticator.Outcome.Throttled tooSoon -> {
         response.setHeader("Retry-After", Long.toString(tooSoon.retryAfterSeconds()));
-        Problem.of(429, texts.get("error.login.tooSoon", tooSoon.retryAfterSeconds()))
+        Problem.of(429, texts.get("error.login.tooManyAttempts", tooSoon.retryAfterSeconds()))
             .send(request, response);
       }
     }

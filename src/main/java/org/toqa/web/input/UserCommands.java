@@ -103,7 +103,7 @@ public final class UserCommands {
             user.name(), password == null ? "" : password, caller.session().origin().address())) {
       case Authenticator.Outcome.Authenticated welcome -> {}
       case Authenticator.Outcome.Throttled tooSoon ->
-          errors.add(field, texts.get("error.login.tooSoon", tooSoon.retryAfterSeconds()));
+          errors.add(field, texts.get("error.login.tooManyAttempts", tooSoon.retryAfterSeconds()));
       default -> errors.add(field, texts.get("error.password.old"));
     }
   }

@@ -59,7 +59,7 @@ public final class LoginPage extends PageHandler {
         showAgain(request, response, "login", errors);
       }
       case Authenticator.Outcome.Throttled tooSoon -> {
-        errors.add("form", texts.get("error.login.tooSoon", tooSoon.retryAfterSeconds()));
+        errors.add("form", texts.get("error.login.tooManyAttempts", tooSoon.retryAfterSeconds()));
         response.setHeader("Retry-After", Long.toString(tooSoon.retryAfterSeconds()));
         showAgain(request, response, "login", errors);
       }

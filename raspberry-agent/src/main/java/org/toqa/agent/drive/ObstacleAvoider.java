@@ -149,7 +149,7 @@ public final class ObstacleAvoider {
                 "OBSTACLE",
                 String.format(
                     Locale.ROOT,
-                    "Something stands %.2f m ahead; the robot waits until it is gone.",
+                    "An obstacle is %.2f m ahead; the robot waits until it is gone.",
                     passage.ahead())))
         : Optional.empty();
   }
