@@ -289,7 +289,7 @@ public final class ScriptedRobot {
     return missing == null
         ? List.of()
         : List.of(
-            new Fault("FORMATION_STOPPED", "The group has stopped: " + missing + " does not answer."));
+            new Fault("FORMATION_STOPPED", "The group stands: " + missing + " does not answer."));
   }
 
   private Hello hello() {

@@ -47,8 +47,7 @@ class DriveCommandsTest extends ConnectedRobotTest {
     server.assertAccepted(new Cancel(2, 5L));
 
     assertEquals(
-        "The robot is still moving; wait until it has stopped.",
-        server.rejectReason(driveOf(3, METRE)));
+        "The robot is still moving; wait until it stands.", server.rejectReason(driveOf(3, METRE)));
   }
 
   @ParameterizedTest
@@ -58,7 +57,7 @@ class DriveCommandsTest extends ConnectedRobotTest {
         server.rejectReason(TestServer.drive(1, 5L, 1, new Pose(x, y, theta), List.of(METRE)));
 
     assertTrue(reason.startsWith("The drive starts "), reason);
-    assertTrue(reason.endsWith(" the robot's position, (2.00, 3.00) facing 0 degrees."), reason);
+    assertTrue(reason.endsWith(" where the robot stands, (2.00, 3.00) facing 0 degrees."), reason);
   }
 
   @ParameterizedTest

@@ -89,7 +89,7 @@ class FormationTest {
     long gone = group.kill(2);
 
     State leader = group.server(0).awaitState(s -> hasFault(s, "FORMATION_STOPPED"));
-    assertEquals("The group has stopped: r3 does not answer.", leader.errors().getFirst().text());
+    assertEquals("The group stands: r3 does not answer.", leader.errors().getFirst().text());
     assertStandsSince(gone + STAND_MILLIS, 0);
     assertStandsSince(gone + STAND_MILLIS, 1);
   }

@@ -109,7 +109,7 @@ final class CommandRules {
     }
     return activity.drive().isEmpty() && record.reading().isStanding()
         ? Optional.empty()
-        : Optional.of("The robot is still moving; wait until it has stopped.");
+        : Optional.of("The robot is still moving; wait until it stands.");
   }
 
   private static Optional<String> objectionAsLeader(Drive drive, Activity activity) {

@@ -115,7 +115,7 @@ final class DriveRun {
             new Fault(
                 "OFF_WAY",
                 String.format(
-                    Locale.ROOT, "The robot is %.2f m off its path.", runner.trackingError())))
+                    Locale.ROOT, "The robot is %.2f m off its way.", runner.trackingError())))
         : Optional.empty();
   }
 }

@@ -55,7 +55,7 @@ public final class DriveRules {
     double turned = Math.abs(Angles.difference(drive.start().theta(), robotPose.theta()));
     if (!(away <= START_METRES) || !(turned <= START_RADIANS)) {
       return objection(
-          "The drive starts %.2f m and %.0f degrees away from the robot's position,"
+          "The drive starts %.2f m and %.0f degrees away from where the robot stands,"
               + " (%.2f, %.2f) facing %.0f degrees.",
           away,
           Math.toDegrees(turned),

@@ -149,7 +149,7 @@ public final class ObstacleAvoider {
                 "OBSTACLE",
                 String.format(
                     Locale.ROOT,
-                    "An obstacle is %.2f m ahead; the robot waits until it is gone.",
+                    "Something stands %.2f m ahead; the robot waits until it is gone.",
                     passage.ahead())))
         : Optional.empty();
   }

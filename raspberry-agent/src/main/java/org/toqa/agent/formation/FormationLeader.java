@@ -81,9 +81,9 @@ public final class FormationLeader {
     String sentence =
         switch (reason) {
           case NOT_READY -> "The group waits for %s, which has not answered yet.";
-          case LATE -> "The group has stopped: %s does not answer.";
-          case NOT_FOLLOWING -> "The group has stopped: %s cannot follow.";
-          case OUT_OF_PLACE -> "The group has stopped: %s is too far from its place.";
+          case LATE -> "The group stands: %s does not answer.";
+          case NOT_FOLLOWING -> "The group stands: %s cannot follow.";
+          case OUT_OF_PLACE -> "The group stands: %s is too far from its place.";
         };
     return sentence.formatted(follower);
   }
