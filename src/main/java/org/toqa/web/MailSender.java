@@ -5,7 +5,7 @@ import java.io.IOException;
 /** Sends e-mails. */
 public interface MailSender {
 
-  /** The address of these pages as it stands in letters, without a slash at its end. */
+  /** The address of these pages as e-mails have it, without a slash at its end. */
   String baseUrl();
 
   /**

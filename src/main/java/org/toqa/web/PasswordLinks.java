@@ -52,7 +52,7 @@ public final class PasswordLinks {
 
   /**
    * Sends an e-mail to the users of that name or e-mail address, if there are any who may log in and
-   * have one. Whether there are is neither told nor to be found out by the time that it takes.
+   * have one. Neither the answer nor its time shows whether there are.
    *
    * @param address where the request comes from
    * @return zero, or how long until the next request is looked at
@@ -120,12 +120,12 @@ public final class PasswordLinks {
     return CREATED_LINK_LIFETIME;
   }
 
-  /** The user whose password the link's secret replaces, while it is good. */
+  /** The user whose password the link's secret replaces, while it is valid. */
   public Optional<Account> user(String secret) {
     return resets.account(secret);
   }
 
-  /** False when the link is not good any more: then nothing changes. */
+  /** False when the link is not valid any more: then nothing changes. */
   public boolean replacePassword(String secret, String passwordHash) {
     return resets.replacePassword(secret, passwordHash);
   }

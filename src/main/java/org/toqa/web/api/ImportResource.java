@@ -84,12 +84,12 @@ public final class ImportResource extends ApiHandler {
   }
 
   private static String sentence(LineFaults faults, Texts texts) {
-    String told =
+    String sentences =
         faults.first().stream()
             .map(fault -> sentence(fault, texts))
             .collect(Collectors.joining(" "));
     String rest = faults.more() == 0 ? "" : " " + texts.get("import.more", faults.more());
-    return texts.get("import.faulty") + " " + told + rest;
+    return texts.get("import.faulty") + " " + sentences + rest;
   }
 
   private static String sentence(LineFault fault, Texts texts) {

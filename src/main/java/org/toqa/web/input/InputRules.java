@@ -228,7 +228,7 @@ public final class InputRules {
     return name;
   }
 
-  /** How many days a token is good. */
+  /** How many days a token is valid. */
   public int tokenDays(String field, @Nullable Double given) {
     if (given == null || given != Math.rint(given) || !(given >= 1 && given <= MAX_TOKEN_DAYS)) {
       refuse(field, "error.tokenDays", MAX_TOKEN_DAYS);
