@@ -24,8 +24,8 @@ import org.toqa.mission.TransportTask;
 
 /**
  * Submits tasks to the fleet, each of them once: an order that comes again with its key gets the
- * task that it got before, also after a crash of the server. One server writes to a database, so two
- * orders with the same key that come at once are kept apart by a lock here.
+ * task that it got before, also after a crash of the server. One server writes to a database, so
+ * two orders with the same key that come at once are kept apart by a lock here.
  */
 public final class IdempotentSubmitter {
   private static final int STRIPES = 64;

@@ -51,8 +51,8 @@ public final class PasswordLinks {
   }
 
   /**
-   * Sends an e-mail to the users of that name or e-mail address, if there are any who may log in and
-   * have one. Neither the answer nor its time shows whether there are.
+   * Sends an e-mail to the users of that name or e-mail address, if there are any who may log in
+   * and have one. Neither the answer nor its time shows whether there are.
    *
    * @param address where the request comes from
    * @return zero, or how long until the next request is looked at
@@ -99,8 +99,7 @@ public final class PasswordLinks {
           texts.get(
               "forgotten.email.text", account.name(), link, MAILED_LINK_LIFETIME.toMinutes()));
     } catch (IOException e) {
-      LOG.warn(
-          "The password e-mail to {} was not sent: {}", account.name(), e.getMessage());
+      LOG.warn("The password e-mail to {} was not sent: {}", account.name(), e.getMessage());
     }
   }
 

@@ -22,7 +22,8 @@ final class CsvWriter {
   /** Texts and times as they are, numbers with a point; null: an empty cell. */
   void addLine(@Nullable Object... cells) {
     lines
-        .append(CSVFormat.RFC4180.format(Arrays.stream(cells).map(CsvWriter::withoutFormula).toArray()))
+        .append(
+            CSVFormat.RFC4180.format(Arrays.stream(cells).map(CsvWriter::withoutFormula).toArray()))
         .append(CSVFormat.RFC4180.getRecordSeparator());
   }
 

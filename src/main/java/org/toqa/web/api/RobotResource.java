@@ -88,19 +88,13 @@ public final class RobotResource extends ApiHandler {
   public static void pair(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     PairingOrder order = readBody(request, RobotOrderReader::readPairing).orElseThrow();
-    command(
-        request,
-        response,
-        (fleet, robot, user) -> fleet.pairRobot(robot, order, user));
+    command(request, response, (fleet, robot, user) -> fleet.pairRobot(robot, order, user));
   }
 
   public static void locate(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Pose pose = readBody(request, RobotResource::readPose);
-    command(
-        request,
-        response,
-        (fleet, robot, user) -> fleet.locateRobot(robot, pose, user));
+    command(request, response, (fleet, robot, user) -> fleet.locateRobot(robot, pose, user));
   }
 
   private static void command(

@@ -11,8 +11,8 @@ import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.Services;
 import org.toqa.web.IdempotentSubmitter;
+import org.toqa.web.Services;
 import org.toqa.web.Texts;
 
 /** Puts in the tasks of a table that somebody sends: all of them, or none. */

@@ -103,7 +103,8 @@ public final class UserCommands {
             user.name(), password == null ? "" : password, caller.session().origin().address())) {
       case Authenticator.Outcome.Authenticated login -> {}
       case Authenticator.Outcome.Throttled throttled ->
-          errors.add(field, texts.get("error.login.tooManyAttempts", throttled.retryAfterSeconds()));
+          errors.add(
+              field, texts.get("error.login.tooManyAttempts", throttled.retryAfterSeconds()));
       default -> errors.add(field, texts.get("error.password.old"));
     }
   }

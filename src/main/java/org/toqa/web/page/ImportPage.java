@@ -63,7 +63,8 @@ public final class ImportPage extends PageHandler {
       byte[] table, ZoneId zone, HttpServletRequest request, FieldErrors errors) {
     Account user = Caller.of(request).account();
     UUID key =
-        IdempotentSubmitter.idempotencyKey(user, "import " + request.getParameter("idempotencyKey"));
+        IdempotentSubmitter.idempotencyKey(
+            user, "import " + request.getParameter("idempotencyKey"));
     return switch (new TaskImport(services(request), Texts.of(request))
         .run(table, zone, user, key)) {
       case TaskImport.Outcome.Imported(List<TaskView> tasks) -> Optional.of(tasks);

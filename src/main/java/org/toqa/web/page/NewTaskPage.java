@@ -62,7 +62,8 @@ public final class NewTaskPage extends PageHandler {
   private static Optional<Schedule> schedule(
       ScheduleOrder order, HttpServletRequest request, FieldErrors errors) {
     Caller user = Caller.of(request);
-    UUID key = IdempotentSubmitter.idempotencyKey(user.account(), "schedule " + idempotencyKey(request));
+    UUID key =
+        IdempotentSubmitter.idempotencyKey(user.account(), "schedule " + idempotencyKey(request));
     KeyedAnswer<Schedule> answer = add(order, user, key, request);
     return added(
         answer instanceof KeyedAnswer.KeyReused<Schedule>
@@ -96,7 +97,9 @@ public final class NewTaskPage extends PageHandler {
     return switch (services(request)
         .submitter()
         .submit(
-            order, user, IdempotentSubmitter.idempotencyKey(user, "form " + idempotencyKey(request)))) {
+            order,
+            user,
+            IdempotentSubmitter.idempotencyKey(user, "form " + idempotencyKey(request)))) {
       case KeyedAnswer.Answered<TaskView>(var answer) -> acceptedValue(request, answer, errors);
       case KeyedAnswer.Repeated<TaskView>(TaskView before) -> Optional.of(before);
       case KeyedAnswer.KeyReused<TaskView>() ->
