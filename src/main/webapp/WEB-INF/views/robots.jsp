@@ -21,7 +21,7 @@
           <tr>
             <th scope="col"><fmt:message key="robots.column.name"/></th>
             <th scope="col"><fmt:message key="robots.column.state"/></th>
-            <th scope="col"><fmt:message key="robots.column.doing"/></th>
+            <th scope="col"><fmt:message key="robots.column.activity"/></th>
             <th scope="col"><fmt:message key="robots.column.battery"/></th>
             <th scope="col"><fmt:message key="robots.column.task"/></th>
             <th scope="col"><fmt:message key="robots.column.maxLoad"/></th>

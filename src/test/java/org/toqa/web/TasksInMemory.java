@@ -35,7 +35,7 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** Tasks in memory: it takes orders by the contract's rules, and finds tasks by state and text. */
-abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArchive {
+public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArchive {
   /** Kilograms; what all robots together can carry. */
   private static final double HEAVIEST = 50;
 

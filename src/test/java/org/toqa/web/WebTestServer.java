@@ -25,6 +25,7 @@ import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
 import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.SessionStore;
@@ -137,7 +138,7 @@ public final class WebTestServer implements AutoCloseable {
     tracks = new JdbiTrackStore(jdbi);
     uses = new JdbiUtilisationStore(jdbi);
     Services services =
-        Services.of(
+        new Services(
             fleet,
             fleet,
             new JdbiEventArchive(jdbi),
@@ -150,7 +151,9 @@ public final class WebTestServer implements AutoCloseable {
             PASSWORDS,
             new Metrics(fleet.snapshots()),
             limit,
-            InstantSource.system());
+            InstantSource.system(),
+            Authenticator.of(accounts, PASSWORDS, InstantSource.system()),
+            new IdempotentSubmitter(fleet, fleet));
     store = new JdbiFleetStore(jdbi);
     baseDir = Files.createTempDirectory("toqa-web-test");
     startTomcat(port, services);

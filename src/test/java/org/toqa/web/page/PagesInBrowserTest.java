@@ -55,6 +55,9 @@ class PagesInBrowserTest extends PagesInBrowser {
             "robots",
             "robots/r5",
             "users",
+            "users/1",
+            "users/2",
+            "history",
             "statistics",
             "api",
             "nothing")) {
@@ -76,8 +79,33 @@ class PagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("[aria-invalid=true], :user-invalid").first()).isVisible();
     page.waitForLoadState();
     picture(page, name + "-tasks-new-refused");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280, 900, LIGHT, desktop", "1280, 900, DARK, dark", "390, 844, LIGHT, phone"})
+  void everyPageOfAVisitorFitsItsScreen(int width, int height, ColorScheme scheme, String name)
+      throws Exception {
+    Page page = loggedIn(width, height, scheme);
+    page.navigate(server.root() + "users/1");
+    page.locator("form[action$=reset-link] button").click();
+    String secret = page.locator("code.secret").textContent().replaceFirst(".*secret=", "");
+    picture(page, name + "-reset-link");
     page.context().clearCookies();
-    page.navigate(server.root().toString());
-    picture(page, name + "-login");
+    try (WebTestServer empty = WebTestServer.startEmpty(0)) {
+      Map<String, String> addresses =
+          Map.of(
+              "first-start", empty.root().toString(),
+              "login", server.root().toString(),
+              "forgotten", server.root() + "forgotten",
+              "reset", server.root() + "reset?secret=" + secret,
+              "reset-over", server.root() + "reset?secret=none");
+      addresses.forEach(
+          (picture, address) -> {
+            page.navigate(address);
+            assertThat(page.locator("h1")).isVisible();
+            picture(page, name + "-" + picture);
+            assertFits(page);
+          });
+    }
   }
 }
