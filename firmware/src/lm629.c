@@ -266,7 +266,7 @@ bool drive_turn(const struct wheel_rates *rates)
 }
 
 /*
- * A trajectory that slows down would end where the wheel should have stood, and first catch up what
+ * A trajectory that slows down would end where the wheel should have stopped, and first catch up what
  * it was behind. So fast wheels are reversed: driven back with full voltage to where they are
  * now, until they stand. Slow ones, and those that stand, are only damped.
  */

@@ -30,7 +30,7 @@ struct stop {
     uint16_t causes; /* that last now */
 };
 
-/* After a start the robot stands; reason: STOP_POWER_UP or STOP_WATCHDOG. */
+/* After a start the robot is stopped; reason: STOP_POWER_UP or STOP_WATCHDOG. */
 void stop_begin(struct stop *stop, enum stop_reason reason);
 
 /* Sets whether a cause is present now. */

@@ -9,7 +9,7 @@ import org.toqa.grid.CellRuns;
 import org.toqa.wording.Sentence;
 
 /**
- * A floor as readers see it: what is in the way beside its walls and the robots that drive.
+ * A floor as readers see it: what blocks it beside its walls and the robots that drive.
  *
  * @param hold by a person's word, of all its robots; null: they may drive
  * @param obstacles where robots have seen something that the map does not show

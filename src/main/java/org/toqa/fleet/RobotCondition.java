@@ -13,7 +13,7 @@ import org.toqa.link.message.AgentMessage.Mode;
  * @param heard now
  * @param localised whether it says that it knows where it is
  * @param mode as it says
- * @param charging whether it stands at its charging point and is the first one there
+ * @param charging whether it is at its charging point and is the first one there
  */
 public record RobotCondition(
     boolean inService,

@@ -19,7 +19,7 @@ import org.toqa.wording.Sentence;
  *
  * @param held whether a person has put it on hold
  * @param ending what becomes of the load on board, once the task was cancelled
- * @param setDownPlace where the load was fetched last, or stands, if that is neither its start nor
+ * @param setDownPlace where the load was fetched last, or is, if that is neither its start nor
  *     its goal
  * @param trouble what keeps a robot from going on, if anything
  */
@@ -86,7 +86,7 @@ public record Mission(
   }
 
   /**
-   * Where the load stands if that is neither its start nor its goal; null too while it is carried.
+   * Where the load is if that is neither its start nor its goal; null too while it is carried.
    */
   public @Nullable TaskPlace loadAt() {
     if (state != TaskState.CARRYING) {
@@ -202,7 +202,7 @@ public record Mission(
         assignedRobots.stream().map(c -> c.robot().equals(robot) ? change.apply(c) : c).toList());
   }
 
-  /** What has ended is not on hold any more and ends in no other way. */
+  /** What has ended is not on hold any more and does not end again. */
   Mission withState(TaskState next) {
     return next.isEnded()
         ? new Mission(task, next, assignedRobots, false, null, setDownPlace, null)

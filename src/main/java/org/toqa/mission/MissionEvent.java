@@ -17,7 +17,7 @@ public sealed interface MissionEvent {
   /** The robot has driven the phase to its end. */
   record PhaseEnded(String robot, Phase phase) implements OfRobot {}
 
-  /** The robot, on its way home, was given another task. */
+  /** The robot, driving home, was given another task. */
   record Retasked(String robot) implements OfRobot {}
 
   /**

@@ -137,7 +137,7 @@ final class TroubleRules {
     return mission.withTrouble(asked).step(List.of(), sentence);
   }
 
-  /** What was on board stands where its robot was last. */
+  /** What was on board is where its robot was last. */
   private static Mission.Step requeue(Mission mission, Trouble trouble, Sentence sentence) {
     Mission queued =
         isCarrying(mission) && trouble.place() != null

@@ -43,7 +43,7 @@ public final class SegmentFitter {
   }
 
   /**
-   * @param start where the robot really stands, map frame; the first leg begins there
+   * @param start where the robot really is, map frame; the first leg begins there
    * @param waypoints where the legs bend and where they end
    * @throws IllegalArgumentException if a coordinate is not finite
    */
@@ -152,7 +152,7 @@ public final class SegmentFitter {
   private static void requireFinite(double... numbers) {
     for (double number : numbers) {
       if (!Double.isFinite(number)) {
-        throw new IllegalArgumentException("A way has finite coordinates, not " + number + ".");
+        throw new IllegalArgumentException("A path has finite coordinates, not " + number + ".");
       }
     }
   }

@@ -23,7 +23,7 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
 
   private static final Logger log = LoggerFactory.getLogger(VirtualClock.class);
 
-  /** Real time that participants may hold the world up in one stretch. */
+  /** Real time for which participants may block the world without a pause. */
   private static final Duration MAX_HOLD = Duration.ofSeconds(5);
 
   private static final long CLOSE_TIMEOUT_MS = 5_000;
@@ -78,7 +78,7 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     registrations.add(new Registration(participant, period.toNanos()));
   }
 
-  /** When this returns, the participant has no tick under way and will have none. */
+  /** When this returns, the participant has no running tick and will have none. */
   public void remove(Participant participant) {
     synchronized (step) {
       registrations.removeIf(seat -> seat.participant() == participant);
@@ -98,7 +98,7 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     }
   }
 
-  /** Stops the world; when this returns, no tick is under way. */
+  /** Stops the world; when this returns, no tick is running. */
   @Override
   public void close() {
     closed = true;

@@ -36,7 +36,7 @@ import org.toqa.link.trust.Fingerprint;
  *   <li>{@link #open} takes the data folder, finds the body and the journal, and listens.
  *   <li>{@link #tick} is called every {@link Chassis#TICK}, always by one thread: it exchanges
  *       command and reading with the body, obeys what was received, steers, and reports.
- *   <li>{@link #close}, when no tick is under way, ends it in the opposite order.
+ *   <li>{@link #close}, when no tick is running, ends it in the opposite order.
  * </ol>
  */
 public final class Daemon implements AutoCloseable {

@@ -49,8 +49,8 @@ class FormationTest {
 
   @Test
   void formationDrivesTheLeadersTrajectoryInShapeAndEachReportsDone() {
-    List<Segment> way = List.of(STRAIGHT, LEFT, STRAIGHT);
-    group.startFormation(way);
+    List<Segment> segments = List.of(STRAIGHT, LEFT, STRAIGHT);
+    group.startFormation(segments);
     State onTheWay = group.server(1).awaitState(s -> s.twist().v() > 0.2);
     assertEquals(Role.FOLLOWER, onTheWay.role());
     assertEquals(Mode.FOLLOWING, onTheWay.mode());
@@ -61,7 +61,7 @@ class FormationTest {
     assertEquals(new Done(FormationRig.TASK, 2, 1), group.server(1).awaitDone());
     assertEquals(new Done(FormationRig.TASK, 2, 1), group.server(2).awaitDone());
 
-    Pose goal = new Trajectory(FormationRig.LEADER, way).end();
+    Pose goal = new Trajectory(FormationRig.LEADER, segments).end();
     assertNear(goal, standing(0));
     assertNear(FormationRig.SHAPE.followersAt(goal).get(0), standing(1));
     assertNear(FormationRig.SHAPE.followersAt(goal).get(1), standing(2));
@@ -89,7 +89,7 @@ class FormationTest {
     long gone = group.kill(2);
 
     State leader = group.server(0).awaitState(s -> hasFault(s, "FORMATION_STOPPED"));
-    assertEquals("The group stands: r3 does not answer.", leader.errors().getFirst().text());
+    assertEquals("The group has stopped: r3 does not answer.", leader.errors().getFirst().text());
     assertStandsSince(gone + STAND_MILLIS, 0);
     assertStandsSince(gone + STAND_MILLIS, 1);
   }
@@ -166,10 +166,10 @@ class FormationTest {
     group.server(robot).awaitState(s -> s.stamp() > millis + 1_000);
     List<State> later =
         group.server(robot).states().stream().filter(s -> s.stamp() >= millis).toList();
-    Pose stood = later.getFirst().pose();
+    Pose stopped = later.getFirst().pose();
     for (State state : later) {
       assertEquals(0, state.twist().v(), 0.03, () -> "at " + state);
-      assertEquals(0, stood.distanceTo(state.pose()), 0.02, () -> "at " + state);
+      assertEquals(0, stopped.distanceTo(state.pose()), 0.02, () -> "at " + state);
     }
   }
 

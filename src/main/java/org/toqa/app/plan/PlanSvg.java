@@ -63,7 +63,7 @@ final class PlanSvg {
   }
 
   private String render() {
-    svg.text("A way on the map " + drive.floor().name(), "title");
+    svg.text("A path on the map " + drive.floor().name(), "title");
     svg.element("rect", "width", "100%", "height", "100%", "fill", PAGE);
     svg.open(
         "g",

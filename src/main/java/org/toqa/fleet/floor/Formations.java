@@ -100,7 +100,7 @@ final class Formations {
     return carryingMission(robot).filter(m -> !leader(m).equals(robot));
   }
 
-  /** The formation that this robot leads now, its followers at their places or on the way. */
+  /** The formation that this robot leads now, its followers at their places or driving there. */
   Optional<Formation> ledFormation(String robot) {
     return carryingMission(robot)
         .filter(m -> leader(m).equals(robot) && isTogether(m))

@@ -25,7 +25,7 @@ import org.toqa.wording.Sentence;
 /** Takes in what a floor's robots say, and tells the traffic and the missions. */
 final class RobotEventHandler {
   private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
-  private static final Duration STRANGERS_INTERVAL = Duration.ofMinutes(5);
+  private static final Duration REFUSALS_INTERVAL = Duration.ofMinutes(5);
 
   /** The robot's word for connections that it did not take. */
   private static final String REFUSED = "REFUSED";
@@ -112,7 +112,7 @@ final class RobotEventHandler {
 
   private void stateReported(FloorRobot robot, AgentMessage.State said) {
     robot.reported.setReport(said, state.clock.instant());
-    recordStrangers(robot);
+    recordRefusedConnections(robot);
     RobotEvent.CommandRejected refusal = robot.reported.takeRejectedChange();
     if (refusal != null && Objects.equals(refusal.changing(), said.drive())) {
       abandonCommand(robot, refusal.reason());
@@ -155,18 +155,18 @@ final class RobotEventHandler {
   }
 
   /** Tells the history whom the robot did not let in; of many, a few. */
-  private void recordStrangers(FloorRobot robot) {
+  private void recordRefusedConnections(FloorRobot robot) {
     Optional<Fault> refusal =
         robot.reported.report().errors().stream().filter(e -> e.code().equals(REFUSED)).findFirst();
-    Instant notedAt = robot.reported.strangerNotedAt();
-    if (refusal.isPresent() && !notedAt.plus(STRANGERS_INTERVAL).isAfter(state.now)) {
-      robot.reported.setStrangerNotedAt(state.now);
+    Instant notedAt = robot.reported.refusalNotedAt();
+    if (refusal.isPresent() && !notedAt.plus(REFUSALS_INTERVAL).isAfter(state.now)) {
+      robot.reported.setRefusalNotedAt(state.now);
       addToHistory(
           robot,
-          EventKind.ROBOT_STRANGER,
+          EventKind.ROBOT_CONNECTION_REFUSED,
           Phrase.STRANGER_NOT_LET_IN.with(robot.name(), refusal.get().text()));
     } else if (refusal.isEmpty()) {
-      robot.reported.setStrangerNotedAt(Instant.MIN);
+      robot.reported.setRefusalNotedAt(Instant.MIN);
     }
   }
 
@@ -221,7 +221,7 @@ final class RobotEventHandler {
     }
   }
 
-  /** A drive may have ended while a change of it was on its way; its next state tells. */
+  /** A drive may have ended while a change of it was being sent; its next state tells. */
   private void commandRejected(FloorRobot robot, RobotEvent.CommandRejected m) {
     if (m.changing() == null) {
       abandonCommand(robot, m.reason());
@@ -230,7 +230,7 @@ final class RobotEventHandler {
     }
   }
 
-  /** What the robot refused is given up: it stands, and is asked anew a little later. */
+  /** What the robot refused is given up: it is stopped, and is asked anew a little later. */
   private void abandonCommand(FloorRobot robot, String reason) {
     robot.drive.settle();
     robot.drive.endCancelling();

@@ -48,7 +48,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final TaskCommandHandler taskCommands;
   private final RobotCommandHandler robotCommands;
 
-  /** Floors whose tick is under way. */
+  /** Floors whose tick is running. */
   private final Set<String> ticking = new HashSet<>();
 
   static Behavior<ManagerMessage> of(

@@ -119,7 +119,7 @@ public final class LinkCodec {
         + bytes
         + " bytes; a line has at most "
         + MAX_LINE_BYTES
-        + ". Send a longer way by extend.";
+        + ". Send a longer path by extend.";
   }
 
   private static byte[] encode(Object message) {

@@ -42,10 +42,10 @@ public sealed interface ServerMessage {
   }
 
   /**
-   * Drive along segments. Legal only for a robot that stands.
+   * Drive along segments. Legal only for a robot that is stopped.
    *
    * @param task null for charging and going home, which have phase 0
-   * @param start where the robot stands, map frame
+   * @param start where the robot is, map frame
    * @param released only the first so many segments may be driven yet
    * @param last (on the wire {@code final}) the segments end the phase; false: an {@link Extend}
    *     brings the rest

@@ -73,7 +73,7 @@ public final class LinkTls {
         return handshake(connected, tls, protocol);
       } catch (IOException e) {
         HandshakeException failure = failure(time, e);
-        hangUp(connected);
+        closeFailed(connected);
         throw failure;
       }
     }
@@ -106,7 +106,7 @@ public final class LinkTls {
         return handshake(accepted, tls, PAIRING, LINK);
       } catch (IOException e) {
         HandshakeException failure = failure(time, e);
-        hangUp(accepted);
+        closeFailed(accepted);
         throw failure;
       }
     }
@@ -185,7 +185,7 @@ public final class LinkTls {
    * that still writes while the socket is closed would lose the alert, and see only a broken
    * connection.
    */
-  private static void hangUp(Socket failed) {
+  private static void closeFailed(Socket failed) {
     try (failed;
         TimeLimit _ = new TimeLimit(failed, LONGEST_FAREWELL)) {
       failed.shutdownOutput();

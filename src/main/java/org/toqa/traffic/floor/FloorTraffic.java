@@ -24,7 +24,7 @@ import org.toqa.wording.Sentence;
  * Who may drive where on one floor, and in which order.
  *
  * <p>A robot that wants to go somewhere is first offered a smooth path of its own: the shortest one
- * in eight headings round whoever stands. It gets it if the cells that it sweeps meet nobody
+ * in eight headings round stopped robots. It gets it if the cells that it sweeps meet nobody
  * else's, now or later; such paths need no order. Otherwise all robots are planned together from
  * where their released paths end ({@link JointPlanner}), those without a goal too, so that they
  * step aside; the plan's order of visits to each cell is then kept ({@link JointPlan}).
@@ -78,7 +78,7 @@ public final class FloorTraffic {
   // --- what is so -------------------------------------------------------------------------------
 
   /**
-   * The robot stands at a pose and has no path; it may be new here.
+   * The robot is stopped at a pose and has no path; it may be new here.
    *
    * @param diameter of the disc that the robot fills, metres, above 0
    */
@@ -96,7 +96,7 @@ public final class FloorTraffic {
   }
 
   /**
-   * The robot, which stands, leads others from now on: its goal is where the load shall go, and all
+   * The robot, which is stopped, leads others from now on: its goal is where the load shall go, and all
    * of the formation's cells are its own. The others must have left.
    *
    * @param formation null: it drives alone again
@@ -114,7 +114,7 @@ public final class FloorTraffic {
   /**
    * How fast the robot shall drive from now on.
    *
-   * @param name of one that stands or drives here
+   * @param name of one that is stopped or drives here
    * @throws IllegalArgumentException if there is no such robot
    */
   public void setSpeeds(String name, DriveSpeeds speeds) {
@@ -204,7 +204,7 @@ public final class FloorTraffic {
   }
 
   /**
-   * Something stands where the map shows nothing: robots go round, and paths that are not released
+   * There is an obstacle where the map shows none: robots go round, and paths that are not released
    * are given up where they meet it.
    *
    * @param cells all that are obstructed now, as bits by {@link OccupancyGrid#index}; instead of
@@ -243,7 +243,7 @@ public final class FloorTraffic {
   // --- what can be read -------------------------------------------------------------------------
 
   /**
-   * Whether the robot stands at its goal.
+   * Whether the robot is stopped at its goal.
    *
    * @throws IllegalArgumentException if there is no such robot
    */
@@ -271,7 +271,7 @@ public final class FloorTraffic {
   }
 
   /**
-   * Whether an obstacle stands on what it has been released and not driven yet.
+   * Whether an obstacle is on what it has been released and not driven yet.
    *
    * @throws IllegalArgumentException if there is no such robot
    */

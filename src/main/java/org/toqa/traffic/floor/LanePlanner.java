@@ -207,7 +207,7 @@ final class LanePlanner {
     }
 
     /**
-     * Gives each a lane cell to begin in; who stands aside drives to the middle of one. Whoever can
+     * Gives each a lane cell to begin in; who is not in the middle of one drives there. Whoever can
      * have none is taken out.
      *
      * @return whether all have one

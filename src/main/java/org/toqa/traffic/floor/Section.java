@@ -9,7 +9,7 @@ import org.toqa.motion.Segment;
  * robot can stand.
  *
  * @param segments what is driven
- * @param end where the robot then stands, map frame
+ * @param end where the robot then is, map frame
  * @param cells all cells that the robot touches meanwhile, from the first moment to the last
  * @param endCells those that it touches at the end
  */

@@ -17,7 +17,7 @@ final class SectionFitter {
   private static final double SHORTEST = 1e-6;
 
   /**
-   * @param start where the robot stands
+   * @param start where the robot is, map frame
    * @param cornerLength metres, of {@link SegmentFitter}
    */
   List<Section> fit(

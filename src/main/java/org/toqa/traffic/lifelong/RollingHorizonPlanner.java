@@ -139,7 +139,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     return present;
   }
 
-  /** Whoever is stuck, and who stands beside it. */
+  /** Whoever is stuck, and who is beside it. */
   private void sendStuckOnDetours(List<RobotProgress> present, StateGraph graph) {
     Set<Integer> stuck =
         present.stream()

@@ -123,7 +123,7 @@ class FloorTrafficPropertyTest {
     return true;
   }
 
-  /** Floors whose cells are far smaller than a robot, which stands anywhere, and is of any size. */
+  /** Floors whose cells are far smaller than a robot, which may be anywhere, and of any size. */
   @Property(tries = 10, seed = "20261121")
   void onFineMapsEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     driveOnAFineMap(seed);

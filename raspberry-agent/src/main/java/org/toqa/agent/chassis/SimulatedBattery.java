@@ -6,7 +6,7 @@ import org.toqa.geometry.Vec2;
 
 /**
  * The battery of a simulated body: it drains by time, distance and load, and is charged while the
- * body stands at a charging point.
+ * body is at a charging point.
  *
  * @param initialLevel what the battery of a new body has, 0 to 1
  * @param chargers charging points, metres, map frame
@@ -27,14 +27,14 @@ public record SimulatedBattery(double initialLevel, List<Vec2> chargers) {
   /** An empty battery is full after half an hour. */
   private static final double CHARGE_A_SECOND = 1 / 1_800.0;
 
-  /** Metres; a body that stands so near to a charging point has docked. */
+  /** Metres; a body that is stopped so near to a charging point has docked. */
   private static final double DOCKED_METRES = 0.15;
 
   public SimulatedBattery {
     chargers = List.copyOf(chargers);
   }
 
-  /** Whether a body that stands there is charged. */
+  /** Whether a body that is stopped there is charged. */
   boolean isDocked(Pose place) {
     return chargers.stream().anyMatch(point -> point.distanceTo(place.position()) < DOCKED_METRES);
   }

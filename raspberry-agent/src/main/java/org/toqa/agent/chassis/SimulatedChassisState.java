@@ -45,7 +45,7 @@ record SimulatedChassisState(
         powerCycle, start, truePose, wheelTurns, wheelRates, moved, command, battery, steps);
   }
 
-  /** Switched off and on again where it is: it stands, and its odometry starts anew. */
+  /** Switched off and on again where it is: it is stopped, and its odometry starts anew. */
   SimulatedChassisState withPowerCycle() {
     return new SimulatedChassisState(
         powerCycle + 1,

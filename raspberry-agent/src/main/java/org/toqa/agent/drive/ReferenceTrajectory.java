@@ -8,7 +8,7 @@ import org.toqa.motion.Segment;
 
 /**
  * The segments of a drive as a moving reference: a pose that runs over the released ones at a pace
- * between 0 (stands) and 1 (as planned).
+ * between 0 (stopped) and 1 (as planned).
  *
  * <p>Slowing down scales time and not the path, so that a robot that brakes stays on the curve that
  * was planned and checked. The pace rises and falls with the acceleration limits; before the end of
@@ -78,7 +78,7 @@ public final class ReferenceTrajectory {
 
   /**
    * From now on it comes to a stand within so many metres; turns on the spot are none. Where that
-   * is too short to slow down, it stands at once.
+   * is too short to slow down, it stops at once.
    */
   void stopWithin(double metres) {
     stopDistance = metres;
@@ -128,7 +128,7 @@ public final class ReferenceTrajectory {
     return completedCount;
   }
 
-  /** The reference stands. */
+  /** Whether the reference is stopped. */
   public boolean isStanding() {
     return pace == 0;
   }

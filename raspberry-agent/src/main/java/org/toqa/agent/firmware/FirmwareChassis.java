@@ -47,7 +47,7 @@ public final class FirmwareChassis implements Chassis {
 
   private static final FirmwareCommand STANDSTILL = new Velocity(Twist.ZERO);
 
-  /** A body that stands is sent commands no oftener; it bears 200 ms without one. */
+  /** A body that is stopped is sent commands no oftener; its time limit for one is 200 ms. */
   private static final long STANDSTILL_INTERVAL_NANOS = 60_000_000;
 
   /** Failures are logged no oftener. */
@@ -80,7 +80,7 @@ public final class FirmwareChassis implements Chassis {
    * Finds the microcontroller.
    *
    * @param caption what the display shows first
-   * @param start where the body stood when it was switched on for the first time, map frame, if
+   * @param start where the body was when it was switched on for the first time, map frame, if
    *     somebody has put it there
    * @throws IOException if no microcontroller answers
    */

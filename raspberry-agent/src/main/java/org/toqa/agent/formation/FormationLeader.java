@@ -69,7 +69,7 @@ public final class FormationLeader {
     return watch.isInPlace() || now - arrivalSeconds > LONGEST_ARRIVAL_SECONDS;
   }
 
-  /** Why the group stands; empty while it may drive. */
+  /** Why the group has stopped; empty while it may drive. */
   public Optional<Fault> fault(double now) {
     Verdict verdict = watch.verdict(now);
     return verdict instanceof Stop(Verdict.Reason reason, String follower)
@@ -81,9 +81,9 @@ public final class FormationLeader {
     String sentence =
         switch (reason) {
           case NOT_READY -> "The group waits for %s, which has not answered yet.";
-          case LATE -> "The group stands: %s does not answer.";
-          case NOT_FOLLOWING -> "The group stands: %s cannot follow.";
-          case OUT_OF_PLACE -> "The group stands: %s is too far from its place.";
+          case LATE -> "The group has stopped: %s does not answer.";
+          case NOT_FOLLOWING -> "The group has stopped: %s cannot follow.";
+          case OUT_OF_PLACE -> "The group has stopped: %s is too far from its place.";
         };
     return sentence.formatted(follower);
   }

@@ -12,7 +12,7 @@ import org.toqa.link.message.AgentMessage.PhaseEnd;
  * @param anchor the map pose of the origin of the body's odometry; null when it is not known
  * @param lastSeq the highest sequence number accepted so far of a command that has an effect
  * @param load kilograms on board
- * @param drive the drive under way, 0 for none
+ * @param drive the current drive, 0 for none
  * @param segment how many of its segments are completed
  * @param held whether an operator's hold is in force
  * @param done the last phase that was driven to its end and is not acknowledged yet
