@@ -1,5 +1,5 @@
 /*
- * Why the robot must stand. A reason comes with its cause and stays until it is cleared, by the
+ * Why the robot must be stopped. A reason comes with its cause and stays until it is cleared, by the
  * daemon or only by a person; while its cause lasts, nobody clears it.
  */
 #ifndef STOP_H

@@ -46,7 +46,7 @@ public final class ScanTurn {
   }
 
   /**
-   * How the robot shall stand.
+   * The heading that the stopped robot shall have.
    *
    * @param straight how it would, in any frame
    */

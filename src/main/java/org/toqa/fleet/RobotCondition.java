@@ -8,7 +8,7 @@ import org.toqa.link.message.AgentMessage.Mode;
  * state whether it can be given a task. What it spends its time with follows from {@link
  * RobotState.Kind}.
  *
- * @param inService by a person's word
+ * @param inService as an operator set it
  * @param everHeard since the server started
  * @param heard now
  * @param localised whether it says that it knows where it is

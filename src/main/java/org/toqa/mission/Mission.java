@@ -100,7 +100,7 @@ public record Mission(
     return ending == LoadChoice.BACK ? task.start() : task.goal();
   }
 
-  /** Whether its robots, with the load on board, shall come to a stand and set it down. */
+  /** Whether its robots, with the load on board, shall stop and set it down. */
   public boolean isStopping() {
     return state == TaskState.CARRYING && ending == LoadChoice.HERE;
   }

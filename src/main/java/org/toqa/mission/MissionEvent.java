@@ -27,7 +27,7 @@ public sealed interface MissionEvent {
    */
   record Exchanged(String robot, String newRobot, Sentence why) implements OfRobot {}
 
-  /** The robot, which shall set the load down, has come to a stand. */
+  /** The robot, which shall set the load down, has stopped. */
   record Stopped(String robot, TaskPlace place) implements OfRobot {}
 
   /**

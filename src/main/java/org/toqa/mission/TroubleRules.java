@@ -22,7 +22,7 @@ final class TroubleRules {
             new Trouble(event.robot(), Phrase.IS_NOT_HEARD_OF.with(), event.place(), false));
   }
 
-  /** A person's word that the mission waits holds until the robot is back. */
+  /** An operator's choice that the mission waits is valid until the robot is back. */
   static Mission.Step onRobotFailed(Mission mission, MissionEvent.RobotFailed event) {
     Trouble known = troubleOf(event.robot(), mission);
     if (known != null && known.isAwaited()) {

@@ -58,7 +58,7 @@ public final class SimulatedFleet implements AutoCloseable {
    * Makes the robots, or finds them again, and lets them live by the clock.
    *
    * @param folder one folder for each robot is kept in it, with the robot's name
-   * @param floor where they stand and drive
+   * @param floor where they are and drive
    */
   public static SimulatedFleet open(
       Path folder, List<SimulatedRobot> robots, SimulatedFloor floor, VirtualClock clock)

@@ -67,7 +67,7 @@ final class ChargerWatch {
     return Finding.FAILED;
   }
 
-  /** The robot does not stand at a charging point. */
+  /** The robot is not at a charging point. */
   void robotLeft(String robot) {
     stays.remove(robot);
   }

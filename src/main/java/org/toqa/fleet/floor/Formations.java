@@ -222,7 +222,7 @@ final class Formations {
   }
 
   /**
-   * Why the whole group shall come to a stand before it is told otherwise; null: it need not.
+   * Why the whole group shall stop before it is told otherwise; null: it need not.
    * Robots that are stopped one by one would tear at the load.
    */
   @Nullable Sentence stopReason(Mission mission) {

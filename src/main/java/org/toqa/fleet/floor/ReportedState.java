@@ -131,7 +131,7 @@ final class ReportedState {
     report = report.withDrive(drive, task);
   }
 
-  /** A person has said that it does not stand there any more. */
+  /** A person has said that it is not there any more. */
   void forgetPose() {
     report = report.withoutPose();
   }

@@ -27,7 +27,7 @@ final class RobotEventHandler {
   private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
   private static final Duration REFUSALS_INTERVAL = Duration.ofMinutes(5);
 
-  /** The robot's word for connections that it did not take. */
+  /** The code by which a robot reports connections that it refused. */
   private static final String REFUSED = "REFUSED";
 
   private final FloorState state;
@@ -75,7 +75,7 @@ final class RobotEventHandler {
     robot.reported.setAlert(null);
   }
 
-  /** A person said of a lost robot that it does not stand there any more. */
+  /** A person said of a lost robot that it is not there any more. */
   void forgetPose(FloorRobot robot) {
     robot.reported.forgetPose();
     robot.drive.settle();

@@ -12,7 +12,7 @@ public enum RobotActivity {
   CHARGING,
   /** Is stopped, and could be given a task. */
   IDLE,
-  /** A person has it stand: by itself, with its task, its floor or the whole fleet. */
+  /** An operator put it on hold: by itself, with its task, its floor or the whole fleet. */
   HELD,
   /** Reports an error, or does not know where it is. */
   TROUBLED,

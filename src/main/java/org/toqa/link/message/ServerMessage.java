@@ -14,7 +14,7 @@ import org.toqa.motion.Segment;
 
 /**
  * What a robot is sent: by the server, and in a formation by its leader. Every {@link Command} of
- * the server bears a sequence number that rises also over restarts of the server; the robot answers
+ * the server has a sequence number that rises also over restarts of the server; the robot answers
  * it with {@link AgentMessage.Ack} or {@link AgentMessage.Reject}, and a number that is not higher
  * than the last one has no further effect.
  */
@@ -36,7 +36,7 @@ import org.toqa.motion.Segment;
 })
 public sealed interface ServerMessage {
 
-  /** A message that bears a sequence number. */
+  /** A message that has a sequence number. */
   sealed interface Command extends ServerMessage {
     long seq();
   }

@@ -5,7 +5,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.motion.Segment;
 
 /**
- * Whether robots that stand so near to each other that they touch the same cell may part. Cells
+ * Whether robots that are so near to each other that they touch the same cell may part. Cells
  * cannot tell; here the discs themselves are looked at.
  */
 final class Clearance {

@@ -31,7 +31,7 @@ import org.toqa.wording.Sentence;
  *
  * <p>Paths are released section by section. A section is released when no other robot has a cell of
  * it and whoever comes before has left; what is released is driven to its end whatever others do,
- * and a robot can stand there. So a robot never enters what another has not left, however late
+ * and a robot can be stopped there. So a robot never enters what another has not left, however late
  * anyone is, and since the order has no cycle somebody can always go on.
  *
  * <p>Confined to one thread. It knows no clock: time is handed in. Points and poses are in metres

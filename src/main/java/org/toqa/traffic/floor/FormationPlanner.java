@@ -110,7 +110,7 @@ final class FormationPlanner {
         && Math.abs(Angles.difference(pose.theta(), place.theta())) < HEADING_TOLERANCE;
   }
 
-  /** Metres that the load may stand beside its goal. */
+  /** Metres that the load may be beside its goal. */
   static double goalTolerance(OccupancyGrid grid) {
     return Math.min(WIDEST_STEP, Math.max(grid.resolution(), WIDEST_STEP / 2)) * 0.8;
   }

@@ -6,7 +6,7 @@ import org.toqa.motion.Segment;
 
 /**
  * The unit of reservation: a piece of a path that is released as a whole, and at whose end the
- * robot can stand.
+ * robot can be stopped.
  *
  * @param segments what is driven
  * @param end where the robot then is, map frame

@@ -202,7 +202,7 @@ final class TrafficRobot {
     return claimed;
   }
 
-  /** Where it will stand when it has driven what is released, and where its path goes on. */
+  /** Where it will be when it has driven what is released, and where its path goes on. */
   Pose releasedEnd() {
     ReservedPath path = drive.path();
     if (path != null) {

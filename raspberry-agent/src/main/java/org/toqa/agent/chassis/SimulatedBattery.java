@@ -16,7 +16,7 @@ public record SimulatedBattery(double initialLevel, List<Vec2> chargers) {
   /** A new body begins with a full battery, and there is nowhere to charge it. */
   public static final SimulatedBattery FULL = new SimulatedBattery(1, List.of());
 
-  /** Eight hours of standing, or 80 minutes of driving at 0.25 m/s, empty the battery. */
+  /** Eight hours of standstill, or 80 minutes of driving at 0.25 m/s, empty the battery. */
   private static final double DRAIN_A_SECOND = 1 / 28_800.0;
 
   private static final double DRAIN_A_METRE = 1 / 1_440.0;

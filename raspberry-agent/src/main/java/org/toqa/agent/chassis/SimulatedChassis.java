@@ -34,7 +34,7 @@ public final class SimulatedChassis implements Chassis {
 
   private static final double MOTOR_LAG_SECONDS = 0.04;
 
-  /** Radians a second; wheels that turn no faster stand. */
+  /** Radians a second; wheels that turn no faster count as stopped. */
   private static final double STANDING_RATE = 1e-3;
 
   private static final double LONGEST_STEP_SECONDS = 0.02;
@@ -184,7 +184,7 @@ public final class SimulatedChassis implements Chassis {
     framesToLose = count;
   }
 
-  /** Fault switch: the wheels stand and follow no command, and the body does not know why. */
+  /** Fault switch: the wheels are stopped and follow no command, and the body does not know why. */
   public void setFrozen(boolean isFrozen) {
     frozen = isFrozen;
   }
@@ -295,7 +295,7 @@ public final class SimulatedChassis implements Chassis {
         counts(ofState.wheelTurns()));
   }
 
-  /** Whole counts; the counters wrap around like the 32-bit registers that they stand for. */
+  /** Whole counts; the counters wrap around like the 32-bit registers that they simulate. */
   private int[] counts(ThreeWheels turned) {
     return Arrays.stream(turned.values(kinematics.wheelCount()))
         .mapToInt(SimulatedChassis::count)

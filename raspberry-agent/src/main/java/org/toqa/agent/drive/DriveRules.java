@@ -19,7 +19,7 @@ import org.toqa.motion.Segment;
  */
 public final class DriveRules {
 
-  /** How far from its drive's start a robot may stand. */
+  /** Metres that a robot may be from its drive's start. */
   private static final double START_METRES = 0.10;
 
   private static final double START_RADIANS = Math.toRadians(10);

@@ -77,7 +77,7 @@ public final class ReferenceTrajectory {
   }
 
   /**
-   * From now on it comes to a stand within so many metres; turns on the spot are none. Where that
+   * From now on it stops within so many metres; turns on the spot are none. Where that
    * is too short to slow down, it stops at once.
    */
   void stopWithin(double metres) {

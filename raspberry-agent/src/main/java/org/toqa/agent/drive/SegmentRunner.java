@@ -82,7 +82,7 @@ public final class SegmentRunner {
    * @param actual where the robot is, map frame
    * @param seconds since the last call
    * @param pace at which the reference may run, as a share of the planned speed; at 0 it slows down
-   *     and stands
+   *     and is stopped
    * @return the velocity to command, in the robot's frame
    */
   public Twist steer(Pose actual, double seconds, double pace) {

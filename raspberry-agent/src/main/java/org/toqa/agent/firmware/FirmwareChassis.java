@@ -24,7 +24,7 @@ import org.toqa.motion.ThreeWheelKinematics;
 
 /**
  * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it
- * stands, which spares the processor of the robot. A stop that may be cleared without a person, by
+ * is stopped, which spares the processor of the robot. A stop that may be cleared without a person, by
  * power-up or by a link that was silent, is cleared here.
  */
 public final class FirmwareChassis implements Chassis {

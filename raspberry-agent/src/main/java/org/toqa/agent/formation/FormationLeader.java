@@ -50,7 +50,7 @@ public final class FormationLeader {
     }
   }
 
-  /** How fast the path may be driven, as a share of the planned speed; 0 to stand. */
+  /** How fast the path may be driven, as a share of the planned speed; 0 to stop. */
   public double pace(double now) {
     return watch.verdict(now) instanceof Drive(double pace) ? pace : 0;
   }
