@@ -22,6 +22,10 @@ public final class DetectionMemory {
 
   private final List<Detection> detections = new ArrayList<>();
 
+  /**
+   * @param point metres, map frame
+   * @param seconds when it was seen last, on a monotonic clock
+   */
   private record Detection(Vec2 point, double seconds) {
     boolean isSame(Vec2 other) {
       return point.distanceTo(other) < SAME;

@@ -65,6 +65,7 @@ public record Mission(
         mission.driveCommands(Phase.TO_OBJECT), Phrase.GIVEN_TO.with(Sentence.names(robots), why));
   }
 
+  /** The task's id. */
   public long id() {
     return task.id();
   }

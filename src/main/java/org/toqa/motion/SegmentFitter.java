@@ -69,7 +69,8 @@ public final class SegmentFitter {
   /**
    * A straight part between two points.
    *
-   * @param direction radians, map frame
+   * @param length metres
+   * @param direction radians, counter-clockwise from the map's x axis
    * @param turnAtEnd whether the robot turns on the spot at its end
    */
   private record Leg(double length, double direction, boolean turnAtEnd) {}

@@ -59,6 +59,7 @@ public final class SimulatedFleet implements AutoCloseable {
    *
    * @param folder one folder for each robot is kept in it, with the robot's name
    * @param floor where they are and drive
+   * @throws IOException when a robot's folder or port is not usable; then none of them runs
    */
   public static SimulatedFleet open(
       Path folder, List<SimulatedRobot> robots, SimulatedFloor floor, VirtualClock clock)
@@ -80,7 +81,11 @@ public final class SimulatedFleet implements AutoCloseable {
     this.clock = clock;
   }
 
-  /** Where the robot listens, on loopback. */
+  /**
+   * The port of TCP on which the robot listens, on loopback.
+   *
+   * @throws IllegalArgumentException if there is no such robot
+   */
   public int port(String robot) {
     return robots.stream()
         .map(SimulatedDaemon::daemon)

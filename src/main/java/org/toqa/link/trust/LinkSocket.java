@@ -46,10 +46,20 @@ public final class LinkSocket implements AutoCloseable {
     return tcp.getInetAddress();
   }
 
+  /**
+   * What the other end sends, decrypted.
+   *
+   * @throws IOException when the socket is closed or not connected
+   */
   public InputStream in() throws IOException {
     return stream.getInputStream();
   }
 
+  /**
+   * What is sent to the other end.
+   *
+   * @throws IOException when the socket is closed or not connected
+   */
   public OutputStream out() throws IOException {
     return stream.getOutputStream();
   }

@@ -55,6 +55,8 @@ public final class LinkTls {
    * sent before the other end is found to be trusted. Whether the other end trusts this one shows
    * with the first line that is read.
    *
+   * @param limit of real time for the whole handshake
+   * @return the encrypted connection
    * @throws HandshakeException the socket is closed then
    */
   public LinkSocket connect(
@@ -82,6 +84,7 @@ public final class LinkTls {
   /**
    * Goes on, as the server, with a connection that was taken.
    *
+   * @param limit of real time for the whole handshake
    * @throws HandshakeException the socket is closed then
    */
   public LinkSocket accept(Socket accepted, PeerVerifier verifier, Duration limit)

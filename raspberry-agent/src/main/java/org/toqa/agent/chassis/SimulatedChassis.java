@@ -68,14 +68,19 @@ public final class SimulatedChassis implements Chassis {
    *
    * @param file keeps the body
    * @param start where a new body is put, map frame
-   * @param noise standard deviation of a wheel's slip, as a share of what it turns
+   * @param noise standard deviation of a wheel's slip, as a share of what it turns, 0 or more
+   * @throws IOException when the file cannot be read or written
    */
   public SimulatedChassis(Path file, Pose start, SimulatedBattery battery, double noise, long seed)
       throws IOException {
     this(file, start, battery, noise, seed, DEFAULT_SENSORS, Surroundings.EMPTY);
   }
 
-  /** The same among obstacles, with sensors that see them. */
+  /**
+   * The same among obstacles, with sensors that see them.
+   *
+   * @throws IOException as above
+   */
   public SimulatedChassis(
       Path file,
       Pose start,

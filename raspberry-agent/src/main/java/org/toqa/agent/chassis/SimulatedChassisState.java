@@ -14,7 +14,7 @@ import org.toqa.geometry.Twist;
  * @param odometry what its encoders make of it, since power-up
  * @param command the last velocity wanted, robot frame
  * @param battery 0 to 1
- * @param steps simulated so far
+ * @param steps simulated so far, counted
  */
 record SimulatedChassisState(
     long powerCycle,

@@ -130,7 +130,10 @@ public final class RobotControl {
     }
   }
 
-  /** The answer to a command, which has its effect by then. */
+  /**
+   * The answer to a command: an {@code Ack}, and it has its effect by then, or a {@code Reject} with
+   * the reason, and nothing has changed.
+   */
   public AgentMessage execute(Command command) {
     if (command instanceof Ping || command.seq() <= record.entry().lastSeq()) {
       return new Ack(command.seq());

@@ -41,7 +41,10 @@ public final class FormationLeader {
   }
 
   /**
+   * Notes a follower's answer; those to another task's formation are ignored.
+   *
    * @param own where the leader is, map frame
+   * @param now when it was received, seconds
    */
   public void recordReport(String follower, FollowerReport keep, Pose own, double now) {
     if (keep.task() == order.task()) {
@@ -55,6 +58,7 @@ public final class FormationLeader {
     return watch.verdict(now) instanceof Drive(double pace) ? pace : 0;
   }
 
+  /** How abruptly the velocity may change at that moment; while the group has to stop, all that wheels can. */
   public PaceLimits paceLimits(double now) {
     PaceLimits gentle = PaceLimits.forLeader(limits, Math.max(reach, limits.speed()));
     return watch.verdict(now) instanceof Stop ? gentle.withBraking() : gentle;
