@@ -12,8 +12,8 @@ import org.toqa.geometry.Vec2;
 public final class DetectionMemory {
 
   /**
-   * Seconds: at 0.25 m/s a robot has passed what it saw 0.8 m ahead, and one that is stopped has looked
-   * round once more (see {@link ScanTurn}).
+   * Seconds: at 0.25 m/s a robot has passed what it saw 0.8 m ahead, and one that is stopped has
+   * looked round once more (see {@link ScanTurn}).
    */
   public static final double MEMORY_SECONDS = 4.5;
 

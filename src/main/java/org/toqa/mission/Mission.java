@@ -19,8 +19,8 @@ import org.toqa.wording.Sentence;
  *
  * @param held whether a person has put it on hold
  * @param ending what becomes of the load on board, once the task was cancelled
- * @param setDownPlace where the load was fetched last, or is, if that is neither its start nor
- *     its goal
+ * @param setDownPlace where the load was fetched last, or is, if that is neither its start nor its
+ *     goal
  * @param trouble what keeps a robot from going on, if anything
  */
 public record Mission(
@@ -86,9 +86,7 @@ public record Mission(
     return setDownPlace != null ? setDownPlace : task.start();
   }
 
-  /**
-   * Where the load is if that is neither its start nor its goal; null too while it is carried.
-   */
+  /** Where the load is if that is neither its start nor its goal; null too while it is carried. */
   public @Nullable TaskPlace loadAt() {
     if (state != TaskState.CARRYING) {
       return setDownPlace;

@@ -39,7 +39,8 @@ public final class PlanChecker {
       if (from.cell().equals(to.cell())) {
         boolean alone = i == 1 || steps.get(i - 2).heading() == from.heading();
         if (rule == Rule.OCTILE || eighths < 2 || !alone) {
-          return Optional.of("At " + from.cell() + " the path turns on the spot where the rule forbids it.");
+          return Optional.of(
+              "At " + from.cell() + " the path turns on the spot where the rule forbids it.");
         }
         turns++;
         cost += eighths / 2.0;
@@ -51,7 +52,8 @@ public final class PlanChecker {
           return Optional.of("The last heading is not the one in which the goal is entered.");
         }
         if (rule == Rule.HEADING && eighths > 1) {
-          return Optional.of("At " + to.cell() + " the path bends by " + 45 * eighths + " degrees.");
+          return Optional.of(
+              "At " + to.cell() + " the path bends by " + 45 * eighths + " degrees.");
         }
         cost += Math.hypot(from.heading().dColumn(), from.heading().dRow());
       }

@@ -19,8 +19,8 @@ import org.toqa.geometry.Pose;
 
 /**
  * Simulated robots: real daemons over simulated bodies, each behind a TCP port of its own on
- * loopback, all in one process and by one clock. A robot whose folder is found is where it
- * was, with its journal; the ports are new at every start.
+ * loopback, all in one process and by one clock. A robot whose folder is found is where it was,
+ * with its journal; the ports are new at every start.
  */
 public final class SimulatedFleet implements AutoCloseable {
 

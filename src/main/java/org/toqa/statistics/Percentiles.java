@@ -26,8 +26,7 @@ public final class Percentiles {
 
   /**
    * The nearest rank (Hyndman and Fan, "Sample quantiles in statistical packages", 1996, definition
-   * 1): the smallest value that this share of all does not exceed; 0 where there is
-   * no value.
+   * 1): the smallest value that this share of all does not exceed; 0 where there is no value.
    *
    * @param share above 0, at most 1
    * @return in the values' unit

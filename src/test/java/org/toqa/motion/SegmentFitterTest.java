@@ -64,7 +64,8 @@ class SegmentFitterTest {
 
   @Test
   void arcsOnAShortLegShareIt() {
-    Trajectory trajectory = fitter.fit(EASTWARD, List.of(corner(1, 0), corner(1, 0.2), corner(2, 0.2)));
+    Trajectory trajectory =
+        fitter.fit(EASTWARD, List.of(corner(1, 0), corner(1, 0.2), corner(2, 0.2)));
     List<Segment> segments = trajectory.segments();
     // straight, arc, arc, straight; the leg of 0.2 m is 0.1 m for each arc
     assertEquals(4, segments.size());

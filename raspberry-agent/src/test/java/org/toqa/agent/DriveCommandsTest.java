@@ -47,7 +47,8 @@ class DriveCommandsTest extends ConnectedRobotTest {
     server.assertAccepted(new Cancel(2, 5L));
 
     assertEquals(
-        "The robot is still moving; wait until it has stopped.", server.rejectReason(driveOf(3, METRE)));
+        "The robot is still moving; wait until it has stopped.",
+        server.rejectReason(driveOf(3, METRE)));
   }
 
   @ParameterizedTest

@@ -31,7 +31,7 @@ class FormationTest {
   private static final Segment STRAIGHT = new Segment(0.25, 0, 8);
   private static final Segment LEFT = new Segment(0.2, 0.25, Math.PI / 2 / 0.25); // radius 0.8 m
 
-  /** What the contract gives a group to come to a stand, milliseconds. */
+  /** Within which time a group stops by contract, milliseconds. */
   private static final long STAND_MILLIS = 800;
 
   @TempDir Path folder;
@@ -56,7 +56,7 @@ class FormationTest {
     assertEquals(Mode.FOLLOWING, onTheWay.mode());
     assertEquals(Role.LEADER, group.server(0).awaitState(s -> true).role());
 
-    // each of the followers' flags bears the number of its order to follow
+    // each of the followers' flags has the number of its order to follow
     assertEquals(new Done(FormationRig.TASK, 2, 2), group.server(0).awaitDone());
     assertEquals(new Done(FormationRig.TASK, 2, 1), group.server(1).awaitDone());
     assertEquals(new Done(FormationRig.TASK, 2, 1), group.server(2).awaitDone());

@@ -270,8 +270,7 @@ final class FuzzedRobot implements AutoCloseable {
         && drive.released() >= 0
         && drive.released() <= drive.segments().size()
         && drive.start().distanceTo(pose) < 0.1001
-        && Math.toDegrees(Math.abs(Angles.difference(drive.start().theta(), pose.theta())))
-            < 10.001
+        && Math.toDegrees(Math.abs(Angles.difference(drive.start().theta(), pose.theta()))) < 10.001
         && hasOnlyLegalSegments(drive.segments());
   }
 

@@ -51,7 +51,7 @@ class LostNetworkIT {
   /** A group stops within 0.8 s; as much again for a machine that is busy with other things. */
   private static final double STAND_SECONDS = 1.6;
 
-  /** Where the robots stand at first; y is 1. */
+  /** Where the robots are at first; y is 1. */
   private static final int[] X = {1, 3, 1};
 
   private static final long CONNECT_NANOS = 20_000_000_000L;
@@ -156,7 +156,8 @@ class LostNetworkIT {
     double stopped = connect(1).awaitHello().pose().x();
     assertTrue(stopped - x < (STAND_SECONDS + 0.2) * SPEED, "the leader went on to " + stopped);
     ofFollower.awaitState(
-        s -> s.mode() == Mode.FOLLOWING && s.errors().isEmpty() && s.pose().x() > stopped - 2 + 0.2);
+        s ->
+            s.mode() == Mode.FOLLOWING && s.errors().isEmpty() && s.pose().x() > stopped - 2 + 0.2);
   }
 
   private ToqaProcess daemon(int robot) throws IOException {

@@ -51,7 +51,8 @@ class ObstacleAvoidanceTest {
     assertEquals(Mode.DRIVING, stopped.mode());
     String text = stopped.errors().getFirst().text();
     assertTrue(
-        text.matches("There is an obstacle 0\\.(1[6-9]|20) m ahead; the robot waits until it is gone."),
+        text.matches(
+            "There is an obstacle 0\\.(1[6-9]|20) m ahead; the robot waits until it is gone."),
         text);
     assertTrue(
         stopped.obstacles().stream().anyMatch(p -> p.distanceTo(new Vec2(3.8, 3)) < 0.02),

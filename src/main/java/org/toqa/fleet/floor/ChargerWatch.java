@@ -12,8 +12,8 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * Which charging points do not charge: a robot was there, and its battery did not rise. Confined
- * to one agent.
+ * Which charging points do not charge: a robot was there, and its battery did not rise. Confined to
+ * one agent.
  */
 final class ChargerWatch {
   /** After that a point is tried again: somebody may have mended it. */

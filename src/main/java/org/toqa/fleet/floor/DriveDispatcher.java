@@ -80,8 +80,8 @@ final class DriveDispatcher {
   }
 
   /**
-   * Whether it has been stopped for a while by something on a part of its path that it cannot be told
-   * otherwise any more: it is stopped, and begins anew round that.
+   * Whether it has been stopped for a while by something on a part of its path that it cannot be
+   * told otherwise any more: it is stopped, and begins anew round that.
    */
   private boolean updateObstructed(FloorRobot robot) {
     RobotReport report = robot.reported.report();

@@ -222,8 +222,8 @@ final class Formations {
   }
 
   /**
-   * Why the whole group shall stop before it is told otherwise; null: it need not.
-   * Robots that are stopped one by one would tear at the load.
+   * Why the whole group shall stop before it is told otherwise; null: it need not. Robots that are
+   * stopped one by one would tear at the load.
    */
   @Nullable Sentence stopReason(Mission mission) {
     if (!isGroup(mission) || mission.state() != TaskState.CARRYING) {

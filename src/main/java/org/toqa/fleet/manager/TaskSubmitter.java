@@ -13,9 +13,9 @@ import org.toqa.fleet.StoreWriter;
 import org.toqa.mission.TransportTask;
 
 /**
- * Stores new tasks so that their callers are told the truth: a task that was accepted is stored, and one
- * that was not is not stored later, when nobody waits for it any more. Of tasks that are wanted
- * together all are stored or none.
+ * Stores new tasks so that their callers are told the truth: a task that was accepted is stored,
+ * and one that was not is not stored later, when nobody waits for it any more. Of tasks that are
+ * wanted together all are stored or none.
  *
  * <p>All that came in during one transaction go into the next one together (group commit), so that
  * many callers wait hardly longer than one. Any thread may bring tasks.

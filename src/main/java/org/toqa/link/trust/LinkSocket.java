@@ -64,7 +64,11 @@ public final class LinkSocket implements AutoCloseable {
     return stream.getOutputStream();
   }
 
-  /** Lets the conversation last so long from now on, and not longer. */
+  /**
+   * Closes the connection when the limit is over, unless the result is closed before.
+   *
+   * @param limit of real time, from now on
+   */
   public TimeLimit startTimeLimit(Duration limit) {
     return new TimeLimit(tcp, limit);
   }

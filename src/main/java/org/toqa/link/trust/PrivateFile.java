@@ -51,8 +51,8 @@ public final class PrivateFile {
   /**
    * Replaces the file as a whole; it is on the disk when this returns.
    *
-   * @throws IOException when it cannot be written; the file has its old content or the new one then,
-   *     never a part
+   * @throws IOException when it cannot be written; the file has its old content or the new one
+   *     then, never a part
    */
   public void write(byte[] content) throws IOException {
     Path next = path.resolveSibling(path.getFileName() + ".next");

@@ -96,8 +96,8 @@ public final class FloorTraffic {
   }
 
   /**
-   * The robot, which is stopped, leads others from now on: its goal is where the load shall go, and all
-   * of the formation's cells are its own. The others must have left.
+   * The robot, which is stopped, leads others from now on: its goal is where the load shall go, and
+   * all of the formation's cells are its own. The others must have left.
    *
    * @param formation null: it drives alone again
    * @throws IllegalArgumentException if there is no such robot

@@ -181,8 +181,8 @@ final class JointPlan {
   }
 
   /**
-   * The same through the middle of the first cell, for a robot that is beside that: from
-   * middle to middle the lanes are known to be wide enough.
+   * The same through the middle of the first cell, for a robot that is beside that: from middle to
+   * middle the lanes are known to be wide enough.
    */
   static List<Waypoint> waypointsFromCentre(
       OccupancyGrid lattice, List<Cell> visits, int from, IntPredicate stopsAt) {

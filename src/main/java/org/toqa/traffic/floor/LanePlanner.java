@@ -24,8 +24,7 @@ import org.toqa.traffic.RoadGraph;
  *
  * <p>Tried in this order, until everybody who wants to go somewhere can: with wide lane cells, on
  * which robots of every size can be planned, then with narrower ones; first without those who drive
- * paths of their own or are beside the lanes, then with them. Who is left out is driven
- * round.
+ * paths of their own or are beside the lanes, then with them. Who is left out is driven round.
  */
 final class LanePlanner {
   /** Of the time left, what each search may take. */

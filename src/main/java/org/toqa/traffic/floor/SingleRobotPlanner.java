@@ -297,8 +297,8 @@ final class SingleRobotPlanner {
   }
 
   /**
-   * The cell in which its path over cells begins: where it is, or beside that where the middle
-   * of its cell is too near to something.
+   * The cell in which its path over cells begins: where it is, or beside that where the middle of
+   * its cell is too near to something.
    */
   private Cell entry(OccupancyGrid free, TrafficRobot robot) {
     Cell here = robot.releasedCell();

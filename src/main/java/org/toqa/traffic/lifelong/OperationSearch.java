@@ -10,8 +10,8 @@ import org.toqa.traffic.mapf.StateGraph;
  * Chooses an operation, some steps long, for every robot: priority inheritance with backtracking
  * over operations instead of single steps.
  *
- * <p>Idea: as in PIBT, robots choose in the order of their priority, and whoever blocks the choice has
- * to choose anew, itself pushing others. But what they choose are all uses of the next few
+ * <p>Idea: as in PIBT, robots choose in the order of their priority, and whoever blocks the choice
+ * has to choose anew, itself pushing others. But what they choose are all uses of the next few
  * steps, so that a robot turns round in time, or backs out of an aisle, which no single step would
  * pay for. An operation may conflict with one other robot at most. Everybody always has an
  * operation, the rest of the last one if nothing else, so there is a valid plan at any time.

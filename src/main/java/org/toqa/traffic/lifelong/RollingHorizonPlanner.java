@@ -22,8 +22,8 @@ import org.toqa.traffic.mapf.StateGraph;
 /**
  * The planner of a fleet: {@link Guidance} shows each robot its path around the traffic, {@link
  * OperationSearch} settles step by step who goes and who makes room, {@link RobotProgress} keeps
- * the priorities. Plans reach a few steps ahead and are made anew as robots move (rolling horizon: Li
- * et al., "Lifelong multi-agent path finding in large-scale warehouses", AAAI 2021).
+ * the priorities. Plans reach a few steps ahead and are made anew as robots move (rolling horizon:
+ * Li et al., "Lifelong multi-agent path finding in large-scale warehouses", AAAI 2021).
  */
 public final class RollingHorizonPlanner implements LifelongPlanner {
   private static final int DEPTH_CLASSIC = 3;

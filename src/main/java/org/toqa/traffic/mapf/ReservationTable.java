@@ -82,7 +82,9 @@ public final class ReservationTable {
     return firstBit(vertexTaken, vertex * words, time, 0L);
   }
 
-  /** The first time from {@code time} on at which nobody drives from the vertex in that direction. */
+  /**
+   * The first time from {@code time} on at which nobody drives from the vertex in that direction.
+   */
   int nextFreeEdge(int vertex, int direction, int time) {
     return firstBit(edgeTaken, (vertex * DIRECTIONS + direction) * words, time, -1L);
   }

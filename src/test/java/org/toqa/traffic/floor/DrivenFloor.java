@@ -225,7 +225,8 @@ final class DrivenFloor {
         Trajectory trajectory =
             Objects.requireNonNull(
                 body.trajectory, () -> decision.robot() + " was told to go on while it is stopped");
-        require(extend.from() >= body.released, decision.robot() + ": a released section was changed");
+        require(
+            extend.from() >= body.released, decision.robot() + ": a released section was changed");
         List<Segment> segments = new ArrayList<>(trajectory.segments().subList(0, extend.from()));
         segments.addAll(extend.segments());
         body.trajectory = new Trajectory(trajectory.start(), segments);

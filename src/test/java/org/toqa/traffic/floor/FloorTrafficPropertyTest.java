@@ -51,7 +51,7 @@ class FloorTrafficPropertyTest {
     }
   }
 
-  /** A floor with the robots r0, r1 ..., which stand at the first places after a shuffle. */
+  /** A floor with the robots r0, r1 ..., which are at the first places after a shuffle. */
   private static DrivenFloor floorWithRobots(
       OccupancyGrid grid, List<Cell> free, int robots, Random random, long seed) {
     Collections.shuffle(free, random);

@@ -4,8 +4,8 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
 /**
- * The obstacles round one simulated body, which itself is no part of it. Called by the
- * body's thread.
+ * The obstacles round one simulated body, which itself is no part of it. Called by the body's
+ * thread.
  */
 public interface Surroundings {
 

@@ -131,8 +131,8 @@ public final class RobotControl {
   }
 
   /**
-   * The answer to a command: an {@code Ack}, and it has its effect by then, or a {@code Reject} with
-   * the reason, and nothing has changed.
+   * The answer to a command: an {@code Ack}, and it has its effect by then, or a {@code Reject}
+   * with the reason, and nothing has changed.
    */
   public AgentMessage execute(Command command) {
     if (command instanceof Ping || command.seq() <= record.entry().lastSeq()) {

@@ -17,8 +17,8 @@ import org.toqa.link.message.AgentMessage.Fault;
 
 /**
  * Watches the path that a robot is about to drive: lets it pass beside an obstacle that only
- * reaches in, stops it before one that is on the path, and turns it a little to see how wide
- * that is. A leader only stops.
+ * reaches in, stops it before one that is on the path, and turns it a little to see how wide that
+ * is. A leader only stops.
  */
 public final class ObstacleAvoider {
 

@@ -47,7 +47,12 @@ public final class ReferenceTrajectory {
     replace(0, segments, released);
   }
 
-  /** Replaces the segments with index {@code from} and above, none of which was released. */
+  /**
+   * Replaces the segments with index {@code from} and above, none of which was released.
+   *
+   * @param from 0 for the first segment of the drive
+   * @param nowReleased how many segments of the drive may be driven then
+   */
   public void replace(int from, List<Segment> tail, int nowReleased) {
     segments.subList(from, segments.size()).clear();
     segments.addAll(tail);
@@ -77,8 +82,8 @@ public final class ReferenceTrajectory {
   }
 
   /**
-   * From now on it stops within so many metres; turns on the spot are none. Where that
-   * is too short to slow down, it stops at once.
+   * From now on it stops within so many metres; turns on the spot are none. Where that is too short
+   * to slow down, it stops at once.
    */
   void stopWithin(double metres) {
     stopDistance = metres;

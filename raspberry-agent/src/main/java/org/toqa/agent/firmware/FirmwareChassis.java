@@ -23,8 +23,8 @@ import org.toqa.motion.Odometry;
 import org.toqa.motion.ThreeWheelKinematics;
 
 /**
- * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it
- * is stopped, which spares the processor of the robot. A stop that may be cleared without a person, by
+ * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it is
+ * stopped, which spares the processor of the robot. A stop that may be cleared without a person, by
  * power-up or by a link that was silent, is cleared here.
  */
 public final class FirmwareChassis implements Chassis {
@@ -82,6 +82,7 @@ public final class FirmwareChassis implements Chassis {
    * @param caption what the display shows first
    * @param start where the body was when it was switched on for the first time, map frame, if
    *     somebody has put it there
+   * @param nanos now, nanoseconds on the daemon's monotonic clock
    * @throws IOException if no microcontroller answers
    */
   public FirmwareChassis(FrameTransport transport, String caption, @Nullable Pose start, long nanos)

@@ -72,7 +72,8 @@ public final class FormationFollower {
                 trouble == Trouble.LEADER_LOST
                     ? new Fault(
                         "LEADER_LOST",
-                        "The robot has stopped: it hears nothing from %s.".formatted(order.leader()))
+                        "The robot has stopped: it hears nothing from %s."
+                            .formatted(order.leader()))
                     : new Fault(
                         "OUT_OF_PLACE",
                         String.format(

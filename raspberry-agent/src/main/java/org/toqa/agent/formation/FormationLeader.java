@@ -58,7 +58,10 @@ public final class FormationLeader {
     return watch.verdict(now) instanceof Drive(double pace) ? pace : 0;
   }
 
-  /** How abruptly the velocity may change at that moment; while the group has to stop, all that wheels can. */
+  /**
+   * How abruptly the velocity may change at that moment; while the group has to stop, all that
+   * wheels can.
+   */
   public PaceLimits paceLimits(double now) {
     PaceLimits gentle = PaceLimits.forLeader(limits, Math.max(reach, limits.speed()));
     return watch.verdict(now) instanceof Stop ? gentle.withBraking() : gentle;

@@ -42,7 +42,13 @@ public record JournalEntry(
     return new JournalEntry(cycle, origin, lastSeq, task, phase, load, drive, segment, held, done);
   }
 
-  /** A new drive; it shows that the server knows of the last one's end. */
+  /**
+   * A new drive; it shows that the server knows of the last one's end.
+   *
+   * @param newDrive its sequence number
+   * @param inPhase 0 to 3
+   * @param onBoard kilograms
+   */
   public JournalEntry withDrive(long newDrive, @Nullable Long ofTask, int inPhase, double onBoard) {
     return new JournalEntry(
         powerCycle, anchor, lastSeq, ofTask, inPhase, onBoard, newDrive, 0, held, null);

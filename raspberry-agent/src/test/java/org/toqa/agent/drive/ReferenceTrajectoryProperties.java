@@ -110,6 +110,6 @@ class ReferenceTrajectoryProperties {
     for (int i = 0; i < MANY_TICKS && !reference.isStanding(); i++) {
       reference.advance(TICK, 1);
     }
-    assertTrue(reference.isStanding(), "it comes to a stand");
+    assertTrue(reference.isStanding(), "it stops");
   }
 }
