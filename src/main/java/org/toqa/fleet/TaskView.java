@@ -14,7 +14,7 @@ import org.toqa.wording.Sentence;
  * A task as readers see it.
  *
  * @param robots names, in the order they were chosen
- * @param loadAt where the load stands if that is neither its start nor its goal, else null
+ * @param loadAt where the load is if that is neither its start nor its goal, else null
  * @param waitingFor a sentence while it waits, else null
  * @param needs what a person must decide, else null
  * @param late a sentence while its deadline cannot be met, else null

@@ -21,7 +21,7 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.TaskState;
 import org.toqa.sim.SimulatedFloor;
 
-/** Real daemons over simulated bodies carry heavy loads, from the order to the way home. */
+/** Real daemons over simulated bodies carry heavy loads, from the order to the drive home. */
 class CarryTogetherTest {
   private static final double SPEED = 6;
   private static final double SIZE = 0.3;

@@ -76,7 +76,7 @@ class ExchangeCrashTest {
           real.go();
         }
       } finally {
-        over = true; // only now, when nothing of it is under way any more
+        over = true; // only now, when nothing of it is running any more
       }
       throw new Killed();
     }

@@ -39,7 +39,7 @@ import org.toqa.wording.Sentence;
  * a has 18                          percent in its battery, from now on
  * task box A B 2                    kilograms
  * task late A B 2 within 5          seconds to its deadline; "expect late answered ..." looks at
- *                                   what the asker was told
+ *                                   what the caller was told
  * cancel box                        also: cancel box here, cancel box back
  * answer box another robot
  * hold box                          also: hold a, hold all; resume ...

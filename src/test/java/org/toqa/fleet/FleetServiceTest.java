@@ -115,7 +115,7 @@ class FleetServiceTest extends HallFleetTest {
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
 
-    long task = submit("West", "East"); // r1 stands nearest
+    long task = submit("West", "East"); // r1 is nearest
 
     until(view -> task(view, task).robots().equals(List.of("r2")));
   }

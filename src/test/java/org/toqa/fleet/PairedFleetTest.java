@@ -224,8 +224,8 @@ class PairedFleetTest {
   void unknownPeerOfTheRobotIsInTheHistory() throws Exception {
     add(daemonNow().pairingCode());
     until(PairedFleetTest::isHeard);
-    try (var stranger = daemonNow().connect()) { // speaks without encryption
-      stranger.say(new Drive(1, null, 0, new Pose(1.05, 1.05, 0), List.of(), 0, true, 0));
+    try (var unpaired = daemonNow().connect()) { // speaks without encryption
+      unpaired.say(new Drive(1, null, 0, new Pose(1.05, 1.05, 0), List.of(), 0, true, 0));
       assertEquals(
           "r1 refused a connection. 127.0.0.1 was refused: it does not encrypt.",
           history("robot.stranger").text());

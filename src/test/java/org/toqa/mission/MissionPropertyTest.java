@@ -112,8 +112,8 @@ class MissionPropertyTest {
       return;
     }
     mission = mission.apply(new MissionEvent.Cancel("max", LoadChoice.HERE)).mission();
-    for (AssignedRobot carrier : mission.assignedRobots()) {
-      mission = mission.apply(new MissionEvent.Stopped(carrier.robot(), spot())).mission();
+    for (AssignedRobot assigned : mission.assignedRobots()) {
+      mission = mission.apply(new MissionEvent.Stopped(assigned.robot(), spot())).mission();
     }
     assertEquals(TaskState.CANCELLED, mission.state());
   }
@@ -163,7 +163,7 @@ class MissionPropertyTest {
 
   @Provide
   Arbitrary<List<MissionEvent>> events() {
-    Arbitrary<String> robots = Arbitraries.of("r1", "r2", "stranger");
+    Arbitrary<String> robots = Arbitraries.of("r1", "r2", "unassigned");
     Arbitrary<Phase> phases = Arbitraries.of(Phase.TO_OBJECT, Phase.TO_GOAL, Phase.HOME);
     Arbitrary<TaskPlace> places = Arbitraries.just(spot()).injectNull(0.3);
     Arbitrary<MissionEvent> started =

@@ -44,10 +44,10 @@ final class FloorRobot {
   final ChargingState charging = new ChargingState();
   final HoldState hold = new HoldState();
 
-  /** That it stands and has nothing to do. */
+  /** That it is stopped and has nothing to do. */
   final ConditionTimer idle = new ConditionTimer();
 
-  /** That it stands before an obstacle on its path. */
+  /** That an obstacle on its path stops it. */
   final ConditionTimer obstructed = new ConditionTimer();
 
   private RobotRecord record;
@@ -100,12 +100,12 @@ final class FloorRobot {
   }
 
   boolean isStanding() {
-    boolean stands =
+    boolean isStopped =
         reported.mode() == Mode.IDLE || (reported.mode() == Mode.HOLDING && !reported.isMoving());
-    return stands && hasNoDrive();
+    return isStopped && hasNoDrive();
   }
 
-  /** Whether it has ended or given up its drive and stands, well or not. */
+  /** Whether it has ended or given up its drive and is stopped, well or not. */
   boolean hasStopped() {
     return isHeard() && !reported.isMoving() && reported.mode() != Mode.DRIVING && hasNoDrive();
   }
@@ -218,7 +218,7 @@ final class FloorRobot {
     return known == null ? null : known.hex();
   }
 
-  /** Why its group stands, as the robot says; null where it does not. */
+  /** Why its group has stopped, as the robot reports it; null where it has not. */
   @Nullable String groupStopReason() {
     RobotReport report = reported.report();
     return report.role() == Role.ALONE || report.errors().isEmpty()

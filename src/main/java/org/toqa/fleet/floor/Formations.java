@@ -100,7 +100,7 @@ final class Formations {
     return carryingMission(robot).filter(m -> !leader(m).equals(robot));
   }
 
-  /** The formation that this robot leads now, its followers at their places or on the way. */
+  /** The formation that this robot leads now, its followers at their places or driving there. */
   Optional<Formation> ledFormation(String robot) {
     return carryingMission(robot)
         .filter(m -> leader(m).equals(robot) && isTogether(m))
@@ -222,8 +222,8 @@ final class Formations {
   }
 
   /**
-   * Why the whole group shall come to a stand before it is told otherwise; null: it need not.
-   * Robots that are stopped one by one would tear at the load.
+   * Why the whole group shall stop before it is told otherwise; null: it need not. Robots that are
+   * stopped one by one would tear at the load.
    */
   @Nullable Sentence stopReason(Mission mission) {
     if (!isGroup(mission) || mission.state() != TaskState.CARRYING) {

@@ -17,7 +17,7 @@ final class ReportedState {
   private Capabilities capabilities = Capabilities.UNKNOWN;
   private @Nullable Sentence alert;
   private @Nullable CommandRejected rejectedChange;
-  private Instant strangerNotedAt = Instant.MIN;
+  private Instant refusalNotedAt = Instant.MIN;
 
   /**
    * @param footprint diameter, metres
@@ -89,8 +89,8 @@ final class ReportedState {
   }
 
   /** When the history was last told whom it did not let in. */
-  Instant strangerNotedAt() {
-    return strangerNotedAt;
+  Instant refusalNotedAt() {
+    return refusalNotedAt;
   }
 
   void connected(Hello hello, Instant now) {
@@ -131,7 +131,7 @@ final class ReportedState {
     report = report.withDrive(drive, task);
   }
 
-  /** A person has said that it does not stand there any more. */
+  /** A person has said that it is not there any more. */
   void forgetPose() {
     report = report.withoutPose();
   }
@@ -140,8 +140,8 @@ final class ReportedState {
     alert = why;
   }
 
-  void setStrangerNotedAt(Instant at) {
-    strangerNotedAt = at;
+  void setRefusalNotedAt(Instant at) {
+    refusalNotedAt = at;
   }
 
   /** A change of its drive was refused; its next report tells whether it still drives that. */

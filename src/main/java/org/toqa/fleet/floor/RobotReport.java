@@ -36,10 +36,10 @@ record RobotReport(
   static final RobotReport NONE =
       new RobotReport(false, null, null, Mode.IDLE, Role.ALONE, false, 0, null, List.of(), null);
 
-  /** Metres a second that a standing robot may still report. */
+  /** Metres a second that a stopped robot may still report. */
   private static final double STANDING_SPEED = 0.02;
 
-  /** Radians a second that a standing robot may still report. */
+  /** Radians a second that a stopped robot may still report. */
   private static final double STANDING_TURN = 0.05;
 
   RobotReport {

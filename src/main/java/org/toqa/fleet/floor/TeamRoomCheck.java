@@ -6,7 +6,7 @@ import org.toqa.mission.Mission;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
-/** Whether a floor has room for robots that carry a load together, all the way. */
+/** Whether a floor has room for robots that carry a load together, along the whole path. */
 public final class TeamRoomCheck {
   private final FormationPlacement places;
 

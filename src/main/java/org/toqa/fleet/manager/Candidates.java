@@ -11,7 +11,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 
-/** A floor's robots, as its reports tell of them, in the eyes of an allocator. */
+/** A floor's robots, as reported by it, as an allocator's input. */
 final class Candidates {
   private Candidates() {}
 

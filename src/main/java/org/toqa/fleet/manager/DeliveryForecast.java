@@ -79,7 +79,7 @@ final class DeliveryForecast {
         + metresToDelivery(robot, current.task().goal().position(), task);
   }
 
-  /** With the load on board, or by way of where it is. */
+  /** With the load on board, or through where it is. */
   private double metresToDelivery(RobotView robot, Vec2 from, TaskView task) {
     Vec2 goal = task.task().goal().position();
     if (task.state() == TaskState.CARRYING) {

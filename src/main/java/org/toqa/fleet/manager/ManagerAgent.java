@@ -34,7 +34,8 @@ import org.toqa.mission.TaskState;
 
 /**
  * Takes tasks, keeps their queue, decides who carries what, and publishes snapshots of the whole
- * fleet. An accepted task is stored before its asker is answered; robots are given it by its floor.
+ * fleet. An accepted task is stored before its caller is answered; robots are given it by its
+ * floor.
  */
 final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private static final Logger log = LoggerFactory.getLogger(ManagerAgent.class);
@@ -48,7 +49,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final TaskCommandHandler taskCommands;
   private final RobotCommandHandler robotCommands;
 
-  /** Floors whose tick is under way. */
+  /** Floors whose tick is running. */
   private final Set<String> ticking = new HashSet<>();
 
   static Behavior<ManagerMessage> of(

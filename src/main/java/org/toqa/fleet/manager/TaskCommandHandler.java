@@ -36,7 +36,7 @@ import org.toqa.wording.Phrase;
  * <ol>
  *   <li>An order is checked, by plans of other threads, and comes back as a message.
  *   <li>It is adopted if the fleet is still strong enough for it, and checked again otherwise.
- *   <li>It is stored, and comes back as a message; then its asker is answered.
+ *   <li>It is stored, and comes back as a message; then its caller is answered.
  * </ol>
  */
 final class TaskCommandHandler {

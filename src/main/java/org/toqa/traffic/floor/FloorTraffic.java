@@ -20,14 +20,14 @@ import org.toqa.wording.Sentence;
  * Who may drive where on one floor, and in which order.
  *
  * <p>A robot that wants to go somewhere is first offered a smooth path of its own: the shortest one
- * in eight headings round whoever stands. It gets it if the cells that it sweeps meet nobody
+ * in eight headings round stopped robots. It gets it if the cells that it sweeps meet nobody
  * else's, now or later; such paths need no order. Otherwise all robots are planned together from
  * where their released paths end ({@link JointPlanner}), those without a goal too, so that they
  * step aside; the plan's order of visits to each cell is then kept ({@link JointPlan}).
  *
  * <p>Paths are released section by section. A section is released when no other robot has a cell of
  * it and whoever comes before has left; what is released is driven to its end whatever others do,
- * and a robot can stand there. So a robot never enters what another has not left, however late
+ * and a robot can be stopped there. So a robot never enters what another has not left, however late
  * anyone is, and since the order has no cycle somebody can always go on.
  *
  * <p>Confined to one thread. It knows no clock: time is handed in. Points and poses are in metres
@@ -73,7 +73,7 @@ public final class FloorTraffic {
   // --- what is so -------------------------------------------------------------------------------
 
   /**
-   * The robot stands at a pose and has no path; it may be new here.
+   * The robot is stopped at a pose and has no path; it may be new here.
    *
    * @param diameter of the disc that the robot fills, metres, above 0
    */
@@ -91,8 +91,8 @@ public final class FloorTraffic {
   }
 
   /**
-   * The robot, which stands, leads others from now on: its goal is where the load shall go, and all
-   * of the formation's cells are its own. The others must have left.
+   * The robot, which is stopped, leads others from now on: its goal is where the load shall go, and
+   * all of the formation's cells are its own. The others must have left.
    *
    * @param formation null: it drives alone again
    * @throws IllegalArgumentException if there is no such robot
@@ -109,7 +109,7 @@ public final class FloorTraffic {
   /**
    * How fast the robot shall drive from now on.
    *
-   * @param name of one that stands or drives here
+   * @param name of one that is stopped or drives here
    * @throws IllegalArgumentException if there is no such robot
    */
   public void setSpeeds(String name, DriveSpeeds speeds) {
@@ -199,7 +199,7 @@ public final class FloorTraffic {
   }
 
   /**
-   * Something stands where the map shows nothing: robots go round, and paths that are not released
+   * There is an obstacle where the map shows none: robots go round, and paths that are not released
    * are given up where they meet it.
    *
    * @param cells all that are obstructed now, as bits by {@link OccupancyGrid#index}; instead of
@@ -238,7 +238,7 @@ public final class FloorTraffic {
   // --- what can be read -------------------------------------------------------------------------
 
   /**
-   * Whether the robot stands at its goal.
+   * Whether the robot is stopped at its goal.
    *
    * @throws IllegalArgumentException if there is no such robot
    */
@@ -266,7 +266,7 @@ public final class FloorTraffic {
   }
 
   /**
-   * Whether an obstacle stands on what it has been released and not driven yet.
+   * Whether an obstacle is on what it has been released and not driven yet.
    *
    * @throws IllegalArgumentException if there is no such robot
    */

@@ -16,7 +16,7 @@ import org.toqa.motion.Trajectory;
  * sections. Confined to one thread.
  */
 final class FormationPlanner {
-  /** A robot that has come to its place stands no farther from it, metres. */
+  /** A robot that has come to its place is no farther from it, metres. */
   private static final double PLACE_TOLERANCE = 0.01;
 
   /** Radians. */
@@ -34,7 +34,7 @@ final class FormationPlanner {
   }
 
   /**
-   * Where the path of a formation begins whose leader stands there: on the lattice if it is but for
+   * Where the path of a formation begins whose leader is there: on the lattice if it is but for
    * what a robot may be off its place. It is drawn onto its path as it sets out; a path that began
    * beside the lattice would need room to get onto it, which a place between machines has not.
    */
@@ -44,9 +44,9 @@ final class FormationPlanner {
   }
 
   /** Whether who was sent to a place has come there. */
-  static boolean isAtPlace(Pose place, Pose stands) {
-    return place.distanceTo(stands) < PLACE_TOLERANCE
-        && Math.abs(Angles.difference(stands.theta(), place.theta())) < HEADING_TOLERANCE;
+  static boolean isAtPlace(Pose place, Pose pose) {
+    return place.distanceTo(pose) < PLACE_TOLERANCE
+        && Math.abs(Angles.difference(pose.theta(), place.theta())) < HEADING_TOLERANCE;
   }
 
   /**

@@ -38,15 +38,15 @@ class FormationPlacementTest {
 
   @Test
   void twoRobotsCarryBetweenMostStationsOfTheLab() {
-    int ways = 0;
+    int paths = 0;
     for (Place start : lab.stations()) {
       Place goal = lab.stations().get((lab.stations().indexOf(start) + 5) % lab.stations().size());
-      ways += round(start, goal, 2).isPresent() ? 1 : 0;
+      paths += round(start, goal, 2).isPresent() ? 1 : 0;
     }
-    assertTrue(ways > lab.stations().size() / 2, ways + " of " + lab.stations().size());
+    assertTrue(paths > lab.stations().size() / 2, paths + " of " + lab.stations().size());
   }
 
-  /** No robot stands exactly where it was sent. */
+  /** No robot is exactly where it was sent. */
   @Test
   void whatIsPromisedIsKeptWhereverTheLeaderComesToStand() {
     Random random = new Random(7);

@@ -35,7 +35,7 @@ public final class SimulatedChassis implements Chassis {
 
   private static final double MOTOR_LAG_SECONDS = 0.04;
 
-  /** Radians a second; wheels that turn no faster stand. */
+  /** Radians a second; wheels that turn no faster count as stopped. */
   private static final double STANDING_SPEED = 1e-3;
 
   private static final double LONGEST_STEP_SECONDS = 0.02;
@@ -69,14 +69,19 @@ public final class SimulatedChassis implements Chassis {
    *
    * @param file keeps the body
    * @param start where a new body is put, map frame
-   * @param noise standard deviation of a wheel's slip, as a share of what it turns
+   * @param noise standard deviation of a wheel's slip, as a share of what it turns, 0 or more
+   * @throws IOException when the file cannot be read or written
    */
   public SimulatedChassis(Path file, Pose start, SimulatedBattery battery, double noise, long seed)
       throws IOException {
     this(file, start, battery, noise, seed, DEFAULT_SENSORS, Surroundings.EMPTY);
   }
 
-  /** The same among obstacles, with sensors that see them. */
+  /**
+   * The same among obstacles, with sensors that see them.
+   *
+   * @throws IOException as above
+   */
   public SimulatedChassis(
       Path file,
       Pose start,
@@ -185,7 +190,7 @@ public final class SimulatedChassis implements Chassis {
     framesToLose = count;
   }
 
-  /** Fault switch: the wheels stand and follow no command, and the body does not know why. */
+  /** Fault switch: the wheels are stopped and follow no command, and the body does not know why. */
   public void setFrozen(boolean isFrozen) {
     frozen = isFrozen;
   }
@@ -295,7 +300,7 @@ public final class SimulatedChassis implements Chassis {
         counts(ofState.wheelTurns()));
   }
 
-  /** Whole counts; the counters wrap around like the 32-bit registers that they stand for. */
+  /** Whole counts; the counters wrap around like the 32-bit registers that they simulate. */
   private int[] counts(ThreeWheels turned) {
     return Arrays.stream(turned.values(kinematics.wheelCount()))
         .mapToInt(SimulatedChassis::count)

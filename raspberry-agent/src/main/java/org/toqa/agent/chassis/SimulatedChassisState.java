@@ -14,7 +14,7 @@ import org.toqa.motion.WheelSpeeds;
  * @param odometry what its encoders make of it, since power-up
  * @param command the last velocity wanted, robot frame
  * @param battery 0 to 1
- * @param steps simulated so far
+ * @param steps simulated so far, counted
  */
 record SimulatedChassisState(
     long powerCycle,
@@ -45,7 +45,7 @@ record SimulatedChassisState(
         powerCycle, start, truePose, wheelTurns, wheelSpeeds, moved, command, battery, steps);
   }
 
-  /** Switched off and on again where it is: it stands, and its odometry starts anew. */
+  /** Switched off and on again where it is: it is stopped, and its odometry starts anew. */
   SimulatedChassisState withPowerCycle() {
     return new SimulatedChassisState(
         powerCycle + 1,

@@ -24,8 +24,8 @@ import org.toqa.motion.ThreeWheelKinematics;
 import org.toqa.motion.WheelSpeeds;
 
 /**
- * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it
- * stands, which spares the processor of the robot. A stop that may be cleared without a person, by
+ * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it is
+ * stopped, which spares the processor of the robot. A stop that may be cleared without a person, by
  * power-up or by a link that was silent, is cleared here.
  */
 public final class FirmwareChassis implements Chassis {
@@ -48,7 +48,7 @@ public final class FirmwareChassis implements Chassis {
 
   private static final FirmwareCommand STANDSTILL = new Velocity(Twist.ZERO);
 
-  /** A body that stands is sent commands no oftener; it bears 200 ms without one. */
+  /** A body that is stopped is sent commands no oftener; its time limit for one is 200 ms. */
   private static final long STANDSTILL_INTERVAL_NANOS = 60_000_000;
 
   /** Failures are logged no oftener. */
@@ -81,8 +81,9 @@ public final class FirmwareChassis implements Chassis {
    * Finds the microcontroller.
    *
    * @param caption what the display shows first
-   * @param start where the body stood when it was switched on for the first time, map frame, if
+   * @param start where the body was when it was switched on for the first time, map frame, if
    *     somebody has put it there
+   * @param nanos now, nanoseconds on the daemon's monotonic clock
    * @throws IOException if no microcontroller answers
    */
   public FirmwareChassis(FrameTransport transport, String caption, @Nullable Pose start, long nanos)
