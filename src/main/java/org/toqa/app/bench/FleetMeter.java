@@ -29,8 +29,9 @@ final class FleetMeter {
   /** The floor under a robot that was heard of; metres. */
   private record Disc(String robot, Vec2 centre, double radius) {
     static Stream<Disc> of(RobotView robot) {
-      return Stream.ofNullable(robot.pose())
-          .map(pose -> new Disc(robot.name(), pose.position(), robot.footprint() / 2));
+      double radius = robot.capabilities().footprint() / 2;
+      return Stream.ofNullable(robot.telemetry().pose())
+          .map(pose -> new Disc(robot.name(), pose.position(), radius));
     }
 
     double gap(Disc other) {
