@@ -3,6 +3,8 @@ package org.toqa.fleet;
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
+import org.toqa.mission.TaskPlace;
+import org.toqa.mission.TransportTask;
 import org.toqa.mission.TransportTask.LoadSize;
 
 /**
@@ -21,6 +23,18 @@ public record TaskOrder(
     int priority,
     @Nullable Instant deadline,
     @Nullable LoadSize size) {
+
+  /**
+   * The task that is ordered; its id is not known yet.
+   *
+   * @param from what {@code start} is on that floor
+   * @param to what {@code goal} is there
+   */
+  public TransportTask task(
+      TaskPlace from, TaskPlace to, String resolvedFloor, String user, Instant now) {
+    return new TransportTask(
+        0, name, load, from, to, resolvedFloor, priority, deadline, size, user, now);
+  }
 
   /** A place by its coordinates or by its station's name. */
   public sealed interface Where {
