@@ -53,12 +53,14 @@ public record RobotCondition(
     Availability withoutTask = robot.state().withoutTask();
     return switch (withoutTask) {
       case FREE -> {
-        if (robot.charger() != null) {
+        if (robot.work().charger() != null) {
           yield Availability.CHARGING;
         }
-        yield isPromised || robot.phase().isCarryingTask() ? Availability.BUSY : Availability.FREE;
+        yield isPromised || robot.work().phase().isCarryingTask()
+            ? Availability.BUSY
+            : Availability.FREE;
       }
-      case HELD -> robot.task() == null ? Availability.HELD : Availability.BUSY;
+      case HELD -> robot.work().task() == null ? Availability.HELD : Availability.BUSY;
       case BUSY, CHARGING, OUT_OF_SERVICE, LOST, CONNECTING, NOT_LOCALISED, ERROR -> withoutTask;
     };
   }

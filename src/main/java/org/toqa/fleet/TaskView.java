@@ -54,6 +54,13 @@ public record TaskView(
     return new TaskView(task, state, held, robots, loadAt, waitingFor, needs, nextLate, changedAt);
   }
 
+  /**
+   * @param reason why it waits
+   */
+  public TaskView withWaitReason(Sentence reason) {
+    return new TaskView(task, state, held, robots, loadAt, reason, needs, late, changedAt);
+  }
+
   /** Where the load is fetched. */
   public TaskPlace object() {
     return loadAt != null ? loadAt : task.start();

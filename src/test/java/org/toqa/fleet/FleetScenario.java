@@ -226,8 +226,10 @@ final class FleetScenario {
       case "told" ->
           view -> stage.store.history(id(who)).stream().anyMatch(e -> e.text().contains(words));
       case "has" ->
-          view -> Objects.equals(robot(view, who).battery(), Integer.parseInt(words) / 100.0);
-      case "does" -> view -> contains(robot(view, who).doing(), words);
+          view ->
+              Objects.equals(
+                  robot(view, who).telemetry().battery(), Integer.parseInt(words) / 100.0);
+      case "does" -> view -> contains(robot(view, who).work().doing(), words);
       case "fails" -> view -> isFaulty(view, who);
       case "works" -> view -> !isFaulty(view, who);
       case "is" -> view -> robot(view, who).state() == RobotState.valueOf(words);

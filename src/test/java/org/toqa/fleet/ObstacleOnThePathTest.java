@@ -162,7 +162,7 @@ class ObstacleOnThePathTest {
   private static boolean isStopped(FleetSnapshot view, String robot) {
     return view.robots().stream()
         .filter(r -> r.name().equals(robot))
-        .flatMap(r -> r.errors().stream())
+        .flatMap(r -> r.telemetry().errors().stream())
         .anyMatch(fault -> fault.code().equals("OBSTACLE"));
   }
 

@@ -29,8 +29,9 @@ final class FleetMeter {
   /** The ground that a robot covers; metres, map frame. */
   private record Disc(String robot, Vec2 centre, double radius) {
     static Stream<Disc> of(RobotView robot) {
-      return Stream.ofNullable(robot.pose())
-          .map(pose -> new Disc(robot.name(), pose.position(), robot.footprint() / 2));
+      double radius = robot.capabilities().footprint() / 2;
+      return Stream.ofNullable(robot.telemetry().pose())
+          .map(pose -> new Disc(robot.name(), pose.position(), radius));
     }
 
     /** Metres between the edges; negative where they overlap. */

@@ -51,7 +51,7 @@ final class SimulatedDocks {
   }
 
   private void locateIfDrifted(RobotView robot, Pose truth) {
-    Pose believed = robot.pose();
+    Pose believed = robot.telemetry().pose();
     Optional<Place> dock =
         docks.stream()
             .filter(d -> d.position().distanceTo(truth.position()) < SENSOR_RANGE)

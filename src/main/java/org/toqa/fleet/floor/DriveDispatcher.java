@@ -84,7 +84,7 @@ final class DriveDispatcher {
    * told otherwise any more: it is stopped, and begins anew round that.
    */
   private boolean updateObstructed(FloorRobot robot) {
-    RobotReport report = robot.reported.report();
+    LastReport report = robot.reported.report();
     boolean isStopped =
         report.role() == Role.ALONE
             && report.mode() == Mode.DRIVING

@@ -27,9 +27,6 @@ import org.toqa.wording.Sentence;
 final class FloorRobot {
   private static final Logger log = LoggerFactory.getLogger(FloorRobot.class);
 
-  /** The diameter assumed of a robot that was never heard of: the smallest of ours, metres. */
-  static final double UNKNOWN_FOOTPRINT = 0.255;
-
   final ActorRef<RobotMessage> agent;
 
   /** What the robot says. */
@@ -77,7 +74,7 @@ final class FloorRobot {
 
   /** Kilograms that it may carry. */
   double maxLoad() {
-    return Math.min(record.maxLoad(), reported.capabilities().maxLoad());
+    return reported.capabilities().allowedLoad(record);
   }
 
   boolean isHeard() {
@@ -132,7 +129,7 @@ final class FloorRobot {
   }
 
   RobotState state() {
-    RobotReport report = reported.report();
+    LastReport report = reported.report();
     return new RobotCondition(
             settings.isInService(),
             report.at() != null,
@@ -146,30 +143,19 @@ final class FloorRobot {
   /**
    * @param work its part in the mission that it belongs to
    */
-  RobotView view(String floor, @Nullable DriveGoal work, RemainingPath path) {
+  RobotView view(@Nullable DriveGoal work, RemainingPath path) {
     return new RobotView(
-        name(),
-        floor,
+        record,
+        reported.capabilities(),
         state(),
-        reported.pose(),
-        reported.battery(),
-        work == null ? null : work.task(),
-        work == null ? Phase.NONE : work.phase(),
-        maxLoad(),
-        reported.footprint(),
-        reported.capabilities().speeds().forward(),
-        record.host(),
-        record.port(),
-        record.parking(),
-        record.simulated(),
-        path.points(),
-        path.released(),
-        reported.report().errors(),
-        activity(work),
-        reported.report().at(),
-        hold.isHeld(),
-        charging.turn().map(Turn::point).orElse(null),
-        record.fingerprint(),
+        new RobotView.Work(
+            work == null ? null : work.task(),
+            work == null ? Phase.NONE : work.phase(),
+            hold.isHeld(),
+            charging.turn().map(Turn::point).orElse(null),
+            activity(work)),
+        reported.report().telemetry(),
+        path,
         reported.alert());
   }
 
@@ -220,7 +206,7 @@ final class FloorRobot {
 
   /** Why its group has stopped, as the robot reports it; null where it has not. */
   @Nullable String groupStopReason() {
-    RobotReport report = reported.report();
+    LastReport report = reported.report();
     return report.role() == Role.ALONE || report.errors().isEmpty()
         ? null
         : report.errors().getFirst().text();

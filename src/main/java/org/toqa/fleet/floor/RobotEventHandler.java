@@ -172,7 +172,7 @@ final class RobotEventHandler {
   }
 
   private static boolean isBraking(FloorRobot robot) {
-    RobotReport report = robot.reported.report();
+    LastReport report = robot.reported.report();
     return report.mode() == Mode.DRIVING || (report.mode() == Mode.HOLDING && report.moving());
   }
 

@@ -1,6 +1,7 @@
 package org.toqa.fleet.floor;
 
 import java.util.Optional;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
 import org.toqa.wording.Phrase;
@@ -24,7 +25,7 @@ public final class TeamRoomCheck {
                     mission.task().goal().position(),
                     robots,
                     mission.task().size(),
-                    FloorRobot.UNKNOWN_FOOTPRINT / 2)
+                    RobotCapabilities.UNKNOWN.footprint() / 2)
                 .isPresent();
     return isPossible
         ? Optional.empty()

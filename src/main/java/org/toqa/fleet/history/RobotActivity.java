@@ -31,10 +31,10 @@ public enum RobotActivity {
   }
 
   private static RobotActivity ofOperational(RobotView robot) {
-    if (robot.held()) {
+    if (robot.work().held()) {
       return HELD;
     }
-    if (robot.phase().isCarryingTask()) {
+    if (robot.work().phase().isCarryingTask()) {
       return WORKING;
     }
     return robot.state() == RobotState.IDLE ? IDLE : TRAVELLING;

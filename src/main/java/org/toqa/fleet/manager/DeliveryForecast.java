@@ -54,15 +54,17 @@ final class DeliveryForecast {
   }
 
   private static Delivery deliveryAfter(RobotView robot, double metres) {
-    return new Delivery(robot.name(), Duration.ofMillis(Math.round(1000 * metres / robot.speed())));
+    double seconds = metres / robot.capabilities().speeds().forward();
+    return new Delivery(robot.name(), Duration.ofMillis(Math.round(1000 * seconds)));
   }
 
   private Optional<Double> metres(TaskView task, RobotView robot) {
-    Pose pose = robot.pose();
+    Pose pose = robot.telemetry().pose();
     if (pose == null || !robot.state().isFit()) {
       return Optional.empty();
     }
-    TaskView current = robot.task() == null ? null : assigned.get(robot.task());
+    Long currentId = robot.work().task();
+    TaskView current = currentId == null ? null : assigned.get(currentId);
     double metres = remainingMetres(robot, pose.position(), task, current);
     return Double.isFinite(metres) ? Optional.of(metres) : Optional.empty();
   }
@@ -90,6 +92,6 @@ final class DeliveryForecast {
   }
 
   private double metres(RobotView robot, Vec2 from, Vec2 to) {
-    return travel.lengthsFrom(to, robot.footprint()).applyAsDouble(from);
+    return travel.lengthsFrom(to, robot.capabilities().footprint()).applyAsDouble(from);
   }
 }

@@ -92,19 +92,7 @@ final class OrderValidator {
     if (grid.cellAt(from.position()).equals(grid.cellAt(to.position()))) {
       return new Answer.Rejected<>("goal", Phrase.SAME_PLACE.with());
     }
-    return new Answer.Accepted<>(
-        new TransportTask(
-            0,
-            order.name(),
-            order.load(),
-            from,
-            to,
-            floor.get().name(),
-            order.priority(),
-            order.deadline(),
-            order.size(),
-            user,
-            now));
+    return new Answer.Accepted<>(order.task(from, to, floor.get().name(), user, now));
   }
 
   private CompletionStage<Answer<TransportTask>> checkPath(TransportTask task) {

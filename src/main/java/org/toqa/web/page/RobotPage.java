@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Function;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.FleetAnswers;
@@ -144,11 +145,12 @@ public final class RobotPage extends PageHandler {
 
   private static FieldErrors differences(RobotView robot, HttpServletRequest request) {
     Texts texts = Texts.of(request);
+    RobotRecord stored = robot.record();
     return new EditConflict(request, Version.of(robot))
-        .compareText("host", robot.host(), "")
-        .compareNumber("port", robot.port(), String.valueOf(robot.port()))
+        .compareText("host", stored.host(), "")
+        .compareNumber("port", stored.port(), String.valueOf(stored.port()))
         .compareNumber("maxLoad", robot.maxLoad(), texts.get("common.kilograms", robot.maxLoad()))
-        .compareText("parking", robot.parking(), texts.get("robot.parking.none"))
+        .compareText("parking", stored.parking(), texts.get("robot.parking.none"))
         .differences();
   }
 

@@ -11,6 +11,7 @@ import java.util.Random;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
@@ -20,7 +21,7 @@ import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.traffic.mapf.LacamJointPlanner;
 
 class FormationPlacementTest {
-  private static final double RADIUS = FloorRobot.UNKNOWN_FOOTPRINT / 2;
+  private static final double RADIUS = RobotCapabilities.UNKNOWN.footprint() / 2;
 
   /** Metres and radians; three times what a robot takes for standing on its place. */
   private static final double OFF_PLACE = 0.003;

@@ -15,14 +15,17 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Work;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.Phase;
 import org.toqa.testbed.BrowserTest;
 import org.toqa.testbed.Hall;
+import org.toqa.traffic.floor.RemainingPath;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
@@ -112,88 +115,32 @@ abstract class PagesInBrowser extends BrowserTest {
   }
 
   static RobotView driving(String name, Pose pose, long task) {
-    RobotView still = robot(name, RobotState.DRIVING, pose);
-    return new RobotView(
-        name,
-        still.floor(),
-        still.state(),
-        pose,
-        0.84,
-        task,
-        Phase.TO_GOAL,
-        5,
-        0.255,
-        0.25,
-        "127.0.0.1",
-        7275,
-        "P1",
-        true,
-        List.of(new Vec2(5.4, 4.6), new Vec2(6.15, 3.15), new Vec2(8, 3.1), new Vec2(9, 1.05)),
-        2,
-        List.of(),
-        Phrase.CARRIES_LOAD.with(task),
-        Hall.START,
-        false,
-        null,
-        null,
-        null);
+    return robot(name, RobotState.DRIVING, pose)
+        .withWork(new Work(task, Phase.TO_GOAL, false, null, Phrase.CARRIES_LOAD.with(task)))
+        .withPath(
+            new RemainingPath(
+                List.of(
+                    new Vec2(5.4, 4.6), new Vec2(6.15, 3.15), new Vec2(8, 3.1), new Vec2(9, 1.05)),
+                2));
   }
 
   static RobotView troubled(RobotView still, List<Fault> errors, @Nullable String alert) {
-    return new RobotView(
-        still.name(),
-        still.floor(),
-        still.state(),
-        still.pose(),
-        still.battery(),
-        still.task(),
-        still.phase(),
-        still.maxLoad(),
-        still.footprint(),
-        still.speed(),
-        still.host(),
-        still.port(),
-        still.parking(),
-        still.simulated(),
-        still.path(),
-        still.released(),
-        errors,
-        still.doing(),
-        still.lastSeen(),
-        still.held(),
-        still.charger(),
-        still.fingerprint(),
-        alert == null ? null : Sentence.verbatim(alert));
+    return still
+        .withTelemetry(still.telemetry().withErrors(errors))
+        .withAlert(alert == null ? null : Sentence.verbatim(alert));
   }
 
   static RobotView robot(String name, RobotState state, Pose pose) {
     RobotView still = Hall.robot(name, state, pose, "127.0.0.1", 7275);
-    return state == RobotState.ERROR
-        ? new RobotView(
-            name,
-            still.floor(),
-            state,
-            pose,
-            0.12,
-            null,
-            Phase.NONE,
-            5,
-            0.255,
-            0.25,
-            "127.0.0.1",
-            7275,
-            "P3",
-            true,
-            List.of(),
-            0,
-            List.of(new Fault("BATTERY_LOW", "The battery is nearly empty.")),
-            Phrase.HAS_FAULT.with("The battery is nearly empty."),
-            Hall.START,
-            false,
-            null,
-            null,
-            null)
-        : still;
+    return state == RobotState.ERROR ? withEmptyBattery(still) : still;
+  }
+
+  private static RobotView withEmptyBattery(RobotView robot) {
+    Fault fault = new Fault("BATTERY_LOW", "The battery is nearly empty.");
+    return robot
+        .withRecord(robot.record().withChange(new RobotChange("127.0.0.1", 7275, 5, "P3")))
+        .withTelemetry(robot.telemetry().withBattery(0.12).withErrors(List.of(fault)))
+        .withWork(new Work(null, Phase.NONE, false, null, Phrase.HAS_FAULT.with(fault.text())));
   }
 
   /** One of each kind. */
