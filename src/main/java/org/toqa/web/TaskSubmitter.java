@@ -1,17 +1,13 @@
 package org.toqa.web;
 
 import java.nio.charset.StandardCharsets;
-import java.time.Instant;
-import java.time.temporal.ChronoUnit;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.locks.Lock;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.Fleet;
@@ -19,8 +15,6 @@ import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
-import org.toqa.mission.TaskPlace;
-import org.toqa.mission.TransportTask;
 
 /**
  * Puts tasks in, each of them once: an order that comes again with its key gets the task that it
