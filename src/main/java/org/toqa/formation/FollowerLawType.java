@@ -1,18 +1,14 @@
 package org.toqa.formation;
 
-import java.util.function.Function;
-
 /** The follower laws, by the words for them in a robot's configuration. */
 public enum FollowerLawType {
-  OMNI("omni", SingleIntegratorLaw::new),
-  NON_HOLONOMIC("non-holonomic", NonHolonomicLaw::new);
+  OMNI("omni"),
+  NON_HOLONOMIC("non-holonomic");
 
   private final String word;
-  private final Function<Gains, FollowerLaw> constructor;
 
-  FollowerLawType(String word, Function<Gains, FollowerLaw> constructor) {
+  FollowerLawType(String word) {
     this.word = word;
-    this.constructor = constructor;
   }
 
   public String word() {
@@ -20,6 +16,9 @@ public enum FollowerLawType {
   }
 
   public FollowerLaw withGains(Gains gains) {
-    return constructor.apply(gains);
+    return switch (this) {
+      case OMNI -> new SingleIntegratorLaw(gains);
+      case NON_HOLONOMIC -> new NonHolonomicLaw(gains);
+    };
   }
 }
