@@ -35,9 +35,8 @@ public final class Hall {
   /** A robot that parks at P1; one without a pose was never heard. */
   public static RobotView robot(
       String name, RobotState state, @Nullable Pose pose, String host, int port) {
-    boolean isSimulated = host.equals("127.0.0.1"); // else it is a real one
     return new RobotView(
-        new RobotRecord(name, "hall", host, port, 5, "P1", isSimulated, null),
+        record(name, host, port),
         RobotCapabilities.UNKNOWN,
         state,
         new Work(null, Phase.NONE, false, null, Phrase.IS_FREE.with()),
@@ -46,6 +45,11 @@ public final class Hall {
             : new Telemetry(pose, 0.84, List.of(), START),
         RemainingPath.NONE,
         null);
+  }
+
+  /** A robot that parks at P1; one elsewhere than here is a real one. */
+  public static RobotRecord record(String name, String host, int port) {
+    return new RobotRecord(name, "hall", host, port, 5, "P1", host.equals("127.0.0.1"), null);
   }
 
   /** A floor with an obstacle of 2 x 2 cells, those of a lost robot r6, and a standstill. */

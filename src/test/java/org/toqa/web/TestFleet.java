@@ -13,6 +13,7 @@ import org.toqa.fleet.Hold;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotOrder;
+import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.ScheduleStore;
@@ -59,7 +60,8 @@ public final class TestFleet extends TasksInMemory {
   @Override
   public CompletionStage<Answer<RobotView>> changeRobot(
       String name, RobotChange change, String user) {
-    return change(name, known -> known.withRecord(known.record().withChange(change)));
+    RobotRecord changed = Hall.record(name, change.host(), change.port()).withChange(change);
+    return change(name, known -> known.withRecord(changed));
   }
 
   @Override
