@@ -20,7 +20,7 @@ enum {
     HANG_LENGTH = 2,
 };
 
-static const double STANDS = 0.010; /* metres a second at the rim */
+static const double STOPPED_M_S = 0.010; /* at the rim */
 
 static avr_t *avr;
 static const struct drive_model *drive;
@@ -45,7 +45,7 @@ static avr_cycle_count_t sample_rig(avr_t *chip, avr_cycle_count_t when, void *p
     (void)parameter;
     samples++;
     drive->sample();
-    if (rig_fastest_rim(&rig) > STANDS) {
+    if (rig_fastest_rim(&rig) > STOPPED_M_S) {
         moved_us = chip_us();
     }
     return (avr_cycle_count_t)llround((double)(samples + 1) * drive->seconds *

@@ -29,10 +29,10 @@ enum { BRAKE_MAX_MS_Q4 = 150 * 16 };
 void brake_begin_reversing(struct brake *brake, uint8_t wheel, int32_t counts, int32_t rate,
                    int32_t voltage);
 
-/* Returns whether the wheel stands now. ms_q4: since it was reversed, times 2^4. */
+/* Returns whether the wheel is stopped now. ms_q4: since it was reversed, times 2^4. */
 bool brake_has_stopped(const struct brake *brake, uint8_t wheel, int32_t counts, uint16_t ms_q4);
 
-/* When the wheel will stand, as it looks now: the nearer the end, the better it is known. */
+/* When the wheel will have stopped, as estimated now: the nearer the end, the better it is known. */
 uint16_t brake_end_ms_q4(const struct brake *brake, uint8_t wheel, int32_t counts, uint16_t ms_q4);
 
 #endif

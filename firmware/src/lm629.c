@@ -266,9 +266,9 @@ bool drive_turn(const struct wheel_rates *rates)
 }
 
 /*
- * A trajectory that slows down would end where the wheel should have stood, and first catch up what
+ * A trajectory that slows down would end where the wheel should have stopped, and first catch up what
  * it was behind. So fast wheels are reversed: driven back with full voltage to where they are
- * now, until they stand. Slow ones, and those that stand, are only damped.
+ * now, until they are stopped. Slow ones, and stopped ones, are only damped.
  */
 static bool begin_to_brake(uint8_t axes)
 {
@@ -294,7 +294,7 @@ static bool begin_to_brake(uint8_t axes)
     return clear_errors(axes);
 }
 
-/* Returns the axes that stand now and need not be reversed any more. */
+/* Returns the axes that are stopped now and need not be reversed any more. */
 static uint8_t standing_axes(uint8_t axes)
 {
     int32_t counts[BODY_WHEELS];

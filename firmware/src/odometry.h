@@ -16,7 +16,7 @@ struct odometry {
     struct pose pose;
 };
 
-/* counts: of the encoders where the robot stands now, which becomes the origin. */
+/* counts: of the encoders where the robot is now, which becomes the origin. */
 void odometry_begin(struct odometry *odometry, const int32_t counts[BODY_WHEELS]);
 
 /* To be called at least every 20 ms while wheels turn; a counter may have wrapped around. */

@@ -8,7 +8,7 @@
 
 enum { PWM_FULL = 255, PWM_BUS_MOVED_MS = 20 };
 
-/* The motors stand and the counts are 0. */
+/* The motors are stopped and the counts are 0. */
 void pwm_bus_begin(void);
 
 /* duty: -PWM_FULL to PWM_FULL. */

@@ -17,7 +17,7 @@ static const int32_t FORWARD_Q16 = INT32_C(65536) * PWM_FULL / (WHEEL_RATED_Q8 /
 /* PWM steps a count, times 2^8: with 0.35 the wheel follows with a time constant of 70 ms. */
 static const int32_t GAIN_Q8 = 90;
 
-/* Counts a second, 30 mm/s at the rim: a slower wheel stands by its friction as soon. */
+/* Counts a second, 30 mm/s at the rim: its friction stops a slower wheel as soon. */
 static const int32_t SLOWEST_REVERSED = 336;
 
 /* A blocked wheel's wanted position runs ahead no further than full voltage can follow. */

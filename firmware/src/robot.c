@@ -188,7 +188,7 @@ static void turn_wheels(struct robot *robot)
     }
 }
 
-/* A wheel that springs back seems to stand in one period: so all must stand in two. */
+/* A wheel that springs back seems to be stopped in one period: so all must be in two. */
 void robot_control_wheels(struct robot *robot)
 {
     bool had_turned = robot->motion.has_turned;

@@ -1,6 +1,6 @@
 /*
  * Curve segments and the reference that runs along them. The reference has a pace between 0
- * (stands) and 1 (as planned), which scales time and not the curve. It rises and falls with the
+ * (stopped) and 1 (as planned), which scales time and not the curve. It rises and falls with the
  * limits of acceleration. Before the end of the queue, and before a corner where the velocity
  * jumps, it falls in time: a backward pass over the queue finds with which pace each segment may be
  * left (the look-ahead of machine-tool controllers, with a junction limit as in grbl).
@@ -42,7 +42,7 @@ void segment_queue_begin(struct segment_queue *queue);
 /* Returns false where the queue is full. */
 bool segment_queue_add(struct segment_queue *queue, const struct segment *segment);
 
-/* Drops all segments; the reference stands here. */
+/* Drops all segments; the reference stops here. */
 void segment_queue_reset(struct segment_queue *queue, const struct pose *here);
 
 /* Moves the reference on; wanted_pace_q15: 2^15 as planned, less to wait. */

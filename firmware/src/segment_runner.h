@@ -1,6 +1,6 @@
 /*
  * Drives the robot along a queue of segments. The reference runs ahead and waits for a robot that
- * falls behind; at the end the robot is corrected towards it until it stands within a millimetre.
+ * falls behind; at the end the robot is corrected towards it until it is within a millimetre.
  */
 #ifndef SEGMENT_RUNNER_H
 #define SEGMENT_RUNNER_H
@@ -26,7 +26,7 @@ struct segment_runner {
     struct pose past_references[SEGMENT_RUNNER_RESPONSE_TICKS]; /* the oldest is next */
     uint8_t next;
     bool is_halting;
-    bool is_settled; /* stands on the reference, which stands too */
+    bool is_settled; /* is stopped at the reference, which is stopped too */
 };
 
 void segment_runner_begin(struct segment_runner *runner);
@@ -36,7 +36,7 @@ void segment_runner_reset(struct segment_runner *runner, const struct pose *here
 
 bool segment_runner_add(struct segment_runner *runner, const struct segment *segment);
 
-/* Slows down, stands, and drops the segments. */
+/* Slows down, stops, and drops the segments. */
 void segment_runner_halt(struct segment_runner *runner);
 
 /* Returns the velocity to drive. */

@@ -1,5 +1,5 @@
 /*
- * Why the robot must stand. A reason comes with its cause and stays until it is cleared, by the
+ * Why the robot must be stopped. A reason comes with its cause and stays until it is cleared, by the
  * daemon or only by a person; while its cause lasts, nobody clears it.
  */
 #ifndef STOP_H
@@ -30,7 +30,7 @@ struct stop {
     uint16_t causes; /* that last now */
 };
 
-/* After a start the robot stands; reason: STOP_POWER_UP or STOP_WATCHDOG. */
+/* After a start the robot is stopped; reason: STOP_POWER_UP or STOP_WATCHDOG. */
 void stop_begin(struct stop *stop, enum stop_reason reason);
 
 /* Sets whether a cause is present now. */

@@ -110,7 +110,7 @@ static double speed(const struct segment_queue *queue)
 
 static void reference_covers_its_segments_within_the_limits(void)
 {
-    static const struct segment ways[] = {
+    static const struct segment segments[] = {
         {250000, 0, 2000}, {250000, 1000000, 1571}, {500000, 0, 1000}, {0, -1500000, 1047}};
     struct segment_queue queue;
     double before = 0;
@@ -118,7 +118,7 @@ static void reference_covers_its_segments_within_the_limits(void)
 
     segment_queue_begin(&queue);
     for (unsigned i = 0; i < 4; i++) {
-        CHECK(segment_queue_add(&queue, &ways[i]));
+        CHECK(segment_queue_add(&queue, &segments[i]));
     }
     while (queue.count != 0 && ticks < 2000) {
         segment_queue_advance(&queue, 1U << 15, 10);
@@ -156,8 +156,8 @@ static void end_of_braking_is_foreseen(void)
     brake_begin_reversing(&brake, 1, 700, -8000, 10296);
     for (uint16_t ms = 12; ms < 30; ms += 2) {
         /* T = 0.04 s: 23.0 ms, 0.04 ln(1 + 8000/10296) */
-        double way = 0.04 * (8000 + 10296) * (1 - exp(-ms / 40.0)) - 10.296 * ms;
-        int32_t counts = (int32_t)floor(700 - way);
+        double travelled = 0.04 * (8000 + 10296) * (1 - exp(-ms / 40.0)) - 10.296 * ms;
+        int32_t counts = (int32_t)floor(700 - travelled);
 
         CHECK_NEAR(23.0, brake_end_ms_q4(&brake, 1, counts, (uint16_t)(ms * 16)) / 16.0, 1.5);
         CHECK_EQUAL(ms >= 23, brake_has_stopped(&brake, 1, counts, (uint16_t)(ms * 16)));

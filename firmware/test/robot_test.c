@@ -7,7 +7,7 @@
 #include "tests.h"
 
 static const double METRE = 1e6;   /* um */
-static const double STANDS = 0.010; /* metres a second at the rim, as the daemon takes it */
+static const double STOPPED_M_S = 0.010; /* at the rim, as the daemon takes it */
 
 static void drives_arc_straight_and_stop(void)
 {
@@ -51,7 +51,7 @@ static double seconds_to_stand(struct bench *bench, uint16_t ms)
 
     for (uint16_t i = 0; i < ms; i++) {
         bench_live(bench, 1);
-        if (rig_fastest_rim(&bench->rig) > STANDS) {
+        if (rig_fastest_rim(&bench->rig) > STOPPED_M_S) {
             last_motion = (i + 1) / 1000.0;
         }
     }
@@ -185,7 +185,7 @@ static void blocked_wheel_is_a_stall(void)
         bench_live(&bench, 10);
     }
     CHECK_EQUAL(STOP_STALL, bench_status(&bench).stop_reasons & STOP_STALL);
-    CHECK(rig_fastest_rim(&bench.rig) < STANDS);
+    CHECK(rig_fastest_rim(&bench.rig) < STOPPED_M_S);
     CHECK_EQUAL(ANSWER_STOPPED, bench_velocity(&bench, 300000, 0, 0));
 }
 
@@ -255,7 +255,7 @@ static void halt_stands_and_forgets(void)
     bench_live_polled(&bench, 1000);
     CHECK_EQUAL(ROBOT_STANDING, bench_status(&bench).state);
     CHECK_EQUAL(16, bench_status(&bench).queue_free);
-    CHECK(rig_fastest_rim(&bench.rig) < STANDS);
+    CHECK(rig_fastest_rim(&bench.rig) < STOPPED_M_S);
 }
 
 void robot_tests(void)

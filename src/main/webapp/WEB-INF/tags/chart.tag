@@ -6,13 +6,13 @@
 <fmt:message key="statistics.chart.${chart.name()}" var="title"/>
 <article class="chart"${chart.isHorizontal() ? ' data-horizontal' : ''}>
   <h2 id="${chart.name()}">${title}</h2>
-  <p class="faint"><fmt:message key="statistics.means.${chart.name()}"/></p>
+  <p class="faint"><fmt:message key="statistics.description.${chart.name()}"/></p>
   <c:choose>
     <c:when test="${chart.isEmpty()}"><p class="notice"><fmt:message key="statistics.empty.${chart.name()}"/></p></c:when>
     <c:otherwise>
       <div class="plot"><canvas role="img" aria-labelledby="${chart.name()}"></canvas></div>
       <details open>
-        <summary><fmt:message key="statistics.asTable"/></summary>
+        <summary><fmt:message key="statistics.showTable"/></summary>
         <div class="wide-table" role="region" tabindex="0" aria-labelledby="${chart.name()}">
           <table>
             <thead>

@@ -11,7 +11,7 @@
 <%@ attribute name="focus" type="java.lang.Boolean" %>
 <%@ attribute name="optional" type="java.lang.Boolean" %>
 <%@ attribute name="idle" type="java.lang.Boolean" description="another form of the page was sent, which has a field of this name too" %>
-<%@ attribute name="value" description="what stands in it at first" %>
+<%@ attribute name="value" description="the initial value" %>
 <%@ taglib prefix="c" uri="jakarta.tags.core" %>
 <%@ taglib prefix="fmt" uri="jakarta.tags.fmt" %>
 <%@ taglib prefix="fn" uri="jakarta.tags.functions" %>

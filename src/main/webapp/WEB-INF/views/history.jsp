@@ -41,7 +41,7 @@
         <tr>
           <th scope="col"><fmt:message key="history.column.at"/></th>
           <th scope="col"><fmt:message key="history.column.text"/></th>
-          <th scope="col"><fmt:message key="history.column.who"/></th>
+          <th scope="col"><fmt:message key="history.column.user"/></th>
           <th scope="col"><fmt:message key="history.column.robot"/></th>
           <th scope="col"><fmt:message key="history.column.task"/></th>
         </tr>
@@ -51,7 +51,7 @@
           <tr>
             <td><t:time at="${entry.event.at}"/></td>
             <th scope="row"><t:said sentence="${entry.event.sentence}"/></th>
-            <td data-label="<fmt:message key="history.column.who"/>"><bdi><c:out value="${entry.event.who}"/></bdi></td>
+            <td data-label="<fmt:message key="history.column.user"/>"><bdi><c:out value="${entry.event.who}"/></bdi></td>
             <td data-label="<fmt:message key="history.column.robot"/>"><c:if test="${not empty entry.event.robot}"><c:url value="/robots/${entry.event.robot}" var="robot"/><a href="<c:out value="${robot}"/>"><bdi><c:out value="${entry.event.robot}"/></bdi></a></c:if></td>
             <td data-label="<fmt:message key="history.column.task"/>"><c:if test="${not empty entry.event.task}"><a href="${root}/tasks/${entry.event.task}">${entry.event.task}</a></c:if></td>
           </tr>

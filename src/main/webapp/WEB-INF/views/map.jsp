@@ -26,7 +26,7 @@
       </c:if>
       <div class="moment">
         <button type="button" id="replay-open" class="outline" disabled><t:icon name="replay"/> <fmt:message key="replay.open"/></button>
-        <p id="age" class="age" data-state="away"><fmt:message key="map.connecting"/></p>
+        <p id="age" class="age" data-state="connecting"><fmt:message key="map.connecting"/></p>
       </div>
     </div>
     <p id="banner" class="notice bad" role="alert" hidden></p>
@@ -71,7 +71,7 @@
       <section>
         <h2><fmt:message key="replay.events"/></h2>
         <ul id="replay-events" class="history"></ul>
-        <p id="replay-no-events" class="faint" hidden><fmt:message key="replay.quiet"/></p>
+        <p id="replay-no-events" class="faint" hidden><fmt:message key="replay.noEvents"/></p>
       </section>
     </div>
     <div id="live-lists">
@@ -109,11 +109,11 @@
       <summary><fmt:message key="map.legend"/></summary>
       <ul class="legend">
         <c:forEach items="${robotStates}" var="state"><li><span class="letter" data-state="${state}"><fmt:message key="robot.letter.${state}"/></span> <fmt:message key="robot.state.${state}"/></li></c:forEach>
-        <c:forTokens items="station,parking,charging,load,goal,released,rest,obstacle,kept,standstill" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
+        <c:forTokens items="station,parking,charging,load,goal,released,planned,obstacle,reserved,standstill" delims="," var="sign"><li><t:icon name="legend-${sign}"/> <fmt:message key="map.legend.${sign}"/></li></c:forTokens>
       </ul>
     </details>
   </aside>
   <c:set var="stateKeys" value=""/>
   <c:forEach items="${robotStates}" var="state"><c:set var="stateKeys" value="${stateKeys} robot.state.${state} robot.letter.${state}"/></c:forEach>
-  <t:texts keys="map.live map.age replay.label replay.play replay.pause replay.driving replay.stopped replay.task replay.loading replay.none map.away map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
+  <t:texts keys="map.live map.age replay.label replay.play replay.pause replay.driving replay.stopped replay.task replay.loading replay.none map.disconnected map.loggedOut map.loggedOut.link map.failed map.standstill map.charger map.tasks.more common.comma task.state.QUEUED task.state.ASSIGNED task.state.TO_OBJECT task.state.CARRYING task.state.RETURNING${stateKeys}"/>
 </t:page>

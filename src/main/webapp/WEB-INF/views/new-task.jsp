@@ -98,7 +98,7 @@
     </form>
     <div class="picker">
       <fieldset class="choice">
-        <legend><fmt:message key="newTask.picks"/></legend>
+        <legend><fmt:message key="newTask.setOnMap"/></legend>
         <label><input type="radio" name="picks" value="start" checked> <fmt:message key="newTask.start"/></label>
         <label><input type="radio" name="picks" value="goal"> <fmt:message key="newTask.goal"/></label>
       </fieldset>

@@ -9,7 +9,7 @@
     <h1>${title}</h1>
     <t:errors/>
     <c:choose>
-      <c:when test="${empty user}"><p class="notice bad" role="alert"><fmt:message key="reset.over"/></p><a href="${root}/forgotten"><fmt:message key="reset.again"/></a></c:when>
+      <c:when test="${empty user}"><p class="notice bad" role="alert"><fmt:message key="reset.expired"/></p><a href="${root}/forgotten"><fmt:message key="reset.requestLink"/></a></c:when>
       <c:otherwise>
         <p class="faint"><fmt:message key="reset.intro"><fmt:param><bdi><c:out value="${user.name}"/></bdi></fmt:param></fmt:message></p>
         <form method="post" action="${root}/reset" novalidate>

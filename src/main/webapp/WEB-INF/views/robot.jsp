@@ -6,8 +6,8 @@
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="robot.title" var="title"><fmt:param value="${robot.name}"/></fmt:message>
 <fmt:formatNumber value="${robot.maxLoad}" maxFractionDigits="2" var="maxLoad"/>
-<fmt:formatNumber value="${robot.footprint}" maxFractionDigits="3" var="footprint"/>
-<fmt:formatNumber value="${robot.speed}" maxFractionDigits="2" var="speed"/>
+<fmt:formatNumber value="${robot.capabilities.footprint}" maxFractionDigits="3" var="footprint"/>
+<fmt:formatNumber value="${robot.capabilities.speeds.forward}" maxFractionDigits="2" var="speed"/>
 <t:page title="${title}" here="robot" script="robot/track.js">
   <t:errors/>
   <div id="live" data-live="robot" data-name="${fn:escapeXml(robot.name)}">
@@ -15,39 +15,39 @@
       <h1><c:out value="${title}"/></h1>
       <t:state of="robot" state="${robot.state}"/>
     </div>
-    <c:forEach items="${robot.errors}" var="fault"><p class="notice bad"><t:english text="${fault.text}"/>${" "}<small>(<bdi dir="ltr"><c:out value="${fault.code}"/></bdi>)</small></p></c:forEach>
+    <c:forEach items="${robot.telemetry.errors}" var="fault"><p class="notice bad"><t:english text="${fault.text}"/>${" "}<small>(<bdi dir="ltr"><c:out value="${fault.code}"/></bdi>)</small></p></c:forEach>
     <c:if test="${not empty robot.alert}"><p class="notice bad" role="alert"><t:said sentence="${robot.alert}"/></p></c:if>
     <article>
       <dl>
-        <dt><fmt:message key="robot.doing"/></dt><dd><t:said sentence="${robot.doing}"/></dd>
+        <dt><fmt:message key="robot.activity"/></dt><dd><t:said sentence="${robot.work.doing}"/></dd>
         <dt><fmt:message key="robot.task"/></dt>
-        <dd><c:choose><c:when test="${empty robot.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.task}"><fmt:message key="task.title"><fmt:param value="${robot.task}"/></fmt:message></a></c:otherwise></c:choose></dd>
-        <dt><fmt:message key="robot.phase"/></dt><dd><fmt:message key="robot.phase.${robot.phase.number()}"/></dd>
+        <dd><c:choose><c:when test="${empty robot.work.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.work.task}"><fmt:message key="task.title"><fmt:param value="${robot.work.task}"/></fmt:message></a></c:otherwise></c:choose></dd>
+        <dt><fmt:message key="robot.phase"/></dt><dd><fmt:message key="robot.phase.${robot.work.phase.number()}"/></dd>
         <dt><fmt:message key="robot.position"/></dt>
         <dd>
           <c:choose>
-            <c:when test="${empty robot.pose}"><span class="faint"><fmt:message key="robot.position.unknown"/></span></c:when>
+            <c:when test="${empty robot.telemetry.pose}"><span class="faint"><fmt:message key="robot.position.unknown"/></span></c:when>
             <c:otherwise>
-              <fmt:formatNumber value="${robot.pose.x}" minFractionDigits="2" maxFractionDigits="2" var="x"/>
-              <fmt:formatNumber value="${robot.pose.y}" minFractionDigits="2" maxFractionDigits="2" var="y"/>
-              <fmt:formatNumber value="${robot.pose.theta * 57.29577951308232}" maxFractionDigits="0" var="heading"/>
+              <fmt:formatNumber value="${robot.telemetry.pose.x}" minFractionDigits="2" maxFractionDigits="2" var="x"/>
+              <fmt:formatNumber value="${robot.telemetry.pose.y}" minFractionDigits="2" maxFractionDigits="2" var="y"/>
+              <fmt:formatNumber value="${robot.telemetry.pose.theta * 57.29577951308232}" maxFractionDigits="0" var="heading"/>
               <span data-live-pose><fmt:message key="common.position"><fmt:param value="${x}"/><fmt:param value="${y}"/></fmt:message><fmt:message key="common.comma"/><fmt:message key="robot.heading.degrees"><fmt:param value="${heading}"/></fmt:message></span>
             </c:otherwise>
           </c:choose>
         </dd>
         <dt><fmt:message key="robot.battery"/></dt>
-        <dd><c:choose><c:when test="${empty robot.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.battery}" type="percent"/></c:otherwise></c:choose></dd>
-        <c:if test="${not empty robot.charger}"><dt><fmt:message key="robot.charger"/></dt><dd><bdi><c:out value="${robot.charger}"/></bdi></dd></c:if>
+        <dd><c:choose><c:when test="${empty robot.telemetry.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.telemetry.battery}" type="percent"/></c:otherwise></c:choose></dd>
+        <c:if test="${not empty robot.work.charger}"><dt><fmt:message key="robot.charger"/></dt><dd><bdi><c:out value="${robot.work.charger}"/></bdi></dd></c:if>
         <dt><fmt:message key="robot.maxLoad"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></dd>
         <dt><fmt:message key="robot.footprint"/></dt><dd><fmt:message key="common.metres"><fmt:param value="${footprint}"/></fmt:message></dd>
         <dt><fmt:message key="robot.speed"/></dt><dd><fmt:message key="common.metresPerSecond"><fmt:param value="${speed}"/></fmt:message></dd>
         <dt><fmt:message key="robot.floor"/></dt><dd><bdi><c:out value="${robot.floor}"/></bdi></dd>
-        <dt><fmt:message key="robot.parking"/></dt><dd><bdi><c:out value="${robot.parking}"/></bdi></dd>
-        <dt><fmt:message key="robot.address"/></dt><dd><bdi dir="ltr"><c:out value="${robot.host}"/>:${robot.port}</bdi><c:if test="${robot.simulated}"> (<fmt:message key="robot.simulated"/>)</c:if></dd>
+        <dt><fmt:message key="robot.parking"/></dt><dd><bdi><c:out value="${robot.record.parking}"/></bdi></dd>
+        <dt><fmt:message key="robot.address"/></dt><dd><bdi dir="ltr"><c:out value="${robot.record.host}"/>:${robot.record.port}</bdi><c:if test="${robot.record.simulated}"> (<fmt:message key="robot.simulated"/>)</c:if></dd>
         <dt><fmt:message key="robot.link"/></dt>
-        <dd><c:choose><c:when test="${empty robot.fingerprint}"><fmt:message key="robot.link.plain"/></c:when><c:otherwise><fmt:message key="robot.link.paired"><fmt:param value="${fn:substring(robot.fingerprint, 0, 16)}"/></fmt:message></c:otherwise></c:choose></dd>
+        <dd><c:choose><c:when test="${empty robot.record.fingerprint}"><fmt:message key="robot.link.plain"/></c:when><c:otherwise><fmt:message key="robot.link.paired"><fmt:param value="${fn:substring(robot.record.fingerprint, 0, 16)}"/></fmt:message></c:otherwise></c:choose></dd>
         <dt><fmt:message key="robot.lastSeen"/></dt>
-        <dd><c:choose><c:when test="${empty robot.lastSeen}"><fmt:message key="robot.lastSeen.never"/></c:when><c:otherwise><t:time at="${robot.lastSeen}"/></c:otherwise></c:choose></dd>
+        <dd><c:choose><c:when test="${empty robot.telemetry.lastSeen}"><fmt:message key="robot.lastSeen.never"/></c:when><c:otherwise><t:time at="${robot.telemetry.lastSeen}"/></c:otherwise></c:choose></dd>
       </dl>
       <c:url value="/map" var="onMap"><c:param name="robot" value="${robot.name}"/></c:url>
       <a href="<c:out value="${onMap}"/>"><fmt:message key="task.onMap"/></a>
@@ -62,17 +62,17 @@
     <a href="<c:out value="${history}"/>"><fmt:message key="robot.history"/></a>
   </article>
   <c:if test="${caller.isManager()}">
-    <article class="card" id="actions" data-live="robot-actions" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.task ? '' : 'hidden'}>
+    <article class="card" id="actions" data-live="robot-actions" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.work.task ? '' : 'hidden'}>
       <h2><fmt:message key="robot.actions"/></h2>
       <div class="choices">
-        <c:url value="/robots/${robot.name}/${robot.held ? 'resume' : 'hold'}" var="holdOrResume"/>
+        <c:url value="/robots/${robot.name}/${robot.work.held ? 'resume' : 'hold'}" var="holdOrResume"/>
         <c:if test="${empty pause}">
           <form method="post" action="<c:out value="${holdOrResume}"/>">
             <t:csrf/>
-            <button><fmt:message key="robot.${robot.held ? 'resume' : 'hold'}"/></button>
+            <button><fmt:message key="robot.${robot.work.held ? 'resume' : 'hold'}"/></button>
           </form>
         </c:if>
-        <c:if test="${empty robot.task and empty robot.charger and not empty robot.parking}">
+        <c:if test="${empty robot.work.task and empty robot.work.charger and not empty robot.record.parking}">
           <c:url value="/robots/${robot.name}/home" var="home"/>
           <form method="post" action="<c:out value="${home}"/>">
             <t:csrf/>
@@ -126,16 +126,16 @@
         <t:csrf/>
         <t:version/>
         <div class="grid">
-          <div><t:field name="host" id="change-host" label="robots.add.host" latin="true" idle="${sent == 'pair'}" value="${robot.host}"/></div>
-          <div><t:field name="port" id="change-port" label="robots.add.port" inputmode="numeric" idle="${sent == 'pair'}" value="${robot.port}"/></div>
+          <div><t:field name="host" id="change-host" label="robots.add.host" latin="true" idle="${sent == 'pair'}" value="${robot.record.host}"/></div>
+          <div><t:field name="port" id="change-port" label="robots.add.port" inputmode="numeric" idle="${sent == 'pair'}" value="${robot.record.port}"/></div>
         </div>
         <div class="grid">
           <div><t:field name="maxLoad" label="robots.add.maxLoad" inputmode="decimal" value="${robot.maxLoad % 1 == 0 ? robot.maxLoad.intValue() : robot.maxLoad}"/></div>
-          <div><t:parking chosen="${param.parking == null ? robot.parking : param.parking}" none="robot.parking.none"/></div>
+          <div><t:parking chosen="${param.parking == null ? robot.record.parking : param.parking}" none="robot.parking.none"/></div>
         </div>
         <button><fmt:message key="robot.change.submit"/></button>
       </form>
-      <c:if test="${not robot.simulated}">
+      <c:if test="${not robot.record.simulated}">
         <c:url value="/robots/${robot.name}/remove" var="remove"/>
         <details class="or">
           <summary role="button" class="outline secondary"><fmt:message key="robot.remove"/></summary>
@@ -147,17 +147,17 @@
         </details>
       </c:if>
     </article>
-    <c:if test="${not robot.simulated}">
+    <c:if test="${not robot.record.simulated}">
       <article class="card" id="pair">
-        <h2><fmt:message key="robot.pair.${empty robot.fingerprint ? 'first' : 'again'}"/></h2>
+        <h2><fmt:message key="robot.pair.${empty robot.record.fingerprint ? 'first' : 'again'}"/></h2>
         <p class="faint"><fmt:message key="robot.pair.intro"/></p>
         <c:url value="/robots/${robot.name}/pair" var="pair"/>
         <form method="post" action="<c:out value="${pair}"/>" novalidate>
           <t:csrf/>
           <t:version/>
           <div class="grid">
-            <div><t:field name="host" label="robots.add.host" latin="true" idle="${sent == 'change'}" value="${robot.host}"/></div>
-            <div><t:field name="port" label="robots.add.port" inputmode="numeric" idle="${sent == 'change'}" value="${robot.port}"/></div>
+            <div><t:field name="host" label="robots.add.host" latin="true" idle="${sent == 'change'}" value="${robot.record.host}"/></div>
+            <div><t:field name="port" label="robots.add.port" inputmode="numeric" idle="${sent == 'change'}" value="${robot.record.port}"/></div>
           </div>
           <t:field name="code" label="robot.pair.code" latin="true"/>
           <button><fmt:message key="robot.pair.submit"/></button>

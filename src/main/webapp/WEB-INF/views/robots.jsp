@@ -21,7 +21,7 @@
           <tr>
             <th scope="col"><fmt:message key="robots.column.name"/></th>
             <th scope="col"><fmt:message key="robots.column.state"/></th>
-            <th scope="col"><fmt:message key="robots.column.doing"/></th>
+            <th scope="col"><fmt:message key="robots.column.activity"/></th>
             <th scope="col"><fmt:message key="robots.column.battery"/></th>
             <th scope="col"><fmt:message key="robots.column.task"/></th>
             <th scope="col"><fmt:message key="robots.column.maxLoad"/></th>
@@ -34,9 +34,9 @@
             <tr>
               <th scope="row"><a href="<c:out value="${link}"/>"><bdi><c:out value="${robot.name}"/></bdi></a></th>
               <td><t:state of="robot" state="${robot.state}"/></td>
-              <td class="whole"><t:said sentence="${robot.doing}"/></td>
-              <td class="number" data-label="<fmt:message key="robots.column.battery"/>"><c:choose><c:when test="${empty robot.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.battery}" type="percent"/></c:otherwise></c:choose></td>
-              <td data-label="<fmt:message key="robots.column.task"/>"><c:choose><c:when test="${empty robot.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.task}"><fmt:message key="task.title"><fmt:param value="${robot.task}"/></fmt:message></a></c:otherwise></c:choose></td>
+              <td class="whole"><t:said sentence="${robot.work.doing}"/></td>
+              <td class="number" data-label="<fmt:message key="robots.column.battery"/>"><c:choose><c:when test="${empty robot.telemetry.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.telemetry.battery}" type="percent"/></c:otherwise></c:choose></td>
+              <td data-label="<fmt:message key="robots.column.task"/>"><c:choose><c:when test="${empty robot.work.task}"><span class="faint"><fmt:message key="common.none"/></span></c:when><c:otherwise><a href="${root}/tasks/${robot.work.task}"><fmt:message key="task.title"><fmt:param value="${robot.work.task}"/></fmt:message></a></c:otherwise></c:choose></td>
               <td class="number" data-label="<fmt:message key="robots.column.maxLoad"/>"><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></td>
             </tr>
           </c:forEach>

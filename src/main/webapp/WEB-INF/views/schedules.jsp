@@ -42,7 +42,7 @@
             </td>
             <td data-label="<fmt:message key="schedules.column.due"/>">
               <c:choose>
-                <c:when test="${empty schedule.due}"><fmt:message key="schedules.over"/></c:when>
+                <c:when test="${empty schedule.due}"><fmt:message key="schedules.ended"/></c:when>
                 <c:when test="${schedule.paused}"><fmt:message key="schedules.paused"/></c:when>
                 <c:otherwise><t:time at="${schedule.due}"/></c:otherwise>
               </c:choose>

@@ -50,7 +50,7 @@
       </c:forEach>
       <article>
         <h2><fmt:message key="statistics.causes"/></h2>
-        <p class="faint"><fmt:message key="statistics.causes.means"/></p>
+        <p class="faint"><fmt:message key="statistics.causes.description"/></p>
         <ul>
           <c:forEach items="${total.failures()}" var="failure">
             <c:url value="/history" var="history"><c:param name="kind" value="${failure.key.kind()}"/><c:param name="from" value="${period.begin()}"/><c:param name="until" value="${period.end()}"/></c:url>
@@ -58,11 +58,11 @@
           </c:forEach>
         </ul>
       </article>
-      <t:chart chart="${use}"/>
+      <t:chart chart="${utilisation}"/>
     </div>
     <article class="card">
       <h2><fmt:message key="statistics.csv"/></h2>
-      <p class="faint"><fmt:message key="statistics.csv.means"/></p>
+      <p class="faint"><fmt:message key="statistics.csv.description"/></p>
       <div class="choices">
         <c:forTokens items="series,robots" delims="," var="file">
           <c:url value="/api/v1/statistics/${file}.csv" var="target"><c:param name="from" value="${period.from()}"/><c:param name="to" value="${period.to()}"/><c:param name="zone" value="${period.zone()}"/></c:url>

@@ -22,12 +22,12 @@
     <c:if test="${not empty task.loadAt}"><p class="notice"><strong><fmt:message key="task.loadAt"/></strong>${" "}<t:place place="${task.loadAt}"/></p></c:if>
     <c:if test="${task.held}"><p class="notice"><fmt:message key="task.held"/></p></c:if>
     <c:if test="${not empty task.needs}">
-      <p class="notice bad"><strong><fmt:message key="task.needs"/></strong>${" "}<t:said sentence="${task.needs.question}"/></p>
+      <p class="notice bad"><strong><fmt:message key="task.needsAttention"/></strong>${" "}<t:said sentence="${task.needs.question}"/></p>
     </c:if>
     <c:if test="${reached >= 0}">
       <fmt:message key="task.progress" var="label"/>
       <ol class="steps" aria-label="${label}">
-        <c:forEach items="${road}" var="state" varStatus="at">
+        <c:forEach items="${timeline}" var="state" varStatus="at">
           <li class="${at.index < reached or state == 'DONE' and reached == at.index ? 'passed' : at.index == reached ? 'here' : 'ahead'}" ${at.index == reached ? 'aria-current="step"' : ''}><fmt:message key="task.state.${state}"/></li>
         </c:forEach>
       </ol>
@@ -62,7 +62,7 @@
             </c:choose>
           </c:forTokens>
         </c:url>
-        · <a href="<c:out value="${again}"/>"><fmt:message key="task.again"/></a>
+        · <a href="<c:out value="${again}"/>"><fmt:message key="task.duplicate"/></a>
       </article>
       <article>
         <h2><fmt:message key="task.history"/></h2>

@@ -10,7 +10,7 @@
   <div class="heading">
     <div>
       <h1><bdi><c:out value="${user.name}"/></bdi></h1>
-      <p class="faint"><c:if test="${own}"><fmt:message key="users.own"/> · </c:if><fmt:message key="users.role.${user.role}"/><c:if test="${user.disabled()}">, <strong><fmt:message key="users.disabled"/></strong></c:if> · <fmt:message key="users.since"/>${" "}<t:time at="${user.createdAt}"/></p>
+      <p class="faint"><c:if test="${own}"><fmt:message key="users.own"/> · </c:if><fmt:message key="users.role.${user.role}"/><c:if test="${user.disabled()}">, <strong><fmt:message key="users.disabled"/></strong></c:if> · <fmt:message key="users.created"/>${" "}<t:time at="${user.createdAt}"/></p>
     </div>
     <c:if test="${manager}"><a href="${root}/users"><fmt:message key="users.all"/></a></c:if>
   </div>

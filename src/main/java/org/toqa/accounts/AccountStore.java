@@ -72,7 +72,11 @@ public interface AccountStore {
   ChangeResult update(long id, Role role, boolean disabled, String by);
 
   /**
+   * Removes the account, unless the last manager would be gone.
+   *
+   * @param id the account's
    * @param by who does it
+   * @return {@code LAST_MANAGER} is a refusal: nothing changes then
    */
   ChangeResult delete(long id, String by);
 

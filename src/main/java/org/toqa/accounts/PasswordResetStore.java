@@ -15,7 +15,7 @@ public interface PasswordResetStore {
   /**
    * A new secret for that account.
    *
-   * @param lifetime how long it is good
+   * @param lifetime how long it is valid from now on, in real time
    * @param by who asked for it, as the history tells
    */
   String issue(Account account, Duration lifetime, String by);

@@ -6,7 +6,7 @@ import java.util.List;
 /**
  * What is tried first by whoever guesses: common passwords and names, rows of keys, repetitions.
  */
-public final class PasswordStrength {
+final class PasswordStrength {
   /** Of the five grades of zxcvbn; one below it is found within a million guesses. */
   private static final int MIN_SCORE = 2;
 
@@ -17,7 +17,7 @@ public final class PasswordStrength {
 
   private PasswordStrength() {}
 
-  public static boolean isGuessable(String password, String userName) {
+  static boolean isGuessable(String password, String userName) {
     String beginning = password.substring(0, Math.min(password.length(), MAX_CHECKED_LENGTH));
     return ESTIMATOR.measure(beginning, List.of(userName, "toqa")).getScore() < MIN_SCORE;
   }

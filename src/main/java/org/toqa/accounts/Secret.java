@@ -17,7 +17,7 @@ public final class Secret {
 
   private Secret() {}
 
-  /** 43 characters that may stand in an address, a cookie and a header. */
+  /** 43 characters that may be in an address, a cookie and a header. */
   public static String random() {
     byte[] secret = new byte[SECRET_BYTES];
     RANDOM.nextBytes(secret);

@@ -35,7 +35,7 @@ public interface SessionStore {
    * A token for a program of that user, which is told in the history.
    *
    * @param name what its owner calls it
-   * @param lifetime how long it is good
+   * @param lifetime how long it is valid from now on, in real time
    */
   NewSession issueToken(Account account, String name, Session.Origin origin, Duration lifetime);
 

@@ -30,6 +30,8 @@ public record AllocationTask(long id, double load, Vec2 start, Vec2 goal, Instan
   /**
    * The moment from which a task's waiting counts. Priority and deadline move it back, but by a
    * bounded time: whatever waits comes before all newcomers some day, so nothing waits for ever.
+   *
+   * @param priority each level counts as a minute of waiting
    */
   public static Instant waitingSince(Instant createdAt, int priority, @Nullable Instant deadline) {
     Instant usual = createdAt.minus(PRIORITY_LEVEL.multipliedBy(priority));

@@ -59,7 +59,9 @@ public final class Assignment {
   /**
    * @param cost finite, row after row; {@code rows * columns} numbers, at least as many columns as
    *     rows
+   * @param rows how many, at least 0
    * @return the column of each row, no two the same
+   * @throws IllegalArgumentException if so many costs are no such rows
    */
   public static int[] leastCost(double[] cost, int rows) {
     if (rows == 0) {

@@ -28,7 +28,8 @@ final class Auction {
   }
 
   /**
-   * @param joules what it costs that this robot does it
+   * @param joules what it costs that this robot does it, as {@link Costs.Cost}
+   * @param at when it came, on the auction's clock
    */
   record Bid(String robot, double joules, Instant at) implements Reply {}
 

@@ -10,7 +10,7 @@ import org.toqa.geometry.Vec2;
  * @param diameter metres
  * @param speed metres a second, straight on
  * @param position metres, map frame
- * @param parking its parking point, metres, map frame; where it stands if it has none
+ * @param parking its parking point, metres, map frame; where it is if it has none
  * @param battery 0 to 1; null where it is not known
  * @param task what it works for; null while {@code availability} is not {@link Availability#BUSY}
  */

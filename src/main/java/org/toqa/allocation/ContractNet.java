@@ -20,10 +20,10 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * Each task is announced to the free robots in turn, and the least bid gets it; a robot that does
- * not answer in time is left out. Then robots change tasks that are not begun where that is
- * cheaper: see {@link Auction} and {@link Exchange}. Each auction is quick and knows nothing of the
- * next one; the exchange makes up for most of that.
+ * The contract net (Smith, 1980): each task is announced to the free robots in turn, and the least
+ * bid gets it; a robot that does not answer in time is left out. Then robots change tasks that are
+ * not begun where that is cheaper: see {@link Auction} and {@link Exchange}. Each auction is quick
+ * and knows nothing of the next one; the exchange makes up for most of that.
  */
 public final class ContractNet implements Allocator {
   /** How long bids are waited for. */

@@ -14,6 +14,7 @@ public sealed interface Decision {
   /**
    * These robots shall carry it.
    *
+   * @param task the task's id
    * @param reason completes "Given to r1: "
    */
   record Assigned(long task, List<String> robots, Sentence reason) implements Decision {
@@ -25,6 +26,7 @@ public sealed interface Decision {
   /**
    * No robot carries it yet.
    *
+   * @param task the task's id
    * @param drained robots that are free and would do it if they had charged
    */
   record Unassigned(long task, Sentence reason, List<String> drained) implements Decision {

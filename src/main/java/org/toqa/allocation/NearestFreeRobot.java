@@ -8,7 +8,7 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * The free robot nearest to the load, as the crow flies, of those that can carry it. What the
+ * The free robot nearest to the load in a straight line, of those that can carry it. What the
  * others are measured against.
  */
 public final class NearestFreeRobot implements Allocator {

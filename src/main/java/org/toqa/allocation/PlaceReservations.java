@@ -10,7 +10,7 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * Who may fetch and set down where. Robots that stand round a load have no room for others among
+ * Who may fetch and set down where. Robots that are round a load have no room for others among
  * them, and cannot step aside: a task for several robots is given out only while nobody else uses
  * its start or its goal, and then nobody else is sent there. It takes both places at once or none,
  * so no two tasks can wait for each other.

@@ -9,6 +9,6 @@ import org.toqa.geometry.Vec2;
  * @param together whether several robots carry the load, who need the place for themselves
  */
 public record PlaceUse(long task, Vec2 place, boolean together) {
-  /** Metres round a place that robots need who stand round a load there. */
+  /** Metres round a place that robots need that are round a load there. */
   public static final double REACH = 1.2;
 }

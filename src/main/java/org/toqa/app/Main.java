@@ -1,22 +1,13 @@
 package org.toqa.app;
 
-import static java.util.Objects.requireNonNull;
-
 import java.io.PrintWriter;
 import java.util.Set;
 import java.util.TreeSet;
-import org.toqa.app.bench.AllocationBench;
 import org.toqa.app.bench.BenchCommand;
-import org.toqa.app.bench.DaemonBench;
-import org.toqa.app.bench.FleetBench;
-import org.toqa.app.bench.FormationBench;
-import org.toqa.app.bench.TaskBench;
-import org.toqa.app.bench.WebBench;
 import org.toqa.app.config.ConfigurationException;
 import org.toqa.app.demo.DemoCommand;
 import org.toqa.app.plan.PlanCommand;
 import org.toqa.app.server.ServerCommand;
-import org.toqa.app.server.WebappFolder;
 import org.toqa.yaml.Spelling;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -39,7 +30,7 @@ public final class Main implements Runnable {
       names = {"-h", "--help"},
       usageHelp = true,
       scope = ScopeType.INHERIT,
-      description = "Shows this.")
+      description = "Show this help and exit.")
   @SuppressWarnings("unused") // picocli asks the option, nobody the field
   private boolean help;
 
@@ -52,16 +43,8 @@ public final class Main implements Runnable {
   }
 
   static CommandLine commandLine() {
-    CommandLine line = new CommandLine(new Main());
-    // The other benches know nothing of a server; some need all of it, two its map.
-    requireNonNull(line.getSubcommands().get("bench"))
-        .addSubcommand(new FleetBench())
-        .addSubcommand(new TaskBench())
-        .addSubcommand(new WebBench())
-        .addSubcommand(new DaemonBench())
-        .addSubcommand(new AllocationBench(WebappFolder::shippedMap))
-        .addSubcommand(new FormationBench(WebappFolder::shippedMap));
-    return line.setParameterExceptionHandler((e, args) -> reportWrongArgument(e))
+    return new CommandLine(new Main())
+        .setParameterExceptionHandler((e, args) -> reportWrongArgument(e))
         .setExecutionExceptionHandler((e, command, result) -> reportFailure(e, command));
   }
 

@@ -14,7 +14,7 @@ import org.toqa.geometry.Vec2;
 public record Corridor(List<Pose> line) {
 
   /**
-   * Where a thing stands beside the line.
+   * Where a thing is beside the line.
    *
    * @param along metres on the line to the point nearest to it
    * @param distance metres from there to the thing

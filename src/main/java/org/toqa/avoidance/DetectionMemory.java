@@ -12,8 +12,8 @@ import org.toqa.geometry.Vec2;
 public final class DetectionMemory {
 
   /**
-   * Seconds: at 0.25 m/s a robot has passed what it saw 0.8 m ahead, and one that stands has looked
-   * round once more (see {@link ScanTurn}).
+   * Seconds: at 0.25 m/s a robot has passed what it saw 0.8 m ahead, and one that is stopped has
+   * looked round once more (see {@link ScanTurn}).
    */
   public static final double MEMORY_SECONDS = 4.5;
 
@@ -22,6 +22,10 @@ public final class DetectionMemory {
 
   private final List<Detection> detections = new ArrayList<>();
 
+  /**
+   * @param point metres, map frame
+   * @param seconds when it was seen last, on a monotonic clock
+   */
   private record Detection(Vec2 point, double seconds) {
     boolean isSame(Vec2 other) {
       return point.distanceTo(other) < SAME;

@@ -4,8 +4,8 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 
 /**
- * A robot that stands before something turns left and right to see how wide it is, again and again:
- * its beams are thin and look ahead.
+ * A robot that is stopped before something turns left and right to see how wide it is, again and
+ * again: its beams are thin and look ahead.
  */
 public final class ScanTurn {
 
@@ -46,7 +46,7 @@ public final class ScanTurn {
   }
 
   /**
-   * How the robot shall stand.
+   * The heading that the stopped robot shall have.
    *
    * @param straight how it would, in any frame
    */

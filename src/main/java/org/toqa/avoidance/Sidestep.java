@@ -7,7 +7,7 @@ import org.toqa.geometry.Vec2;
 
 /**
  * How far a robot that can go sideways drives beside its path, by {@link WeightedDirections}: it
- * gives way to what stands at the edge of its corridor, and comes back behind it.
+ * yields to what is at the edge of its corridor, and comes back behind it.
  */
 public final class Sidestep {
 

@@ -1,4 +1,4 @@
-/** Steering round what range sensors see: where they look, what is in the way, where to go. */
+/** Steering round what range sensors see: where they look, what is on the path, where to go. */
 @NullMarked
 package org.toqa.avoidance;
 

@@ -17,7 +17,7 @@ public sealed interface Answer<T> {
   record Rejected<T>(@Nullable String field, Sentence sentence) implements Answer<T> {}
 
   /**
-   * It cannot be now, as things stand.
+   * It cannot be done in the present state.
    *
    * @param needs what a person must say too, if that is what is missing
    */
@@ -30,7 +30,7 @@ public sealed interface Answer<T> {
     return new Conflict<>(objection.sentence(), objection.needs());
   }
 
-  /** This "no", for an asker who wanted another kind of value. */
+  /** This "no", for a caller that expects another kind of value. */
   default <R> Answer<R> asRejection() {
     return switch (this) {
       case Accepted<T> accepted -> throw new IllegalStateException("Accepted: " + accepted);

@@ -41,7 +41,7 @@ public enum EventKind {
   ROBOT_REMOVED("robot.removed"),
   ROBOT_RESUMED("robot.resumed"),
   ROBOT_SENT_HOME("robot.sent-home"),
-  ROBOT_STRANGER("robot.stranger"),
+  ROBOT_CONNECTION_REFUSED("robot.stranger"),
   ROBOT_TO_CHARGER("robot.to-charger"),
   ROBOT_WAITS_FOR_CHARGER("robot.waits-for-charger"),
   TRAFFIC_RESOLVED("traffic.resolved"),

@@ -67,7 +67,7 @@ public interface Fleet {
 
   /**
    * A person takes a robot out of service: it stops and gets no task. While it is connected it
-   * stays an obstacle where it stands; if it is not, its cells become free.
+   * stays an obstacle where it is; if it is not, its cells become free.
    */
   CompletionStage<Answer<RobotView>> takeOutOfService(String robot, String user);
 

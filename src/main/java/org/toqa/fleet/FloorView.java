@@ -9,9 +9,9 @@ import org.toqa.grid.CellRuns;
 import org.toqa.wording.Sentence;
 
 /**
- * A floor as readers see it: what is in the way beside its walls and the robots that drive.
+ * A floor as readers see it: what blocks it beside its walls and the robots that drive.
  *
- * @param hold by a person's word, of all its robots; null: they may drive
+ * @param hold by an operator, of all its robots; null: they may drive
  * @param obstacles where robots have seen something that the map does not show
  * @param silentRobotCells by name, the robots that are not heard of, with the cells that stay
  *     reserved for each
@@ -40,7 +40,7 @@ public record FloorView(
   /**
    * Robots that do not get on.
    *
-   * @param positions they stand, metres, map frame, in the order of the robots
+   * @param positions where they are, metres, map frame, in the order of the robots
    * @param text who, where, and what is done about it
    */
   public record StandstillView(

@@ -9,7 +9,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Work that is done again and again on a thread of its own, with a pause after each time. What is
- * under way when it is closed is waited for and never interrupted: an embedded database closes its
+ * running when it is closed is waited for and never interrupted: an embedded database closes its
  * file when a thread that reads it is interrupted.
  */
 public final class PeriodicWork implements AutoCloseable {

@@ -8,12 +8,12 @@ import org.toqa.link.message.AgentMessage.Mode;
  * state whether it can be given a task. What it spends its time with follows from {@link
  * RobotState.Kind}.
  *
- * @param inService by a person's word
+ * @param inService as an operator set it
  * @param everHeard since the server started
  * @param heard now
  * @param localised whether it says that it knows where it is
  * @param mode as it says
- * @param charging whether it stands at its charging point and is the first one there
+ * @param charging whether it is at its charging point and is the first one there
  */
 public record RobotCondition(
     boolean inService,
@@ -53,12 +53,14 @@ public record RobotCondition(
     Availability withoutTask = robot.state().withoutTask();
     return switch (withoutTask) {
       case FREE -> {
-        if (robot.charger() != null) {
+        if (robot.work().charger() != null) {
           yield Availability.CHARGING;
         }
-        yield isPromised || robot.phase().isCarryingTask() ? Availability.BUSY : Availability.FREE;
+        yield isPromised || robot.work().phase().isCarryingTask()
+            ? Availability.BUSY
+            : Availability.FREE;
       }
-      case HELD -> robot.task() == null ? Availability.HELD : Availability.BUSY;
+      case HELD -> robot.work().task() == null ? Availability.HELD : Availability.BUSY;
       case BUSY, CHARGING, OUT_OF_SERVICE, LOST, CONNECTING, NOT_LOCALISED, ERROR -> withoutTask;
     };
   }

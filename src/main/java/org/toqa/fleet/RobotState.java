@@ -9,9 +9,9 @@ public enum RobotState {
   /** At its parking point or waiting, free for a task. */
   IDLE(Kind.OPERATIONAL, Availability.FREE),
   DRIVING(Kind.OPERATIONAL, Availability.FREE),
-  /** Stands at a charging point and charges. */
+  /** Is at a charging point and charges. */
   CHARGING(Kind.CHARGING, Availability.CHARGING),
-  /** Stands in the middle of its path. */
+  /** Is stopped in the middle of its path. */
   HOLDING(Kind.OPERATIONAL, Availability.HELD),
   /** Does not know where it is; a person must say it. */
   NOT_LOCALISED(Kind.TROUBLED, Availability.NOT_LOCALISED),

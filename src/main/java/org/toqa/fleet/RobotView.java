@@ -4,56 +4,99 @@ import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
-import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
-import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Phase;
+import org.toqa.traffic.floor.RemainingPath;
 import org.toqa.wording.Sentence;
 
 /**
  * A robot as readers see it.
  *
- * @param pose map frame; null while it was never heard of, and after a person said that it does not
- *     stand there any more
- * @param battery 0 to 1; null while it was never heard of
- * @param task the task it works for, if any
- * @param phase of its task that it is in
- * @param footprint diameter in metres
- * @param speed metres a second at which it drives straight on
- * @param path the rest of its path as a line, metres, map frame; empty when it stands
- * @param released how many points of {@code path} it may already drive to
- * @param held whether it shall hold: by a person's word, for its task, or since all are paused
- * @param charger the charging point that it charges at, drives to or waits for; null: none
- * @param fingerprint of the certificate that pairing recorded; null: the link is not encrypted
+ * @param record as it is stored: its name, its floor, and what a person entered of it
+ * @param path the rest of its path; {@link RemainingPath#NONE} when it stands
  * @param alert why it and the server do not trust each other; null: nothing is wrong
  */
 public record RobotView(
-    String name,
-    String floor,
+    RobotRecord record,
+    RobotCapabilities capabilities,
     RobotState state,
-    @Nullable Pose pose,
-    @Nullable Double battery,
-    @Nullable Long task,
-    Phase phase,
-    double maxLoad,
-    double footprint,
-    double speed,
-    String host,
-    int port,
-    @Nullable String parking,
-    boolean simulated,
-    List<Vec2> path,
-    int released,
-    List<Fault> errors,
-    Sentence doing,
-    @Nullable Instant lastSeen,
-    boolean held,
-    @Nullable String charger,
-    @Nullable Fingerprint fingerprint,
+    Work work,
+    Telemetry telemetry,
+    RemainingPath path,
     @Nullable Sentence alert) {
 
-  public RobotView {
-    path = List.copyOf(path);
-    errors = List.copyOf(errors);
+  /**
+   * What a robot does, and for which task.
+   *
+   * @param task the task it works for, if any
+   * @param phase of its task that it is in
+   * @param held whether it shall hold: by a person's word, for its task, or since all are paused
+   * @param charger the charging point that it charges at, drives to or waits for; null: none
+   */
+  public record Work(
+      @Nullable Long task, Phase phase, boolean held, @Nullable String charger, Sentence doing) {}
+
+  /**
+   * What a robot said of itself last.
+   *
+   * @param pose map frame; null while it was never heard of, and after a person said that it does
+   *     not stand there any more
+   * @param battery 0 to 1; null while it was never heard of
+   * @param lastSeen when that was; null: never
+   */
+  public record Telemetry(
+      @Nullable Pose pose,
+      @Nullable Double battery,
+      List<Fault> errors,
+      @Nullable Instant lastSeen) {
+
+    public Telemetry {
+      errors = List.copyOf(errors);
+    }
+
+    public Telemetry withBattery(double changed) {
+      return new Telemetry(pose, changed, errors, lastSeen);
+    }
+
+    public Telemetry withErrors(List<Fault> changed) {
+      return new Telemetry(pose, battery, changed, lastSeen);
+    }
+  }
+
+  public String name() {
+    return record.name();
+  }
+
+  public String floor() {
+    return record.floor();
+  }
+
+  /** Kilograms that it may carry. */
+  public double maxLoad() {
+    return capabilities.allowedLoad(record);
+  }
+
+  public RobotView withRecord(RobotRecord changed) {
+    return new RobotView(changed, capabilities, state, work, telemetry, path, alert);
+  }
+
+  public RobotView withCapabilities(RobotCapabilities changed) {
+    return new RobotView(record, changed, state, work, telemetry, path, alert);
+  }
+
+  public RobotView withWork(Work changed) {
+    return new RobotView(record, capabilities, state, changed, telemetry, path, alert);
+  }
+
+  public RobotView withTelemetry(Telemetry changed) {
+    return new RobotView(record, capabilities, state, work, changed, path, alert);
+  }
+
+  public RobotView withPath(RemainingPath changed) {
+    return new RobotView(record, capabilities, state, work, telemetry, changed, alert);
+  }
+
+  public RobotView withAlert(@Nullable Sentence changed) {
+    return new RobotView(record, capabilities, state, work, telemetry, path, changed);
   }
 }

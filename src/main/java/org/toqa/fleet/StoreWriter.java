@@ -12,7 +12,7 @@ import org.toqa.persistence.StoreException;
 /**
  * Writes an agent's changes to the store, in order, on a thread of its own, and tells when each is
  * safe. While the store does not answer, the oldest change is tried again and all others wait: the
- * commands that follow from them are not sent, so the robots finish what they have and stand.
+ * commands that follow from them are not sent, so the robots finish what they have and stop.
  */
 public final class StoreWriter implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(StoreWriter.class);
@@ -39,7 +39,7 @@ public final class StoreWriter implements AutoCloseable {
   }
 
   /**
-   * Tries a change once; for orders whose asker waits for the answer.
+   * Tries a change once; for orders whose caller waits for the answer.
    *
    * @param failed gets the sentence when it could not be stored
    */

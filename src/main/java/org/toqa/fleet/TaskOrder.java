@@ -26,6 +26,18 @@ public record TaskOrder(
     @Nullable Instant deadline,
     @Nullable LoadSize size) {
 
+  /**
+   * The task that is ordered; its id is not known yet.
+   *
+   * @param from what {@code start} is on that floor
+   * @param to what {@code goal} is there
+   */
+  public TransportTask task(
+      TaskPlace from, TaskPlace to, String resolvedFloor, String user, Instant now) {
+    return new TransportTask(
+        0, name, load, from, to, resolvedFloor, priority, deadline, size, user, now);
+  }
+
   /** A place by its coordinates or by its station's name. */
   public sealed interface Where {
     record Point(Vec2 position) implements Where {}

@@ -14,7 +14,7 @@ import org.toqa.wording.Sentence;
  * A task as readers see it.
  *
  * @param robots names, in the order they were chosen
- * @param loadAt where the load stands if that is neither its start nor its goal, else null
+ * @param loadAt where the load is if that is neither its start nor its goal, else null
  * @param waitingFor a sentence while it waits, else null
  * @param needs what a person must decide, else null
  * @param late a sentence while its deadline cannot be met, else null
@@ -52,6 +52,13 @@ public record TaskView(
 
   public TaskView withLateness(@Nullable Sentence nextLate) {
     return new TaskView(task, state, held, robots, loadAt, waitingFor, needs, nextLate, changedAt);
+  }
+
+  /**
+   * @param reason why it waits
+   */
+  public TaskView withWaitReason(Sentence reason) {
+    return new TaskView(task, state, held, robots, loadAt, reason, needs, late, changedAt);
   }
 
   /** Where the load is fetched. */

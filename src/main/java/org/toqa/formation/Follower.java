@@ -48,7 +48,7 @@ public final class Follower {
   /**
    * @param offset of its place, in the leader's frame, metres
    * @param tolerance metres off its place, above 0, from which the formation must stop
-   * @param linkDelay seconds that a message is usually under way
+   * @param linkDelay seconds that a message usually takes, 0 or more
    */
   public Follower(FollowerLaw law, Vec2 offset, double tolerance, double linkDelay) {
     this.law = law;

@@ -19,7 +19,7 @@ public final class FormationMonitor {
 
   /**
    * Two answers, 0.2 s apart, have not come (Tanta, level 2), and the third that would tell so need
-   * not be waited for; two ticks for the way.
+   * not be waited for; two ticks for the message.
    */
   public static final double LATE_SECONDS = 0.44;
 
@@ -60,7 +60,7 @@ public final class FormationMonitor {
   }
 
   /**
-   * A follower has answered; answers of strangers are ignored.
+   * A follower has answered; answers of robots outside the formation are ignored.
    *
    * @param error metres off its place, at least 0
    * @param isFollowing whether it can keep its place

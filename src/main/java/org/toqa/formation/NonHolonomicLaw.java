@@ -6,14 +6,15 @@ import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 
 /**
- * The law for robots that cannot go sideways: the robot faces the way that it should go, and goes
- * as fast as that and the error ask for (Tanta, "Formation control", with the wanted place turned
- * by the leader's heading, a gain in place of the dead-beat 1/dt, and the place's own velocity fed
- * forward). It takes no heading from the place: on a curve each robot faces along its own arc.
+ * The law for robots that cannot go sideways: the robot faces the direction in which it should go,
+ * and goes as fast as that and the error ask for (Tanta, "Formation control", with the wanted place
+ * turned by the leader's heading, a gain in place of the dead-beat 1/dt, and the place's own
+ * velocity fed forward). It takes no heading from the place: on a curve each robot faces along its
+ * own arc.
  */
 public record NonHolonomicLaw(Gains gains) implements FollowerLaw {
 
-  /** Below this speed, metres a second, a place stands. */
+  /** Below this speed, metres a second, a place counts as stopped. */
   private static final double STANDING_SPEED = 0.005;
 
   /** Metres; nearer than that a robot does not turn on the spot to come nearer still. */

@@ -6,9 +6,9 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
 /**
- * Who stands where round a load: a line of two, a triangle of three, a ring of more. Places are in
- * the load's frame: origin in its middle, x along its length and forward, y left. The leader stands
- * in front, the followers counter-clockwise from it.
+ * Who is where round a load: a line of two, a triangle of three, a ring of more. Places are in the
+ * load's frame: origin in its middle, x along its length and forward, y left. The leader is in
+ * front, the followers counter-clockwise from it.
  *
  * @param leader the leader's place, metres
  * @param followers the followers' places, metres

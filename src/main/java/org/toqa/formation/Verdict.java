@@ -9,11 +9,11 @@ public sealed interface Verdict {
   record Drive(double pace) implements Verdict {}
 
   /**
-   * @param follower the robot because of which the formation stands
+   * @param follower the robot because of which the formation has stopped
    */
   record Stop(Reason reason, String follower) implements Verdict {}
 
-  /** Why a formation stands. */
+  /** Why a formation has stopped. */
   enum Reason {
     /** It has not answered yet. */
     NOT_READY,

@@ -1,7 +1,7 @@
 package org.toqa.geometry;
 
 /**
- * Where something is and which way it faces, in a fixed frame (for a robot: the map's).
+ * Where something is and with which heading, in a fixed frame (for a robot: the map's).
  *
  * @param x metres, to the east
  * @param y metres, to the north

@@ -23,7 +23,7 @@ public record Disc(double radius) {
   }
 
   /**
-   * The cells of the grid that the disc touches when it stands at a point.
+   * The cells of the grid that the disc touches when its centre is at a point.
    *
    * @param centre metres, map frame
    */

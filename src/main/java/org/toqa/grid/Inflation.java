@@ -5,7 +5,8 @@ import java.util.BitSet;
 import org.toqa.geometry.Vec2;
 
 /**
- * Grows the obstacles by a robot's radius, so that a planner may treat the robot as a point.
+ * Grows the obstacles by a robot's radius, so that a planner may treat the robot as a point (the
+ * configuration space of a disc: Lozano-Perez, "Spatial planning", 1983).
  *
  * <p>The rule: a cell is blocked when an open disc of the radius round its centre overlaps the
  * square of an occupied cell or leaves the grid. A disc that merely touches a wall fits, so a robot

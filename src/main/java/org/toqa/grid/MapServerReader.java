@@ -21,7 +21,7 @@ public final class MapServerReader {
     YamlFields yaml = YamlFields.read(yamlFile, KEYS);
     String mode = yaml.has("mode") ? yaml.text("mode") : "trinary";
     if (!mode.equals("trinary")) {
-      throw yaml.error("mode", "only 'trinary' is understood, not '" + mode + "'.");
+      throw yaml.error("mode", "only 'trinary' is supported, not '" + mode + "'.");
     }
     double resolution = yaml.number("resolution");
     if (resolution < 0.001 || resolution > 100) {
@@ -52,7 +52,7 @@ public final class MapServerReader {
           "origin",
           "a map turned by "
               + origin.get(2)
-              + " rad is not understood; turn the picture"
+              + " rad is not supported; turn the picture"
               + " and write 0.");
     }
     if (Math.max(Math.abs(origin.get(0)), Math.abs(origin.get(1))) > MapLimits.FARTHEST) {

@@ -7,6 +7,7 @@ import org.toqa.link.trust.Fingerprint;
  * Where a robot is, and how it is known.
  *
  * @param robot the name that it must say in its hello
+ * @param port of TCP, 1 to 65535
  * @param fingerprint of the certificate that it must show; null: it was never paired, and the link
  *     is not encrypted
  */

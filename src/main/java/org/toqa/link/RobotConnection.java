@@ -91,7 +91,7 @@ final class RobotConnection implements AutoCloseable {
   }
 
   /**
-   * The next message that can be understood; waits for it.
+   * The next valid message; waits for it.
    *
    * @throws LinkException if the connection ends, or nothing comes for too long
    */

@@ -12,6 +12,8 @@ public interface RobotLinkFactory {
    * certificate. Waits, for some seconds at most.
    *
    * @param robot the name that it must say
+   * @param port of TCP, 1 to 65535
+   * @return a refusal, with its reason, wherever it does not come about
    */
   PairingResult pair(String robot, String host, int port, PairingCode code);
 }

@@ -19,8 +19,8 @@ import org.toqa.wording.Sentence;
  *
  * @param held whether a person has put it on hold
  * @param ending what becomes of the load on board, once the task was cancelled
- * @param setDownPlace where the load was fetched last, or stands, if that is neither its start nor
- *     its goal
+ * @param setDownPlace where the load was fetched last, or is, if that is neither its start nor its
+ *     goal
  * @param trouble what keeps a robot from going on, if anything
  */
 public record Mission(
@@ -65,6 +65,7 @@ public record Mission(
         mission.driveCommands(Phase.TO_OBJECT), Phrase.GIVEN_TO.with(Sentence.names(robots), why));
   }
 
+  /** The task's id. */
   public long id() {
     return task.id();
   }
@@ -85,9 +86,7 @@ public record Mission(
     return setDownPlace != null ? setDownPlace : task.start();
   }
 
-  /**
-   * Where the load stands if that is neither its start nor its goal; null too while it is carried.
-   */
+  /** Where the load is if that is neither its start nor its goal; null too while it is carried. */
   public @Nullable TaskPlace loadAt() {
     if (state != TaskState.CARRYING) {
       return setDownPlace;
@@ -100,7 +99,7 @@ public record Mission(
     return ending == LoadChoice.BACK ? task.start() : task.goal();
   }
 
-  /** Whether its robots, with the load on board, shall come to a stand and set it down. */
+  /** Whether its robots, with the load on board, shall stop and set it down. */
   public boolean isStopping() {
     return state == TaskState.CARRYING && ending == LoadChoice.HERE;
   }
@@ -202,7 +201,7 @@ public record Mission(
         assignedRobots.stream().map(c -> c.robot().equals(robot) ? change.apply(c) : c).toList());
   }
 
-  /** What has ended is not on hold any more and ends in no other way. */
+  /** What has ended is not on hold any more and does not end again. */
   Mission withState(TaskState next) {
     return next.isEnded()
         ? new Mission(task, next, assignedRobots, false, null, setDownPlace, null)

@@ -8,7 +8,7 @@ public sealed interface MissionCommand {
   /** Let the robot drive the phase. */
   record Drive(String robot, Phase phase) implements MissionCommand {}
 
-  /** Let the robot come to a stand where it is, and set the load down. */
+  /** Let the robot stop where it is, and set the load down. */
   record Stop(String robot) implements MissionCommand {}
 
   /** The robot is free: parked, failed, or on another task. */

@@ -17,7 +17,7 @@ public sealed interface MissionEvent {
   /** The robot has driven the phase to its end. */
   record PhaseEnded(String robot, Phase phase) implements OfRobot {}
 
-  /** The robot, on its way home, was given another task. */
+  /** The robot, driving home, was given another task. */
   record Retasked(String robot) implements OfRobot {}
 
   /**
@@ -27,7 +27,7 @@ public sealed interface MissionEvent {
    */
   record Exchanged(String robot, String newRobot, Sentence why) implements OfRobot {}
 
-  /** The robot, which shall set the load down, has come to a stand. */
+  /** The robot, which shall set the load down, has stopped. */
   record Stopped(String robot, TaskPlace place) implements OfRobot {}
 
   /**

@@ -25,9 +25,15 @@ public record TransportTask(
     String user,
     Instant createdAt) {
 
-  /** Metres. */
+  /**
+   * Of the load's outline from above.
+   *
+   * @param length metres, along the load's x axis
+   * @param width metres, along its y axis
+   */
   public record LoadSize(double length, double width) {}
 
+  /** The same with the id that the store gave it. */
   public TransportTask withId(long stored) {
     return new TransportTask(
         stored, name, load, start, goal, floor, priority, deadline, size, user, createdAt);

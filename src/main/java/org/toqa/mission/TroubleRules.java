@@ -22,7 +22,7 @@ final class TroubleRules {
             new Trouble(event.robot(), Phrase.IS_NOT_HEARD_OF.with(), event.place(), false));
   }
 
-  /** A person's word that the mission waits holds until the robot is back. */
+  /** An operator's choice that the mission waits is valid until the robot is back. */
   static Mission.Step onRobotFailed(Mission mission, MissionEvent.RobotFailed event) {
     Trouble known = troubleOf(event.robot(), mission);
     if (known != null && known.isAwaited()) {
@@ -137,7 +137,7 @@ final class TroubleRules {
     return mission.withTrouble(asked).step(List.of(), sentence);
   }
 
-  /** What was on board stands where its robot was last. */
+  /** What was on board is where its robot was last. */
   private static Mission.Step requeue(Mission mission, Trouble trouble, Sentence sentence) {
     Mission queued =
         isCarrying(mission) && trouble.place() != null

@@ -26,23 +26,22 @@ public record DifferentialKinematics(double wheelRadius, double track) implement
   /**
    * @throws IllegalArgumentException if the twist goes sideways
    */
-  // v_left = vx - w b/2,  v_right = vx + w b/2,  wheel rate = v / r
+  // v_left = vx - w b/2,  v_right = vx + w b/2,  wheel speed = v / r
   @Override
-  public double[] rates(Twist twist) {
+  public WheelSpeeds speeds(Twist twist) {
     if (twist.vy() != 0) {
       throw new IllegalArgumentException(
           "Two wheels on one axle cannot go sideways at " + twist.vy() + " m/s.");
     }
     double turning = twist.w() * track / 2;
-    return new double[] {
-      (twist.vx() - turning) / wheelRadius, (twist.vx() + turning) / wheelRadius
-    };
+    return new WheelSpeeds(
+        (twist.vx() - turning) / wheelRadius, (twist.vx() + turning) / wheelRadius, 0);
   }
 
   @Override
-  public Twist twist(double... rates) {
-    double left = rates[0] * wheelRadius;
-    double right = rates[1] * wheelRadius;
+  public Twist twist(WheelSpeeds speeds) {
+    double left = speeds.first() * wheelRadius;
+    double right = speeds.second() * wheelRadius;
     return new Twist((left + right) / 2, 0, (right - left) / track);
   }
 }

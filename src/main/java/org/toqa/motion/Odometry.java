@@ -50,10 +50,10 @@ public final class Odometry {
    */
   public Pose update(int... counts) {
     checked(counts);
-    double[] turned = new double[counts.length];
-    for (int i = 0; i < counts.length; i++) {
-      turned[i] = (counts[i] - last[i]) * 2 * Math.PI / countsPerTurn;
-    }
+    // as if the step had taken a second
+    WheelSpeeds turned =
+        WheelSpeeds.of(
+            counts.length, wheel -> (counts[wheel] - last[wheel]) * 2 * Math.PI / countsPerTurn);
     last = counts.clone();
     pose = pose.advanced(kinematics.twist(turned), 1);
     return pose;

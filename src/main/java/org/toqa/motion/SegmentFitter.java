@@ -43,7 +43,7 @@ public final class SegmentFitter {
   }
 
   /**
-   * @param start where the robot really stands, map frame; the first leg begins there
+   * @param start where the robot really is, map frame; the first leg begins there
    * @param waypoints where the legs bend and where they end
    * @throws IllegalArgumentException if a coordinate is not finite
    */
@@ -69,7 +69,8 @@ public final class SegmentFitter {
   /**
    * A straight part between two points.
    *
-   * @param direction radians, map frame
+   * @param length metres
+   * @param direction radians, counter-clockwise from the map's x axis
    * @param turnAtEnd whether the robot turns on the spot at its end
    */
   private record Leg(double length, double direction, boolean turnAtEnd) {}
@@ -152,7 +153,7 @@ public final class SegmentFitter {
   private static void requireFinite(double... numbers) {
     for (double number : numbers) {
       if (!Double.isFinite(number)) {
-        throw new IllegalArgumentException("A way has finite coordinates, not " + number + ".");
+        throw new IllegalArgumentException("A path has finite coordinates, not " + number + ".");
       }
     }
   }

@@ -32,24 +32,23 @@ public record ThreeWheelKinematics(double wheelRadius, double centreToWheel)
 
   // v1 =  sqrt(3)/2 vx - 1/2 vy + R w
   // v2 =                     vy + R w
-  // v3 = -sqrt(3)/2 vx - 1/2 vy + R w,   wheel rate = v / r
+  // v3 = -sqrt(3)/2 vx - 1/2 vy + R w,   wheel speed = v / r
   @Override
-  public double[] rates(Twist twist) {
+  public WheelSpeeds speeds(Twist twist) {
     double along = SQRT_3 / 2 * twist.vx();
     double turning = centreToWheel * twist.w();
-    return new double[] {
-      (along - twist.vy() / 2 + turning) / wheelRadius,
-      (twist.vy() + turning) / wheelRadius,
-      (-along - twist.vy() / 2 + turning) / wheelRadius
-    };
+    return new WheelSpeeds(
+        (along - twist.vy() / 2 + turning) / wheelRadius,
+        (twist.vy() + turning) / wheelRadius,
+        (-along - twist.vy() / 2 + turning) / wheelRadius);
   }
 
   // vx = (v1 - v3)/sqrt(3),  vy = (2 v2 - v1 - v3)/3,  w = (v1 + v2 + v3)/(3 R)
   @Override
-  public Twist twist(double... rates) {
-    double v1 = rates[0] * wheelRadius;
-    double v2 = rates[1] * wheelRadius;
-    double v3 = rates[2] * wheelRadius;
+  public Twist twist(WheelSpeeds speeds) {
+    double v1 = speeds.first() * wheelRadius;
+    double v2 = speeds.second() * wheelRadius;
+    double v3 = speeds.third() * wheelRadius;
     return new Twist(
         (v1 - v3) / SQRT_3, (2 * v2 - v1 - v3) / 3, (v1 + v2 + v3) / (3 * centreToWheel));
   }

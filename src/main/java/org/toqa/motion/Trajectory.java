@@ -27,6 +27,8 @@ public record Trajectory(Pose start, List<Segment> segments) {
   /**
    * The pose when the first {@code count} segments are completed.
    *
+   * @param count 0 to the number of segments
+   * @return map frame
    * @throws IndexOutOfBoundsException if there are fewer
    */
   public Pose poseAfter(int count) {
@@ -42,7 +44,11 @@ public record Trajectory(Pose start, List<Segment> segments) {
     return poseAfter(segments.size());
   }
 
-  /** The pose {@code seconds} after the start; the end pose from the end on. */
+  /**
+   * The pose at a moment, map frame; the end pose from the end on.
+   *
+   * @param seconds after the start; below 0 counts as 0
+   */
   public Pose poseAt(double seconds) {
     Pose pose = start;
     double left = seconds;

@@ -3,9 +3,8 @@ package org.toqa.motion;
 import org.toqa.geometry.Twist;
 
 /**
- * How a robot's own velocity and its wheels' rates belong together. Both directions are linear, so
- * they hold for small displacements too: turned angles instead of rates, metres and radians instead
- * of velocities.
+ * How a robot's own velocity and its wheels' speeds belong together. Both directions are linear, so
+ * they hold for small displacements too, taken as the velocities of a second.
  */
 public sealed interface WheelKinematics permits ThreeWheelKinematics, DifferentialKinematics {
 
@@ -13,21 +12,18 @@ public sealed interface WheelKinematics permits ThreeWheelKinematics, Differenti
   int wheelCount();
 
   /**
-   * The wheels' rates that make a velocity.
+   * The wheels' speeds that make a velocity.
    *
    * @param twist in the robot's own frame
-   * @return radians a second of each wheel, positive in the direction of the implementation's
-   *     formulas
    */
-  double[] rates(Twist twist);
+  WheelSpeeds speeds(Twist twist);
 
   /**
    * The velocity that the wheels make.
    *
-   * @param rates radians a second of each wheel, likewise
    * @return in the robot's own frame
    */
-  Twist twist(double... rates);
+  Twist twist(WheelSpeeds speeds);
 
   /**
    * Refuses a size that no robot has.

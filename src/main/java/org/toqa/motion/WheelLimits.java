@@ -3,8 +3,9 @@ package org.toqa.motion;
 /**
  * How fast wheels turn, radians a second, either direction.
  *
- * @param ratedRate what the motor is rated for, with its gear
- * @param maxRate what the firmware commands at most; faster ones are slowed down, all wheels alike
+ * @param ratedRate radians a second that the motor is rated for, with its gear
+ * @param maxRate radians a second that the firmware commands at most; faster ones are slowed down,
+ *     all wheels alike
  */
 public record WheelLimits(double ratedRate, double maxRate) {
 

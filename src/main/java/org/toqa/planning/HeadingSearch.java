@@ -12,7 +12,8 @@ import java.util.List;
  *
  * <p>The lower bound for the rest of the path is the exact octile distance, found on demand by an
  * {@link OctileSearch} from the goal: it drops only the rule about headings, so few states beyond
- * the best paths are looked at. Confined to one thread.
+ * the best paths are looked at (as the reverse resumable A* of Silver, "Cooperative pathfinding",
+ * 2005; A*: Hart, Nilsson and Raphael, 1968). Confined to one thread.
  */
 final class HeadingSearch {
   private static final int UNKNOWN = Integer.MAX_VALUE;

@@ -25,7 +25,7 @@ public final class PlanChecker {
       OccupancyGrid grid, Cell start, Cell goal, Path path, Rule rule) {
     List<Step> steps = path.steps();
     if (!steps.getFirst().cell().equals(start) || !steps.getLast().cell().equals(goal)) {
-      return Optional.of("The way does not lead from " + start + " to " + goal + ".");
+      return Optional.of("The path does not lead from " + start + " to " + goal + ".");
     }
     if (!grid.isFree(start)) {
       return Optional.of("The start " + start + " is blocked.");
@@ -39,7 +39,8 @@ public final class PlanChecker {
       if (from.cell().equals(to.cell())) {
         boolean alone = i == 1 || steps.get(i - 2).heading() == from.heading();
         if (rule == Rule.OCTILE || eighths < 2 || !alone) {
-          return Optional.of("At " + from.cell() + " the way turns on the spot against the rule.");
+          return Optional.of(
+              "At " + from.cell() + " the path turns on the spot where the rule forbids it.");
         }
         turns++;
         cost += eighths / 2.0;
@@ -51,16 +52,17 @@ public final class PlanChecker {
           return Optional.of("The last heading is not the one in which the goal is entered.");
         }
         if (rule == Rule.HEADING && eighths > 1) {
-          return Optional.of("At " + to.cell() + " the way bends by " + 45 * eighths + " degrees.");
+          return Optional.of(
+              "At " + to.cell() + " the path bends by " + 45 * eighths + " degrees.");
         }
         cost += Math.hypot(from.heading().dColumn(), from.heading().dRow());
       }
     }
     if (turns != path.turnsOnSpot()) {
-      return Optional.of("The way turns " + turns + " times, not " + path.turnsOnSpot() + ".");
+      return Optional.of("The path turns " + turns + " times, not " + path.turnsOnSpot() + ".");
     }
     if (!(Math.abs(cost - path.cost()) <= ROUNDING * Math.max(1, cost))) {
-      return Optional.of("The way costs " + cost + " cells, not " + path.cost() + ".");
+      return Optional.of("The path costs " + cost + " cells, not " + path.cost() + ".");
     }
     return Optional.empty();
   }

@@ -19,8 +19,8 @@ import org.toqa.geometry.Pose;
 
 /**
  * Simulated robots: real daemons over simulated bodies, each behind a TCP port of its own on
- * loopback, all in one process and by one clock. A robot whose folder is found stands where it
- * stood, with its journal; the ports are new at every start.
+ * loopback, all in one process and by one clock. A robot whose folder is found is where it was,
+ * with its journal; the ports are new at every start.
  */
 public final class SimulatedFleet implements AutoCloseable {
 
@@ -58,7 +58,8 @@ public final class SimulatedFleet implements AutoCloseable {
    * Makes the robots, or finds them again, and lets them live by the clock.
    *
    * @param folder one folder for each robot is kept in it, with the robot's name
-   * @param floor where they stand and drive
+   * @param floor where they are and drive
+   * @throws IOException when a robot's folder or port is not usable; then none of them runs
    */
   public static SimulatedFleet open(
       Path folder, List<SimulatedRobot> robots, SimulatedFloor floor, VirtualClock clock)
@@ -80,7 +81,11 @@ public final class SimulatedFleet implements AutoCloseable {
     this.clock = clock;
   }
 
-  /** Where the robot listens, on loopback. */
+  /**
+   * The port of TCP on which the robot listens, on loopback.
+   *
+   * @throws IllegalArgumentException if there is no such robot
+   */
   public int port(String robot) {
     return robots.stream()
         .map(SimulatedDaemon::daemon)

@@ -78,7 +78,7 @@ public final class SimulatedFloor {
     return new SimulatedFloor(null, List.of());
   }
 
-  /** Where robots that stand there are charged, metres, map frame. */
+  /** Where robots that are stopped are charged, metres, map frame. */
   List<Vec2> chargers() {
     return chargers;
   }

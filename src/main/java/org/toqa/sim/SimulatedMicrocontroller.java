@@ -25,7 +25,7 @@ public final class SimulatedMicrocontroller implements AutoCloseable {
    *
    * @param hex its program, in the folder of the built firmware
    * @param drive the drive's name, as {@code toqa-sim} knows it
-   * @param hertz of its clock
+   * @param hertz the frequency of its clock
    */
   public record Board(String hex, String drive, int hertz) {
 
@@ -42,12 +42,17 @@ public final class SimulatedMicrocontroller implements AutoCloseable {
    * @param firmware the folder of the built firmware
    * @param folder where its socket is made, and its EEPROM is kept: one that is found there was
    *     switched off, and is switched on again
+   * @throws IOException when the firmware is not built or the simulator does not start
    */
   public static SimulatedMicrocontroller start(Path firmware, Path folder) throws IOException {
     return start(firmware, Board.LM629, folder);
   }
 
-  /** The same with another board. */
+  /**
+   * The same with another board.
+   *
+   * @throws IOException as above
+   */
   public static SimulatedMicrocontroller start(Path firmware, Board board, Path folder)
       throws IOException {
     Path program = firmware.resolve(PROGRAM);

@@ -19,11 +19,12 @@ import org.slf4j.LoggerFactory;
  */
 public final class VirtualClock implements InstantSource, AutoCloseable {
 
+  /** What the world's time advances by at once: 20 ms, a tick of the daemon. */
   public static final Duration STEP = Duration.ofMillis(20);
 
   private static final Logger log = LoggerFactory.getLogger(VirtualClock.class);
 
-  /** Real time that participants may hold the world up in one stretch. */
+  /** Real time for which participants may block the world without a pause. */
   private static final Duration MAX_HOLD = Duration.ofSeconds(5);
 
   private static final long CLOSE_TIMEOUT_MS = 5_000;
@@ -48,6 +49,7 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
   /**
    * @param epoch the world's time at its start
    * @param speed how many times faster than real time it goes
+   * @throws IllegalArgumentException if that is not above 0 and finite
    */
   public VirtualClock(Instant epoch, double speed) {
     if (!(speed > 0) || Double.isInfinite(speed)) {
@@ -69,7 +71,10 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
   }
 
   /**
-   * @param period a multiple of {@link #STEP}
+   * From now on the participant has a tick whenever the world's time is a multiple of the period.
+   *
+   * @param period of the world's time; a multiple of {@link #STEP}, above 0
+   * @throws IllegalArgumentException if it is not
    */
   public void add(Participant participant, Duration period) {
     if (period.toNanos() <= 0 || period.toNanos() % STEP.toNanos() != 0) {
@@ -78,7 +83,7 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     registrations.add(new Registration(participant, period.toNanos()));
   }
 
-  /** When this returns, the participant has no tick under way and will have none. */
+  /** When this returns, the participant has no running tick and will have none. */
   public void remove(Participant participant) {
     synchronized (step) {
       registrations.removeIf(seat -> seat.participant() == participant);
@@ -90,7 +95,11 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     thread.start();
   }
 
-  /** Moves the world on by this much, ready or not; for a clock that was not started. */
+  /**
+   * Moves the world on, ready or not; for a clock that was not started.
+   *
+   * @param time of the world; rounded up to whole steps
+   */
   public void advance(Duration time) {
     long end = nanos + time.toNanos();
     while (nanos < end) {
@@ -98,7 +107,7 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     }
   }
 
-  /** Stops the world; when this returns, no tick is under way. */
+  /** Stops the world; when this returns, no tick is running. */
   @Override
   public void close() {
     closed = true;

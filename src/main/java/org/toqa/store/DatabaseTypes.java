@@ -24,7 +24,7 @@ import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Phase;
 import org.toqa.motion.Trajectory;
 
-/** How values stand in columns, and which records are read from rows by the names of columns. */
+/** How values are kept in columns, and which records are read from rows by the names of columns. */
 final class DatabaseTypes {
   private DatabaseTypes() {}
 

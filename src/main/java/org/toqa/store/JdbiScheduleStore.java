@@ -13,6 +13,8 @@ import java.util.UUID;
 import java.util.stream.Collectors;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.result.ResultIterable;
+import org.jdbi.v3.core.statement.Query;
 import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventKind;
@@ -44,33 +46,20 @@ public final class JdbiScheduleStore implements ScheduleStore {
 
   @Override
   public List<Schedule> schedules() {
-    return sql.withHandle(
-        h ->
-            h.createQuery(SELECT + "order by id")
-                .mapTo(ScheduleRow.class)
-                .map(ScheduleRow::toSchedule)
-                .list());
+    return sql.withHandle(h -> schedules(h.createQuery(SELECT + "order by id")).list());
   }
 
   @Override
   public Optional<Schedule> schedule(long id) {
     return sql.withHandle(
-        h ->
-            h.createQuery(SELECT + "where id = :id")
-                .bind("id", id)
-                .mapTo(ScheduleRow.class)
-                .map(ScheduleRow::toSchedule)
-                .findOne());
+        h -> schedules(h.createQuery(SELECT + "where id = :id").bind("id", id)).findOne());
   }
 
   @Override
   public Optional<Schedule> scheduleByKey(UUID key) {
     return sql.withHandle(
         h ->
-            h.createQuery(SELECT + "where submission = :key")
-                .bind("key", key)
-                .mapTo(ScheduleRow.class)
-                .map(ScheduleRow::toSchedule)
+            schedules(h.createQuery(SELECT + "where submission = :key").bind("key", key))
                 .findOne());
   }
 
@@ -78,11 +67,15 @@ public final class JdbiScheduleStore implements ScheduleStore {
   public List<Schedule> due(Instant now) {
     return sql.withHandle(
         h ->
-            h.createQuery(SELECT + "where not paused and due_at <= :now order by due_at, id")
-                .bind("now", now)
-                .mapTo(ScheduleRow.class)
-                .map(ScheduleRow::toSchedule)
+            schedules(
+                    h.createQuery(
+                            SELECT + "where not paused and due_at <= :now order by due_at, id")
+                        .bind("now", now))
                 .list());
+  }
+
+  private static ResultIterable<Schedule> schedules(Query query) {
+    return query.mapTo(ScheduleRow.class).map(ScheduleRow::toSchedule);
   }
 
   @Override

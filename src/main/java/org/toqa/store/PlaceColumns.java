@@ -6,7 +6,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskPlace;
 
 /**
- * Where a load is fetched or brought, as it stands in columns.
+ * Where a load is fetched or brought, as it is kept in columns.
  *
  * @param x metres, map frame; 0 where the station alone was given
  * @param y like {@code x}

@@ -17,7 +17,7 @@ import org.toqa.fleet.TaskOrder;
 /**
  * A row of the table of schedules.
  *
- * @param kind ONCE, EVERY or WEEKLY; which of the next five columns are null hangs on it
+ * @param kind ONCE, EVERY or WEEKLY; which of the next five columns are null depends on it
  * @param everyS seconds
  * @param weekdays names of {@link DayOfWeek} with commas between
  */

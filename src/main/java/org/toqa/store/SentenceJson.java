@@ -11,7 +11,7 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * A sentence as it stands in a column: an array of the phrase's name and the values, of which a
+ * A sentence as it is kept in a column: an array of the phrase's name and the values, of which a
  * sentence is such an array too.
  */
 final class SentenceJson {

@@ -66,7 +66,7 @@ final class TaskQuery {
 
   /**
    * @param columns the columns
-   * @param suffix what stands behind the conditions
+   * @param suffix what follows the conditions
    */
   Query select(Handle h, String columns, String suffix) {
     String where = conditions.isEmpty() ? "" : " where " + String.join(" and ", conditions);

@@ -133,7 +133,7 @@ final class TaskTable {
         .execute();
   }
 
-  /** From what the robot is in now: a task, the way home from one, or neither. */
+  /** From what the robot is in now: a task, the drive home from one, or neither. */
   static void saveAvailability(Handle h, long robot) {
     // availability 1: can be given a task; phase 0: parked   (Tanta, "Database")
     h.createUpdate(

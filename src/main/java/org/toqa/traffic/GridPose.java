@@ -4,7 +4,7 @@ import org.toqa.grid.Cell;
 import org.toqa.planning.Heading;
 
 /**
- * Where a robot stands and which way it faces.
+ * Where a robot is and which direction it faces.
  *
  * @param heading one of the four straight ones; without meaning in {@link MotionModel#CLASSIC}
  */

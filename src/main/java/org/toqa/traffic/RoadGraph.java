@@ -170,7 +170,7 @@ public final class RoadGraph {
       }
     }
     throw new IllegalArgumentException(
-        "There is no road from " + cell(from) + " to " + cell(to) + ".");
+        "There is no edge from " + cell(from) + " to " + cell(to) + ".");
   }
 
   /**

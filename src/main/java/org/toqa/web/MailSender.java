@@ -2,14 +2,14 @@ package org.toqa.web;
 
 import java.io.IOException;
 
-/** Sends letters. */
+/** Sends e-mails. */
 public interface MailSender {
 
-  /** The address of these pages as it stands in letters, without a slash at its end. */
+  /** The address of these pages as e-mails have it, without a slash at its end. */
   String baseUrl();
 
   /**
-   * Returns when the mail server has taken the letter; that may take a minute.
+   * Returns when the mail server has taken the e-mail; that may take a minute.
    *
    * @param to an e-mail address
    * @throws IOException the mail server did not take it

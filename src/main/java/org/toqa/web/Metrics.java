@@ -61,7 +61,10 @@ public final class Metrics implements AutoCloseable {
     gauge(
         "toqa.robots.faulty",
         "Robots that report an error or are not trusted",
-        s -> s.robots().stream().filter(r -> !r.errors().isEmpty() || r.alert() != null).count());
+        s ->
+            s.robots().stream()
+                .filter(r -> !r.telemetry().errors().isEmpty() || r.alert() != null)
+                .count());
     Gauge.builder("toqa.streams", streams, AtomicInteger::get)
         .description("Readers of live events")
         .register(registry);
@@ -147,7 +150,7 @@ public final class Metrics implements AutoCloseable {
   }
 
   private static Stream<MultiGauge.Row<?>> battery(RobotView robot) {
-    Double battery = robot.battery();
+    Double battery = robot.telemetry().battery();
     return battery == null
         ? Stream.empty()
         : Stream.of(MultiGauge.Row.of(Tags.of("robot", robot.name()), battery));

@@ -33,7 +33,7 @@ public final class PasswordLinks {
   private final Semaphore mailPermits = new Semaphore(MAX_CONCURRENT_MAILS);
 
   /**
-   * @param mail null: no letters are sent
+   * @param mail null: no e-mails are sent
    */
   public PasswordLinks(
       AccountStore accounts,
@@ -51,8 +51,8 @@ public final class PasswordLinks {
   }
 
   /**
-   * Sends a letter to the users of that name or e-mail address, if there are any who may log in and
-   * have one. Whether there are is neither told nor to be found out by the time that it takes.
+   * Sends an e-mail to the users of that name or e-mail address, if there are any who may log in
+   * and have one. Neither the answer nor its time shows whether there are.
    *
    * @param address where the request comes from
    * @return zero, or how long until the next request is looked at
@@ -68,7 +68,7 @@ public final class PasswordLinks {
     if (mail != null && mailPermits.tryAcquire()) {
       MailSender sender = mail;
       Thread.ofVirtual()
-          .name("letter about a password")
+          .name("password e-mail")
           .start(
               () -> {
                 try {
@@ -95,12 +95,11 @@ public final class PasswordLinks {
     try {
       sender.send(
           email,
-          texts.get("forgotten.letter.subject"),
+          texts.get("forgotten.email.subject"),
           texts.get(
-              "forgotten.letter.text", account.name(), link, MAILED_LINK_LIFETIME.toMinutes()));
+              "forgotten.email.text", account.name(), link, MAILED_LINK_LIFETIME.toMinutes()));
     } catch (IOException e) {
-      LOG.warn(
-          "The letter to {} about his password was not sent: {}", account.name(), e.getMessage());
+      LOG.warn("The password e-mail to {} was not sent: {}", account.name(), e.getMessage());
     }
   }
 
@@ -120,12 +119,12 @@ public final class PasswordLinks {
     return CREATED_LINK_LIFETIME;
   }
 
-  /** The user whose password the link's secret replaces, while it is good. */
+  /** The user whose password the link's secret replaces, while it is valid. */
   public Optional<Account> user(String secret) {
     return resets.account(secret);
   }
 
-  /** False when the link is not good any more: then nothing changes. */
+  /** False when the link is not valid any more: then nothing changes. */
   public boolean replacePassword(String secret, String passwordHash) {
     return resets.replacePassword(secret, passwordHash);
   }

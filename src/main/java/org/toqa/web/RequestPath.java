@@ -5,7 +5,7 @@ import jakarta.servlet.http.HttpServletRequest;
 import java.util.Map;
 import java.util.Objects;
 
-/** The path that a request asks for, and what stands in it. */
+/** The path that a request asks for, and its parameters. */
 public final class RequestPath {
   private static final String PARAMETERS = RequestPath.class.getName();
   private static final String NUMBER = "[1-9][0-9]{0,17}";
@@ -24,14 +24,14 @@ public final class RequestPath {
   }
 
   /**
-   * @param parameters what stands in the path for each segment in braces of its route
+   * @param parameters the value of each segment in braces of its route
    */
   public static void storeParameters(ServletRequest request, Map<String, String> parameters) {
     request.setAttribute(PARAMETERS, parameters);
   }
 
   /**
-   * The part of the request's path that stands for {@code {name}}.
+   * The part of the request's path at {@code {name}}.
    *
    * @throws NullPointerException when the route has no such segment
    */
@@ -40,7 +40,7 @@ public final class RequestPath {
     return (String) Objects.requireNonNull(parameters.get(name), name);
   }
 
-  /** The number in the path that stands for {@code {name}}, or 0, which nothing has. */
+  /** The number in the path at {@code {name}}, or 0, which nothing has. */
   public static long number(ServletRequest request, String name) {
     String given = parameter(request, name);
     return given.matches(NUMBER) ? Long.parseLong(given) : 0;

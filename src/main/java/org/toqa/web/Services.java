@@ -14,7 +14,7 @@ import org.toqa.fleet.history.EventArchive;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
 
-/** What the web application stands on. Whoever starts it puts this into the servlet context. */
+/** What the web application uses. Whoever starts it puts this into the servlet context. */
 public record Services(
     Fleet fleet,
     TaskArchive archive,
@@ -30,42 +30,10 @@ public record Services(
     RequestLimit requestLimit,
     InstantSource clock,
     Authenticator authenticator,
-    TaskSubmitter taskSubmitter) {
+    IdempotentSubmitter submitter) {
 
   /** The servlet context's attribute that holds the services. */
   public static final String ATTRIBUTE = Services.class.getName();
-
-  public static Services of(
-      Fleet fleet,
-      TaskArchive archive,
-      EventArchive history,
-      TrackStore tracks,
-      ScheduleStore schedules,
-      StatisticsArchive statistics,
-      AccountStore accounts,
-      SessionStore sessions,
-      PasswordLinks passwordLinks,
-      PasswordHasher passwordHasher,
-      Metrics metrics,
-      RequestLimit requestLimit,
-      InstantSource clock) {
-    return new Services(
-        fleet,
-        archive,
-        history,
-        tracks,
-        schedules,
-        statistics,
-        accounts,
-        sessions,
-        passwordLinks,
-        passwordHasher,
-        metrics,
-        requestLimit,
-        clock,
-        Authenticator.of(accounts, passwordHasher, clock),
-        new TaskSubmitter(fleet, archive));
-  }
 
   public static Services of(ServletContext context) {
     return (Services)

@@ -39,16 +39,8 @@ public final class Tasks {
   /** Snapshots hold the first ones of the queue; what else is queued comes after them, or now. */
   private TaskView withReason(TaskView stored) {
     return stored.state() == TaskState.QUEUED && stored.waitingFor() == null
-        ? new TaskView(
-            stored.task(),
-            stored.state(),
-            stored.held(),
-            stored.robots(),
-            stored.loadAt(),
-            (isQueueLong() ? Phrase.OTHERS_COME_FIRST : Phrase.LOOKING_FOR_ROBOT).with(),
-            stored.needs(),
-            stored.late(),
-            stored.changedAt())
+        ? stored.withWaitReason(
+            (isQueueLong() ? Phrase.OTHERS_COME_FIRST : Phrase.LOOKING_FOR_ROBOT).with())
         : stored;
   }
 

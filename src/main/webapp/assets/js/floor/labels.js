@@ -1,6 +1,6 @@
 const HEIGHT = 14; // pixels of a line of text
 
-/** Text that can be read on any ground, and by itself, whichever way the page runs. */
+/** Text that can be read on any ground, in its own direction, whatever that of the page. */
 export function drawLabel(context, colours, words, x, y, baseline, colour = colours['map-text']) {
   const label = `\u2068${words}\u2069`;
   context.font = `600 12px ${colours.font}`;

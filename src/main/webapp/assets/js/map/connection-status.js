@@ -39,7 +39,7 @@ export class ConnectionStatus {
     }
   }
 
-  /** @param connection 'live', 'away' or 'loggedOut' */
+  /** @param connection 'live', 'disconnected' or 'loggedOut' */
   change(connection) {
     this.#connection = connection;
     const isLive = connection === 'live';

@@ -39,7 +39,7 @@ export class PoseInterpolator {
     };
   }
 
-  /** Whether some robot is shown on its way to its pose. */
+  /** Whether some robot is still shown short of its pose. */
   isMoving(now) {
     return [...this.#transitions.values()].some(({begin, duration}) => now - begin < duration);
   }

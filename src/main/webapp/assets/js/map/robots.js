@@ -81,7 +81,7 @@ function drawRoute(context, viewport, colours, robot, pose) {
 function drawRobot(context, viewport, colours, robot, pose) {
   const [x, y] = viewport.toScreen(pose.x, pose.y);
   const r = radius(viewport, robot);
-  const away = robot.state === 'LOST' || robot.state === 'CONNECTING';
+  const isDisconnected = robot.state === 'LOST' || robot.state === 'CONNECTING';
   const colour = colours[COLOURS[robot.state]];
   context.save();
   context.translate(x, y);
@@ -97,15 +97,15 @@ function drawRobot(context, viewport, colours, robot, pose) {
   }
   context.closePath();
   context.stroke();
-  context.fillStyle = away ? colours['map-free'] : colour;
+  context.fillStyle = isDisconnected ? colours['map-free'] : colour;
   context.fill();
-  if (away) {
+  if (isDisconnected) {
     context.strokeStyle = colour;
     context.setLineDash([4, 3]);
     context.stroke();
   }
   context.restore();
-  context.fillStyle = away ? colour : '#fff';
+  context.fillStyle = isDisconnected ? colour : '#fff';
   context.font = `700 ${Math.max(11, 1.1 * r)}px ${colours.font}`;
   context.textAlign = 'center';
   context.textBaseline = 'middle';

@@ -1,6 +1,6 @@
 import {angleDifference} from '../shared/angles.js';
 
-const STANDING = 0.25; // metres between two points of a robot that stood in the time between them
+const STATIONARY = 0.25; // metres between two points of a robot that did not move in the time between them
 const SILENCE = 90_000; // milliseconds without a point after which a moving robot's pose is unknown
 const TURN_TIME = 1_000; // milliseconds in which a robot is shown to turn where its path bends
 
@@ -33,7 +33,7 @@ export class Trajectory {
     }
     const [begin, x, y] = this.#points[i];
     const [end, toX, toY] = this.#points[i + 1] ?? [Infinity, x, y];
-    if (Math.hypot(toX - x, toY - y) <= STANDING) {
+    if (Math.hypot(toX - x, toY - y) <= STATIONARY) {
       return {x, y, theta: this.#headings[i - 1], isMoving: false};
     }
     if (end - begin > SILENCE) {

@@ -10,7 +10,7 @@ const RETRY = 2_000;
  * Receives the fleet's live events, and connects again after every loss.
  *
  * @param onSnapshot called with each snapshot
- * @param onConnection called with 'live', 'away' or 'loggedOut' when that changes
+ * @param onConnection called with 'live', 'disconnected' or 'loggedOut' when that changes
  */
 export function subscribe(onSnapshot, onConnection = () => {}) {
   new EventStream(onSnapshot, onConnection).open();
@@ -62,7 +62,7 @@ class EventStream {
 
   /** The browser reconnects by itself after a broken line, and says which event it had last. */
   #handleLoss() {
-    this.#setState('away');
+    this.#setState('disconnected');
     if (this.#source.readyState === EventSource.CLOSED) {
       this.#reopen();
     }
@@ -77,7 +77,7 @@ class EventStream {
   async #reopen() {
     this.#heardAt = performance.now();
     this.#source.close();
-    this.#setState('away');
+    this.#setState('disconnected');
     try {
       await fetchJson('api/v1/robots');
     } catch (error) {

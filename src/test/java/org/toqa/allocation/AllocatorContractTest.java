@@ -212,9 +212,9 @@ class AllocatorContractTest {
     return throughADoor(robots, new AllocationTask(1, 1, new Vec2(40, 5), new Vec2(50, 5), NOON));
   }
 
-  /** The goal lies behind a door of half a metre. */
+  /** The goal lies behind a doorway of half a metre. */
   private static AllocationProblem throughADoor(List<Candidate> robots, AllocationTask task) {
-    PathLengths door =
+    PathLengths doorway =
         (place, diameter) ->
             other ->
                 diameter > 0.5 && (place.x() < 45) != (other.x() < 45)
@@ -224,7 +224,7 @@ class AllocatorContractTest {
         NOON,
         Vec2.ZERO,
         new Vec2(80, 10),
-        door,
+        doorway,
         List.of(),
         List.of(task),
         List.of(),

@@ -55,7 +55,7 @@ class ContractNetTest {
   void anAnswerCountsOnceAndFromTheInvitedOnly() {
     Auction auction = new Auction(Set.of("r1"), NOON.plusMillis(500));
 
-    assertFalse(auction.receive(new Bid("stranger", 1, NOON)));
+    assertFalse(auction.receive(new Bid("unasked", 1, NOON)));
     assertTrue(auction.receive(new Bid("r1", 9, NOON)));
     assertFalse(auction.receive(new Bid("r1", 2, NOON)), "a second bid");
     assertTrue(auction.isOver(NOON));

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.AllocationProblem.GivenTask;
 import org.toqa.geometry.Vec2;
 
-/** Situations on an empty floor of 80 m by 10 m, where ways are straight. */
+/** Situations on an empty floor of 80 m by 10 m, where paths are straight. */
 final class Floors {
   static final Instant NOON = Instant.parse("2026-11-21T12:00:00Z");
   private static final double LENGTH = 80;

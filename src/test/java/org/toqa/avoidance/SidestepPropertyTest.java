@@ -13,7 +13,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 
-/** A robot on a straight way of 3 m. */
+/** A robot on a straight path of 3 m. */
 class SidestepPropertyTest {
   private static final double TICK = 0.02;
   private static final double SPEED = 0.25;

@@ -29,7 +29,7 @@ import tools.jackson.databind.JsonNode;
  * that is a fault, and none that the document does not have.
  *
  * <p>{@code -Dtoqa.schemathesis} is the program; {@code -Dtoqa.fuzz.examples=100} for more than the
- * usual 10 a door beside those that the document itself suggests, {@code -Dtoqa.fuzz.seed=2} for
+ * usual 10 a route beside those that the document itself suggests, {@code -Dtoqa.fuzz.seed=2} for
  * other ones. Leaves out the live events, which do not end.
  */
 @Tag("full")
@@ -68,7 +68,7 @@ class ApiFuzzIT {
 
   @Test
   @Order(1)
-  void aStrangerFindsNoFault() throws Exception {
+  void anonymousClientFindsNoFault() throws Exception {
     assertFindsNothing();
   }
 

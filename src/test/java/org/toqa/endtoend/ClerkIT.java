@@ -20,7 +20,7 @@ import org.toqa.testbed.RealMySql;
 
 /**
  * What a clerk does: logs in, clicks start and goal on the map, and watches the load get there; at
- * a desk with H2, on a phone with MySQL.
+ * a desktop with H2, on a phone with MySQL.
  */
 class ClerkIT extends BrowserTest {
   private static final double WIDTH = 20.1; // the lab: 67 x 40 cells of 0.30 m

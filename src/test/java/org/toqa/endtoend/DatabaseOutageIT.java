@@ -22,7 +22,7 @@ import org.toqa.testbed.OwnMySql;
 import org.toqa.testbed.RealMySql;
 import tools.jackson.databind.JsonNode;
 
-/** MySQL goes away while robots carry, in four ways, and comes back. */
+/** MySQL goes away while robots carry, by four faults, and comes back. */
 @Tag("full")
 class DatabaseOutageIT {
   private static final long LIMIT_NANOS = TimeUnit.MINUTES.toNanos(1);

@@ -18,9 +18,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Strangers ask as fast as they can while robots carry. */
+/** Anonymous clients ask as fast as they can while robots carry. */
 class FloodIT {
-  private static final int STRANGERS = 4;
+  private static final int CLIENTS = 4;
 
   @TempDir private Path folder;
 
@@ -31,10 +31,10 @@ class FloodIT {
     try (RunningServer server =
             new RunningServer(
                 folder, "--config", config.toString(), "--simulate", "3", "--speed", "10");
-        ExecutorService strangers = Executors.newFixedThreadPool(STRANGERS)) {
+        ExecutorService clients = Executors.newFixedThreadPool(CLIENTS)) {
       List<Future<Long>> refused = new ArrayList<>();
-      for (int i = 0; i < STRANGERS; i++) {
-        refused.add(strangers.submit(() -> flood(server.root(), isOver)));
+      for (int i = 0; i < CLIENTS; i++) {
+        refused.add(clients.submit(() -> flood(server.root(), isOver)));
       }
       try {
         long task = server.addTask("crate", "Goods-in 1", "Store A");
@@ -46,7 +46,7 @@ class FloodIT {
         isOver.set(true);
       }
       for (Future<Long> one : refused) {
-        assertTrue(one.get() > 0, "a stranger was never told to wait");
+        assertTrue(one.get() > 0, "a client was never told to wait");
       }
     }
   }

@@ -13,7 +13,7 @@ final class RobotTracks {
   private static final double CELL = 0.3; // metres
   private static final double STEP = 0.02; // metres; shorter ones have no direction
 
-  /** Two ways cross where their directions differ by more than this, whichever way round. */
+  /** Two tracks cross where their directions differ by more than this, in either order. */
   private static final double ALONG = Math.PI / 6;
 
   private final Map<String, Disc> spots = new HashMap<>();
@@ -41,7 +41,7 @@ final class RobotTracks {
    */
   private record Passage(String robot, double direction) {
     boolean crosses(Passage other) {
-      // |sin| is the same for a way and its reverse
+      // |sin| is the same for a track and its reverse
       return !robot.equals(other.robot)
           && Math.abs(Math.sin(direction - other.direction)) > Math.sin(ALONG);
     }

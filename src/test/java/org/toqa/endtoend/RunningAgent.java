@@ -22,7 +22,7 @@ final class RunningAgent implements AutoCloseable {
 
   /**
    * @param folder in which the robot's own one is made
-   * @param x metres, where a new robot stands
+   * @param x metres, where a new robot is, map frame
    * @param speed how many times faster than real time it lives
    */
   RunningAgent(Path folder, String name, double x, double y, double speed) throws Exception {

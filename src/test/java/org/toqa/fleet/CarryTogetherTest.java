@@ -21,7 +21,7 @@ import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.TaskState;
 import org.toqa.sim.SimulatedFloor;
 
-/** Real daemons over simulated bodies carry heavy loads, from the order to the way home. */
+/** Real daemons over simulated bodies carry heavy loads, from the order to the drive home. */
 class CarryTogetherTest {
   private static final double SPEED = 6;
   private static final double SIZE = 0.3;
@@ -72,7 +72,7 @@ class CarryTogetherTest {
 
   private static List<String> outOfPlace(FleetSnapshot view) {
     return view.robots().stream()
-        .flatMap(r -> r.errors().stream())
+        .flatMap(r -> r.telemetry().errors().stream())
         .filter(fault -> fault.code().equals("OUT_OF_PLACE"))
         .map(Fault::text)
         .toList();
@@ -82,9 +82,13 @@ class CarryTogetherTest {
     List<RobotView> robots = view.robots();
     for (int i = 0; i < robots.size(); i++) {
       for (int j = 0; j < i; j++) {
-        Pose a = Objects.requireNonNull(robots.get(i).pose());
-        Pose b = Objects.requireNonNull(robots.get(j).pose());
-        double gap = a.distanceTo(b) - (robots.get(i).footprint() + robots.get(j).footprint()) / 2;
+        Pose a = Objects.requireNonNull(robots.get(i).telemetry().pose());
+        Pose b = Objects.requireNonNull(robots.get(j).telemetry().pose());
+        double gap =
+            a.distanceTo(b)
+                - (robots.get(i).capabilities().footprint()
+                        + robots.get(j).capabilities().footprint())
+                    / 2;
         assertTrue(gap > 0, robots.get(i) + " meets " + robots.get(j));
       }
     }

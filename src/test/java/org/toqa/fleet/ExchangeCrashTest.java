@@ -76,7 +76,7 @@ class ExchangeCrashTest {
           real.go();
         }
       } finally {
-        over = true; // only now, when nothing of it is under way any more
+        over = true; // only now, when nothing of it is running any more
       }
       throw new Killed();
     }
@@ -192,7 +192,7 @@ class ExchangeCrashTest {
   private static boolean isBy(FleetSnapshot view, long task, String robot, int phase) {
     return view.tasks().stream().anyMatch(t -> t.id() == task && t.robots().equals(List.of(robot)))
         && view.robots().stream()
-            .anyMatch(r -> r.name().equals(robot) && r.phase().number() == phase);
+            .anyMatch(r -> r.name().equals(robot) && r.work().phase().number() == phase);
   }
 
   private static boolean isDone(FleetStage stage, long... tasks) {

@@ -44,7 +44,7 @@ class FleetDrivingTest extends HallFleetTest {
     scriptedRobot("r1").endBeforeNextChange();
     until(
         view -> {
-          String doing = String.valueOf(robot(view, "r1").doing());
+          String doing = String.valueOf(robot(view, "r1").work().doing());
           assertFalse(doing.contains("refused"), doing);
           return !scriptedRobot("r1").isAwaitingChange()
               && task(view, task).state() == TaskState.DONE;
@@ -78,7 +78,7 @@ class FleetDrivingTest extends HallFleetTest {
     reopenWith("r3", DOOR, null);
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
 
-    assertEquals(Phase.NONE, accepted(stage.fleet.sendHome("r2", "Max")).phase());
+    assertEquals(Phase.NONE, accepted(stage.fleet.sendHome("r2", "Max")).work().phase());
     assertInstanceOf(Answer.Conflict.class, answer(stage.fleet.sendHome("r3", "Max")));
     assertInstanceOf(Answer.Unknown.class, answer(stage.fleet.sendHome("r9", "Max")));
 

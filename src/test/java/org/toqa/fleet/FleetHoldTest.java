@@ -42,10 +42,10 @@ class FleetHoldTest extends HallFleetTest {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);
 
-    assertTrue(accepted(stage.fleet.holdRobot("r1", "Max")).held());
+    assertTrue(accepted(stage.fleet.holdRobot("r1", "Max")).work().held());
     until(view -> robot(view, "r1").state() == RobotState.HOLDING);
     stage.restart();
-    until(view -> !view.robots().isEmpty() && robot(view, "r1").held());
+    until(view -> !view.robots().isEmpty() && robot(view, "r1").work().held());
     assertEquals(TaskState.CARRYING, task(stage.fleet.snapshots().latest(), task).state());
     accepted(stage.fleet.resumeRobot("r1", "Max"));
 
@@ -68,7 +68,7 @@ class FleetHoldTest extends HallFleetTest {
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.HOLDING));
     FleetSnapshot held = stage.fleet.snapshots().latest();
     assertEquals("Max", Objects.requireNonNull(held.floors().getFirst().hold()).user());
-    assertEquals(Phrase.FLOOR_HELD_BY.with("hall", "Max"), robot(held, "r1").doing());
+    assertEquals(Phrase.FLOOR_HELD_BY.with("hall", "Max"), robot(held, "r1").work().doing());
     assertEquals(Phrase.FLOOR_HELD_BY.with("hall", "Max"), task(held, task).waitingFor());
     assertEquals(stopped, scriptedRobot("r1").position());
 
@@ -95,7 +95,8 @@ class FleetHoldTest extends HallFleetTest {
     assertEquals("Max", Objects.requireNonNull(stage.fleet.snapshots().latest().pause()).user());
     assertEquals(stopped, scriptedRobot("r1").position());
     assertEquals(
-        Phrase.ALL_PAUSED_BY.with("Max"), robot(stage.fleet.snapshots().latest(), "r1").doing());
+        Phrase.ALL_PAUSED_BY.with("Max"),
+        robot(stage.fleet.snapshots().latest(), "r1").work().doing());
 
     accepted(stage.fleet.resumeAll("Boss"));
 

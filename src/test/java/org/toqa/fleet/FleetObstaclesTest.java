@@ -55,9 +55,9 @@ class FleetObstaclesTest extends HallFleetTest {
     until(
         view ->
             task(view, task).state() == TaskState.CARRYING
-                && !robot(view, "r1").path().isEmpty()
+                && !robot(view, "r1").path().points().isEmpty()
                 && scriptedRobot("r1").isDriving());
-    List<Vec2> straight = robot(stage.fleet.snapshots().latest(), "r1").path();
+    List<Vec2> straight = robot(stage.fleet.snapshots().latest(), "r1").path().points();
     assertTrue(
         straight.stream().allMatch(p -> Math.abs(p.y() - 1.5) < 1e-6), "through the obstacle");
 
@@ -83,7 +83,7 @@ class FleetObstaclesTest extends HallFleetTest {
     FleetSnapshot waiting = stage.fleet.snapshots().latest();
     assertTrue(waitReason(waiting, task).contains("(4.50, 1.50)"));
     String robot = task(waiting, task).robots().getFirst();
-    assertEquals(waitReason(waiting, task), robot(waiting, robot).doing().english(), robot);
+    assertEquals(waitReason(waiting, task), robot(waiting, robot).work().doing().english(), robot);
     scriptedRobot("r2").setObstacles();
     until(view -> task(view, task).state() == TaskState.DONE);
   }

@@ -36,7 +36,7 @@ class FleetRecoveryTest extends HallFleetTest {
     RobotView taken = accepted(stage.fleet.takeOutOfService("r2", "Max"));
 
     assertEquals(RobotState.OUT_OF_SERVICE, taken.state());
-    assertNull(taken.pose());
+    assertNull(taken.telemetry().pose());
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(Map.of(), stage.fleet.snapshots().latest().floors().getFirst().silentRobotCells());
     assertEquals(
@@ -52,7 +52,7 @@ class FleetRecoveryTest extends HallFleetTest {
     until(view -> robot(view, "r2").state() == RobotState.LOST);
     accepted(stage.fleet.takeOutOfService("r2", "Max"));
     scriptedRobot("r2").speakAgain();
-    until(view -> robot(view, "r2").pose() != null);
+    until(view -> robot(view, "r2").telemetry().pose() != null);
 
     long task = submit("West", "East");
 

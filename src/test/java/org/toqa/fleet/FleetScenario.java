@@ -39,7 +39,7 @@ import org.toqa.wording.Sentence;
  * a has 18                          percent in its battery, from now on
  * task box A B 2                    kilograms
  * task late A B 2 within 5          seconds to its deadline; "expect late answered ..." looks at
- *                                   what the asker was told
+ *                                   what the caller was told
  * cancel box                        also: cancel box here, cancel box back
  * answer box another robot
  * hold box                          also: hold a, hold all; resume ...
@@ -226,8 +226,10 @@ final class FleetScenario {
       case "told" ->
           view -> stage.store.history(id(who)).stream().anyMatch(e -> e.text().contains(words));
       case "has" ->
-          view -> Objects.equals(robot(view, who).battery(), Integer.parseInt(words) / 100.0);
-      case "does" -> view -> contains(robot(view, who).doing(), words);
+          view ->
+              Objects.equals(
+                  robot(view, who).telemetry().battery(), Integer.parseInt(words) / 100.0);
+      case "does" -> view -> contains(robot(view, who).work().doing(), words);
       case "fails" -> view -> isFaulty(view, who);
       case "works" -> view -> !isFaulty(view, who);
       case "is" -> view -> robot(view, who).state() == RobotState.valueOf(words);

@@ -24,7 +24,7 @@ class FleetServiceTest extends HallFleetTest {
     Vec2 stopped = scriptedRobot("r1").position();
     until(view -> waitReason(view, task).equals("r1 is out of service: put it back in service"));
     stage.restart(); // and it survives a restart
-    until(view -> !view.robots().isEmpty() && robot(view, "r1").pose() != null);
+    until(view -> !view.robots().isEmpty() && robot(view, "r1").telemetry().pose() != null);
     assertEquals(RobotState.OUT_OF_SERVICE, robot(stage.fleet.snapshots().latest(), "r1").state());
     assertEquals(
         "r1 is out of service: put it back in service",
@@ -66,7 +66,7 @@ class FleetServiceTest extends HallFleetTest {
         Answer.Conflict.class, answer(stage.fleet.removeRobot("r2", "Max")), "it has a task");
     accepted(stage.fleet.putInService("r2", "Max"));
     until(view -> task(view, task).state() == TaskState.DONE);
-    until(view -> robot(view, "r2").task() == null);
+    until(view -> robot(view, "r2").work().task() == null);
     accepted(stage.fleet.takeOutOfService("r2", "Max"));
 
     accepted(stage.fleet.removeRobot("r2", "Max"));
@@ -101,8 +101,8 @@ class FleetServiceTest extends HallFleetTest {
         accepted(stage.fleet.changeRobot("r2", new RobotChange("127.0.0.1", 2, 3, null), "Max"));
 
     assertEquals(3, changed.maxLoad());
-    assertEquals(2, changed.port());
-    assertNull(changed.parking());
+    assertEquals(2, changed.record().port());
+    assertNull(changed.record().parking());
     assertEquals(List.of("Max changed r2"), history("robot.changed"));
     stage.restart();
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
@@ -115,7 +115,7 @@ class FleetServiceTest extends HallFleetTest {
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
     accepted(stage.fleet.takeOutOfService("r1", "Max"));
 
-    long task = submit("West", "East"); // r1 stands nearest
+    long task = submit("West", "East"); // r1 is nearest
 
     until(view -> task(view, task).robots().equals(List.of("r2")));
   }

@@ -63,7 +63,7 @@ public final class FleetStage implements AutoCloseable {
   }
 
   /**
-   * @param tamper what stands between each server and the store
+   * @param tamper what is put between each server and the store
    */
   FleetStage(
       FloorMap floor,
@@ -137,7 +137,7 @@ public final class FleetStage implements AutoCloseable {
     }
   }
 
-  /** Until all that followed from what happened is done; time stands meanwhile. */
+  /** Until all that followed from what happened is done; the clock does not advance meanwhile. */
   void awaitQuiescence() throws InterruptedException {
     runtime.awaitQuiescence();
   }

@@ -25,7 +25,7 @@ import org.toqa.grid.Place;
 import org.toqa.mission.TaskState;
 import org.toqa.sim.SimulatedFloor;
 
-/** A real daemon finds something on its way that nobody has told it of. */
+/** A real daemon finds something on its path that nobody has told it of. */
 @Timeout(200)
 class ObstacleOnThePathTest {
   private static final double SPEED = 10;
@@ -158,11 +158,11 @@ class ObstacleOnThePathTest {
     return LiveFloor.task(view, task).robots().getFirst();
   }
 
-  /** Whether a robot says that something stands in its way. */
+  /** Whether a robot reports an obstacle on its path. */
   private static boolean isStopped(FleetSnapshot view, String robot) {
     return view.robots().stream()
         .filter(r -> r.name().equals(robot))
-        .flatMap(r -> r.errors().stream())
+        .flatMap(r -> r.telemetry().errors().stream())
         .anyMatch(fault -> fault.code().equals("OBSTACLE"));
   }
 

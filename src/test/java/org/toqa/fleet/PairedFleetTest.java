@@ -168,7 +168,7 @@ class PairedFleetTest {
     Answer<RobotView> added = add(daemonNow().pairingCode());
 
     assertInstanceOf(Answer.Accepted.class, added, added.toString());
-    assertNotNull(until(PairedFleetTest::isHeard).fingerprint());
+    assertNotNull(until(PairedFleetTest::isHeard).record().fingerprint());
 
     daemonNow().kill();
     fleetNow().close();
@@ -216,7 +216,7 @@ class PairedFleetTest {
 
     assertInstanceOf(Answer.Accepted.class, pairAnew(daemonNow().pairingCode()));
     RobotView after = until(robot -> isHeard(robot) && robot.alert() == null);
-    assertNotEquals(before.fingerprint(), after.fingerprint());
+    assertNotEquals(before.record().fingerprint(), after.record().fingerprint());
     assertEquals("boss paired r1 with this server", history("robot.paired").text());
   }
 
@@ -224,12 +224,18 @@ class PairedFleetTest {
   void unknownPeerOfTheRobotIsInTheHistory() throws Exception {
     add(daemonNow().pairingCode());
     until(PairedFleetTest::isHeard);
-    try (var stranger = daemonNow().connect()) { // speaks without encryption
-      stranger.say(new Drive(1, null, 0, new Pose(1.05, 1.05, 0), List.of(), 0, true, 0));
+    try (var unpaired = daemonNow().connect()) { // speaks without encryption
+      unpaired.say(new Drive(1, null, 0, new Pose(1.05, 1.05, 0), List.of(), 0, true, 0));
       assertEquals(
           "r1 refused a connection. 127.0.0.1 was refused: it does not encrypt.",
           history("robot.stranger").text());
     }
-    assertTrue(until(r -> !r.errors().isEmpty()).errors().getFirst().text().contains("127.0.0.1"));
+    assertTrue(
+        until(r -> !r.telemetry().errors().isEmpty())
+            .telemetry()
+            .errors()
+            .getFirst()
+            .text()
+            .contains("127.0.0.1"));
   }
 }

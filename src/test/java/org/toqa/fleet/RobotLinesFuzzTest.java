@@ -145,7 +145,8 @@ class RobotLinesFuzzTest {
   private void awaitBattery(double battery) throws InterruptedException {
     long end = System.nanoTime() + LIMIT.toNanos();
     FleetSnapshot view = fleet.snapshots().latest();
-    while (view.robots().stream().noneMatch(r -> Objects.equals(r.battery(), battery))) {
+    while (view.robots().stream()
+        .noneMatch(r -> Objects.equals(r.telemetry().battery(), battery))) {
       assertTrue(System.nanoTime() < end, "the server hears no more, seed " + FuzzRun.SEED);
       now = now.plusMillis(100);
       fleet.tick(now);

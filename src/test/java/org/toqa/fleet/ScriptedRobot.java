@@ -33,7 +33,8 @@ import org.toqa.link.message.ServerMessage.Resume;
 /**
  * A robot at the other end of the link, without a link: it answers by the contract, drives one
  * released segment at each step of the test, and sees what the test lets it see. In a formation a
- * follower is where its leader takes it, and the leader stands while a follower does not follow.
+ * follower is where its leader takes it, and the leader is stopped while a follower does not
+ * follow.
  */
 public final class ScriptedRobot {
   static final double FOOTPRINT = 0.255;
@@ -289,7 +290,8 @@ public final class ScriptedRobot {
     return missing == null
         ? List.of()
         : List.of(
-            new Fault("FORMATION_STOPPED", "The group stands: " + missing + " does not answer."));
+            new Fault(
+                "FORMATION_STOPPED", "The group has stopped: " + missing + " does not answer."));
   }
 
   private Hello hello() {

@@ -35,7 +35,7 @@ final class FollowerTrial {
   }
 
   /**
-   * @param startError metres that it stands beside its place at first
+   * @param startError metres that it is beside its place at first
    * @return its largest distance from its place after {@code settling} seconds
    */
   double worstError(Pose start, Twist leader, double startError, double settling, double seconds) {

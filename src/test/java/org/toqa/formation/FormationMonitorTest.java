@@ -65,7 +65,7 @@ class FormationMonitorTest {
   }
 
   @Test
-  void answersOfStrangersCountForNothing() {
+  void answersOfRobotsOutsideTheFormationAreIgnored() {
     bothWell(1);
     watch.recordAnswer("r9", 1, false, 1);
 

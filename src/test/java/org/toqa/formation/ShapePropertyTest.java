@@ -33,7 +33,7 @@ class ShapePropertyTest {
       Vec2 place = places.get(i);
       double beside = Math.max(0, Math.abs(place.x()) - length / 2);
       double ahead = Math.max(0, Math.abs(place.y()) - width / 2);
-      assertTrue(Math.hypot(beside, ahead) >= radius, "it stands in the load: " + place);
+      assertTrue(Math.hypot(beside, ahead) >= radius, "it is in the load: " + place);
       for (Vec2 other : places.subList(0, i)) {
         assertTrue(place.distanceTo(other) >= 2 * radius, place + " touches " + other);
       }

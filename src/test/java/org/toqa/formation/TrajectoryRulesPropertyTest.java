@@ -45,10 +45,10 @@ class TrajectoryRulesPropertyTest {
   @Property(tries = 200)
   void slowedWayIsTheSameWayAndNoRobotIsTooFastOnIt(
       @ForAll("segments") @Size(min = 1, max = 5) List<Segment> segments) {
-    Trajectory way = new Trajectory(START, segments);
-    Trajectory slowed = rules.slowed(way);
+    Trajectory trajectory = new Trajectory(START, segments);
+    Trajectory slowed = rules.slowed(trajectory);
 
-    assertEquals(0, way.end().distanceTo(slowed.end()), 1e-9);
+    assertEquals(0, trajectory.end().distanceTo(slowed.end()), 1e-9);
     double step = 0.001;
     double elapsed = 0;
     for (Segment segment : slowed.segments()) {
@@ -70,14 +70,14 @@ class TrajectoryRulesPropertyTest {
     double length = rules.cornerLength(angle);
     SegmentFitter fitter = new SegmentFitter(DriveSpeeds.DEFAULT, length);
     Vec2 corner = new Vec2(2 * length, 0);
-    Trajectory way =
+    Trajectory trajectory =
         fitter.fit(
             new Pose(0, 0, 0),
             List.of(
                 new Waypoint(corner, false),
                 new Waypoint(corner.plus(new Vec2(2 * length, 0).rotated(angle)), false)));
 
-    assertEquals(Optional.empty(), rules.firstBreach(way));
+    assertEquals(Optional.empty(), rules.firstBreach(trajectory));
   }
 
   @Example

@@ -23,7 +23,7 @@ class RayCastPropertyTest {
     assertEquals(0, RayCast.distance(hall, new Vec2(4.5, 1.5), 0, 9), 1e-12); // in the wall
   }
 
-  /** Looked at point by point; corners that are only brushed may be missed that way. */
+  /** Looked at point by point; corners that are only brushed may be missed by that. */
   @Property(tries = 300)
   void theRayEndsInTheFirstCellThatIsNotFree(
       @ForAll long seed,

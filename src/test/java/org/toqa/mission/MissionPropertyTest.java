@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.EnumSet;
@@ -23,20 +22,6 @@ import org.toqa.wording.Sentence;
 
 /** Whatever comes, in whatever order and however often, a task stays in a legal state. */
 class MissionPropertyTest {
-  private static final TransportTask TASK =
-      new TransportTask(
-          7,
-          "box",
-          3,
-          new TaskPlace(new Vec2(1, 1), "Store"),
-          new TaskPlace(new Vec2(5, 2), null),
-          "lab",
-          0,
-          null,
-          null,
-          "ann",
-          Instant.EPOCH);
-
   /** Which state may follow on which, beside itself. */
   private static final Map<TaskState, Set<TaskState>> NEXT = new EnumMap<>(TaskState.class);
 
@@ -58,7 +43,7 @@ class MissionPropertyTest {
 
   @Property(tries = 5000)
   void anySequenceOfEventsLeavesALegalState(@ForAll("events") List<MissionEvent> events) {
-    Mission mission = Mission.queued(TASK);
+    Mission mission = Mission.queued(MissionTest.TASK);
     for (MissionEvent event : events) {
       mission = givenToRobots(mission);
       Mission.Step step = mission.apply(event);
@@ -74,7 +59,7 @@ class MissionPropertyTest {
 
   @Property
   void anEventRepeatedAtOnceChangesNothingMore(@ForAll("events") List<MissionEvent> events) {
-    Mission mission = Mission.queued(TASK);
+    Mission mission = Mission.queued(MissionTest.TASK);
     for (MissionEvent event : events) {
       mission = givenToRobots(mission).apply(event).mission();
       assertFalse(mission.apply(event).hasChanges(), event::toString);
@@ -85,7 +70,7 @@ class MissionPropertyTest {
   @Property
   void replayingTheStoredEventsGivesTheSameState(@ForAll("events") List<MissionEvent> events) {
     List<MissionEvent> stored = new ArrayList<>();
-    Mission lived = Mission.queued(TASK);
+    Mission lived = Mission.queued(MissionTest.TASK);
     for (MissionEvent event : events) {
       Mission.Step step = givenToRobots(lived).apply(event);
       if (step.hasChanges()) {
@@ -93,7 +78,7 @@ class MissionPropertyTest {
         lived = step.mission();
       }
     }
-    Mission replayed = Mission.queued(TASK);
+    Mission replayed = Mission.queued(MissionTest.TASK);
     for (MissionEvent event : stored) {
       replayed = givenToRobots(replayed).apply(event).mission();
     }
@@ -104,7 +89,7 @@ class MissionPropertyTest {
   @Property
   void whateverHappenedATaskThatHasNotDeliveredCanBeCancelled(
       @ForAll("events") List<MissionEvent> events) {
-    Mission mission = Mission.queued(TASK);
+    Mission mission = Mission.queued(MissionTest.TASK);
     for (MissionEvent event : events) {
       mission = givenToRobots(mission).apply(event).mission();
     }
@@ -112,8 +97,8 @@ class MissionPropertyTest {
       return;
     }
     mission = mission.apply(new MissionEvent.Cancel("max", LoadChoice.HERE)).mission();
-    for (AssignedRobot carrier : mission.assignedRobots()) {
-      mission = mission.apply(new MissionEvent.Stopped(carrier.robot(), spot())).mission();
+    for (AssignedRobot assigned : mission.assignedRobots()) {
+      mission = mission.apply(new MissionEvent.Stopped(assigned.robot(), spot())).mission();
     }
     assertEquals(TaskState.CANCELLED, mission.state());
   }
@@ -163,7 +148,7 @@ class MissionPropertyTest {
 
   @Provide
   Arbitrary<List<MissionEvent>> events() {
-    Arbitrary<String> robots = Arbitraries.of("r1", "r2", "stranger");
+    Arbitrary<String> robots = Arbitraries.of("r1", "r2", "unassigned");
     Arbitrary<Phase> phases = Arbitraries.of(Phase.TO_OBJECT, Phase.TO_GOAL, Phase.HOME);
     Arbitrary<TaskPlace> places = Arbitraries.just(spot()).injectNull(0.3);
     Arbitrary<MissionEvent> started =

@@ -14,7 +14,7 @@ import org.toqa.wording.Sentence;
 
 class MissionTest {
 
-  private static final TransportTask TASK =
+  static final TransportTask TASK =
       new TransportTask(
           7,
           "box",

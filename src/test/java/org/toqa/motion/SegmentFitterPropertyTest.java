@@ -19,7 +19,7 @@ class SegmentFitterPropertyTest {
   private final SegmentFitter fitter = new SegmentFitter(DriveSpeeds.DEFAULT, 0.3);
 
   @Provide
-  Arbitrary<List<Waypoint>> ways() {
+  Arbitrary<List<Waypoint>> paths() {
     Arbitrary<Double> metres = Arbitraries.doubles().between(-20, 20).ofScale(3);
     return Combinators.combine(metres, metres, Arbitraries.of(true, false, false))
         .as((x, y, spot) -> new Waypoint(new Vec2(x, y), spot))
@@ -30,18 +30,18 @@ class SegmentFitterPropertyTest {
 
   @Property
   void segmentsEndAtTheEndOfTheWay(
-      @ForAll("ways") List<Waypoint> way,
+      @ForAll("paths") List<Waypoint> path,
       @ForAll @DoubleRange(min = -3, max = 3) double theta,
       @ForAll @DoubleRange(min = -3, max = 3) double heading) {
-    Trajectory trajectory = fitter.fit(new Pose(0.1, -0.2, theta), way, heading);
-    Vec2 goal = way.getLast().position();
+    Trajectory trajectory = fitter.fit(new Pose(0.1, -0.2, theta), path, heading);
+    Vec2 goal = path.getLast().position();
     assertEquals(0, trajectory.end().position().distanceTo(goal), 1e-3);
     assertEquals(0, trajectory.end().relative(new Pose(0, 0, heading)).theta(), 1e-3);
   }
 
   @Property
-  void noSegmentIsFasterThanItsLimits(@ForAll("ways") List<Waypoint> way) {
-    for (Segment segment : fitter.fit(new Pose(0, 0, 0), way).segments()) {
+  void noSegmentIsFasterThanItsLimits(@ForAll("paths") List<Waypoint> path) {
+    for (Segment segment : fitter.fit(new Pose(0, 0, 0), path).segments()) {
       assertTrue(segment.t() > 0 && Double.isFinite(segment.t()));
       assertTrue(segment.v() >= 0 && segment.v() <= 0.25 + 1e-12);
       assertTrue(Math.abs(segment.w()) <= 1.5 + 1e-12);
@@ -49,20 +49,20 @@ class SegmentFitterPropertyTest {
   }
 
   @Property
-  void robotStaysNearTheLegs(@ForAll("ways") List<Waypoint> way) {
-    Trajectory trajectory = fitter.fit(new Pose(0, 0, 0), way);
+  void robotStaysNearTheLegs(@ForAll("paths") List<Waypoint> path) {
+    Trajectory trajectory = fitter.fit(new Pose(0, 0, 0), path);
     double duration = trajectory.duration();
     for (int i = 0; i <= 500; i++) {
       Vec2 robot = trajectory.poseAt(duration * i / 500).position();
       // an arc begins at most L/2 before its corner, so it is never farther from a leg than that
-      assertTrue(distanceToWay(robot, way) <= 0.15 + 1e-3, () -> robot + " is off the way");
+      assertTrue(distanceToPath(robot, path) <= 0.15 + 1e-3, () -> robot + " is off the path");
     }
   }
 
-  private static double distanceToWay(Vec2 p, List<Waypoint> way) {
+  private static double distanceToPath(Vec2 p, List<Waypoint> path) {
     Vec2 from = Vec2.ZERO;
     double nearest = Double.POSITIVE_INFINITY;
-    for (Waypoint waypoint : way) {
+    for (Waypoint waypoint : path) {
       Vec2 leg = waypoint.position().minus(from);
       Vec2 ap = p.minus(from);
       double squared = leg.x() * leg.x() + leg.y() * leg.y();

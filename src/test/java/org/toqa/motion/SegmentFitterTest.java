@@ -64,14 +64,15 @@ class SegmentFitterTest {
 
   @Test
   void arcsOnAShortLegShareIt() {
-    Trajectory way = fitter.fit(EASTWARD, List.of(corner(1, 0), corner(1, 0.2), corner(2, 0.2)));
-    List<Segment> segments = way.segments();
+    Trajectory trajectory =
+        fitter.fit(EASTWARD, List.of(corner(1, 0), corner(1, 0.2), corner(2, 0.2)));
+    List<Segment> segments = trajectory.segments();
     // straight, arc, arc, straight; the leg of 0.2 m is 0.1 m for each arc
     assertEquals(4, segments.size());
     assertEquals(0.9, segments.get(0).length(), 1e-9);
     assertEquals(0.1 * Math.PI / 2, segments.get(1).length(), 1e-9);
     assertEquals(0.9, segments.get(3).length(), 1e-9);
-    assertEquals(0, way.end().relative(new Pose(2, 0.2, 0)).position().norm(), 1e-9);
+    assertEquals(0, trajectory.end().relative(new Pose(2, 0.2, 0)).position().norm(), 1e-9);
   }
 
   @Test
@@ -93,9 +94,9 @@ class SegmentFitterTest {
 
   @Test
   void finalHeadingIsTurnedToAtTheEnd() {
-    Trajectory way = fitter.fit(EASTWARD, List.of(corner(1, 0)), Math.PI);
-    assertEquals(Math.PI, way.end().theta(), 1e-9);
-    assertEquals(2, way.segments().size());
+    Trajectory trajectory = fitter.fit(EASTWARD, List.of(corner(1, 0)), Math.PI);
+    assertEquals(Math.PI, trajectory.end().theta(), 1e-9);
+    assertEquals(2, trajectory.segments().size());
   }
 
   @Test

@@ -22,7 +22,7 @@ import org.toqa.planning.PlanResult.Found;
 import org.toqa.planning.RandomGrids.Query;
 
 /**
- * A way that is planned on inflated obstacles, driven in segments, keeps the robot off the walls.
+ * A path that is planned on inflated obstacles, driven in segments, keeps the robot off the walls.
  */
 class DrivenPathPropertyTest {
   private static final double ROBOT = 0.1275;
@@ -75,27 +75,27 @@ class DrivenPathPropertyTest {
     OccupancyGrid inflated = Inflation.inflate(walls, ROBOT);
     Cell goal = query.goal();
     PlanResult result = new HeadingAStar().plan(inflated, query.start(), goal);
-    Statistics.label("a way was found")
+    Statistics.label("a path was found")
         .collect(result instanceof Found)
         .coverage(coverage -> coverage.check(true).percentage(p -> p > 30));
     if (!(result instanceof Found(Path path))) {
       return;
     }
     Vec2 from = walls.centre(query.start()).plus(offCentre);
-    Trajectory way =
+    Trajectory trajectory =
         new SegmentFitter(DriveSpeeds.DEFAULT, walls.resolution())
             .fit(new Pose(from.x(), from.y(), theta), path.waypoints(walls));
     if (!path.waypoints(walls).isEmpty()) {
-      assertEquals(0, way.end().position().distanceTo(walls.centre(goal)), 1e-3);
+      assertEquals(0, trajectory.end().position().distanceTo(walls.centre(goal)), 1e-3);
     }
     if (path.waypoints(walls).size() > 1) { // the first leg points to its waypoint from off centre
       double arrival = path.steps().getLast().heading().angle();
-      assertEquals(0, way.end().relative(new Pose(0, 0, arrival)).theta(), 1e-3);
+      assertEquals(0, trajectory.end().relative(new Pose(0, 0, arrival)).theta(), 1e-3);
     }
     Disc robot = new Disc(ROBOT);
-    int samples = (int) Math.ceil(way.duration() / 0.02); // 5 mm apart
+    int samples = (int) Math.ceil(trajectory.duration() / 0.02); // 5 mm apart
     for (int i = 0; i <= samples; i++) {
-      Vec2 centre = way.poseAt(i * 0.02).position();
+      Vec2 centre = trajectory.poseAt(i * 0.02).position();
       assertTrue(robot.isFreeAt(walls, centre), () -> "The robot hits a wall at " + centre);
     }
   }

@@ -97,10 +97,10 @@ class LabMapTest {
             assertInstanceOf(Found.class, planner.plan(inflated, start, goal), from + " " + to)
                 .path();
         Pose pose = new Pose(from.position().x(), from.position().y(), 0);
-        Trajectory way = fitter.fit(pose, path.waypoints(inflated));
-        assertEquals(0, way.end().position().distanceTo(to.position()), 1e-3);
-        for (double t = 0; t < way.duration(); t += 0.1) {
-          Vec2 centre = way.poseAt(t).position();
+        Trajectory trajectory = fitter.fit(pose, path.waypoints(inflated));
+        assertEquals(0, trajectory.end().position().distanceTo(to.position()), 1e-3);
+        for (double t = 0; t < trajectory.duration(); t += 0.1) {
+          Vec2 centre = trajectory.poseAt(t).position();
           assertTrue(robot.isFreeAt(lab.grid(), centre), () -> from + " " + to + " " + centre);
         }
       }

@@ -60,7 +60,7 @@ final class RandomGrids {
             });
   }
 
-  /** Rooms with thin walls and a door in each, as buildings have them. */
+  /** Rooms with thin walls and a doorway in each, as buildings have them. */
   static Arbitrary<Query> rooms(double resolution) {
     return Combinators.combine(Arbitraries.integers().between(2, 5), Arbitraries.longs())
         .as(
@@ -74,9 +74,9 @@ final class RandomGrids {
               for (int room = 0; room < 16; room++) {
                 int column = room % 4 * (roomSize + 1);
                 int row = room / 4 * (roomSize + 1);
-                int door = 1 + random.nextInt(roomSize);
+                int doorway = 1 + random.nextInt(roomSize);
                 if (column > 0) {
-                  occupied.clear((row + door) * side + column);
+                  occupied.clear((row + doorway) * side + column);
                 }
                 if (row > 0) {
                   occupied.clear(row * side + column + 1 + random.nextInt(roomSize));

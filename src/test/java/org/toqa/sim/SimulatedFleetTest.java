@@ -57,7 +57,7 @@ class SimulatedFleetTest {
   }
 
   @Test
-  void robotsAreFoundAgainWhereTheyStood() throws Exception {
+  void robotsAreFoundAgainWhereTheyWere() throws Exception {
     try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 50);
         SimulatedFleet fleet =
             SimulatedFleet.open(folder, ROBOTS, SimulatedFloor.boundless(), clock);

@@ -95,7 +95,7 @@ class AccountStoreTest {
     now = START.plus(Duration.ofDays(2)).minusMillis(1);
     assertEquals(Optional.of(ada), owner(Kind.TOKEN, begun.secret()));
     assertEquals(Optional.empty(), owner(Kind.TOKEN, begun.secret() + "x"));
-    assertEquals(Optional.empty(), owner(Kind.BROWSER, begun.secret()), "shown in another way");
+    assertEquals(Optional.empty(), owner(Kind.BROWSER, begun.secret()), "used as another kind");
     now = START.plus(Duration.ofDays(2));
     assertEquals(Optional.empty(), owner(Kind.TOKEN, begun.secret()));
     assertEquals(List.of(), sessions.sessions(ada.id()));

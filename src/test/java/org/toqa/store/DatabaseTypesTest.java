@@ -6,7 +6,7 @@ import java.time.Instant;
 import java.util.TimeZone;
 import org.junit.jupiter.api.Test;
 
-/** How values stand in columns. */
+/** How values are kept in columns. */
 class DatabaseTypesTest {
   @Test
   void momentsAreStoredInUtcWhereverTheProcessRuns() throws Exception {

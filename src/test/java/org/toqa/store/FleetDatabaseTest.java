@@ -9,6 +9,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
+import org.toqa.testbed.LabTask;
 
 /** A fleet's store on a new database, with two robots and the tasks that a test adds. */
 abstract class FleetDatabaseTest extends DatabaseTest {
@@ -34,8 +35,6 @@ abstract class FleetDatabaseTest extends DatabaseTest {
   }
 
   static TransportTask task(String name) {
-    TaskPlace start = new TaskPlace(new Vec2(1, 1), null);
-    TaskPlace goal = new TaskPlace(new Vec2(2, 2), null);
-    return new TransportTask(0, name, 1, start, goal, "lab", 0, null, null, "ann", AT);
+    return LabTask.of(name, "ann", AT);
   }
 }

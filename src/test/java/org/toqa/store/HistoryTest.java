@@ -32,9 +32,9 @@ import org.toqa.fleet.history.TrackPoint;
 import org.toqa.fleet.history.UtilisationRecord;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.Mission;
-import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.testbed.LabTask;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -297,8 +297,6 @@ class HistoryTest extends DatabaseTest {
   }
 
   private static TransportTask task(String name) {
-    TaskPlace here = new TaskPlace(new Vec2(1, 1), null);
-    TaskPlace there = new TaskPlace(new Vec2(2, 2), null);
-    return new TransportTask(0, name, 1, here, there, "lab", 0, null, null, "Ann", AT);
+    return LabTask.of(name, "Ann", AT);
   }
 }

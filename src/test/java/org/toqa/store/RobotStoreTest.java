@@ -126,12 +126,12 @@ class RobotStoreTest extends FleetDatabaseTest {
   void theLastDriveOfARobotComesBackExactly() {
     store.saveRobot(R1);
     assertEquals(Optional.empty(), store.drive("r1"));
-    Trajectory way =
+    Trajectory trajectory =
         new Trajectory(
             new Pose(0.1, 1 / 3.0, -3),
             List.of(new Segment(0.25, 0, 1.2), new Segment(0, 0.5, 0.1)));
-    store.saveDrive("r1", new StoredDrive(4, null, Phase.NONE, way));
-    StoredDrive second = new StoredDrive(9, 77L, Phase.TO_GOAL, way);
+    store.saveDrive("r1", new StoredDrive(4, null, Phase.NONE, trajectory));
+    StoredDrive second = new StoredDrive(9, 77L, Phase.TO_GOAL, trajectory);
     store.saveDrive("r1", second);
     assertEquals(Optional.of(second), store.drive("r1"));
   }

@@ -27,11 +27,10 @@ import org.toqa.fleet.history.RobotActivity;
 import org.toqa.fleet.history.RobotUtilisation;
 import org.toqa.fleet.history.UtilisationRecord;
 import org.toqa.fleet.history.WorkStatistics;
-import org.toqa.geometry.Vec2;
 import org.toqa.mission.Mission;
-import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
+import org.toqa.testbed.LabTask;
 import org.toqa.wording.Sentence;
 
 /** What a period is in numbers; here on H2, in {@code MySqlStatisticsTest} on MySQL. */
@@ -259,10 +258,7 @@ class StatisticsTest extends DatabaseTest {
   }
 
   private TransportTask ordered(Instant at) {
-    TaskPlace here = new TaskPlace(new Vec2(1, 1), null);
-    TaskPlace there = new TaskPlace(new Vec2(2, 2), null);
-    TransportTask task =
-        new TransportTask(0, "box", 1, here, there, "lab", 0, null, null, "Ann", at);
+    TransportTask task = LabTask.of("box", "Ann", at);
     return store.addTasks(List.of(new Submission(task, UUID.randomUUID()))).getFirst();
   }
 

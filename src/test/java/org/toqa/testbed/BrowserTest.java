@@ -3,11 +3,13 @@ package org.toqa.testbed;
 import static java.util.Objects.requireNonNull;
 
 import com.microsoft.playwright.Browser;
+import com.microsoft.playwright.Browser.NewContextOptions;
 import com.microsoft.playwright.BrowserContext;
 import com.microsoft.playwright.BrowserType.LaunchOptions;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.Playwright;
 import com.microsoft.playwright.Playwright.CreateOptions;
+import com.microsoft.playwright.assertions.PlaywrightAssertions;
 import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -27,18 +29,40 @@ import org.junit.jupiter.api.TestInstance;
 @Tag("full")
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 public abstract class BrowserTest {
+  /** Ends a test that would wait for ever; no machine that works is so slow. */
+  private static final int PATIENCE_MS = 60_000;
+
   private static final List<String> NAMES =
       List.of("chromium", "chromium-browser", "google-chrome");
 
   private @Nullable Playwright playwright;
   private @Nullable Browser browser;
-  private @Nullable BrowserContext profile;
+  private final List<BrowserContext> profiles = new ArrayList<>();
   private @Nullable Page page;
   private final List<String> complaints = new ArrayList<>();
 
-  /** The one open page. */
+  /** The page of a test that needs but one. */
   protected final Page page() {
-    return requireNonNull(page);
+    if (page == null) {
+      page = openPage(new NewContextOptions());
+    }
+    return page;
+  }
+
+  /** A page in a profile of its own, which is closed after the test. */
+  protected final Page openPage(NewContextOptions options) {
+    BrowserContext profile = requireNonNull(browser).newContext(options);
+    profiles.add(profile);
+    Page opened = profile.newPage();
+    opened.setDefaultTimeout(PATIENCE_MS);
+    opened.onPageError(complaints::add);
+    opened.onConsoleMessage(
+        message -> {
+          if (message.type().equals("error")) {
+            complaints.add(message.text());
+          }
+        });
+    return opened;
   }
 
   /** Errors on the page's console, and of its scripts. */
@@ -48,6 +72,7 @@ public abstract class BrowserTest {
 
   @BeforeAll
   final void openBrowser() {
+    PlaywrightAssertions.setDefaultAssertionTimeout(PATIENCE_MS);
     Map<String, String> environment = Map.of("PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD", "1");
     playwright = Playwright.create(new CreateOptions().setEnv(environment));
     browser =
@@ -62,24 +87,15 @@ public abstract class BrowserTest {
   }
 
   @BeforeEach
-  final void openPage() {
-    profile = requireNonNull(browser).newContext();
-    page = profile.newPage();
+  final void forgetComplaints() {
     complaints.clear();
-    page.onPageError(complaints::add);
-    page.onConsoleMessage(
-        message -> {
-          if (message.type().equals("error")) {
-            complaints.add(message.text());
-          }
-        });
   }
 
   @AfterEach
-  final void closePage() {
-    if (profile != null) {
-      profile.close();
-    }
+  final void closePages() {
+    profiles.forEach(BrowserContext::close);
+    profiles.clear();
+    page = null;
   }
 
   @AfterAll

@@ -8,8 +8,12 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
+import org.toqa.fleet.RobotCapabilities;
+import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Telemetry;
+import org.toqa.fleet.RobotView.Work;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
@@ -17,6 +21,7 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.mission.Phase;
+import org.toqa.traffic.floor.RemainingPath;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -30,29 +35,16 @@ public final class Hall {
   /** A robot that parks at P1; one without a pose was never heard. */
   public static RobotView robot(
       String name, RobotState state, @Nullable Pose pose, String host, int port) {
+    boolean isSimulated = host.equals("127.0.0.1"); // else it is a real one
     return new RobotView(
-        name,
-        "hall",
+        new RobotRecord(name, "hall", host, port, 5, "P1", isSimulated, null),
+        RobotCapabilities.UNKNOWN,
         state,
-        pose,
-        pose == null ? null : Double.valueOf(0.84),
-        null,
-        Phase.NONE,
-        5,
-        0.255,
-        0.25,
-        host,
-        port,
-        "P1",
-        host.equals("127.0.0.1"), // else it is a real one
-        List.of(),
-        0,
-        List.of(),
-        Phrase.IS_FREE.with(),
-        pose == null ? null : START,
-        false,
-        null,
-        null,
+        new Work(null, Phase.NONE, false, null, Phrase.IS_FREE.with()),
+        pose == null
+            ? new Telemetry(null, null, List.of(), null)
+            : new Telemetry(pose, 0.84, List.of(), START),
+        RemainingPath.NONE,
         null);
   }
 

@@ -21,7 +21,7 @@ public final class LineFuzzer {
 
   private static final JsonMapper MAPPER = new JsonMapper();
 
-  /** What stands for it in the tree until it is text, for not all of them are JSON. */
+  /** What represents it in the tree until it is text, for not all of them are JSON. */
   private static final String PLACEHOLDER = "<here>";
 
   private static final int LONGEST_NOISE = 300;

@@ -21,7 +21,7 @@ public final class TextFile {
         new Properties() {
           @Override
           public synchronized Object put(Object key, Object value) {
-            assertEquals(null, inOrder.put((String) key, (String) value), key + " stands twice");
+            assertEquals(null, inOrder.put((String) key, (String) value), key + " is there twice");
             return super.put(key, value);
           }
         };

@@ -1,6 +1,6 @@
 /**
- * What tests stand on: processes, a stock Tomcat, a real MySQL server, a browser, networks, fuzzed
- * lines.
+ * What tests are built on: processes, a stock Tomcat, a real MySQL server, a browser, networks,
+ * fuzzed lines.
  */
 @NullMarked
 package org.toqa.testbed;

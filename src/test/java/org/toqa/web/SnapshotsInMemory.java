@@ -26,7 +26,7 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** Snapshots that a test publishes: robots, the floor, alerts and pauses as it sets them. */
-abstract class SnapshotsInMemory implements SnapshotFeed {
+public abstract class SnapshotsInMemory implements SnapshotFeed {
   final List<TaskView> tasks = new ArrayList<>();
   final ReentrantLock lock = new ReentrantLock();
   final Condition withChange = lock.newCondition();

@@ -35,7 +35,7 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** Tasks in memory: it takes orders by the contract's rules, and finds tasks by state and text. */
-abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArchive {
+public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArchive {
   /** Kilograms; what all robots together can carry. */
   private static final double HEAVIEST = 50;
 
@@ -72,20 +72,7 @@ abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArc
   public void setLate(long id, Sentence sentence) {
     lock.lock();
     try {
-      tasks.replaceAll(
-          t ->
-              t.id() == id
-                  ? new TaskView(
-                      t.task(),
-                      t.state(),
-                      t.held(),
-                      t.robots(),
-                      t.loadAt(),
-                      t.waitingFor(),
-                      t.needs(),
-                      sentence,
-                      t.changedAt())
-                  : t);
+      tasks.replaceAll(t -> t.id() == id ? t.withLateness(sentence) : t);
       publish(latest.robots());
     } finally {
       lock.unlock();
@@ -191,18 +178,9 @@ abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, TaskArc
           Sentence.verbatim("The goal is not a free place of the floor. Choose another one."));
     }
     return new Answer.Accepted<>(
-        new TransportTask(
-            tasks.size() + 1,
-            order.name(),
-            order.load(),
-            start.get(),
-            goal.get(),
-            floor.name(),
-            order.priority(),
-            order.deadline(),
-            order.size(),
-            user,
-            latest.at()));
+        order
+            .task(start.get(), goal.get(), floor.name(), user, latest.at())
+            .withId(tasks.size() + 1));
   }
 
   /** Two carry it, straight from start to goal. */

@@ -59,34 +59,7 @@ public final class TestFleet extends TasksInMemory {
   @Override
   public CompletionStage<Answer<RobotView>> changeRobot(
       String name, RobotChange change, String user) {
-    return change(name, known -> withChange(known, change));
-  }
-
-  private static RobotView withChange(RobotView known, RobotChange change) {
-    return new RobotView(
-        known.name(),
-        known.floor(),
-        known.state(),
-        known.pose(),
-        known.battery(),
-        known.task(),
-        known.phase(),
-        change.maxLoad(),
-        known.footprint(),
-        known.speed(),
-        change.host(),
-        change.port(),
-        change.parking(),
-        change.host().equals("127.0.0.1"),
-        known.path(),
-        known.released(),
-        known.errors(),
-        known.doing(),
-        known.lastSeen(),
-        known.held(),
-        known.charger(),
-        known.fingerprint(),
-        known.alert());
+    return change(name, known -> known.withRecord(known.record().withChange(change)));
   }
 
   @Override
@@ -115,7 +88,9 @@ public final class TestFleet extends TasksInMemory {
       String name, PairingOrder order, String user) {
     return change(
         name,
-        known -> Hall.robot(name, RobotState.CONNECTING, known.pose(), order.host(), order.port()));
+        known ->
+            Hall.robot(
+                name, RobotState.CONNECTING, known.telemetry().pose(), order.host(), order.port()));
   }
 
   @Override
@@ -123,42 +98,33 @@ public final class TestFleet extends TasksInMemory {
     if (!floor.grid().isFree(pose.position())) {
       return refused(null, "There is a wall. Say where the robot really stands.");
     }
-    return change(
-        name, known -> Hall.robot(name, RobotState.IDLE, pose, known.host(), known.port()));
+    return change(name, known -> standing(known, RobotState.IDLE, pose));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> takeOutOfService(String name, String user) {
     return change(
-        name,
-        known ->
-            Hall.robot(name, RobotState.OUT_OF_SERVICE, known.pose(), known.host(), known.port()));
+        name, known -> standing(known, RobotState.OUT_OF_SERVICE, known.telemetry().pose()));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> putInService(String name, String user) {
-    return change(
-        name, known -> Hall.robot(name, RobotState.IDLE, known.pose(), known.host(), known.port()));
+    return change(name, known -> standing(known, RobotState.IDLE, known.telemetry().pose()));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> holdRobot(String name, String user) {
-    return change(
-        name,
-        known -> Hall.robot(name, RobotState.HOLDING, known.pose(), known.host(), known.port()));
+    return change(name, known -> standing(known, RobotState.HOLDING, known.telemetry().pose()));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> resumeRobot(String name, String user) {
-    return change(
-        name, known -> Hall.robot(name, RobotState.IDLE, known.pose(), known.host(), known.port()));
+    return change(name, known -> standing(known, RobotState.IDLE, known.telemetry().pose()));
   }
 
   @Override
   public CompletionStage<Answer<RobotView>> sendHome(String name, String user) {
-    return change(
-        name,
-        known -> Hall.robot(name, RobotState.DRIVING, known.pose(), known.host(), known.port()));
+    return change(name, known -> standing(known, RobotState.DRIVING, known.telemetry().pose()));
   }
 
   @Override
@@ -179,6 +145,10 @@ public final class TestFleet extends TasksInMemory {
   @Override
   public CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user) {
     return setFloorHold(floor, null);
+  }
+
+  private static RobotView standing(RobotView known, RobotState state, @Nullable Pose pose) {
+    return Hall.robot(known.name(), state, pose, known.record().host(), known.record().port());
   }
 
   private CompletionStage<Answer<RobotView>> change(String name, UnaryOperator<RobotView> change) {

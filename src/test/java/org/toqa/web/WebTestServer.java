@@ -3,6 +3,7 @@ package org.toqa.web;
 import com.github.benmanes.caffeine.cache.Ticker;
 import java.io.File;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,6 +25,7 @@ import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
 import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.SessionStore;
@@ -52,6 +54,9 @@ public final class WebTestServer implements AutoCloseable {
   private static final RequestLimit NO_LIMIT = new RequestLimit(0, Ticker.systemTicker());
 
   private static final String PASSWORD_HASH = PASSWORDS.hash(PASSWORD);
+
+  /** Views are compiled once for all servers of this process. */
+  private static final Path COMPILED_VIEWS = temporaryFolder();
 
   private final TestFleet fleet;
   private final TestMailbox mailbox = new TestMailbox();
@@ -133,7 +138,7 @@ public final class WebTestServer implements AutoCloseable {
     tracks = new JdbiTrackStore(jdbi);
     uses = new JdbiUtilisationStore(jdbi);
     Services services =
-        Services.of(
+        new Services(
             fleet,
             fleet,
             new JdbiEventArchive(jdbi),
@@ -146,7 +151,9 @@ public final class WebTestServer implements AutoCloseable {
             PASSWORDS,
             new Metrics(fleet.snapshots()),
             limit,
-            InstantSource.system());
+            InstantSource.system(),
+            Authenticator.of(accounts, PASSWORDS, InstantSource.system()),
+            new IdempotentSubmitter(fleet, fleet));
     store = new JdbiFleetStore(jdbi);
     baseDir = Files.createTempDirectory("toqa-web-test");
     startTomcat(port, services);
@@ -162,6 +169,7 @@ public final class WebTestServer implements AutoCloseable {
     StandardContext context =
         (StandardContext) tomcat.addWebapp("", new File("src/main/webapp").getAbsolutePath());
     context.setParentClassLoader(WebTestServer.class.getClassLoader());
+    context.setWorkDir(COMPILED_VIEWS.toString());
     StandardJarScanFilter filter = new StandardJarScanFilter();
     filter.setDefaultTldScan(false);
     filter.setDefaultPluggabilityScan(false);
@@ -222,11 +230,26 @@ public final class WebTestServer implements AutoCloseable {
     tomcat.stop();
     tomcat.destroy();
     database.close();
-    try (Stream<Path> files = Files.walk(baseDir)) {
-      List<Path> deepestFirst = files.sorted(Comparator.reverseOrder()).toList();
-      for (Path file : deepestFirst) {
+    delete(baseDir);
+  }
+
+  private static Path temporaryFolder() {
+    try {
+      Path folder = Files.createTempDirectory("toqa-views");
+      Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(folder)));
+      return folder;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static void delete(Path folder) {
+    try (Stream<Path> files = Files.walk(folder)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
         Files.delete(file);
       }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 }

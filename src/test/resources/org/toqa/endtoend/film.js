@@ -8,8 +8,8 @@
   const fillText = CanvasRenderingContext2D.prototype.fillText;
   CanvasRenderingContext2D.prototype.fillText = function (text, x, y, ...more) {
     const words = text.replace(/[\u2068\u2069]/g, ''); // marks of direction
-    const {way, ...before} = places.get(words) ?? {x, y, way: 0};
-    places.set(words, {x, y, way: way + Math.hypot(x - before.x, y - before.y)});
+    const {travelled, ...before} = places.get(words) ?? {x, y, travelled: 0};
+    places.set(words, {x, y, travelled: travelled + Math.hypot(x - before.x, y - before.y)});
     return fillText.call(this, text, x, y, ...more);
   };
 
@@ -18,7 +18,7 @@
     if (!places.has(text)) {
       throw new Error(`The map never showed "${text}".`);
     }
-    return places.get(text).way;
+    return places.get(text).travelled;
   };
 
   const base64 = (blob) =>

@@ -36,7 +36,7 @@ import org.toqa.link.trust.Fingerprint;
  *   <li>{@link #open} takes the data folder, finds the body and the journal, and listens.
  *   <li>{@link #tick} is called every {@link Chassis#TICK}, always by one thread: it exchanges
  *       command and reading with the body, obeys what was received, steers, and reports.
- *   <li>{@link #close}, when no tick is under way, ends it in the opposite order.
+ *   <li>{@link #close}, when no tick is running, ends it in the opposite order.
  * </ol>
  */
 public final class Daemon implements AutoCloseable {
@@ -63,7 +63,7 @@ public final class Daemon implements AutoCloseable {
 
   /**
    * @param clock what time it is, for the stamps of reports only
-   * @param nanos the time of the ticks to come, on a monotonic clock
+   * @param nanos the time of the ticks to come, nanoseconds on a monotonic clock
    * @throws IOException with one line for people: the port or the data folder is taken or not
    *     usable
    */
@@ -76,6 +76,7 @@ public final class Daemon implements AutoCloseable {
    * The same, and shows a code for a server to pair with.
    *
    * @param pair false: only where the robot cannot do without a server
+   * @throws IOException as above
    */
   public static Daemon open(AgentConfig config, InstantSource clock, long nanos, boolean pair)
       throws IOException {

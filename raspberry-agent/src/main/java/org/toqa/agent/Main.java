@@ -18,7 +18,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** The command line of a robot's daemon. */
-@Command(name = "agent", description = "Runs the daemon of a robot until it is stopped.")
+@Command(name = "agent", description = "Run the daemon of a robot until it is stopped.")
 public final class Main implements Callable<Integer> {
 
   private static final int FAILED = 1;
@@ -28,7 +28,7 @@ public final class Main implements Callable<Integer> {
   @Option(
       names = {"-h", "--help"},
       usageHelp = true,
-      description = "Shows this.")
+      description = "Show this help and exit.")
   @SuppressWarnings("unused") // picocli asks the option, nobody the field
   private boolean help;
 
@@ -36,15 +36,15 @@ public final class Main implements Callable<Integer> {
       names = "--config",
       required = true,
       paramLabel = "FILE",
-      description = "the robot's configuration; agent.yaml explains every key")
+      description = "Configuration of the robot; agent.yaml explains every key.")
   @SuppressWarnings("NullAway.Init") // set by picocli
   private Path config;
 
   @Option(
       names = "--pair",
       description =
-          "shows a code, good for ten minutes, that pairs the robot with a server; where the daemon"
-              + " runs already, it takes the code and runs on")
+          "Show a code that pairs the robot with a server within ten minutes; if the daemon is"
+              + " already running, it accepts the code and keeps running.")
   private boolean pair;
 
   @Spec

@@ -51,7 +51,7 @@ final class RealTimeLoop implements Runnable {
     return start + (long) ((System.nanoTime() - start) * timeFactor);
   }
 
-  /** Ends {@link #run} after the tick under way. */
+  /** Ends {@link #run} after the running tick. */
   void stop() {
     running = false;
   }

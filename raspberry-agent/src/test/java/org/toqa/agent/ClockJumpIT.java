@@ -27,7 +27,7 @@ import org.toqa.testbed.ToqaProcess;
 @Timeout(120)
 class ClockJumpIT {
   /** 4 m. */
-  private static final List<Segment> WAY = List.of(new Segment(0.25, 0, 16));
+  private static final List<Segment> SEGMENTS = List.of(new Segment(0.25, 0, 16));
 
   @TempDir private Path folder;
 
@@ -42,7 +42,7 @@ class ClockJumpIT {
             FormationServer.plain(
                 Integer.parseInt(daemon.awaitErr("listening on .* port (\\d+)").group(1)))) {
       Pose start = server.awaitHello().pose();
-      server.assertAccepted(new Drive(1, 5L, 1, start, WAY, 1, true, 0));
+      server.assertAccepted(new Drive(1, 5L, 1, start, SEGMENTS, 1, true, 0));
       long before = server.awaitState(s -> s.pose().x() > start.x() + 0.5).stamp();
 
       Files.writeString(clock, "+3600");

@@ -12,7 +12,7 @@ import org.toqa.testbed.FuzzRun;
 import org.toqa.testbed.MemoryFolder;
 
 /**
- * Lines of every kind through the daemon's own door, over a real socket, by a server and by a
+ * Lines of every kind through the daemon's own listener, over a real socket, by a server and by a
  * leader. {@link FuzzedRobot} checks what each of them does.
  */
 class DaemonFuzzTest {

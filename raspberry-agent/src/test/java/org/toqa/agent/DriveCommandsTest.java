@@ -47,7 +47,8 @@ class DriveCommandsTest extends ConnectedRobotTest {
     server.assertAccepted(new Cancel(2, 5L));
 
     assertEquals(
-        "The robot is still moving; wait until it stands.", server.rejectReason(driveOf(3, METRE)));
+        "The robot is still moving; wait until it has stopped.",
+        server.rejectReason(driveOf(3, METRE)));
   }
 
   @ParameterizedTest
@@ -57,7 +58,7 @@ class DriveCommandsTest extends ConnectedRobotTest {
         server.rejectReason(TestServer.drive(1, 5L, 1, new Pose(x, y, theta), List.of(METRE)));
 
     assertTrue(reason.startsWith("The drive starts "), reason);
-    assertTrue(reason.endsWith(" where the robot stands, (2.00, 3.00) facing 0 degrees."), reason);
+    assertTrue(reason.endsWith(" where the robot is, (2.00, 3.00) facing 0 degrees."), reason);
   }
 
   @ParameterizedTest
@@ -164,8 +165,8 @@ class DriveCommandsTest extends ConnectedRobotTest {
       reason = i < 199 ? acceptedOrFailed(more) : server.rejectReason(more);
     }
 
-    // 1 + 199 * 500 segments are a way, 500 more are not
-    assertEquals("A way has at most 100000 segments.", reason);
+    // 1 + 199 * 500 segments are a drive, 500 more are not
+    assertEquals("A drive has at most 100000 segments.", reason);
   }
 
   private String acceptedOrFailed(Extend extend) {

@@ -32,7 +32,7 @@ class DrivingTest extends ConnectedRobotTest {
     Segment left = new Segment(0.25, rate, Math.PI / 4 / rate);
     Segment right = new Segment(0.25, -rate, Math.PI / 4 / rate);
     Segment straight = new Segment(0.25, 0, 9.2); // 2.3 m
-    List<Segment> way =
+    List<Segment> segments =
         List.of(
             new Segment(0, 1.5, Math.PI / 2 / 1.5),
             straight,
@@ -50,10 +50,10 @@ class DrivingTest extends ConnectedRobotTest {
             straight,
             straight,
             straight);
-    Trajectory planned = new Trajectory(Rig.START, way);
+    Trajectory planned = new Trajectory(Rig.START, segments);
     assertTrue(planned.length() > 20);
 
-    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, way));
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, segments));
     State end = server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE.multipliedBy(3));
 
     assertNear(planned.end(), end.pose(), 0.002, 0.003);
@@ -62,10 +62,10 @@ class DrivingTest extends ConnectedRobotTest {
   @Test
   void robotStaysOnItsTrajectoryWhileItDrives() {
     Segment tightLeft = new Segment(0.225, 1.5, Math.PI / 2 / 1.5); // radius 0.15 m
-    List<Segment> way = List.of(METRE, tightLeft, METRE, new Segment(0, -1.5, 1), METRE);
-    Trajectory planned = new Trajectory(Rig.START, way);
+    List<Segment> segments = List.of(METRE, tightLeft, METRE, new Segment(0, -1.5, 1), METRE);
+    Trajectory planned = new Trajectory(Rig.START, segments);
 
-    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, way));
+    server.assertAccepted(TestServer.drive(1, 5L, 1, Rig.START, segments));
     server.advanceUntil(s -> s.mode() == Mode.IDLE, MINUTE);
 
     double worst =
@@ -73,7 +73,7 @@ class DrivingTest extends ConnectedRobotTest {
             .mapToDouble(s -> distance(planned, s.pose()))
             .max()
             .orElseThrow();
-    assertTrue(worst < 0.03, "off the way by " + worst + " m");
+    assertTrue(worst < 0.03, "off the path by " + worst + " m");
   }
 
   @Test
@@ -273,10 +273,10 @@ class DrivingTest extends ConnectedRobotTest {
     return new Pose(Rig.START.x() + metres, Rig.START.y(), Rig.START.theta());
   }
 
-  private static double distance(Trajectory way, Pose pose) {
+  private static double distance(Trajectory trajectory, Pose pose) {
     double nearest = Double.POSITIVE_INFINITY;
-    for (double t = 0; t <= way.duration(); t += 0.01) {
-      nearest = Math.min(nearest, way.poseAt(t).distanceTo(pose));
+    for (double t = 0; t <= trajectory.duration(); t += 0.01) {
+      nearest = Math.min(nearest, trajectory.poseAt(t).distanceTo(pose));
     }
     return nearest;
   }

@@ -25,7 +25,7 @@ import org.toqa.sim.SimulatedMicrocontroller;
 class FirmwareScenarioIT {
 
   /** A quarter circle of 0.25 m radius to the left, and a metre. */
-  private static final List<Segment> WAY =
+  private static final List<Segment> SEGMENTS =
       List.of(new Segment(0.25, 1, Math.PI / 2), new Segment(0.25, 0, 4));
 
   @TempDir Path folder;
@@ -59,7 +59,7 @@ class FirmwareScenarioIT {
     try (Rig rig = new Rig(data, body)) {
       rig.advance(Duration.ofMillis(500));
       TestServer server = rig.connect();
-      server.assertAccepted(new Drive(1, null, 0, Rig.START, WAY, WAY.size(), true, 0));
+      server.assertAccepted(new Drive(1, null, 0, Rig.START, SEGMENTS, SEGMENTS.size(), true, 0));
       server.advance(Duration.ofSeconds(10));
       return server.pose();
     }

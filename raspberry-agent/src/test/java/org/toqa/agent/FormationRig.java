@@ -104,7 +104,7 @@ final class FormationRig implements AutoCloseable {
   }
 
   /** Orders all to their parts, and the leader to drive. */
-  void startFormation(List<Segment> way) {
+  void startFormation(List<Segment> segments) {
     List<Follower> followers = new ArrayList<>();
     for (int i = 1; i < robots.size(); i++) {
       followers.add(
@@ -114,7 +114,7 @@ final class FormationRig implements AutoCloseable {
               new Follow(1, TASK, name(0), fingerprint(0), SHAPE.offsets().get(i - 1), TOLERANCE));
     }
     server(0).assertAccepted(new Lead(1, TASK, TOLERANCE, followers));
-    server(0).assertAccepted(new Drive(2, TASK, 2, LEADER, way, way.size(), true, 0));
+    server(0).assertAccepted(new Drive(2, TASK, 2, LEADER, segments, segments.size(), true, 0));
   }
 
   private Optional<Fingerprint> pair(Daemon daemon) {

@@ -31,7 +31,7 @@ class FormationTest {
   private static final Segment STRAIGHT = new Segment(0.25, 0, 8);
   private static final Segment LEFT = new Segment(0.2, 0.25, Math.PI / 2 / 0.25); // radius 0.8 m
 
-  /** What the contract gives a group to come to a stand, milliseconds. */
+  /** Within which time a group stops by contract, milliseconds. */
   private static final long STAND_MILLIS = 800;
 
   @TempDir Path folder;
@@ -49,19 +49,19 @@ class FormationTest {
 
   @Test
   void formationDrivesTheLeadersTrajectoryInShapeAndEachReportsDone() {
-    List<Segment> way = List.of(STRAIGHT, LEFT, STRAIGHT);
-    group.startFormation(way);
+    List<Segment> segments = List.of(STRAIGHT, LEFT, STRAIGHT);
+    group.startFormation(segments);
     State onTheWay = group.server(1).awaitState(s -> s.twist().v() > 0.2);
     assertEquals(Role.FOLLOWER, onTheWay.role());
     assertEquals(Mode.FOLLOWING, onTheWay.mode());
     assertEquals(Role.LEADER, group.server(0).awaitState(s -> true).role());
 
-    // each of the followers' flags bears the number of its order to follow
+    // each of the followers' flags has the number of its order to follow
     assertEquals(new Done(FormationRig.TASK, 2, 2), group.server(0).awaitDone());
     assertEquals(new Done(FormationRig.TASK, 2, 1), group.server(1).awaitDone());
     assertEquals(new Done(FormationRig.TASK, 2, 1), group.server(2).awaitDone());
 
-    Pose goal = new Trajectory(FormationRig.LEADER, way).end();
+    Pose goal = new Trajectory(FormationRig.LEADER, segments).end();
     assertNear(goal, standing(0));
     assertNear(FormationRig.SHAPE.followersAt(goal).get(0), standing(1));
     assertNear(FormationRig.SHAPE.followersAt(goal).get(1), standing(2));
@@ -89,7 +89,7 @@ class FormationTest {
     long gone = group.kill(2);
 
     State leader = group.server(0).awaitState(s -> hasFault(s, "FORMATION_STOPPED"));
-    assertEquals("The group stands: r3 does not answer.", leader.errors().getFirst().text());
+    assertEquals("The group has stopped: r3 does not answer.", leader.errors().getFirst().text());
     assertStandsSince(gone + STAND_MILLIS, 0);
     assertStandsSince(gone + STAND_MILLIS, 1);
   }
@@ -166,10 +166,10 @@ class FormationTest {
     group.server(robot).awaitState(s -> s.stamp() > millis + 1_000);
     List<State> later =
         group.server(robot).states().stream().filter(s -> s.stamp() >= millis).toList();
-    Pose stood = later.getFirst().pose();
+    Pose stopped = later.getFirst().pose();
     for (State state : later) {
       assertEquals(0, state.twist().v(), 0.03, () -> "at " + state);
-      assertEquals(0, stood.distanceTo(state.pose()), 0.02, () -> "at " + state);
+      assertEquals(0, stopped.distanceTo(state.pose()), 0.02, () -> "at " + state);
     }
   }
 

@@ -146,7 +146,7 @@ final class FuzzedRobot implements AutoCloseable {
     checkMotion();
   }
 
-  /** A drive or a place ends, a hold too, and the body stands. */
+  /** A drive or a place ends, a hold too, and the body is stopped. */
   void bringToStandstill() {
     server.assertAccepted(new Cancel(++lastSeq, server.state().task()));
     server.assertAccepted(new Cancel(++lastSeq, null));
@@ -167,12 +167,12 @@ final class FuzzedRobot implements AutoCloseable {
   /** What a server and a leader may well say to the robot as it is. */
   private List<byte[]> correctLines(State now) {
     long seq = lastSeq + 1;
-    List<Segment> way = List.of(new Segment(0.3, 0, 1), new Segment(0.2, 0.5, 1));
+    List<Segment> segments = List.of(new Segment(0.3, 0, 1), new Segment(0.2, 0.5, 1));
     Pose near = new Pose(now.pose().x() + 0.02, now.pose().y(), now.pose().theta());
     return Stream.of(
-            new Drive(seq, TASK, 1, now.pose(), way, 1, true, 2.5),
-            new Drive(seq + 1, null, 0, near, way, 2, true, 0),
-            new Extend(seq + 2, now.drive(), now.released(), way, now.released() + 1, false),
+            new Drive(seq, TASK, 1, now.pose(), segments, 1, true, 2.5),
+            new Drive(seq + 1, null, 0, near, segments, 2, true, 0),
+            new Extend(seq + 2, now.drive(), now.released(), segments, now.released() + 1, false),
             new Release(seq + 3, now.drive(), now.released() + 1),
             new Lead(seq + 4, TASK, 0.05, List.of(NOBODY)),
             new Follow(seq + 5, TASK, "r9", null, new Vec2(-0.5, 0), 0.05),
@@ -263,15 +263,14 @@ final class FuzzedRobot implements AutoCloseable {
   }
 
   private boolean isLegal(Drive drive) {
-    Pose stands = lastLocated == null ? server.state().pose() : lastLocated;
+    Pose pose = lastLocated == null ? server.state().pose() : lastLocated;
     return drive.phase() >= 0
         && drive.phase() <= 3
         && (drive.task() == null) == (drive.phase() == 0)
         && drive.released() >= 0
         && drive.released() <= drive.segments().size()
-        && drive.start().distanceTo(stands) < 0.1001
-        && Math.toDegrees(Math.abs(Angles.difference(drive.start().theta(), stands.theta())))
-            < 10.001
+        && drive.start().distanceTo(pose) < 0.1001
+        && Math.toDegrees(Math.abs(Angles.difference(drive.start().theta(), pose.theta()))) < 10.001
         && hasOnlyLegalSegments(drive.segments());
   }
 

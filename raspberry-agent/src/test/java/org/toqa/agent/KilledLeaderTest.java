@@ -40,8 +40,8 @@ class KilledLeaderTest {
       ofFollower.assertAccepted(new Follow(1, TASK, "r1", null, new Vec2(-1, 0), 0.05));
       ofLeader.assertAccepted(
           new Lead(1, TASK, 0.05, List.of(new Follower("r2", "127.0.0.1", follower.port(), null))));
-      List<Segment> way = List.of(new Segment(0.25, 0, 60));
-      ofLeader.assertAccepted(new Drive(2, TASK, 2, START, way, 1, true, 0));
+      List<Segment> segments = List.of(new Segment(0.25, 0, 60));
+      ofLeader.assertAccepted(new Drive(2, TASK, 2, START, segments, 1, true, 0));
       ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.2);
 
       leader.process().destroyForcibly();
@@ -49,9 +49,9 @@ class KilledLeaderTest {
 
       State lost = ofFollower.awaitState(s -> s.mode() == Mode.HOLDING);
       assertEquals("LEADER_LOST", lost.errors().getFirst().code());
-      Pose stood = ofFollower.awaitState(s -> s.stamp() > gone + STAND_MILLIS).pose();
+      Pose stopped = ofFollower.awaitState(s -> s.stamp() > gone + STAND_MILLIS).pose();
       State later = ofFollower.awaitState(s -> s.stamp() > gone + STAND_MILLIS + 1_000);
-      assertEquals(0, stood.distanceTo(later.pose()), 0.005);
+      assertEquals(0, stopped.distanceTo(later.pose()), 0.005);
     }
   }
 

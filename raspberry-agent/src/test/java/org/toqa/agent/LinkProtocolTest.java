@@ -65,7 +65,7 @@ class LinkProtocolTest extends ConnectedRobotTest {
     String reason = server.rejectReasonOfLine("x".repeat(1_000_000));
 
     assertEquals(
-        "The line has 1000001 bytes; a line has at most 65536. Send a longer way by extend.",
+        "The line has 1000001 bytes; a line has at most 65536. Send a longer path by extend.",
         reason);
     server.synchronise();
   }

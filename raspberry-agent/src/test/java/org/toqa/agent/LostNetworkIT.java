@@ -45,13 +45,13 @@ class LostNetworkIT {
   private static final double SPEED = 0.25;
 
   /** 2 m each. */
-  private static final List<Segment> WAY =
+  private static final List<Segment> SEGMENTS =
       List.of(new Segment(SPEED, 0, 8), new Segment(SPEED, 0, 8));
 
-  /** A group stands within 0.8 s; as much again for a machine that is busy with other things. */
+  /** A group stops within 0.8 s; as much again for a machine that is busy with other things. */
   private static final double STAND_SECONDS = 1.6;
 
-  /** Where the robots stand at first; y is 1. */
+  /** Where the robots are at first; y is 1. */
   private static final int[] X = {1, 3, 1};
 
   private static final long CONNECT_NANOS = 20_000_000_000L;
@@ -139,8 +139,8 @@ class LostNetworkIT {
     ofFollower.assertAccepted(new Follow(1, TASK, "r2", null, new Vec2(-2, 0), 0.05));
     ofLeader.assertAccepted(
         new Lead(1, TASK, 0.05, List.of(new Follower("r1", network.address(0), PORT, null))));
-    List<Segment> way = List.of(new Segment(SPEED, 0, 60));
-    ofLeader.assertAccepted(new Drive(2, TASK, 2, new Pose(3, 1, 0), way, 1, true, 0));
+    List<Segment> segments = List.of(new Segment(SPEED, 0, 60));
+    ofLeader.assertAccepted(new Drive(2, TASK, 2, new Pose(3, 1, 0), segments, 1, true, 0));
     ofFollower.awaitState(s -> s.mode() == Mode.FOLLOWING && s.pose().x() > 1.3);
     double x = ofLeader.awaitState(s -> s.pose().x() > 3.3).pose().x();
 
@@ -152,11 +152,12 @@ class LostNetworkIT {
     assertEquals("LEADER_LOST", lost.errors().getFirst().code());
     waitUntil(cut, 4);
     network.mend(1);
-    // it was told the place up to 0.2 s before the cut, and stood: 4 s at 0.25 m/s would be 1 m
-    double stood = connect(1).awaitHello().pose().x();
-    assertTrue(stood - x < (STAND_SECONDS + 0.2) * SPEED, "the leader went on to " + stood);
+    // it was told the place up to 0.2 s before the cut, and stopped: 4 s at 0.25 m/s would be 1 m
+    double stopped = connect(1).awaitHello().pose().x();
+    assertTrue(stopped - x < (STAND_SECONDS + 0.2) * SPEED, "the leader went on to " + stopped);
     ofFollower.awaitState(
-        s -> s.mode() == Mode.FOLLOWING && s.errors().isEmpty() && s.pose().x() > stood - 2 + 0.2);
+        s ->
+            s.mode() == Mode.FOLLOWING && s.errors().isEmpty() && s.pose().x() > stopped - 2 + 0.2);
   }
 
   private ToqaProcess daemon(int robot) throws IOException {
@@ -187,7 +188,7 @@ class LostNetworkIT {
   private FormationServer driving(int robot) throws IOException {
     FormationServer server = connect(robot);
     Pose start = server.awaitHello().pose();
-    server.assertAccepted(new Drive(1, TASK, 1, start, WAY, 1, true, 0));
+    server.assertAccepted(new Drive(1, TASK, 1, start, SEGMENTS, 1, true, 0));
     return server;
   }
 

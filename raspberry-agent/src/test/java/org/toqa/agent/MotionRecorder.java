@@ -39,7 +39,7 @@ final class MotionRecorder implements Surroundings {
     return false;
   }
 
-  /** Metres and radians since the last call; 0 for a body that stood. */
+  /** Metres and radians since the last call; 0 for a body that did not move. */
   double takeMoved() {
     double since = moved;
     moved = 0;

@@ -18,7 +18,7 @@ import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.motion.Segment;
 
-/** A robot that drives 3 m to the east from (2, 3), and what stands there. */
+/** A robot that drives 3 m to the east from (2, 3), and the obstacles there. */
 class ObstacleAvoidanceTest {
   private static final Segment METRE = new Segment(0.25, 0, 4);
   private static final Duration MINUTE = Duration.ofMinutes(1);
@@ -51,7 +51,8 @@ class ObstacleAvoidanceTest {
     assertEquals(Mode.DRIVING, stopped.mode());
     String text = stopped.errors().getFirst().text();
     assertTrue(
-        text.matches("Something stands 0\\.(1[6-9]|20) m ahead; the robot waits until it is gone."),
+        text.matches(
+            "There is an obstacle 0\\.(1[6-9]|20) m ahead; the robot waits until it is gone."),
         text);
     assertTrue(
         stopped.obstacles().stream().anyMatch(p -> p.distanceTo(new Vec2(3.8, 3)) < 0.02),

@@ -46,7 +46,8 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * A real daemon that shows a code, and those who try to pair with it, in time that stands still.
+ * A real daemon that shows a code, and those who try to pair with it, while the clock does not
+ * advance.
  */
 @Timeout(60)
 class PairingTest {

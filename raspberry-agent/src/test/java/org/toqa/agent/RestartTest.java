@@ -49,7 +49,7 @@ class RestartTest extends ConnectedRobotTest {
                 "The daemon was restarted during drive 7, after 1 of its segments; it waits for a"
                     + " new drive.")),
         again.state().errors());
-    // it rolled out and stands
+    // it rolled out and has stopped
     assertTrue(hello.pose().x() > before.x() && hello.pose().x() < before.x() + 0.1);
     again.advance(Duration.ofSeconds(2));
     assertEquals(hello.pose(), again.pose());

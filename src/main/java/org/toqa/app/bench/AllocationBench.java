@@ -12,31 +12,37 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Assignment;
 import org.toqa.app.command.Arguments;
+import org.toqa.app.command.CommandOutput;
+import org.toqa.app.command.OptionalMapOption;
+import org.toqa.app.command.SeedOption;
+import org.toqa.app.server.WebappFolder;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Inflation;
 import org.toqa.statistics.Percentiles;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import tools.jackson.databind.json.JsonMapper;
 
 /** {@code toqa bench allocation}: the same work under each allocator. */
 @Command(
     name = "allocation",
-    description = "Lets each allocator deal out the same work, by seed.",
+    description = "Compare the allocators on the same tasks.",
     footer = {
       "",
-      "JSON, by policy: delivered, meanSeconds and worstSeconds (from a task's",
-      "coming to its delivery), joules and metres (of all robots), roundP99Ms (processor time).",
+      "Prints JSON, by policy: delivered, meanSeconds and worstSeconds (from when a",
+      "task arrives until it is delivered), joules and metres (all robots together),",
+      "roundP99Ms (processor time of an allocation round). Exits 1 if a task was not",
+      "delivered.",
       "",
-      "Ways are the planner's, on the map; robots drive at 0.25 m/s and do not",
-      "hinder each other. Every third robot carries 10 kg, the others 5 kg; a",
-      "fifth of the loads needs a strong one."
+      "Paths are planned on the map. Robots drive at 0.25 m/s and do not block each",
+      "other. Every third robot carries 10 kg, the others 5 kg; a fifth of the loads",
+      "needs a 10 kg robot."
     })
-public final class AllocationBench implements Callable<Integer> {
+final class AllocationBench implements Callable<Integer> {
   private static final int SOLVER_RUNS = 15;
 
   private final Supplier<Path> shippedMap;
@@ -47,62 +53,48 @@ public final class AllocationBench implements Callable<Integer> {
       names = "--robots",
       defaultValue = "8",
       paramLabel = "N",
-      description = "How many, 1 to 1000 (default: ${DEFAULT-VALUE}).")
+      description = "Number of robots, 1 to 1000 (default: ${DEFAULT-VALUE}).")
   private int robots;
 
-  @Option(
-      names = "--tasks",
-      defaultValue = "500",
-      paramLabel = "M",
-      description = "How many, 1 to 100000 (default: ${DEFAULT-VALUE}).")
-  private int tasks;
-
-  @Option(
-      names = "--seed",
-      defaultValue = "1",
-      paramLabel = "S",
-      description = "Of the work (default: ${DEFAULT-VALUE}).")
-  private long seed;
+  @Mixin private TaskCountOption tasks = new TaskCountOption(500);
 
   @Option(
       names = "--pressure",
       defaultValue = "80",
       paramLabel = "PERCENT",
       description =
-          "The work as a part of what the robots could do, 1 to 200 (default: ${DEFAULT-VALUE}).")
+          "Load of the fleet in percent of its capacity, 1 to 200 (default: ${DEFAULT-VALUE}).")
   private int pressure;
+
+  @Mixin private SeedOption seed = new SeedOption();
 
   @Option(
       names = "--slow",
       defaultValue = "0",
       paramLabel = "PERCENT",
       description =
-          "Of the robots, so many drive at half the speed, 0 to 100 (default: ${DEFAULT-VALUE}).")
+          "Percentage of robots that drive at half speed, 0 to 100 (default: ${DEFAULT-VALUE}).")
   private int slow;
 
-  @Option(
-      names = "--map",
-      paramLabel = "FILE",
-      description = "A MovingAI map, or the yaml file of a map_server pair (default: shipped map).")
-  private @Nullable Path map;
+  @Mixin private OptionalMapOption map = new OptionalMapOption();
 
   @Option(
       names = "--policy",
       defaultValue = "all",
       paramLabel = "all|nearest|zones|contract-net|optimal",
       converter = PolicyChoice.Converter.class,
-      description = "Which allocator (default: all).")
+      description = "Allocator to measure (default: all).")
   private PolicyChoice policy = PolicyChoice.ALL;
 
   @Option(
       names = "--exchange",
-      description = "Lets tasks whose loads are not picked up go to other robots.")
+      description = "Allow tasks to change robots until their loads are picked up.")
   private boolean exchange;
 
   @Option(
       names = "--solver-size",
       paramLabel = "K",
-      description = "Also times the assignment of K tasks to K robots, 1 to 5000.")
+      description = "Also time the assignment of K tasks to K robots, 1 to 5000.")
   private @Nullable Integer solverSize;
 
   /**
@@ -116,10 +108,14 @@ public final class AllocationBench implements Callable<Integer> {
       Map<String, AllocationRun.Report> policies,
       @Nullable Double solverMs) {}
 
+  AllocationBench() {
+    this(WebappFolder::shippedMap);
+  }
+
   /**
    * @param shippedMap the map where none is named
    */
-  public AllocationBench(Supplier<Path> shippedMap) {
+  AllocationBench(Supplier<Path> shippedMap) {
     this.shippedMap = shippedMap;
   }
 
@@ -127,44 +123,53 @@ public final class AllocationBench implements Callable<Integer> {
   public Integer call() {
     Arguments arguments = new Arguments(spec);
     arguments.requireBetween("--robots", robots, 1, 1000);
-    arguments.requireBetween("--tasks", tasks, 1, 100_000);
+    tasks.check(arguments);
     arguments.requireBetween("--pressure", pressure, 1, 200);
     arguments.requireBetween("--slow", slow, 0, 100);
     if (solverSize != null) {
       arguments.requireBetween("--solver-size", solverSize, 1, 5000);
     }
-    AllocationWorkload shift = workload(arguments);
+    AllocationWorkload workload = workload(arguments);
     Map<String, AllocationRun.Report> reports = new LinkedHashMap<>();
     for (Map.Entry<String, Allocator> entry : policy.allocators().entrySet()) {
-      reports.put(entry.getKey(), new AllocationRun(shift, entry.getValue(), exchange).run());
+      reports.put(entry.getKey(), new AllocationRun(workload, entry.getValue(), exchange).run());
     }
     Report report =
         new Report(
-            robots, tasks, seed, reports, solverSize == null ? null : solverMillis(solverSize));
-    spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
-    boolean allDelivered = reports.values().stream().allMatch(r -> r.delivered() == tasks);
+            robots,
+            tasks.value(),
+            seed.value(),
+            reports,
+            solverSize == null ? null : solverMillis(solverSize));
+    new CommandOutput(spec).printJson(report);
+    boolean allDelivered = reports.values().stream().allMatch(r -> r.delivered() == tasks.value());
     return allDelivered ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
   private AllocationWorkload workload(Arguments arguments) {
-    FloorMap floor = arguments.readFloor(map == null ? shippedMap.get() : map);
+    FloorMap floor = arguments.readFloor(mapFile());
     try {
       return AllocationWorkload.of(
           floor,
           Inflation.inflate(floor.grid(), AllocationWorkload.DIAMETER / 2),
           robots,
-          tasks,
+          tasks.value(),
           pressure / 100.0,
           slow / 100.0,
-          seed);
+          seed.value());
     } catch (IllegalArgumentException e) {
       throw arguments.invalid("--robots " + robots + ": " + e.getMessage());
     }
   }
 
+  private Path mapFile() {
+    String named = map.file();
+    return named == null ? shippedMap.get() : Path.of(named);
+  }
+
   /** Robots and loads anywhere in a square; the first runs warm up. */
   private double solverMillis(int size) {
-    Random random = new Random(seed);
+    Random random = new Random(seed.value());
     double[] millis =
         IntStream.range(0, 2 * SOLVER_RUNS)
             .mapToDouble(

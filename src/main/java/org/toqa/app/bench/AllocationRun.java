@@ -29,8 +29,8 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.statistics.Percentiles;
 
 /**
- * A shift's work under one allocator, from event to event: a task comes, or a robot has driven a
- * leg. Robots do not hinder each other.
+ * A workload under one allocator, from event to event: a task comes, or a robot has driven a leg.
+ * Robots do not hinder each other.
  */
 final class AllocationRun {
   /** As many as the fleet lets take part in a round. */
@@ -49,11 +49,12 @@ final class AllocationRun {
   private double joules;
 
   /**
-   * @param meanSeconds from a task's coming to its delivery
+   * @param delivered how many tasks
+   * @param meanSeconds from when a task arrives until it is delivered
    * @param worstSeconds the same, of the task that took longest
-   * @param joules of all robots' driving
-   * @param metres driven by all robots
-   * @param roundP99Ms processor time of a round, milliseconds
+   * @param joules energy of all robots together
+   * @param metres driven by all robots together
+   * @param roundP99Ms processor time of an allocation round, 99th percentile, milliseconds
    */
   record Report(
       int delivered,
@@ -167,7 +168,7 @@ final class AllocationRun {
     robot.path = new TimedPath(workload.grid(), robot.position, to, now, robot.spec.speed());
   }
 
-  /** It stands where it is now. */
+  /** Ends its drive at the point that it has reached. */
   private void stop(Robot robot) {
     if (robot.path != null) {
       double driven = robot.path.drivenMetres(now);
@@ -199,7 +200,7 @@ final class AllocationRun {
         });
   }
 
-  /** From the robot that is on its way to the load, which turns home. */
+  /** From the robot that drives to the load; it drives home instead. */
   private AllocationTask takeBack(long id) {
     Robot robot =
         robots.values().stream()

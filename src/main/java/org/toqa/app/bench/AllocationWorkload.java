@@ -18,12 +18,12 @@ import org.toqa.motion.DriveSpeeds;
 import org.toqa.traffic.RoadGraph;
 
 /**
- * A day's work, by seed: robots that are not alike, and loads that come at random.
+ * Robots of different strength and speed, and tasks that arrive at random, by seed.
  *
  * @param grid inflated by the robots' radius
  * @param robots by their parking places; every third carries {@link #STRONG_MAX_LOAD}, the others
  *     {@link #USUAL_MAX_LOAD}
- * @param jobs in the order in which they come, each counting from then
+ * @param jobs in the order in which they arrive
  */
 record AllocationWorkload(
     OccupancyGrid grid,
@@ -49,15 +49,17 @@ record AllocationWorkload(
   /**
    * @param maxLoad kilograms
    * @param speed metres a second
-   * @param home where it parks, and begins
+   * @param home where it parks, and begins; metres, map frame
    */
   record RobotSpec(String name, double maxLoad, double speed, Vec2 home) {}
 
   /**
    * @param grid inflated by the robots' radius
-   * @param pressure the work as a part of what the robots could do, were each as far from its next
-   *     load as half the usual way
-   * @param slow the part of the robots that drives at half the usual speed
+   * @param robots how many, at least 1
+   * @param tasks how many
+   * @param pressure the work as a share of the robots' capacity, above 0 and 1 where they are fully
+   *     used, if each drives to its next load half as far as with it
+   * @param slow the share of the robots that drive at half speed, 0 to 1
    * @throws IllegalArgumentException the floor has too few places; says so
    */
   static AllocationWorkload of(
@@ -114,7 +116,7 @@ record AllocationWorkload(
         .toList();
   }
 
-  /** Seconds that one robot needs for a task: the way to the load, half as long as with it. */
+  /** Seconds that one robot needs for a task: to the load half as far as with it. */
   private static double taskSeconds(FloorDistances distances, List<Vec2> places) {
     double sum = 0;
     for (Vec2 from : places) {

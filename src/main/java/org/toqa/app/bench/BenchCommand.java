@@ -8,8 +8,18 @@ import picocli.CommandLine.Spec;
 /** {@code toqa bench}: the measurements. */
 @Command(
     name = "bench",
-    description = "Measures the planners, and a whole fleet; prints JSON.",
-    subcommands = {ScenarioBench.class, TrafficBench.class, MapfBench.class})
+    description = "Measure the planners, a daemon and a complete server; prints JSON.",
+    subcommands = {
+      ScenarioBench.class,
+      TrafficBench.class,
+      MapfBench.class,
+      FleetBench.class,
+      TaskBench.class,
+      WebBench.class,
+      DaemonBench.class,
+      AllocationBench.class,
+      FormationBench.class
+    })
 public final class BenchCommand implements Runnable {
   @Spec private CommandSpec spec = CommandSpec.create();
 

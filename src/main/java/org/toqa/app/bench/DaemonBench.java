@@ -9,25 +9,32 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
+import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.TemporaryFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import tools.jackson.databind.json.JsonMapper;
 
-/** {@code ./toqa bench daemon}: how light a robot's daemon is, and how punctual a leading one. */
+/**
+ * {@code ./toqa bench daemon}: memory and processor time of a robot's daemon, and how regularly a
+ * leader sends its pose.
+ */
 @Command(
     name = "daemon",
-    description = {
-      "Starts a robot's daemon with a simulated body, lets it stand and then lead a follower, and "
-          + "measures both.",
-      "JSON: startMs (until it listens), megabytes (in memory at the end), standingCore and "
-          + "drivingCore (share of a processor core), and offBeat (how far "
-          + "each of the leader's poses came off the 200 ms after the one before)."
+    description = "Measure a robot's daemon, idle and leading a follower.",
+    footer = {
+      "",
+      "Starts the daemon with a simulated chassis, measures it for S seconds while",
+      "idle and for S seconds while it leads a follower.",
+      "",
+      "Prints JSON: startMs (until it listens), megabytes (resident memory at the",
+      "end), standingCore and drivingCore (processor seconds per second), and offBeat",
+      "(deviation of each of the leader's poses from 200 ms after the previous one)."
     })
-public final class DaemonBench implements Callable<Integer> {
+final class DaemonBench implements Callable<Integer> {
   /** Set by the launcher, which builds it. */
   private static final String AGENT_JAR_PROPERTY = "toqa.agent";
 
@@ -35,20 +42,24 @@ public final class DaemonBench implements Callable<Integer> {
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
-  @Option(
-      names = "--seconds",
-      defaultValue = "60",
-      paramLabel = "S",
-      description = "How long it stands, and how long it drives, 1 to 3600 (${DEFAULT-VALUE}).")
-  private int seconds;
+  @Mixin private MeasuredSeconds seconds = new MeasuredSeconds();
 
   @Option(
       names = "--busy",
       defaultValue = "0",
       paramLabel = "N",
-      description = "How many threads that never sleep are beside it, 0 to 64 (${DEFAULT-VALUE}).")
+      description =
+          "Number of busy threads beside the daemon, 0 to 64 (default: ${DEFAULT-VALUE}).")
   private int busyThreads;
 
+  /**
+   * @param startMs until it listens, milliseconds
+   * @param megabytes resident memory at the end, in units of 2^20 bytes; null where the system does
+   *     not tell
+   * @param standingCore processor seconds a second, idle
+   * @param drivingCore the same while it leads a follower
+   * @param offBeat how far each of the leader's poses came from 200 ms after the one before
+   */
   private record Report(
       double startMs,
       @Nullable Double megabytes,
@@ -59,14 +70,14 @@ public final class DaemonBench implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     Arguments arguments = new Arguments(spec);
-    arguments.requireBetween("--seconds", seconds, 1, 3600);
+    seconds.check(arguments);
     arguments.requireBetween("--busy", busyThreads, 0, 64);
     List<Thread> others = startBusyThreads();
     try (TemporaryFolder folder = TemporaryFolder.create("toqa-bench");
         MeasuredDaemon daemon = MeasuredDaemon.start(agentJar(arguments), folder.path());
         DaemonPeers peers = DaemonPeers.of(daemon)) {
       Report report = measure(daemon, peers);
-      spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+      new CommandOutput(spec).printJson(report);
       return ExitCode.OK;
     } finally {
       others.forEach(Thread::interrupt);
@@ -114,11 +125,11 @@ public final class DaemonBench implements Callable<Integer> {
         LatencySummary.of(peers.poseJitterMillis()));
   }
 
-  /** Processor seconds a second, over the time to measure. */
+  /** Processor seconds a second, over the time that is measured. */
   private double processorShare(MeasuredDaemon daemon) throws InterruptedException {
     Duration before = daemon.processorTime();
     long began = System.nanoTime();
-    Thread.sleep(Duration.ofSeconds(seconds));
+    Thread.sleep(Duration.ofSeconds(seconds.value()));
     double taken = daemon.processorTime().minus(before).toNanos();
     return taken / (System.nanoTime() - began);
   }

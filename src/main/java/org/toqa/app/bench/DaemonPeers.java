@@ -23,18 +23,21 @@ import org.toqa.link.message.ServerMessage;
 import org.toqa.motion.Segment;
 
 /**
- * Whom a leading robot talks to: its server, which keeps the link alive, and a follower that is
+ * The peers of a leading robot: its server, which keeps the link alive, and a follower that is
  * always in its place and notes when the leader's poses come.
  */
 final class DaemonPeers implements AutoCloseable {
   private static final long TASK = 5;
   private static final InetAddress LOOPBACK = InetAddress.getLoopbackAddress();
   private static final Pose START = new Pose(2, 1, 0);
+
+  /** In the leader's frame: 1 m behind it. */
   private static final Vec2 OFFSET = new Vec2(-1, 0);
+
   private static final Duration PING_PERIOD = Duration.ofMillis(500);
   private static final Duration POSE_PERIOD = Duration.ofMillis(200);
 
-  /** Round and round in a circle of 5 m, for two hours. */
+  /** Two hours round a circle of radius 5 m, counter-clockwise: 0.25 m/s at 0.05 rad/s. */
   private static final List<Segment> LONG_TRAJECTORY =
       Collections.nCopies(2, new Segment(0.25, 0.05, 3600));
 
@@ -52,12 +55,19 @@ final class DaemonPeers implements AutoCloseable {
     pingThread = Thread.ofVirtual().name("pings").start(this::sendPings);
   }
 
+  /**
+   * @throws IOException the daemon does not accept a connection
+   */
   static DaemonPeers of(MeasuredDaemon daemon) throws IOException {
     ServerSocket followerSocket = new ServerSocket(0, 1, LOOPBACK);
     return new DaemonPeers(new Socket(LOOPBACK, daemon.port()), followerSocket);
   }
 
-  /** Lets the daemon lead the follower round and round. */
+  /**
+   * Lets the daemon lead the follower round a circle.
+   *
+   * @throws IOException the connection to the daemon is lost
+   */
   void startDriving() throws IOException {
     ServerMessage.Follower follower =
         new ServerMessage.Follower(
@@ -68,12 +78,12 @@ final class DaemonPeers implements AutoCloseable {
             2, TASK, 2, START, LONG_TRAJECTORY, LONG_TRAJECTORY.size(), true, 0));
   }
 
-  /** What was noted so far does not count. */
+  /** Discards what was noted so far. */
   void reset() {
     poseJitterMillis.clear();
   }
 
-  /** By how many milliseconds each pose came off the 200 ms after the one before. */
+  /** How far each pose came from 200 ms after the one before, milliseconds, never negative. */
   double[] poseJitterMillis() {
     return poseJitterMillis.stream().mapToDouble(Double::doubleValue).toArray();
   }

@@ -7,6 +7,10 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.FleetMeter.Report;
 import org.toqa.app.command.Arguments;
+import org.toqa.app.command.CommandOutput;
+import org.toqa.app.command.OptionalMapOption;
+import org.toqa.app.command.SeedOption;
+import org.toqa.app.command.SpeedOption;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Setting;
 import org.toqa.app.server.FleetServer;
@@ -17,21 +21,22 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import tools.jackson.databind.json.JsonMapper;
 
 /** {@code toqa bench fleet}: what a whole fleet costs that always has something to carry. */
 @Command(
     name = "fleet",
-    description = "Runs a whole server with simulated robots.",
+    description = "Measure a complete server with simulated robots.",
     footer = {
       "",
-      "Prints JSON: pace (the fleet's seconds a second; below 1 where the machine",
-      "cannot keep up), cores (processor seconds a second, of the whole process),",
-      "metresDriven and tasksDone by all robots together, nearestMetres (the least",
-      "that two robots' edges were ever apart; below 0 it exits 1), and heapBeforeMb",
-      "and heapAfterMb (what is in use at the begin and at the end)."
+      "Random tasks keep all robots busy.",
+      "",
+      "Prints JSON: pace (simulated seconds per second; below the --speed if the",
+      "machine cannot keep up), cores (processor seconds per second of the whole",
+      "process), metresDriven and tasksDone (all robots together), nearestMetres (the",
+      "smallest distance between the edges of two robots; exits 1 if below 0),",
+      "heapBeforeMb and heapAfterMb (memory in use at the start and at the end)."
     })
-public final class FleetBench implements Callable<Integer> {
+final class FleetBench implements Callable<Integer> {
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
@@ -39,30 +44,16 @@ public final class FleetBench implements Callable<Integer> {
       names = "--robots",
       required = true,
       paramLabel = "N",
-      description = "How many, 2 to 500.")
+      description = "Number of robots, 2 to 500.")
   private int robots;
 
   @Mixin private MeasuringTime time = new MeasuringTime();
 
-  @Option(
-      names = "--seed",
-      defaultValue = "1",
-      paramLabel = "S",
-      description = "Of starts and goals (default: ${DEFAULT-VALUE}).")
-  private long seed;
+  @Mixin private SeedOption seed = new SeedOption();
 
-  @Option(
-      names = "--speed",
-      defaultValue = "1",
-      paramLabel = "N",
-      description = "How many times faster than real time (default: ${DEFAULT-VALUE}).")
-  private String speed = "1";
+  @Mixin private SpeedOption speed = new SpeedOption();
 
-  @Option(
-      names = "--map",
-      paramLabel = "FILE",
-      description = "The floor's map, .yaml or .map (default: the shipped map).")
-  private @Nullable String map;
+  @Mixin private OptionalMapOption map = new OptionalMapOption();
 
   @Override
   public Integer call() throws Exception {
@@ -74,20 +65,20 @@ public final class FleetBench implements Callable<Integer> {
   }
 
   private int measure(FleetServer toqa, URI address, StopSignal stop) throws Exception {
-    TaskLoadGenerator load = TaskLoadGenerator.on(toqa.fleet(), robots, seed);
+    TaskLoadGenerator load = TaskLoadGenerator.on(toqa.fleet(), robots, seed.value());
     load.run(time.warmUp(), stop, snapshot -> {});
     FleetMeter meter = new FleetMeter(toqa.fleetClock());
     load.run(time.seconds(), stop, meter::observe);
     Report report = meter.report();
-    spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+    new CommandOutput(spec).printJson(report);
     return report.nearestMetres() >= 0 ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
   private Map<Setting, @Nullable String> settings() {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
     settings.put(Setting.SIMULATE, String.valueOf(robots));
-    settings.put(Setting.SPEED, speed);
-    settings.put(Setting.MAP, map);
+    settings.put(Setting.SPEED, speed.value());
+    settings.put(Setting.MAP, map.file());
     return settings;
   }
 }

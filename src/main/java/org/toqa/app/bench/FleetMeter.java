@@ -26,25 +26,31 @@ final class FleetMeter {
   private double metres;
   private double smallestGap = Double.POSITIVE_INFINITY;
 
-  /** The floor under a robot that was heard of; metres. */
+  /** The ground that a robot covers; metres, map frame. */
   private record Disc(String robot, Vec2 centre, double radius) {
     static Stream<Disc> of(RobotView robot) {
-      return Stream.ofNullable(robot.pose())
-          .map(pose -> new Disc(robot.name(), pose.position(), robot.footprint() / 2));
+      double radius = robot.capabilities().footprint() / 2;
+      return Stream.ofNullable(robot.telemetry().pose())
+          .map(pose -> new Disc(robot.name(), pose.position(), radius));
     }
 
+    /** Metres between the edges; negative where they overlap. */
     double gap(Disc other) {
       return centre.distanceTo(other.centre) - radius - other.radius;
     }
   }
 
   /**
-   * @param seconds that it took
+   * @param robots how many were seen
+   * @param seconds of real time that it took
    * @param pace as in {@link ProcessMeter.Reading}
    * @param cores as there
    * @param metresDriven by all robots together
-   * @param nearestMetres the least that two robots' edges were apart
-   * @param heapBeforeMb megabytes in use at the begin, after the garbage was collected
+   * @param tasksDone how many tasks were completed meanwhile
+   * @param nearestMetres the smallest distance between the edges of two robots; negative where they
+   *     overlapped
+   * @param heapBeforeMb heap in use at the start, in units of 10^6 bytes, after a garbage
+   *     collection
    * @param heapAfterMb the same at the end
    */
   record Report(
@@ -58,10 +64,14 @@ final class FleetMeter {
       double heapBeforeMb,
       double heapAfterMb) {}
 
+  /**
+   * @param fleetTime the fleet's own clock
+   */
   FleetMeter(InstantSource fleetTime) {
     meter = new ProcessMeter(fleetTime);
   }
 
+  /** Adds a snapshot, each one after those before it. */
   void observe(FleetSnapshot snapshot) {
     Set<Long> ended = isFirst ? doneBefore : done;
     isFirst = false;

@@ -8,6 +8,9 @@ import java.util.function.Supplier;
 import org.toqa.agent.chassis.SimulatedWheels;
 import org.toqa.app.bench.FormationRun.Group;
 import org.toqa.app.command.Arguments;
+import org.toqa.app.command.CommandOutput;
+import org.toqa.app.command.SeedOption;
+import org.toqa.app.server.WebappFolder;
 import org.toqa.formation.Gains;
 import org.toqa.formation.NonHolonomicLaw;
 import org.toqa.formation.SingleIntegratorLaw;
@@ -15,32 +18,33 @@ import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import tools.jackson.databind.json.JsonMapper;
 
 /** {@code toqa bench formation}: how well robots keep their places under one load. */
 @Command(
     name = "formation",
-    description = "Measures formations on the shipped map, and the tracking of a way.",
+    description = "Measure how well robots keep a formation and follow a path.",
     footer = {
       "",
-      "JSON. formations: three robots carry a load of 0.4 m x 0.4 m along the hall",
-      "and through a door, by each law and with each delay of the robots' links:",
-      "rmsMetres and maxMetres (a follower from its place, by all odometries),",
-      "trueRmsMetres and trueMaxMetres (as it really is, after slip and wheels of",
-      "other sizes), seconds, arrived, free (on free ground, by all odometries).",
-      "tracking: one robot after a way of so many metres: endMetres from the way's",
-      "end by its odometry, trueEndMetres as it really is.",
+      "Prints JSON. formations: three robots carry a load of 0.4 m x 0.4 m along the",
+      "hall of the shipped map and through a door, for each control law and each",
+      "delay of the robots' links: rmsMetres and maxMetres (distance of a follower",
+      "from its place by odometry), trueRmsMetres and trueMaxMetres (the true",
+      "distance, with slip and wheel errors), seconds, arrived, free (no robot was on",
+      "occupied ground, by odometry). tracking: one robot follows a path: metres (its",
+      "length), endMetres (distance from its end by odometry), trueEndMetres (the",
+      "true distance).",
       "",
-      "Robots that cannot go sideways (law non-holonomic) take corners 2.5 times as",
-      "wide, at 0.12 m/s in place of 0.25.",
+      "Robots that cannot drive sideways (law non-holonomic) take corners 2.5 times as",
+      "wide, at 0.12 m/s instead of 0.25 m/s.",
       "",
-      "Exits 1 where the omni law is worse than its aim: RMS 0.01 m and maximum",
-      "0.03 m at 20 ms, maximum 0.05 m at 100 ms, tracking 0.01 m."
+      "Exits 1 if the omni law misses a target: RMS 0.01 m and maximum 0.03 m at",
+      "20 ms, maximum 0.05 m at 100 ms, tracking 0.01 m."
     })
-public final class FormationBench implements Callable<Integer> {
+final class FormationBench implements Callable<Integer> {
   /** The robot's, metres (Tanta). */
   private static final double RADIUS = 0.1275;
 
@@ -54,36 +58,41 @@ public final class FormationBench implements Callable<Integer> {
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
-  @Option(
-      names = "--seed",
-      defaultValue = "1",
-      paramLabel = "S",
-      description = "Of slip and sizes of wheels (default: ${DEFAULT-VALUE}).")
-  private long seed;
+  @Mixin private SeedOption seed = new SeedOption();
 
   @Option(
       names = "--slip",
       defaultValue = "1",
       paramLabel = "PERCENT",
       description =
-          "Of a wheel in a step, standard deviation, 0 to 10 (default: ${DEFAULT-VALUE}).")
+          "Slip of a wheel in each step, standard deviation, 0 to 10 (default:"
+              + " ${DEFAULT-VALUE}).")
   private double slip;
 
   @Option(
       names = "--wheel-size-error",
       defaultValue = "0.1",
       paramLabel = "PERCENT",
-      description = "Of each wheel, standard deviation, 0 to 5 (default: ${DEFAULT-VALUE}).")
+      description =
+          "Error of each wheel's size, standard deviation, 0 to 5 (default:"
+              + " ${DEFAULT-VALUE}).")
   private double sizeError;
 
   record Report(long seed, List<Formation> formations, TrackingRun.Report tracking) {}
 
+  /**
+   * @param delayMs from when a message is sent until it arrives, milliseconds
+   */
   record Formation(String law, int delayMs, FormationRun.Report error) {}
 
+  FormationBench() {
+    this(WebappFolder::shippedMap);
+  }
+
   /**
-   * @param shippedMap on which the way lies
+   * @param shippedMap on which the path lies
    */
-  public FormationBench(Supplier<Path> shippedMap) {
+  FormationBench(Supplier<Path> shippedMap) {
     this.shippedMap = shippedMap;
   }
 
@@ -105,14 +114,15 @@ public final class FormationBench implements Callable<Integer> {
     for (int delay : DELAYS_MS) {
       formations.add(formation("non-holonomic", wheeled, delay, free));
     }
-    Report report = new Report(seed, formations, new TrackingRun(three, seed).run());
-    spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+    Report report =
+        new Report(seed.value(), formations, new TrackingRun(three, seed.value()).run());
+    new CommandOutput(spec).printJson(report);
     return meetsTargets(report) ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
   private Formation formation(String name, Group group, int delayMs, OccupancyGrid free) {
     return new Formation(
-        name, delayMs, new FormationRun(group, RADIUS, delayMs / 1e3, free, seed).run());
+        name, delayMs, new FormationRun(group, RADIUS, delayMs / 1e3, free, seed.value()).run());
   }
 
   private static boolean meetsTargets(Report report) {

@@ -26,8 +26,8 @@ import org.toqa.motion.Trajectory;
 
 /**
  * Three robots round one load, from the lab's hall through a door: the daemon's own leader and
- * followers over simulated bodies, and messages that take their time. The leader always goes on
- * three omnidirectional wheels.
+ * followers over simulated bodies, and messages that are delayed. The leader always goes on three
+ * omnidirectional wheels.
  */
 final class FormationRun {
   private static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
@@ -62,8 +62,8 @@ final class FormationRun {
    * Robots of one kind.
    *
    * @param wheels the followers'
-   * @param tolerance metres that one may be off its place
-   * @param maxSpeed metres a second that any of them shall be
+   * @param tolerance how far one may be from its place, metres
+   * @param maxSpeed of any robot of the group, metres a second
    * @param roundness radius of the corners, as a multiple of the smallest that the shape allows
    */
   record Group(
@@ -80,7 +80,12 @@ final class FormationRun {
   private record Message(double arrivesAt, Runnable receive) {}
 
   /**
-   * @param arrived whether the leader came to the way's end in time
+   * @param rmsMetres distance of a follower from its place by odometry, root mean square
+   * @param maxMetres the same, the greatest
+   * @param trueRmsMetres the true distance, root mean square
+   * @param trueMaxMetres the same, the greatest
+   * @param seconds of simulated time
+   * @param arrived whether the leader came to the path's end in time
    * @param free whether all robots were on free ground, by their odometries
    */
   record Report(
@@ -94,8 +99,9 @@ final class FormationRun {
 
   /**
    * @param radius a robot's, metres
-   * @param delay seconds that each message is under way
+   * @param delay from when a message is sent until it arrives, seconds
    * @param free the map, inflated by the robot's radius
+   * @param seed of slip and wheel sizes
    */
   FormationRun(Group group, double radius, double delay, OccupancyGrid free, long seed) {
     this.delay = delay;

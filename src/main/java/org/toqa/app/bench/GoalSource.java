@@ -10,10 +10,19 @@ import org.toqa.grid.Cell;
 /** Where robots are sent next. */
 interface GoalSource {
 
-  /** The robot's next goal, other than where it is; empty where it has done all. */
+  /**
+   * The robot's next goal, other than where it is; empty where it has reached all.
+   *
+   * @param robot its index, from 0
+   * @param at where it is
+   */
   Optional<Cell> next(int robot, Cell at);
 
-  /** Any other of some cells, each as likely. */
+  /**
+   * Any other of some cells, each as likely.
+   *
+   * @param cells at least two different ones
+   */
   static GoalSource random(List<Cell> cells, RandomGenerator random) {
     return (robot, at) -> {
       Cell goal = at;
@@ -24,7 +33,11 @@ interface GoalSource {
     };
   }
 
-  /** A list a robot, one goal after the other. */
+  /**
+   * A list for each robot, one goal after the other.
+   *
+   * @param tasks in the order of the robots' indices
+   */
   static GoalSource ofLists(List<RobotGoals> tasks) {
     List<Queue<Cell>> goals =
         tasks.stream().<Queue<Cell>>map(list -> new ArrayDeque<>(list.goals())).toList();

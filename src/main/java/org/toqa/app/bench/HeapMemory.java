@@ -6,7 +6,7 @@ import java.lang.management.ManagementFactory;
 final class HeapMemory {
   private HeapMemory() {}
 
-  /** What is still in use after the garbage is collected, in 10^6 bytes. */
+  /** Heap in use after a garbage collection, in units of 10^6 bytes. */
   static double usedMegabytes() {
     System.gc();
     return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed() / 1e6;

@@ -24,8 +24,8 @@ import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * Browsers that watch live. All read everything; one in twenty looks into it, since the readers
- * share the machine with the server that they measure.
+ * Browsers that watch live. All read everything; one in twenty parses it, since the readers share
+ * the machine with the server that they measure.
  */
 final class LiveStreamClients implements AutoCloseable {
   private static final int PARSING_INTERVAL = 20;
@@ -41,6 +41,12 @@ final class LiveStreamClients implements AutoCloseable {
     this.clock = clock;
   }
 
+  /**
+   * @param root where the pages are, with a slash at its end
+   * @param count how many watch
+   * @param clock that of the server
+   * @throws IOException the server does not answer, or refuses a stream
+   */
   static LiveStreamClients open(URI root, String token, int count, InstantSource clock)
       throws IOException, InterruptedException {
     LiveStreamClients clients = new LiveStreamClients(clock);
@@ -112,16 +118,18 @@ final class LiveStreamClients implements AutoCloseable {
     poseAgeMillis.addAll(ages);
   }
 
-  /** What was measured so far does not count. */
+  /** Discards what was measured so far. */
   void reset() {
     poseAgeMillis.clear();
     events.set(0);
   }
 
+  /** From when the server heard of a robot until a browser had the event, milliseconds. */
   double[] poseAgeMillis() {
     return poseAgeMillis.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
+  /** How many events all browsers have received together. */
   long events() {
     return events.get();
   }

@@ -18,6 +18,9 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
+import org.toqa.app.command.CommandOutput;
+import org.toqa.app.command.RequiredMapOption;
+import org.toqa.app.command.SeedOption;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Scenario;
@@ -37,15 +40,23 @@ import org.toqa.traffic.mapf.MapfResult.Unsolved;
 import org.toqa.traffic.mapf.OneShotPlanner;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import tools.jackson.databind.json.JsonMapper;
 
-/** {@code toqa bench mapf}: ways for all robots of a scenario, planned in one go. */
+/** {@code toqa bench mapf}: paths for all robots of a scenario, planned in one go. */
 @Command(
     name = "mapf",
-    description = "Plans ways for all robots of a scenario in one go (four neighbours or wait).")
+    description = "Plan paths for all robots of a scenario at once.",
+    footer = {
+      "",
+      "In each step a robot moves to one of four neighbouring cells or waits.",
+      "",
+      "Prints JSON: solved, firstMs (until the first plan, median), sumOfCosts (steps",
+      "until each robot stays at its goal, all robots together), lowerBound (the same",
+      "if each robot were alone). Exits 1 if there is no plan."
+    })
 final class MapfBench implements Callable<Integer> {
   private static final int MAX_ROBOTS = 20_000;
   private static final int MAX_LIMIT_MS = 3_600_000;
@@ -56,47 +67,41 @@ final class MapfBench implements Callable<Integer> {
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
-  @Option(names = "--map", required = true, paramLabel = "FILE", description = "A MovingAI map.")
-  private Path map = Path.of("");
+  @Mixin private RequiredMapOption map = new RequiredMapOption();
 
   @Option(
       names = "--scen",
       required = true,
       paramLabel = "FILE",
       description =
-          "A MovingAI scenario: starts and goals; more than it has are chosen by the seed.")
+          "MovingAI scenario file with starts and goals; those of further robots are random.")
   private Path scen = Path.of("");
 
-  @Option(names = "--robots", required = true, paramLabel = "N", description = "How many.")
+  @Option(names = "--robots", required = true, paramLabel = "N", description = "Number of robots.")
   private int robots;
 
   @Option(
       names = "--limit-ms",
       required = true,
       paramLabel = "T",
-      description = "When to stop making the plan better, milliseconds from the start.")
+      description = "Time limit for improving the plan, in milliseconds.")
   private int limitMs;
 
-  @Option(
-      names = "--seed",
-      defaultValue = "1",
-      paramLabel = "S",
-      description = "Of what is left to chance (default: ${DEFAULT-VALUE}).")
-  private long seed;
+  @Mixin private SeedOption seed = new SeedOption();
 
   @Option(
       names = "--repeat",
       defaultValue = "10",
       paramLabel = "R",
       description =
-          "So often the first plan is made; the median time is given (default: ${DEFAULT-VALUE};"
-              + " fewer where that takes longer than T).")
+          "Number of times to make the first plan, for the median of its time (default:"
+              + " ${DEFAULT-VALUE}; fewer if that takes longer than T).")
   private int repeat;
 
   @Option(
       names = "--plan",
       paramLabel = "FILE",
-      description = "Writes the plan: a line a step, the robots as column,row.")
+      description = "Write the plan to FILE: one line per step, robots as column,row.")
   private @Nullable Path plan;
 
   /**
@@ -119,11 +124,11 @@ final class MapfBench implements Callable<Integer> {
     if (plan != null) {
       arguments.requireWritable(plan);
     }
-    OccupancyGrid grid = arguments.readGrid(map);
+    OccupancyGrid grid = arguments.readGrid(map.file());
     Report report =
         measure(
             grid, instance(new RoadGraph(grid), arguments.readScenarios(scen, grid), arguments));
-    spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+    new CommandOutput(spec).printJson(report);
     return report.solved() ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
@@ -137,8 +142,8 @@ final class MapfBench implements Callable<Integer> {
     }
     printError(
         "the scenario has %d robots; %d more stand and go anywhere, by seed %d"
-            .formatted(starts.size(), missing, seed));
-    Random random = new Random(seed);
+            .formatted(starts.size(), missing, seed.value()));
+    Random random = new Random(seed.value());
     return new MapfInstance(
         roads,
         filledUpCells(starts, roads, random, arguments),
@@ -198,7 +203,7 @@ final class MapfBench implements Callable<Integer> {
   private MapfResult solve(
       MapfInstance instance, Deadline deadline, List<Double> firsts, Runnable onFirst) {
     long begin = System.nanoTime();
-    return new OneShotPlanner(seed)
+    return new OneShotPlanner(seed.value())
         .solve(
             instance,
             deadline,
@@ -218,7 +223,7 @@ final class MapfBench implements Callable<Integer> {
   }
 
   private void printError(String sentence) {
-    spec.commandLine().getErr().println("toqa: " + sentence);
+    new CommandOutput(spec).printError(sentence);
   }
 
   private static String reason(Unsolved unsolved) {

@@ -29,6 +29,12 @@ final class MeasuredDaemon implements AutoCloseable {
     this.startMillis = startMillis;
   }
 
+  /**
+   * Returns when it listens.
+   *
+   * @param folder for its configuration and data
+   * @throws IOException it cannot be started, or ends before it listens
+   */
   static MeasuredDaemon start(Path jar, Path folder) throws IOException {
     Path config =
         Files.writeString(
@@ -55,28 +61,33 @@ final class MeasuredDaemon implements AutoCloseable {
       Matcher listening = LISTENING.matcher(line);
       if (listening.find()) {
         double millis = (System.nanoTime() - began) / 1e6;
-        Thread.ofVirtual().name("daemon's words").start(() -> output.lines().forEach(word -> {}));
+        Thread.ofVirtual().name("daemon output").start(() -> output.lines().forEach(word -> {}));
         return new MeasuredDaemon(process, Integer.parseInt(listening.group(1)), millis);
       }
     }
     throw new IOException("The daemon ended before it listened.");
   }
 
+  /** The TCP port on which it listens. */
   int port() {
     return port;
   }
 
-  /** From its start until it listens. */
+  /** From its start until it listened, milliseconds. */
   double startMillis() {
     return startMillis;
   }
 
-  /** Of the processor, since it started. */
+  /** Processor time that it has used since it started; zero where the system does not tell. */
   Duration processorTime() {
     return process.info().totalCpuDuration().orElse(Duration.ZERO);
   }
 
-  /** What it has in memory; nothing where the system does not tell. */
+  /**
+   * Its resident memory, in units of 2^20 bytes; empty where the system does not tell.
+   *
+   * @throws IOException the system's answer cannot be read
+   */
   Optional<Double> megabytes() throws IOException {
     Path status = Path.of("/proc", String.valueOf(process.pid()), "status");
     if (!Files.isReadable(status)) {

@@ -1,38 +1,34 @@
 package org.toqa.app.bench;
 
 import org.toqa.app.command.Arguments;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** The options of a bench that say how long it measures. */
+/** The options of a bench that say how long it measures, and how long it warms up before. */
 final class MeasuringTime {
-  @Option(
-      names = "--seconds",
-      defaultValue = "60",
-      paramLabel = "S",
-      description = "How long it is measured, 1 to 3600 (default: ${DEFAULT-VALUE}).")
-  private int seconds;
+  @Mixin private MeasuredSeconds measured = new MeasuredSeconds();
 
   @Option(
       names = "--warm-up",
       defaultValue = "30",
       paramLabel = "S",
-      description = "How long it runs before that, 0 to 3600 (default: ${DEFAULT-VALUE}).")
+      description = "Seconds to run before measuring, 0 to 3600 (default: ${DEFAULT-VALUE}).")
   private int warmUp;
 
   /**
    * @throws picocli.CommandLine.ParameterException when one of them is out of its range
    */
   void check(Arguments arguments) {
-    arguments.requireBetween("--seconds", seconds, 1, 3600);
+    measured.check(arguments);
     arguments.requireBetween("--warm-up", warmUp, 0, 3600);
   }
 
-  /** Seconds that are measured. */
+  /** Seconds of real time that are measured. */
   int seconds() {
-    return seconds;
+    return measured.value();
   }
 
-  /** Seconds before that. */
+  /** Seconds of real time before that. */
   int warmUp() {
     return warmUp;
   }

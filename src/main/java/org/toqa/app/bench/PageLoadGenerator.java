@@ -14,8 +14,8 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * People who open one page after another, at a fixed rate whether or not the earlier ones have
- * come: a page is counted from when it was due, so that a server that stands still is not
- * flattered.
+ * come: a page is timed from when it was due, so that a server that stalls does not look faster
+ * than it is.
  */
 final class PageLoadGenerator implements AutoCloseable {
   private static final List<String> PAGES =
@@ -49,6 +49,7 @@ final class PageLoadGenerator implements AutoCloseable {
   }
 
   /**
+   * @param root where the pages are, with a slash at its end
    * @param rate pages a second
    */
   static PageLoadGenerator start(URI root, String token, int rate) {
@@ -85,16 +86,18 @@ final class PageLoadGenerator implements AutoCloseable {
     }
   }
 
-  /** What was measured so far does not count. */
+  /** Discards what was measured so far. */
   void reset() {
     latencyMillis.clear();
     failed.set(0);
   }
 
+  /** From when each page was due until it was there, milliseconds. */
   double[] latencyMillis() {
     return latencyMillis.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
+  /** How many pages were not answered with status 200. */
   int failed() {
     return failed.get();
   }

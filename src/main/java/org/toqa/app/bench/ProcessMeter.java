@@ -16,17 +16,21 @@ final class ProcessMeter {
   private final Instant fleetStart;
 
   /**
-   * @param seconds that it took
-   * @param pace the fleet's seconds a second; below 1 where the machine cannot keep up
-   * @param cores processor seconds a second
+   * @param seconds of real time that it took
+   * @param pace the fleet's seconds a second of real time
+   * @param cores processor seconds a second, of the whole process
    */
   record Reading(double seconds, double pace, double cores) {}
 
+  /**
+   * @param fleetTime the fleet's own clock
+   */
   ProcessMeter(InstantSource fleetTime) {
     this.fleetClock = fleetTime;
     this.fleetStart = fleetTime.instant();
   }
 
+  /** What was measured until now; it goes on measuring. */
   Reading read() {
     double nanos = System.nanoTime() - startNanos;
     return new Reading(

@@ -2,11 +2,11 @@ package org.toqa.app.bench;
 
 import java.lang.management.ManagementFactory;
 
-/** How long a thread has worked: what others do on the machine is not in it. */
+/** Processor time of one thread: other work on the machine does not count. */
 final class ProcessorTime {
   private ProcessorTime() {}
 
-  /** Milliseconds that the calling thread has worked since it began. */
+  /** Processor time of the calling thread since it began, milliseconds. */
   static double millis() {
     return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() / 1e6;
   }

@@ -28,7 +28,12 @@ record RobotGoals(GridPose start, List<Cell> goals) {
     goals = List.copyOf(goals);
   }
 
-  /** A robot a line; each start once, and all cells on the road, each goal with a way to it. */
+  /**
+   * A robot a line; each start once, all cells free, and each goal connected to its start.
+   *
+   * @throws picocli.CommandLine.ParameterException the file cannot be read, or a line is not so;
+   *     names the line
+   */
   static List<RobotGoals> read(Path file, RoadGraph roads, Arguments arguments) {
     List<RobotGoals> lists = new ArrayList<>();
     Map<Cell, Integer> starts = new HashMap<>();

@@ -39,10 +39,14 @@ final class ScenarioRun {
   private int turnsOnSpot;
 
   /**
-   * @param solved how many ways were found
-   * @param mismatches ways that break a rule, have not the length that they should, or are missing
-   * @param turnsOnSpot ways that turn on the spot
+   * @param solved how many paths were found
+   * @param mismatches paths that break a rule, have a wrong length, or are missing
+   * @param turnsOnSpot paths that turn on the spot
    * @param nodesPerSecond states expanded in a second of planning
+   * @param meanMicros time of a query, microseconds
+   * @param p50Micros its median
+   * @param p99Micros its 99th percentile
+   * @param maxMicros the longest
    */
   record Report(
       int queries,
@@ -97,7 +101,7 @@ final class ScenarioRun {
         timings.max());
   }
 
-  /** The lengths found, in cells, in the order of the queries; -1 where there is no way. */
+  /** The lengths found, in cells, in the order of the queries; -1 where there is no path. */
   DoubleStream lengths() {
     return Arrays.stream(lengths);
   }

@@ -7,8 +7,9 @@ import org.toqa.agent.chassis.SimulatedWheels;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 
-/** A simulated body, tick by tick: where it takes itself to be, and where it is. */
+/** A simulated body, tick by tick: its pose by odometry, and its true pose. */
 final class SimulatedBody implements AutoCloseable {
+  /** Seconds between two control steps. */
   static final double TICK = Chassis.TICK.toNanos() / 1e9;
 
   private final Pose start;
@@ -17,6 +18,10 @@ final class SimulatedBody implements AutoCloseable {
   private Pose pose;
   private long nanos;
 
+  /**
+   * @param start map frame
+   * @param seed of slip and wheel sizes
+   */
   SimulatedBody(Pose start, SimulatedWheels wheels, long seed) {
     this.start = start;
     this.pose = start;
@@ -37,12 +42,12 @@ final class SimulatedBody implements AutoCloseable {
     command = twist;
   }
 
-  /** By odometry, map frame. */
+  /** The pose by odometry, map frame. */
   Pose pose() {
     return pose;
   }
 
-  /** Map frame. */
+  /** The pose that the body really has, map frame. */
   Pose truePose() {
     return body.truePose();
   }

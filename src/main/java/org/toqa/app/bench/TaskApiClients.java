@@ -22,7 +22,7 @@ import tools.jackson.databind.json.JsonMapper;
 final class TaskApiClients implements AutoCloseable {
   private static final Duration TIMEOUT = Duration.ofSeconds(60);
   private static final int PAGE_SIZE = 500;
-  private static final double LOAD_KG = 2; // kilograms
+  private static final double LOAD_KG = 2;
 
   private final HttpClient http = HttpClient.newHttpClient();
   private final URI root;
@@ -36,23 +36,39 @@ final class TaskApiClients implements AutoCloseable {
     this.clientCount = count;
   }
 
-  static TaskApiClients logIn(URI root, String name, String password, int count)
+  /**
+   * @param root where the pages are, with a slash at its end
+   * @param count how many ask at once
+   * @throws IOException the server does not answer, or refuses the user
+   */
+  static TaskApiClients logIn(URI root, BenchUser user, int count)
       throws IOException, InterruptedException {
-    return new TaskApiClients(root, requestToken(root, name, password), count);
+    return new TaskApiClients(root, requestToken(root, user), count);
   }
 
-  /** A bearer token for that user. */
-  static String requestToken(URI root, String name, String password)
-      throws IOException, InterruptedException {
+  /**
+   * A bearer token for that user.
+   *
+   * @param root where the pages are, with a slash at its end
+   * @throws IOException the server does not answer, or refuses the user
+   */
+  static String requestToken(URI root, BenchUser user) throws IOException, InterruptedException {
     HttpRequest.Builder session = HttpRequest.newBuilder(root.resolve("api/v1/session"));
     try (HttpClient client = HttpClient.newHttpClient()) {
-      return json(send(client, post(session, Map.of("name", name, "password", password)), 200))
+      return json(send(
+              client, post(session, Map.of("name", user.name(), "password", user.password())), 200))
           .get("token")
           .asString();
     }
   }
 
-  /** Puts tasks in, each with a name of its own; answers how many milliseconds each took. */
+  /**
+   * Submits tasks, each with a name of its own.
+   *
+   * @param tasks how many
+   * @return how long each took, milliseconds, in the order of their names
+   * @throws Exception a request failed or was refused; the first one that did
+   */
   double[] submit(int tasks) throws Exception {
     int first = submitted;
     submitted += tasks;
@@ -103,7 +119,11 @@ final class TaskApiClients implements AutoCloseable {
     return names;
   }
 
-  /** The name of each task that the server has. */
+  /**
+   * The name of each task that the server has.
+   *
+   * @throws IOException the server does not answer, or refuses the request
+   */
   List<String> taskNames() throws IOException, InterruptedException {
     List<String> names = new ArrayList<>();
     int size;

@@ -16,7 +16,7 @@ import org.toqa.grid.Place;
 /** Random tasks all over a fleet's first floor, always more than it has robots. */
 final class TaskLoadGenerator {
   private static final double TASKS_PER_ROBOT = 1.5;
-  private static final double LOAD_KG = 2; // kilograms
+  private static final double LOAD_KG = 2;
 
   private static final Duration POLL_PERIOD = Duration.ofMillis(250);
 
@@ -32,6 +32,10 @@ final class TaskLoadGenerator {
     this.random = random;
   }
 
+  /**
+   * @param robots of the fleet
+   * @param seed of where the tasks begin and end
+   */
   static TaskLoadGenerator on(Fleet fleet, int robots, long seed) {
     List<Place> places = FreeCells.of(fleet.floors().getFirst()).toList();
     return new TaskLoadGenerator(
@@ -41,7 +45,9 @@ final class TaskLoadGenerator {
   /**
    * Keeps the robots busy for so long, or until it is asked to end.
    *
+   * @param seconds of real time
    * @param watcher gets each new snapshot
+   * @throws Exception the fleet did not answer an order within 30 s, or failed at it
    */
   void run(int seconds, StopSignal stop, Consumer<FleetSnapshot> watcher) throws Exception {
     long end = System.nanoTime() + Duration.ofSeconds(seconds).toNanos();
@@ -56,7 +62,7 @@ final class TaskLoadGenerator {
     }
   }
 
-  /** Orders what is missing. Where there is no way, the fleet refuses; there will be others. */
+  /** Orders what is missing. Where there is no path, the fleet rejects it; there will be others. */
   private void submitMissing(FleetSnapshot snapshot) throws Exception {
     long missing = openTasks - snapshot.tasks().stream().filter(t -> !t.state().isEnded()).count();
     for (long i = 0; i < missing; i++) {

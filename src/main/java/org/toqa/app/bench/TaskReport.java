@@ -6,11 +6,17 @@ import java.util.HashSet;
 import org.toqa.statistics.Percentiles;
 
 /**
- * What came of putting tasks in.
+ * What a bench prints of submitting tasks.
  *
+ * @param tasks how many were timed
+ * @param clients how many submitted them at once
+ * @param seconds that it took
+ * @param p50Ms median response time, milliseconds
+ * @param p99Ms 99th percentile, milliseconds
+ * @param maxMs the longest, milliseconds
  * @param lost how many were accepted and are not there
- * @param twice how many are there once too often
- * @param heapMb megabytes that are still in use
+ * @param twice how many are there more than once
+ * @param heapMb heap in use, in units of 10^6 bytes, after a garbage collection
  */
 record TaskReport(
     int tasks,
@@ -25,8 +31,9 @@ record TaskReport(
     double heapMb) {
 
   /**
-   * @param millis of each task that was timed
-   * @param others how many were not
+   * @param millis response time of each task that was timed, milliseconds
+   * @param others how many were submitted and not timed
+   * @param took how long the timed ones took together
    * @param names of the tasks that are there; each task had a name of its own
    */
   static TaskReport of(

@@ -10,7 +10,7 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.JumpPointSearch;
 import org.toqa.planning.PlanResult;
 
-/** A way that a robot drives at its speed, beginning at some moment. */
+/** A path that a robot drives at constant speed, beginning at some moment. */
 final class TimedPath {
   private static final JumpPointSearch PLANNER = new JumpPointSearch();
 
@@ -22,8 +22,11 @@ final class TimedPath {
   private final double[] metres;
 
   /**
-   * @param grid inflated; there is a way from the one to the other
-   * @param speed metres a second
+   * @param grid inflated by the robot's radius
+   * @param from metres, map frame
+   * @param to metres, map frame
+   * @param speed metres a second, above 0
+   * @throws IllegalStateException there is no path from the one to the other
    */
   TimedPath(OccupancyGrid grid, Vec2 from, Vec2 to, Instant begin, double speed) {
     this.speed = speed;
@@ -32,7 +35,7 @@ final class TimedPath {
         switch (PLANNER.plan(grid, grid.cellAt(from), grid.cellAt(to))) {
           case PlanResult.Found(var path) -> path.cells();
           case PlanResult.NotFound none ->
-              throw new IllegalStateException("There is no way from " + from + " to " + to);
+              throw new IllegalStateException("There is no path from " + from + " to " + to);
         };
     points = cells.stream().map(grid::centre).toArray(Vec2[]::new);
     metres = new double[points.length];
@@ -41,17 +44,26 @@ final class TimedPath {
     }
   }
 
+  /** When the robot is at the end. */
   Instant end() {
     double seconds = metres[metres.length - 1] / speed;
     return start.plus(Duration.ofNanos(Math.round(seconds * 1e9)));
   }
 
-  /** The point that was reached last. */
+  /**
+   * The point that was reached last, metres, map frame.
+   *
+   * @param time not before the start
+   */
   Vec2 positionAt(Instant time) {
     return points[lastPassedPoint(time)];
   }
 
-  /** Metres driven to that point. */
+  /**
+   * Metres driven to that point.
+   *
+   * @param time not before the start
+   */
   double drivenMetres(Instant time) {
     return metres[lastPassedPoint(time)];
   }

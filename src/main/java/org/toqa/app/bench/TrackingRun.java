@@ -13,7 +13,7 @@ import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
 
-/** One robot on a way of 20 m with corners of 45 and 90 degrees. */
+/** One robot on a path of 20 m with corners of 45 and 90 degrees. */
 final class TrackingRun {
   private static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
   private static final double CELL = 0.3;
@@ -33,10 +33,15 @@ final class TrackingRun {
   private final long seed;
 
   /**
-   * @param endMetres by odometry
+   * @param metres length of the path
+   * @param endMetres distance from its end by odometry
+   * @param trueEndMetres the true distance from its end
    */
   record Report(double metres, double endMetres, double trueEndMetres) {}
 
+  /**
+   * @param seed of slip and wheel sizes
+   */
   TrackingRun(SimulatedWheels wheels, long seed) {
     this.wheels = wheels;
     this.seed = seed;

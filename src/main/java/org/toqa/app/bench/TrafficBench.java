@@ -17,6 +17,9 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.TrafficRun.Report;
 import org.toqa.app.bench.TrafficRun.StepListener;
 import org.toqa.app.command.Arguments;
+import org.toqa.app.command.CommandOutput;
+import org.toqa.app.command.RequiredMapOption;
+import org.toqa.app.command.SeedOption;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.Heading;
@@ -30,15 +33,21 @@ import org.toqa.traffic.lifelong.ReservationPlanner;
 import org.toqa.traffic.lifelong.RollingHorizonPlanner;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import tools.jackson.databind.json.JsonMapper;
 
 /** {@code toqa bench traffic}: robots that get a new goal whenever they reach one. */
 @Command(
     name = "traffic",
-    description = "Drives robots that get a new goal whenever they reach one.")
+    description = "Run many robots that get a new goal whenever they reach one.",
+    footer = {
+      "",
+      "Prints JSON: goals (number reached), collisions, stuck (robots that have not",
+      "moved for the last 50 steps and are not at their goal), p50Ms and p99Ms",
+      "(planning time of a step), goalsPerStep, steps. Exits 1 if robots collided."
+    })
 final class TrafficBench implements Callable<Integer> {
   private static final int MAX_ROBOTS = 20_000;
   private static final int MAX_STEPS = 1_000_000;
@@ -52,61 +61,62 @@ final class TrafficBench implements Callable<Integer> {
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
-  @Option(
-      names = "--map",
-      required = true,
-      paramLabel = "FILE",
-      description = "A MovingAI map, or the yaml file of a map_server pair.")
-  private Path map = Path.of("");
+  @Mixin private RequiredMapOption map = new RequiredMapOption();
 
   @Option(
       names = "--robots",
       paramLabel = "N",
-      description = "How many; with --tasks, only the first N of them.")
+      description = "Number of robots; with --tasks, the first N of the file (default: all).")
   private @Nullable Integer robots;
 
-  @Option(names = "--steps", required = true, paramLabel = "T", description = "How many.")
+  @Option(
+      names = "--steps",
+      required = true,
+      paramLabel = "T",
+      description = "Number of steps, 1 to " + MAX_STEPS + ".")
   private int steps;
 
-  @Option(
-      names = "--seed",
-      defaultValue = "1",
-      paramLabel = "S",
-      description = "Of starts, goals and what else is left to chance (default: ${DEFAULT-VALUE}).")
-  private long seed;
+  @Mixin private SeedOption seed = new SeedOption();
 
   @Option(
       names = "--model",
       defaultValue = "classic",
       paramLabel = "classic|turns",
-      description = "What a robot can do in a step (default: ${DEFAULT-VALUE}).")
+      description =
+          "Moves of a robot in a step. classic: to one of four neighbouring cells, or wait; turns:"
+              + " forward, turn by 90 degrees, or wait (default: ${DEFAULT-VALUE}).")
   private String model = "classic";
 
   @Option(
       names = "--planner",
       defaultValue = "rolling",
       paramLabel = "rolling|reservation",
-      description = "The fleet's planner, or first come, first served (default: ${DEFAULT-VALUE}).")
+      description =
+          "rolling: the fleet's planner; reservation: first come, first served (default:"
+              + " ${DEFAULT-VALUE}).")
   private String planner = "rolling";
 
   @Option(
       names = "--limit-ms",
       paramLabel = "MS",
       description =
-          "How long a step may be planned, milliseconds (default: 8, or 60 for more than 500"
+          "Time limit for planning a step, in milliseconds (default: 8, or 60 for more than 500"
               + " robots).")
   private @Nullable Integer limitMs;
 
   @Option(
       names = "--tasks",
       paramLabel = "FILE",
-      description = "A line a robot: start and goals as column,row; instead of random ones.")
+      description =
+          "Read starts and goals from FILE instead of choosing them at random: one line per"
+              + " robot, column,row each.")
   private @Nullable Path tasks;
 
   @Option(
       names = "--trace",
       paramLabel = "FILE",
-      description = "Writes all steps: a line a step, the robots as column,row or column,row,H.")
+      description =
+          "Write all steps to FILE: one line per step, robots as column,row or column,row,H.")
   private @Nullable Path trace;
 
   /** Where the robots begin, and where they go. */
@@ -122,7 +132,7 @@ final class TrafficBench implements Callable<Integer> {
     if (trace != null) {
       arguments.requireWritable(trace);
     }
-    OccupancyGrid grid = arguments.readGrid(map);
+    OccupancyGrid grid = arguments.readGrid(map.file());
     StanceFormat lines = new StanceFormat(motionModel(arguments));
     Deadline warmUp = Deadline.in(Duration.ofMillis(WARM_UP_MS), System::nanoTime);
     trafficRun(grid, new TraceListener(lines, Writer.nullWriter()), arguments).run(steps, warmUp);
@@ -132,7 +142,7 @@ final class TrafficBench implements Callable<Integer> {
       report =
           trafficRun(grid, new TraceListener(lines, writer), arguments).run(steps, Deadline.none());
     }
-    spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+    new CommandOutput(spec).printJson(report);
     return report.collisions() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
@@ -176,7 +186,7 @@ final class TrafficBench implements Callable<Integer> {
 
     @Override
     public void violationFound(int step, Violation violation) {
-      spec.commandLine().getErr().println("toqa: step " + step + ": " + violation);
+      new CommandOutput(spec).printError("step " + step + ": " + violation);
     }
   }
 
@@ -190,7 +200,7 @@ final class TrafficBench implements Callable<Integer> {
 
   private LifelongPlanner trafficPlanner(MotionModel motion, Arguments arguments) {
     return switch (planner) {
-      case "rolling" -> new RollingHorizonPlanner(motion, true, seed);
+      case "rolling" -> new RollingHorizonPlanner(motion, true, seed.value());
       case "reservation" -> new ReservationPlanner(motion);
       default -> throw arguments.invalid("--planner " + planner + ": it is rolling or reservation");
     };
@@ -207,7 +217,7 @@ final class TrafficBench implements Callable<Integer> {
             .mapToObj(roads::cell)
             .toList();
     arguments.requireBetween("--robots", robots, 1, Math.min(MAX_ROBOTS, cells.size() - 1));
-    Random random = new Random(seed);
+    Random random = new Random(seed.value());
     List<Cell> shuffled = new ArrayList<>(cells);
     Collections.shuffle(shuffled, random);
     List<GridPose> starts =

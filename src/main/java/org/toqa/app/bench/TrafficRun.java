@@ -26,7 +26,7 @@ import org.toqa.traffic.lifelong.TrafficSnapshot;
  * checker that knows no planner looks at every step.
  */
 final class TrafficRun {
-  /** Who has not left its cell for so many steps, short of its goal, is stuck. */
+  /** A robot that has not left its cell for so many steps, short of its goal, is stuck. */
   private static final int STUCK_STEPS = 50;
 
   private final RoadGraph roads;
@@ -41,20 +41,28 @@ final class TrafficRun {
   /** The robots with a goal to reach. */
   private final BitSet robotsWithGoal = new BitSet();
 
-  /** The step after which each robot has stood where it is. */
+  /** The step of each robot's last move. */
   private final int[] lastMoveSteps;
 
   private int goalsReached;
   private int collisions;
   private int step;
 
-  /** Who looks on. */
+  /** Is told what happens. */
   interface StepListener {
 
-    /** The stances of all robots, step 0 first. */
+    /**
+     * The stances of all robots, step 0 first.
+     *
+     * @throws IOException they cannot be written
+     */
     void stepTaken(List<GridPose> stances) throws IOException;
 
-    /** A rule was broken on the way to a step. */
+    /**
+     * A rule was broken.
+     *
+     * @param step the one in which the robots arrived so, from 0
+     */
     void violationFound(int step, Violation violation);
   }
 
@@ -62,7 +70,10 @@ final class TrafficRun {
    * @param goals how many were reached
    * @param collisions how often a rule of the traffic was broken
    * @param stuck robots that have not moved for the last 50 steps, short of their goal
-   * @param p50Ms planning time of a step, milliseconds
+   * @param p50Ms planning time of a step, median, milliseconds
+   * @param p99Ms the same, 99th percentile
+   * @param goalsPerStep goals reached by all robots together
+   * @param steps how many were driven
    */
   record Report(
       int goals,
@@ -99,7 +110,11 @@ final class TrafficRun {
     }
   }
 
-  /** Ends after so many steps, at the deadline, or when no robot has anything left to do. */
+  /**
+   * Ends after so many steps, at the deadline, or when all robots have reached their last goals.
+   *
+   * @throws IOException the listener cannot write
+   */
   Report run(int steps, Deadline end) throws IOException {
     double[] millis = new double[steps];
     recordViolations(checker.checkPlaces(stances));
@@ -122,7 +137,7 @@ final class TrafficRun {
         step);
   }
 
-  /** To the next goal; who has done all keeps its last one. */
+  /** Sends it to its next goal; a robot that has reached all keeps its last one. */
   private void assignNextGoal(int robot) {
     Optional<Cell> next = source.next(robot, goals.get(robot));
     robotsWithGoal.set(robot, next.isPresent());

@@ -4,10 +4,11 @@ import java.net.URI;
 import java.time.InstantSource;
 import java.util.EnumMap;
 import java.util.Map;
-import java.util.UUID;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
+import org.toqa.app.command.CommandOutput;
+import org.toqa.app.command.OptionalMapOption;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Setting;
 import org.toqa.app.server.FleetServer;
@@ -18,54 +19,51 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import tools.jackson.databind.json.JsonMapper;
 
 /** {@code toqa bench web}: how long people wait for pages, and for what robots do to be seen. */
 @Command(
     name = "web",
-    description = "Watches a whole server with simulated robots by many browsers.",
+    description = "Measure the web pages and live events of a server under load.",
     footer = {
       "",
-      "Prints JSON: pages (requests at the rate that was asked for, each counted from",
-      "when it was due; failed: how many were not answered by 200), poses (from when",
-      "the server heard of a robot until a browser has the event), eventsSeen by all browsers together, pace (the fleet's",
-      "seconds a second; below 1 where the machine cannot keep up) and cores (processor",
-      "seconds a second, of the whole process, the browsers included)."
+      "Prints JSON: pages (response times of the requests, each counted from when it",
+      "was due), failed (responses other than 200; exits 1 if there are any), poses",
+      "(from when the server hears from a robot until a browser has the event),",
+      "eventsSeen (all browsers together), pace (simulated seconds per second; below 1",
+      "if the machine cannot keep up) and cores (processor seconds per second of the",
+      "whole process, including the browsers)."
     })
-public final class WebBench implements Callable<Integer> {
-  private static final String USER = "bench";
-
+final class WebBench implements Callable<Integer> {
   @Spec private CommandSpec spec = CommandSpec.create();
 
-  @Option(
-      names = "--robots",
-      defaultValue = "100",
-      paramLabel = "N",
-      description = "How many drive, 2 to 500 (default: ${DEFAULT-VALUE}).")
-  private int robots;
+  @Mixin private SimulatedRobotsOption robots = new SimulatedRobotsOption(100, 2);
+
+  @Mixin private OptionalMapOption map = new OptionalMapOption();
 
   @Option(
       names = "--browsers",
       defaultValue = "200",
       paramLabel = "N",
-      description = "How many watch live, 1 to 2000 (default: ${DEFAULT-VALUE}).")
+      description = "Number of live maps open, 1 to 2000 (default: ${DEFAULT-VALUE}).")
   private int browsers;
 
   @Option(
       names = "--rate",
       defaultValue = "50",
       paramLabel = "N",
-      description = "How many pages are asked for a second, 1 to 1000 (default: ${DEFAULT-VALUE}).")
+      description = "Page requests per second, 1 to 1000 (default: ${DEFAULT-VALUE}).")
   private int rate;
 
   @Mixin private MeasuringTime time = new MeasuringTime();
 
-  @Option(
-      names = "--map",
-      paramLabel = "FILE",
-      description = "The floor's map, .yaml or .map (default: the shipped map).")
-  private @Nullable String map;
-
+  /**
+   * @param pages from when each page was due until it was there
+   * @param failed how many pages were not answered with status 200
+   * @param poses from when the server heard of a robot until a browser had the event
+   * @param eventsSeen by all browsers together
+   * @param pace as in {@link ProcessMeter.Reading}
+   * @param cores as there
+   */
   private record Report(
       int robots,
       int browsers,
@@ -79,19 +77,19 @@ public final class WebBench implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     Arguments arguments = new Arguments(spec);
-    arguments.requireBetween("--robots", robots, 2, 500);
+    robots.check(arguments);
     arguments.requireBetween("--browsers", browsers, 1, 2000);
     arguments.requireBetween("--rate", rate, 1, 1000);
     time.check(arguments);
-    String password = UUID.randomUUID().toString();
-    ServerOperation measurement = (toqa, address, stop) -> measure(toqa, address, password, stop);
-    return measurement.runIsolated(settings(password));
+    BenchUser user = BenchUser.create();
+    ServerOperation measurement = (toqa, address, stop) -> measure(toqa, address, user, stop);
+    return measurement.runIsolated(settings(user));
   }
 
-  private int measure(FleetServer toqa, URI address, String password, StopSignal stop)
+  private int measure(FleetServer toqa, URI address, BenchUser user, StopSignal stop)
       throws Exception {
-    TaskLoadGenerator load = TaskLoadGenerator.on(toqa.fleet(), robots, 1);
-    String token = TaskApiClients.requestToken(address, USER, password);
+    TaskLoadGenerator load = TaskLoadGenerator.on(toqa.fleet(), robots.value(), 1);
+    String token = TaskApiClients.requestToken(address, user);
     try (LiveStreamClients streams =
             LiveStreamClients.open(address, token, browsers, InstantSource.system());
         PageLoadGenerator pages = PageLoadGenerator.start(address, token, rate)) {
@@ -103,7 +101,7 @@ public final class WebBench implements Callable<Integer> {
       ProcessMeter.Reading reading = meter.read();
       Report report =
           new Report(
-              robots,
+              robots.value(),
               browsers,
               LatencySummary.of(pages.latencyMillis()),
               pages.failed(),
@@ -111,16 +109,16 @@ public final class WebBench implements Callable<Integer> {
               streams.events(),
               reading.pace(),
               reading.cores());
-      spec.commandLine().getOut().println(JsonMapper.shared().writeValueAsString(report));
+      new CommandOutput(spec).printJson(report);
       return report.failed() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
     }
   }
 
-  private Map<Setting, @Nullable String> settings(String password) {
+  private Map<Setting, @Nullable String> settings(BenchUser user) {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.put(Setting.SIMULATE, String.valueOf(robots));
-    settings.put(Setting.MAP, map);
-    settings.put(Setting.MANAGER, USER + ":" + password);
+    settings.put(Setting.SIMULATE, String.valueOf(robots.value()));
+    settings.put(Setting.MAP, map.file());
+    settings.put(Setting.MANAGER, user.setting());
     return settings;
   }
 }

@@ -19,11 +19,20 @@ import picocli.CommandLine.ParameterException;
  */
 public record Arguments(CommandSpec spec) {
 
+  /**
+   * What a command throws when an argument cannot be used: it exits 2.
+   *
+   * @param sentence what is wrong, for a person
+   */
   public ParameterException invalid(String sentence) {
     return new ParameterException(spec.commandLine(), sentence);
   }
 
-  /** A MovingAI map, or the yaml file of a map_server pair. */
+  /**
+   * A MovingAI map, or the yaml file of a map_server pair.
+   *
+   * @throws ParameterException the file cannot be read, or is no map
+   */
   public OccupancyGrid readGrid(Path file) {
     try {
       return file.toString().endsWith(".map")
@@ -34,7 +43,11 @@ public record Arguments(CommandSpec spec) {
     }
   }
 
-  /** A map of either kind, with its places and keep-out zones where it has some. */
+  /**
+   * A map of either kind, with its places and keep-out zones where it has some.
+   *
+   * @throws ParameterException the file cannot be read, or is no map
+   */
   public FloorMap readFloor(Path file) {
     try {
       return FloorReader.read(file);
@@ -43,7 +56,12 @@ public record Arguments(CommandSpec spec) {
     }
   }
 
-  /** The lines of a scenario file, which has to be one for the map. */
+  /**
+   * The queries of a scenario file.
+   *
+   * @throws ParameterException the file cannot be read, is no scenario, or is for a map of another
+   *     size
+   */
   public List<Scenario> readScenarios(Path file, OccupancyGrid map) {
     List<Scenario> all;
     try {
@@ -61,6 +79,9 @@ public record Arguments(CommandSpec spec) {
     return all;
   }
 
+  /**
+   * @throws ParameterException the file cannot be read
+   */
   public List<String> readLines(Path file) {
     try {
       return Files.readAllLines(file);
@@ -69,7 +90,11 @@ public record Arguments(CommandSpec spec) {
     }
   }
 
-  /** Fails before a measurement rather than after it. */
+  /**
+   * Fails before a measurement rather than after it.
+   *
+   * @throws ParameterException the file cannot be written
+   */
   public void requireWritable(Path file) {
     Path folder = file.toAbsolutePath().getParent();
     if (folder == null || !Files.isWritable(folder) || Files.isDirectory(file)) {
@@ -77,7 +102,14 @@ public record Arguments(CommandSpec spec) {
     }
   }
 
-  /** A number out of its range. */
+  /**
+   * Checks a number against its range.
+   *
+   * @param option such as {@code --robots}
+   * @param least the smallest that is allowed
+   * @param most the largest that is allowed
+   * @throws ParameterException it is out of the range
+   */
   public void requireBetween(String option, long value, long least, long most) {
     if (value < least || value > most) {
       throw invalid("%s %d: it must be from %d to %d".formatted(option, value, least, most));

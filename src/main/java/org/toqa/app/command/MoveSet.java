@@ -1,12 +1,13 @@
 package org.toqa.app.command;
 
+import java.util.Locale;
 import java.util.function.LongConsumer;
 import org.toqa.planning.HeadingAStar;
 import org.toqa.planning.JumpPointSearch;
 import org.toqa.planning.PathPlanner;
 import org.toqa.planning.PlanChecker.Rule;
 
-/** {@code --moves}: what a way may consist of, and who plans it. */
+/** {@code --moves}: what a path may consist of, and who plans it. */
 public enum MoveSet {
   /** To any of the eight neighbours, whatever the corners. */
   OCTILE(Rule.OCTILE) {
@@ -16,7 +17,7 @@ public enum MoveSet {
     }
   },
 
-  /** What a robot can drive in arcs; turns on the spot only where there is no other way. */
+  /** What a robot can drive in arcs; turns on the spot only where there is no other path. */
   HEADING(Rule.HEADING) {
     @Override
     public PathPlanner planner(LongConsumer expansionListener) {
@@ -31,13 +32,21 @@ public enum MoveSet {
   }
 
   /**
+   * A planner of such paths.
+   *
    * @param expansionListener is told after each search how many states it has expanded
    */
   public abstract PathPlanner planner(LongConsumer expansionListener);
 
-  /** What the checker holds such a way to. */
+  /** What the checker holds such a path to. */
   public Rule rule() {
     return rule;
+  }
+
+  /** As a user types it. */
+  @Override
+  public String toString() {
+    return name().toLowerCase(Locale.ROOT);
   }
 
   /** Reads what a user types. */

@@ -4,8 +4,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
 /**
- * The request to end, from Ctrl-C or a system that shuts down. The process lives on until the work
- * is closed, but no longer than ten seconds.
+ * The request to stop, from Ctrl-C or a system that shuts down. The process goes on until the work
+ * is closed, but for no longer than ten seconds.
  */
 public final class StopSignal implements AutoCloseable {
   private static final int CLOSE_TIMEOUT_SECONDS = 10;
@@ -29,10 +29,12 @@ public final class StopSignal implements AutoCloseable {
     }
   }
 
+  /** Whether the process was asked to stop. */
   public boolean isRequested() {
     return requested.getCount() == 0;
   }
 
+  /** Waits until the process is asked to stop. */
   public void await() throws InterruptedException {
     requested.await();
   }

@@ -14,6 +14,9 @@ public abstract class WordConverter<E extends Enum<E>> implements ITypeConverter
     this.choices = List.of(choices);
   }
 
+  /**
+   * @throws TypeConversionException it is none of the words; names them
+   */
   @Override
   public E convert(String text) {
     return choices.stream()

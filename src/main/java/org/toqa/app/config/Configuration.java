@@ -13,26 +13,26 @@ import org.toqa.fleet.ChargingRules;
  * How this server is to run, every value checked. {@code docs/configuration.md} explains each.
  *
  * @param address where HTTP listens
- * @param port 0: any free one
+ * @param port TCP port; 0: any free one
  * @param tls what the pages are encrypted with; null: they are not
  * @param proxy the address of the proxy that says for whom it asks; null: none
- * @param requestsPerSecond how many of one caller are answered; 0: all
+ * @param requestsPerSecond how many requests of one caller are answered a second; 0: all
  * @param data the folder for what the server keeps
  * @param map the floor's map
  * @param allocationPolicy who decides which robots carry what
  * @param simulatedRobots how many simulated robots
- * @param simulatedBatteries what the batteries of new simulated robots have, 0 to 1, robot by
- *     robot; the last one counts for all others
+ * @param simulatedBatteries charge of new simulated robots as a share of a full battery, 0 to 1,
+ *     robot by robot; the last one counts for all others
  * @param firmware the folder of the built firmware that drives the first simulated robot, in a
  *     simulated microcontroller; null: every body is simulated as a whole
  * @param reassignAfter how long a robot is silent until its task goes to another
  * @param charging when robots charge
- * @param simulationSpeed how many times faster than real time the simulated robots live
- * @param trackRetention how long it is kept where robots were
+ * @param simulationSpeed how many times faster than real time simulated time passes
+ * @param trackRetention how long robots' positions are kept
  * @param historyRetention how long ended tasks, events and what robots did are kept
  * @param firstManager the manager to make while there is none
- * @param mailServer who takes e-mail; null: none is sent
- * @param plainLinks whether robots on other machines may be spoken to without encryption
+ * @param mailServer sends e-mail; null: none is sent
+ * @param plainLinks whether links to robots on other machines may be unencrypted
  */
 public record Configuration(
     InetAddress address,
@@ -72,6 +72,7 @@ public record Configuration(
   public record TlsFiles(Path certificate, Path key) {}
 
   /**
+   * @param port TCP port
    * @param from an e-mail address
    * @param site the address of the pages, for links in e-mail; without a slash at its end
    */
@@ -111,11 +112,12 @@ public record Configuration(
   }
 
   /**
-   * @param webapp the folder of the web application, which holds the shipped map
+   * @param shippedMap the floor's map where none is configured
    * @param layers the first one that gives a setting decides
+   * @throws ConfigurationException a value cannot be used; names it and what it must be
    */
-  public static Configuration of(Path webapp, List<SettingSource> layers)
+  public static Configuration of(Path shippedMap, List<SettingSource> layers)
       throws ConfigurationException {
-    return new ConfigurationReader(layers).read(webapp.resolve("WEB-INF/maps/lab.yaml"));
+    return new ConfigurationReader(layers).read(shippedMap);
   }
 }

@@ -33,6 +33,10 @@ import org.toqa.fleet.ChargingRules;
  */
 record ConfigurationReader(List<SettingSource> layers) {
 
+  /**
+   * @param shippedMap the floor's map where none is configured
+   * @throws ConfigurationException a value cannot be used; names it and what it must be
+   */
   Configuration read(Path shippedMap) throws ConfigurationException {
     Path data = folder(Setting.DATA);
     int simulate = wholeNumber(Setting.SIMULATE);

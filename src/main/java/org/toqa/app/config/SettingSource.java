@@ -51,7 +51,11 @@ public final class SettingSource {
     return layer;
   }
 
-  /** From the {@code TOQA_} variables. Foreign ones are left alone, misspelt ones are refused. */
+  /**
+   * From the {@code TOQA_} variables. Unknown ones are ignored.
+   *
+   * @throws ConfigurationException the name of one is nearly that of a setting; suggests it
+   */
   public static SettingSource fromEnvironment(Map<String, String> environment)
       throws ConfigurationException {
     SettingSource layer = new SettingSource();
@@ -79,7 +83,12 @@ public final class SettingSource {
     return layer;
   }
 
-  /** From a YAML file; relative paths in it count from its folder. */
+  /**
+   * From a YAML file; relative paths in it count from its folder.
+   *
+   * @throws ConfigurationException the file cannot be read, is no YAML, or has an unknown key; says
+   *     where
+   */
   public static SettingSource fromFile(Path file) throws ConfigurationException {
     SettingSource layer = new SettingSource();
     if (parse(file) instanceof Map<?, ?> map) {

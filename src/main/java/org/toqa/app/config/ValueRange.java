@@ -9,6 +9,8 @@ sealed interface ValueRange {
   String description();
 
   /**
+   * One whole number.
+   *
    * @param min the smallest that is allowed
    * @param max the largest that is allowed
    * @param unit in the plural; empty: it has none
@@ -33,7 +35,13 @@ sealed interface ValueRange {
     }
   }
 
-  /** Whole numbers with commas between them. */
+  /**
+   * Whole numbers with commas between them.
+   *
+   * @param min the smallest that is allowed
+   * @param max the largest that is allowed
+   * @param unit in the plural
+   */
   record WholeNumbers(int min, int max, String unit) implements ValueRange {
     @Override
     public String description() {
@@ -52,6 +60,10 @@ sealed interface ValueRange {
   }
 
   /**
+   * One number, with or without decimals.
+   *
+   * @param min the smallest that is allowed
+   * @param max the largest that is allowed
    * @param unit in the plural; empty: it has none
    */
   record Decimal(double min, double max, String unit) implements ValueRange {

@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.toqa.app.command.PortOption;
+import org.toqa.app.command.SpeedOption;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.command.TemporaryFolder;
 import org.toqa.app.config.Configuration;
@@ -19,16 +21,15 @@ import org.toqa.app.server.ServerOperation;
 import org.toqa.app.server.WebappFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** {@code toqa demo}: the main job on embedded defaults. */
-@Command(
-    name = "demo",
-    description = "Shows simulated robots at work, on nothing but this machine.")
+/** {@code toqa demo}: simulated robots carry out tasks, with everything on this machine. */
+@Command(name = "demo", description = "Run a demo with simulated robots on this machine.")
 public final class DemoCommand implements Callable<Integer> {
   private static final String USER = "demo";
 
-  /** The third robot has to charge soon. */
+  /** Percent, robot by robot: the third one has to charge soon. */
   private static final String BATTERIES = "100,100,22,100";
 
   private static final String PASSWORD = "demo-robots";
@@ -36,37 +37,30 @@ public final class DemoCommand implements Callable<Integer> {
   /** Set by the launcher, which builds the firmware. */
   private static final String FIRMWARE_FOLDER = "toqa.firmware";
 
-  @Option(names = "--once", description = "Runs the demo tasks, prints a table, and ends.")
+  @Option(names = "--once", description = "Run the demo tasks, print a table of results, and exit.")
   private boolean once;
 
   @Option(
       names = "--robots",
       defaultValue = "3",
       paramLabel = "N",
-      description = "How many, 1 to " + DemoTasks.MAX_ROBOTS + " (default: ${DEFAULT-VALUE}).")
+      description =
+          "Number of robots, 1 to " + DemoTasks.MAX_ROBOTS + " (default: ${DEFAULT-VALUE}).")
   private int robots;
 
   @Option(
       names = "--firmware",
-      description = "Drives the first robot by the real firmware in a simulated microcontroller.")
+      description = "Run the first robot with the real firmware in a simulated microcontroller.")
   private boolean firmware;
 
-  @Option(
-      names = "--speed",
-      paramLabel = "N",
-      description = "Lets simulated time run N times faster.")
-  private @Nullable String speed;
+  @Mixin private SpeedOption speed = new SpeedOption();
 
-  @Option(
-      names = "--port",
-      paramLabel = "P",
-      description = "Where the web pages are served, 0 for any free port (default: 8080).")
-  private @Nullable String port;
+  @Mixin private PortOption port = new PortOption();
 
   @Option(
       names = "--report",
       paramLabel = "FILE",
-      description = "Writes what became of the demo tasks, as JSON.")
+      description = "Write the results of the demo tasks to FILE, as JSON.")
   private @Nullable Path report;
 
   @Override
@@ -77,7 +71,8 @@ public final class DemoCommand implements Callable<Integer> {
     Path webapp = WebappFolder.path();
     try (StopSignal stop = new StopSignal();
         TemporaryFolder data = TemporaryFolder.create("toqa-demo")) {
-      Configuration configuration = Configuration.of(webapp, List.of(settings(data.path())));
+      Configuration configuration =
+          Configuration.of(WebappFolder.shippedMap(), List.of(settings(data.path())));
       ServerOperation show = this::runDemo;
       return show.runWith(configuration, webapp, stop);
     }
@@ -113,8 +108,8 @@ public final class DemoCommand implements Callable<Integer> {
     options.put(Setting.LOG_LEVEL, "WARN");
     options.put(Setting.DATA, data.toString());
     options.put(Setting.FIRMWARE, firmware ? System.getProperty(FIRMWARE_FOLDER) : null);
-    options.put(Setting.SPEED, speed);
-    options.put(Setting.PORT, port);
+    options.put(Setting.SPEED, speed.value());
+    options.put(Setting.PORT, port.value());
     return SettingSource.fromCommandLine(options);
   }
 

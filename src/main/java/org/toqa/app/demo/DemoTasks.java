@@ -24,8 +24,8 @@ import org.toqa.wording.Sentence;
 import tools.jackson.databind.json.JsonMapper;
 
 /**
- * The tasks of the demo: puts them in, tells how they get on, and sums them up. They go to and fro
- * between all sides of the shipped floor, so that the robots' ways cross.
+ * The tasks of the demo: submits them, reports their progress, and sums them up. They lead between
+ * all sides of the shipped floor, so that the robots' paths cross.
  */
 final class DemoTasks {
   private static final Duration POLL_PERIOD = Duration.ofMillis(250);
@@ -80,7 +80,7 @@ final class DemoTasks {
   }
 
   /**
-   * What there is to do for so many robots.
+   * The tasks for a number of robots: a few more than there are robots.
    *
    * @param robots 1 to {@link #MAX_ROBOTS}
    */
@@ -89,6 +89,11 @@ final class DemoTasks {
     return Stream.concat(together, ORDERS.stream()).limit(robots + EXTRA_TASKS).toList();
   }
 
+  /**
+   * @param user as whom they are submitted
+   * @throws IllegalStateException the fleet does not accept one; the message says why
+   * @throws Exception the fleet did not answer within 30 s
+   */
   void submit(List<TaskOrder> orders, String user) throws Exception {
     for (TaskOrder order : orders) {
       Answer<TaskView> answer =
@@ -107,8 +112,9 @@ final class DemoTasks {
   }
 
   /**
-   * Tells of every change until all tasks have ended.
+   * Reports every change until all tasks have ended, or the process is asked to stop.
    *
+   * @param reporter gets a line for each change
    * @return whether all are done
    */
   boolean awaitEnd(StopSignal stop, Consumer<String> reporter) throws InterruptedException {
@@ -154,6 +160,7 @@ final class DemoTasks {
     };
   }
 
+  /** Each task with its state, its robots and its seconds of simulated time. */
   String table() {
     StringBuilder table = new StringBuilder();
     String row = "  %-26s %-10s %-12s %8s%n";
@@ -171,7 +178,7 @@ final class DemoTasks {
     return table.toString();
   }
 
-  /** As {@code --report} writes it. */
+  /** As {@code --report} writes it; seconds are of simulated time. */
   String json() {
     List<Map<String, Object>> tasks = new ArrayList<>();
     for (Progress run : progressByTask.values()) {

@@ -13,7 +13,7 @@ import picocli.CommandLine.TypeConversionException;
  * @param heading radians, counter-clockwise from map east; null where none was given
  */
 record PlaceArgument(Vec2 position, @Nullable Double heading) {
-  /** Metres from the frame's origin; farther than any map reaches. */
+  /** Limit of a coordinate, metres; more than any map has. */
   private static final double MAX_METRES = 1e6;
 
   private static final double MAX_DEGREES = 360;

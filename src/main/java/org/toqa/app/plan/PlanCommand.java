@@ -1,11 +1,13 @@
 package org.toqa.app.plan;
 
-import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
+import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.MoveSet;
+import org.toqa.app.command.MovesOption;
+import org.toqa.app.command.RequiredMapOption;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
@@ -15,36 +17,37 @@ import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.SegmentFitter;
+import org.toqa.planning.Path;
 import org.toqa.planning.PlanResult;
 import org.toqa.planning.PlanResult.Found;
 import org.toqa.planning.PlanResult.NotFound;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** {@code toqa plan}: one way on a map. */
+/** {@code toqa plan}: one path on a map. */
 @Command(
     name = "plan",
-    description =
-        "Plans one way on a map: its cost, its cells, and the segments that a robot drives.",
+    description = "Plan a path on a map and print its cost, cells and trajectory segments.",
     footer = {
       "",
-      "X and Y are metres in the map's frame (x east, y north); a MovingAI map has",
-      "cells of 1 m and its origin at its lower left corner. The way leads from the",
-      "middle of the cell at --from to the middle of the cell at --to. DEG is where",
-      "the robot faces at the start, degrees counter-clockwise from east; it turns",
-      "on the spot to its first leg.",
+      "X and Y are in metres in the map frame (x east, y north); a MovingAI map has",
+      "cells of 1 m and its origin at the lower left corner. The path leads from the",
+      "centre of the cell at --from to the centre of the cell at --to. DEG is the",
+      "heading of the robot at the start in degrees counter-clockwise from east; the",
+      "robot turns on the spot toward its first move.",
       "",
-      "Cost is in cells: 1 or the square root of 2 for a move, 1/2 for each 45",
-      "degrees turned on the spot between start and goal. A segment is v (metres a",
-      "second), w (radians a second, positive to the left) and t (seconds). Cells",
+      "The cost is in cells: 1 or the square root of 2 for a move, 1/2 for each 45",
+      "degrees turned on the spot between start and goal. A segment has v (metres per",
+      "second), w (radians per second, positive to the left) and t (seconds). Cells",
       "are column,row; row 0 is the top of the map.",
       "",
       "JSON: found, reason (START_BLOCKED, GOAL_BLOCKED, NO_PATH, or null), cost,",
-      "length (metres driven), seconds, turnsOnSpot, start, cells, segments. Where",
-      "there is no way, the command says why and exits 1."
+      "length (metres driven), seconds, turnsOnSpot, start, cells, segments. If there",
+      "is no path, the command prints the reason to standard error and exits 1."
     })
 public final class PlanCommand implements Callable<Integer> {
   /** Cells; more than any map has on a side that is worth planning on. */
@@ -52,19 +55,14 @@ public final class PlanCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
-  @Option(
-      names = "--map",
-      required = true,
-      paramLabel = "FILE",
-      description = "The yaml file of a map_server pair, or a MovingAI map.")
-  private Path map = Path.of("");
+  @Mixin private RequiredMapOption map = new RequiredMapOption();
 
   @Option(
       names = "--from",
       required = true,
       paramLabel = "X,Y[,DEG]",
       converter = PlaceArgument.PoseConverter.class,
-      description = "The start, and where the robot faces (default: to its first leg).")
+      description = "Start, and optionally the robot's heading (default: toward its first move).")
   private PlaceArgument from = new PlaceArgument(Vec2.ZERO, null);
 
   @Option(
@@ -72,24 +70,18 @@ public final class PlanCommand implements Callable<Integer> {
       required = true,
       paramLabel = "X,Y",
       converter = PlaceArgument.PointConverter.class,
-      description = "The goal.")
+      description = "Goal.")
   private PlaceArgument to = new PlaceArgument(Vec2.ZERO, null);
 
-  @Option(
-      names = "--moves",
-      defaultValue = "heading",
-      paramLabel = "octile|heading",
-      converter = MoveSet.Converter.class,
-      description = "Any of eight moves, or what a robot drives in arcs (default: heading).")
-  private MoveSet moves = MoveSet.HEADING;
+  @Mixin private MovesOption moves = new MovesOption(MoveSet.HEADING);
 
   @Option(
       names = "--margin",
       defaultValue = "0",
       paramLabel = "CELLS",
       description =
-          "The robot's radius, by which obstacles and the map's border grow; 0.5 lets it just"
-              + " pass an aisle of one cell (default: ${DEFAULT-VALUE}).")
+          "Radius of the robot in cells, added around obstacles and the map's border; 0.5 just fits"
+              + " an aisle of one cell (default: ${DEFAULT-VALUE}).")
   private double margin;
 
   @Option(
@@ -97,38 +89,38 @@ public final class PlanCommand implements Callable<Integer> {
       defaultValue = "table",
       paramLabel = "table|json|svg",
       converter = PlanFormat.Converter.class,
-      description = "For people, for programs, or a picture (default: table).")
+      description = "Output format (default: table).")
   private PlanFormat format = PlanFormat.TABLE;
 
   @Override
   public Integer call() {
     Arguments arguments = new Arguments(spec);
+    CommandOutput output = new CommandOutput(spec);
     if (!(margin >= 0 && margin <= MAX_MARGIN)) {
       throw arguments.invalid("--margin %s: it must be from 0 to %d".formatted(margin, MAX_MARGIN));
     }
-    FloorMap floor = arguments.readFloor(map);
+    FloorMap floor = arguments.readFloor(map.file());
     OccupancyGrid inflated = Inflation.inflate(floor.grid(), margin * floor.grid().resolution());
     Cell start = inflated.cellAt(from.position());
     Cell goal = inflated.cellAt(to.position());
-    PlanResult result = moves.planner(expanded -> {}).plan(inflated, start, goal);
+    PlanResult result = moves.value().planner(expanded -> {}).plan(inflated, start, goal);
     return switch (result) {
-      case Found(org.toqa.planning.Path path) -> {
-        spec.commandLine().getOut().println(format.render(plannedDrive(floor, inflated, path)));
+      case Found(Path path) -> {
+        output.print(format.render(plannedDrive(floor, inflated, path)));
         yield ExitCode.OK;
       }
       case NotFound none -> {
         if (format == PlanFormat.JSON) {
-          spec.commandLine().getOut().println(PlanJson.of(none));
+          output.print(PlanJson.of(none));
         }
-        spec.commandLine().getErr().println("toqa: " + failureMessage(none, floor.grid()));
+        output.printError(failureMessage(none, floor.grid()));
         yield ExitCode.SOFTWARE;
       }
     };
   }
 
-  private PlannedDrive plannedDrive(
-      FloorMap floor, OccupancyGrid inflated, org.toqa.planning.Path path) {
-    org.toqa.planning.Path.Step first = path.steps().getFirst();
+  private PlannedDrive plannedDrive(FloorMap floor, OccupancyGrid inflated, Path path) {
+    Path.Step first = path.steps().getFirst();
     Vec2 centre = inflated.centre(first.cell());
     @Nullable Double given = from.heading();
     Pose start = new Pose(centre.x(), centre.y(), given == null ? first.heading().angle() : given);

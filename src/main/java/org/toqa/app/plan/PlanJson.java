@@ -13,13 +13,14 @@ import tools.jackson.databind.json.JsonMapper;
 /**
  * A plan for programs.
  *
- * @param reason why there is no way; null where there is one
+ * @param reason why there is no path; null where there is one
  * @param cost in cells: 1 or sqrt 2 for a move, 1/2 for each 45 degrees turned on the spot
  * @param length metres driven
  * @param seconds that the drive takes
  * @param turnsOnSpot how often the robot turns on the spot between start and goal
- * @param start where the robot stands when the first segment begins
- * @param cells columns and rows, row 0 at the top, in the order of the way
+ * @param start pose at the start of the first segment; metres and radians, map frame
+ * @param cells columns and rows, row 0 at the top, in the order of the path
+ * @param segments v in metres a second, w in radians a second, positive to the left, t in seconds
  */
 record PlanJson(
     boolean found,

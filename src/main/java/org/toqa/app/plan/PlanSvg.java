@@ -14,7 +14,7 @@ import org.toqa.grid.Place;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
-/** A plan as a picture: the map, the cells of the way, the way, and how it is driven. */
+/** A plan as a picture: the map, the cells of the path, the path, and its trajectory. */
 final class PlanSvg {
   private static final double MAX_SIDE_PIXELS = 1200;
   private static final double MAX_CELL_PIXELS = 64;
@@ -63,7 +63,7 @@ final class PlanSvg {
   }
 
   private String render() {
-    svg.text("A way on the map " + drive.floor().name(), "title");
+    svg.text("A path on the map " + drive.floor().name(), "title");
     svg.element("rect", "width", "100%", "height", "100%", "fill", PAGE);
     svg.open(
         "g",
@@ -139,7 +139,7 @@ final class PlanSvg {
     }
   }
 
-  /** A disc with an arrowhead that looks where the robot faces. */
+  /** A disc with an arrowhead in the direction of the heading. */
   private void drawArrow(Pose pose, String colour) {
     Vec2 at = shapes.toPicture(pose.position());
     svg.open(
@@ -232,7 +232,7 @@ final class PlanSvg {
         colour);
   }
 
-  /** Inside the map's group, where a unit is a cell. */
+  /** So many pixels in units of the map's group, which are cells. */
   private double pixels(double count) {
     return count / scale;
   }

@@ -17,13 +17,15 @@ import org.toqa.motion.Trajectory;
  */
 record SvgShapes(OccupancyGrid grid) {
 
-  /** A point of the map frame. */
+  /** A point of the map frame, metres, in units of the picture. */
   Vec2 toPicture(Vec2 point) {
     Vec2 cells = point.minus(grid.origin()).times(1 / grid.resolution());
     return new Vec2(cells.x(), grid.height() - cells.y());
   }
 
-  /** Cells by {@link OccupancyGrid#index}, neighbours in a row as one rectangle. */
+  /**
+   * An area of cells, given by {@link OccupancyGrid#index}, as rectangles of neighbours in a row.
+   */
   String cellArea(BitSet cells) {
     StringBuilder path = new StringBuilder();
     int from = cells.nextSetBit(0);

@@ -10,7 +10,12 @@ final class SvgWriter {
   private final StringWriter text = new StringWriter();
   private final XMLStreamWriter xml;
 
-  /** Begins a document of that many pixels. */
+  /**
+   * Begins a document.
+   *
+   * @param width pixels
+   * @param height pixels
+   */
   SvgWriter(double width, double height) {
     try {
       xml = XMLOutputFactory.newInstance().createXMLStreamWriter(text);
@@ -83,7 +88,7 @@ final class SvgWriter {
     return text.toString();
   }
 
-  /** A coordinate: at most three decimals, none that says nothing. */
+  /** A coordinate with at most three decimals, and without trailing zeros. */
   static String number(double value) {
     double rounded = Math.round(value * 1000) / 1000.0;
     return rounded == Math.rint(rounded) ? Long.toString((long) rounded) : Double.toString(rounded);

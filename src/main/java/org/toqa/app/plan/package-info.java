@@ -1,4 +1,4 @@
-/** {@code toqa plan}: one way on a map, as a table, as JSON or as a picture. */
+/** {@code toqa plan}: one path on a map, as a table, as JSON or as a picture. */
 @NullMarked
 package org.toqa.app.plan;
 

@@ -11,6 +11,7 @@ import java.util.List;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.SessionStore;
 import org.toqa.app.config.Configuration;
@@ -39,14 +40,15 @@ import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
+import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Metrics;
 import org.toqa.web.PasswordLinks;
 import org.toqa.web.RequestLimit;
 import org.toqa.web.Services;
 
 /**
- * The product behind its web pages: store, fleet and simulated robots. It has one owner, the
- * command that started it or, on a stock Tomcat, {@link ToqaContextListener}.
+ * Everything behind the web pages: store, fleet and simulated robots. It has one owner, the command
+ * that started it or, on a stock Tomcat, {@link ToqaContextListener}.
  *
  * <p>Started in order: map, database, first manager, simulated robots, fleet, time, records. Closed
  * in the reverse order.
@@ -158,7 +160,7 @@ public final class FleetServer implements AutoCloseable {
             configuration.historyRetention(),
             wallClock));
     Services services =
-        Services.of(
+        new Services(
             fleet,
             store,
             new JdbiEventArchive(database.jdbi()),
@@ -171,7 +173,9 @@ public final class FleetServer implements AutoCloseable {
             passwords,
             metrics,
             new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
-            wallClock);
+            wallClock,
+            Authenticator.of(accounts, passwords, wallClock),
+            new IdempotentSubmitter(fleet, store));
     return new FleetServer(configuration, clock, services, parts);
   }
 
@@ -199,7 +203,7 @@ public final class FleetServer implements AutoCloseable {
     return configuration;
   }
 
-  /** The fleet's own time: it goes faster than real time where robots are simulated so. */
+  /** Simulated time, which may pass faster than real time; without simulated robots, real time. */
   public InstantSource fleetClock() {
     return fleetClock;
   }

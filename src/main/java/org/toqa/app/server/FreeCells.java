@@ -13,7 +13,7 @@ import org.toqa.grid.Place;
 public final class FreeCells {
   private FreeCells() {}
 
-  /** Every second free cell of every second row that bears no name, in reading order. */
+  /** Every second free cell of every second row that is no named place, row by row from the top. */
   public static Stream<Place> of(FloorMap floor) {
     OccupancyGrid grid = floor.grid();
     Set<Cell> named =

@@ -8,60 +8,55 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.toqa.app.command.OptionalMapOption;
+import org.toqa.app.command.PortOption;
+import org.toqa.app.command.SpeedOption;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Configuration;
 import org.toqa.app.config.ConfigurationException;
 import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** {@code toqa server}: for real use, until it is told to end. */
 @Command(
     name = "server",
-    description = "Runs the server until Ctrl-C, with real or simulated robots.",
+    description = "Run the server, with real or simulated robots, until Ctrl-C.",
     footer = {
       "",
-      "Each setting may also stand in the file or in the environment (TOQA_PORT).",
-      "The command line comes first, then the environment, then the file;",
-      "docs/configuration.md explains them all."
+      "Settings can be given on the command line, in the environment (such as",
+      "TOQA_PORT) and in the file, in this order of precedence. See",
+      "docs/configuration.md for all settings."
     })
 public final class ServerCommand implements Callable<Integer> {
 
-  @Option(names = "--config", paramLabel = "FILE", description = "A YAML file with settings.")
+  @Option(names = "--config", paramLabel = "FILE", description = "Read settings from a YAML file.")
   private @Nullable Path config;
 
-  @Option(
-      names = "--port",
-      paramLabel = "P",
-      description = "Where the web pages are served, 0 for any free port (default: 8080).")
-  private @Nullable String port;
+  @Mixin private PortOption port = new PortOption();
 
   @Option(
       names = "--data",
       paramLabel = "DIR",
-      description = "The folder for what the server keeps (default: toqa-data).")
+      description = "Folder for the server's data (default: toqa-data).")
   private @Nullable String data;
 
-  @Option(
-      names = "--map",
-      paramLabel = "FILE",
-      description = "The floor's map, .yaml or .map (default: the shipped map).")
-  private @Nullable String map;
+  @Mixin private OptionalMapOption map = new OptionalMapOption();
 
-  @Option(names = "--simulate", paramLabel = "N", description = "Makes N simulated robots.")
+  @Option(
+      names = "--simulate",
+      paramLabel = "N",
+      description = "Number of simulated robots, 0 to 500 (default: 0).")
   private @Nullable String simulate;
 
-  @Option(
-      names = "--speed",
-      paramLabel = "N",
-      description = "Lets the simulated robots live N times faster.")
-  private @Nullable String speed;
+  @Mixin private SpeedOption speed = new SpeedOption();
 
   @Override
   public Integer call() throws Exception {
     Path webapp = WebappFolder.path();
-    Configuration configuration = Configuration.of(webapp, settingSources());
+    Configuration configuration = Configuration.of(WebappFolder.shippedMap(), settingSources());
     ServerOperation untilStopped = ServerCommand::awaitStop;
     try (StopSignal stop = new StopSignal()) {
       return untilStopped.runWith(configuration, webapp, stop);
@@ -77,11 +72,11 @@ public final class ServerCommand implements Callable<Integer> {
 
   private List<SettingSource> settingSources() throws ConfigurationException {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
-    options.put(Setting.PORT, port);
+    options.put(Setting.PORT, port.value());
     options.put(Setting.DATA, data);
-    options.put(Setting.MAP, map);
+    options.put(Setting.MAP, map.file());
     options.put(Setting.SIMULATE, simulate);
-    options.put(Setting.SPEED, speed);
+    options.put(Setting.SPEED, speed.value());
     List<SettingSource> layers = new ArrayList<>();
     layers.add(SettingSource.fromCommandLine(options));
     layers.add(SettingSource.fromEnvironment(System.getenv()));

@@ -12,20 +12,26 @@ import org.toqa.app.config.Configuration;
 import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
 
-/** What is done while the whole product runs in this process. */
+/** What a command does while the complete server runs in this process. */
 @FunctionalInterface
 public interface ServerOperation {
 
   /**
-   * @param address where the web pages are
+   * @param address where the web pages are, with a slash at its end
    * @param stop the request to end early
-   * @return the exit code
+   * @return the exit code of the process
+   * @throws Exception it failed; the message says why, for a person
    */
   int run(FleetServer toqa, URI address, StopSignal stop) throws Exception;
 
   /**
-   * Does this with a product of its own: in a folder that is gone afterwards, on any free port, and
-   * silent but for errors. Its callers may ask as fast as they can.
+   * Does this with a server of its own: with its data in a folder that is deleted afterwards, on
+   * any free port, without a limit of requests, and with nothing in the log but errors.
+   *
+   * @param settings those that differ from the defaults
+   * @return the exit code of the process
+   * @throws org.toqa.app.config.ConfigurationException a setting cannot be used
+   * @throws Exception the server cannot start, or the operation failed; the message says why
    */
   default int runIsolated(Map<Setting, @Nullable String> settings) throws Exception {
     Path webapp = WebappFolder.path();
@@ -36,14 +42,18 @@ public interface ServerOperation {
       all.put(Setting.PORT, "0");
       all.put(Setting.REQUESTS_PER_SECOND, "0");
       all.put(Setting.LOG_LEVEL, "ERROR");
-      return runWith(
-          Configuration.of(webapp, List.of(SettingSource.fromCommandLine(all))), webapp, stop);
+      List<SettingSource> layers = List.of(SettingSource.fromCommandLine(all));
+      return runWith(Configuration.of(WebappFolder.shippedMap(), layers), webapp, stop);
     }
   }
 
   /**
-   * Starts the product, does this, and closes everything in order: no request meets a closed fleet,
-   * and no robot is touched by a server whose port is another's.
+   * Starts the server, does this, and closes everything in order: no request meets a closed fleet,
+   * and a server that cannot have its port connects to no robot.
+   *
+   * @param webapp the folder of the unpacked web application
+   * @return the exit code of the process
+   * @throws Exception the server cannot start, or the operation failed; the message says why
    */
   default int runWith(Configuration configuration, Path webapp, StopSignal stop) throws Exception {
     Logging.configure(configuration.logLevel(), configuration.logFormat());

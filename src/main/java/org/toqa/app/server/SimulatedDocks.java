@@ -16,19 +16,19 @@ import org.toqa.grid.Place;
 import org.toqa.sim.SimulatedFleet;
 
 /**
- * The docks of a simulated floor: at every parking and charging point one that sees where a robot
- * which stands there really is, and tells the fleet, as a dock on a real floor does by the API.
- * Odometry alone drifts for ever.
+ * The docks of a simulated floor: one at every parking and charging point, which measures the true
+ * pose of a robot that stands there and tells the fleet, as a dock on a real floor does by the API.
+ * Without them the error of odometry would grow without limit.
  */
 final class SimulatedDocks {
   static final Duration PERIOD = Duration.ofSeconds(1);
 
   private static final Logger log = LoggerFactory.getLogger(SimulatedDocks.class);
 
-  /** Metres from its point that a dock sees. */
+  /** How far from its point a dock detects a robot, metres. */
   private static final double SENSOR_RANGE = 0.5;
 
-  /** Metres and radians; what is less is no news. */
+  /** Metres and radians; a smaller difference is not told. */
   private static final double MIN_DRIFT = 0.01;
 
   private final SimulatedFleet robots;
@@ -41,6 +41,7 @@ final class SimulatedDocks {
     this.docks = Stream.concat(floor.parking().stream(), floor.charging().stream()).toList();
   }
 
+  /** Tells the fleet the true pose of each robot at a dock that has drifted. */
   void locateStandingRobots() {
     for (RobotView robot : fleet.snapshots().latest().robots()) {
       if (robot.state() == RobotState.IDLE || robot.state() == RobotState.CHARGING) {
@@ -50,7 +51,7 @@ final class SimulatedDocks {
   }
 
   private void locateIfDrifted(RobotView robot, Pose truth) {
-    Pose believed = robot.pose();
+    Pose believed = robot.telemetry().pose();
     Optional<Place> dock =
         docks.stream()
             .filter(d -> d.position().distanceTo(truth.position()) < SENSOR_RANGE)

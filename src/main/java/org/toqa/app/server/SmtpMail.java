@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.app.config.Configuration;
 import org.toqa.web.MailSender;
 
-/** Hands letters to a mail server. */
+/** Sends e-mail through a mail server. */
 final class SmtpMail implements MailSender {
   private static final String TIMEOUT_MS = "20000";
 
@@ -35,15 +35,15 @@ final class SmtpMail implements MailSender {
   @Override
   public void send(String to, String subject, String text) throws IOException {
     try {
-      MimeMessage letter = new MimeMessage(Session.getInstance(properties(), authenticator()));
-      letter.setFrom(new InternetAddress(server.from()));
-      letter.setRecipient(Message.RecipientType.TO, new InternetAddress(to));
-      letter.setSubject(subject, "UTF-8");
-      letter.setText(text, "UTF-8");
-      letter.setHeader(
+      MimeMessage message = new MimeMessage(Session.getInstance(properties(), authenticator()));
+      message.setFrom(new InternetAddress(server.from()));
+      message.setRecipient(Message.RecipientType.TO, new InternetAddress(to));
+      message.setSubject(subject, "UTF-8");
+      message.setText(text, "UTF-8");
+      message.setHeader(
           "Date", DateTimeFormatter.RFC_1123_DATE_TIME.format(OffsetDateTime.now(ZoneOffset.UTC)));
-      letter.setHeader("Auto-Submitted", "auto-generated");
-      Transport.send(letter);
+      message.setHeader("Auto-Submitted", "auto-generated");
+      Transport.send(message);
     } catch (MessagingException e) {
       throw new IOException(server + " did not take it: " + e.getMessage(), e);
     }

@@ -18,10 +18,9 @@ import org.toqa.app.config.SettingSource;
 import org.toqa.web.Services;
 
 /**
- * Begins and ends the product with its web application. Where a command has started it already, it
- * is that command's; on a stock Tomcat it is this listener's, configured by the environment and by
- * the file that {@code TOQA_CONFIG}, the system property or the context parameter {@code
- * toqa.config} names.
+ * Starts and stops the server with its web application on a stock Tomcat, configured by the
+ * environment and by the file that {@code TOQA_CONFIG}, the system property or the context
+ * parameter {@code toqa.config} names. Does nothing where a command has started the server already.
  */
 public final class ToqaContextListener implements ServletContextListener {
 
@@ -29,6 +28,9 @@ public final class ToqaContextListener implements ServletContextListener {
 
   private @Nullable FleetServer ownServer;
 
+  /**
+   * @throws IllegalStateException the server cannot start; the message says why
+   */
   @Override
   public void contextInitialized(ServletContextEvent event) {
     ServletContext context = event.getServletContext();
@@ -68,7 +70,7 @@ public final class ToqaContextListener implements ServletContextListener {
       layers.add(SettingSource.fromFile(Path.of(file)));
     }
     layers.add(tomcatDefaults());
-    return Configuration.of(Path.of(folder), layers);
+    return Configuration.of(WebappFolder.shippedMap(Path.of(folder)), layers);
   }
 
   private static @Nullable String configurationFile(ServletContext context) {
@@ -81,7 +83,7 @@ public final class ToqaContextListener implements ServletContextListener {
         .orElse(null);
   }
 
-  /** A Tomcat's working folder is anybody's guess; its own folder is not. */
+  /** The folder from which Tomcat was started may be any; its own folder is known. */
   private static SettingSource tomcatDefaults() {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     String tomcat = System.getProperty("catalina.base");

@@ -33,7 +33,7 @@ import org.toqa.web.Services;
  * The thread that bound it calls the rest.
  */
 final class WebServer implements AutoCloseable {
-  /** Milliseconds for which somebody connected may neither send nor take anything. */
+  /** How long a connection may be idle, milliseconds. */
   private static final int CONNECTION_TIMEOUT_MS = 20_000;
 
   private final Tomcat tomcat;
@@ -48,7 +48,8 @@ final class WebServer implements AutoCloseable {
 
   /**
    * @param webapp the unpacked web application
-   * @throws IOException the port cannot be had; the message says why, for a person
+   * @throws IOException the port is taken, or the certificate cannot be used; the message says why,
+   *     for a person
    */
   static WebServer bind(Path webapp, Configuration configuration) throws IOException {
     InetAddress address = configuration.address();
@@ -97,7 +98,7 @@ final class WebServer implements AutoCloseable {
     connector.setSecure(true);
   }
 
-  /** For whom the proxy asks, and whether the browser's way to it is encrypted. */
+  /** Takes the caller's address, and whether its connection is encrypted, from the proxy. */
   private static void trustProxy(Tomcat tomcat, @Nullable InetAddress proxy) {
     if (proxy != null) {
       RemoteIpValve valve = new RemoteIpValve();
@@ -149,7 +150,11 @@ final class WebServer implements AutoCloseable {
     return "The web server cannot start: " + e.getMessage();
   }
 
-  /** Lets requests in, for this product. */
+  /**
+   * Lets requests in, for this server.
+   *
+   * @throws IOException the web application cannot start
+   */
   RunningWebapp open(FleetServer toqa) throws IOException {
     context.getServletContext().setAttribute(Services.ATTRIBUTE, toqa.services());
     try {

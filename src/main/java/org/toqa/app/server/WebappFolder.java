@@ -6,6 +6,9 @@ import java.nio.file.Path;
 public final class WebappFolder {
   private WebappFolder() {}
 
+  /**
+   * @throws IllegalStateException the process was not started by the launcher; says how to
+   */
   public static Path path() {
     String folder = System.getProperty("toqa.webapp");
     if (folder == null) {
@@ -14,8 +17,21 @@ public final class WebappFolder {
     return Path.of(folder);
   }
 
-  /** The map that is used where none is named. */
+  /**
+   * The map that is used where none is named.
+   *
+   * @throws IllegalStateException as {@link #path} does
+   */
   public static Path shippedMap() {
-    return path().resolve("WEB-INF/maps/lab.yaml");
+    return shippedMap(path());
+  }
+
+  /**
+   * The map that is used where none is named.
+   *
+   * @param webapp the folder of an unpacked web application
+   */
+  static Path shippedMap(Path webapp) {
+    return webapp.resolve("WEB-INF/maps/lab.yaml");
   }
 }

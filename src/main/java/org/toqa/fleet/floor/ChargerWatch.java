@@ -12,8 +12,8 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * Which charging points do not charge: a robot stood there, and its battery did not rise. Confined
- * to one agent.
+ * Which charging points do not charge: a robot was there, and its battery did not rise. Confined to
+ * one agent.
  */
 final class ChargerWatch {
   /** After that a point is tried again: somebody may have mended it. */
@@ -47,7 +47,7 @@ final class ChargerWatch {
     this.patience = patience;
   }
 
-  /** A robot stands at the point, with so much in its battery, of 0 to 1. */
+  /** A robot is at the point, with so much in its battery, of 0 to 1. */
   Finding observe(String robot, Place point, double battery, Instant now) {
     Stay stay = stays.get(robot);
     if (stay == null || !stay.point().equals(point.name())) {
@@ -67,7 +67,7 @@ final class ChargerWatch {
     return Finding.FAILED;
   }
 
-  /** The robot does not stand at a charging point. */
+  /** The robot is not at a charging point. */
   void robotLeft(String robot) {
     stays.remove(robot);
   }

@@ -190,7 +190,7 @@ final class ChargingDispatcher {
     }
   }
 
-  // --- on its way, waiting, charging ------------------------------------------------------------
+  // --- driving there, waiting, charging ---------------------------------------------------------
 
   private void continueTurn(FloorRobot robot, Turn turn) {
     Optional<Place> point =
@@ -230,7 +230,7 @@ final class ChargingDispatcher {
       setStatus(robot, Phrase.DRIVES_TO_CHARGER.with(point.name()));
     } else if (!robot.charging.isCharging()) {
       setStatus(robot, Phrase.CHARGES_AT.with(point.name()));
-      if (robot.drive.goal() != null) { // else it stood there when the server started
+      if (robot.drive.goal() != null) { // else it was there when the server started
         addToHistory(
             robot, EventKind.ROBOT_CHARGING, Phrase.ROBOT_CHARGES.with(robot.name(), point.name()));
       }

@@ -8,7 +8,7 @@ import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.wording.Sentence;
 
-/** How a robot stands with charging. Only {@link ChargingDispatcher} changes it. */
+/** The state of a robot's charging. Only {@link ChargingDispatcher} changes it. */
 final class ChargingState {
   private Duration workedSinceCharge = Duration.ZERO;
   private Duration storedWork = Duration.ZERO;
@@ -32,7 +32,7 @@ final class ChargingState {
     return turnStored;
   }
 
-  /** Whether it stands at its charging point and is the first one there. */
+  /** Whether it is at its charging point and is the first one there. */
   boolean isCharging() {
     return charging;
   }

@@ -16,10 +16,10 @@ import org.toqa.wording.Sentence;
 
 /** Tells the traffic what each robot is to do, and the robots what the traffic decides. */
 final class DriveDispatcher {
-  /** Who walks across a path is gone again after this; and what is not was looked at all round. */
+  /** A person who crosses a path is gone after this; what is not gone was looked at all round. */
   private static final Duration OBSTACLE_PATIENCE = Duration.ofSeconds(5);
 
-  /** The robot's word that it stands before something. */
+  /** The code by which a robot reports that an obstacle stops it. */
   private static final String OBSTACLE = "OBSTACLE";
 
   private final FloorState state;
@@ -72,7 +72,7 @@ final class DriveDispatcher {
     }
   }
 
-  /** Whether it only drives out of the way of others; that may end. */
+  /** Whether it only drives to make room for others; that may end. */
   private static boolean isSteppingAside(FloorRobot robot) {
     DriveOrder order = robot.drive.order();
     return order.knownGoal() == null
@@ -80,11 +80,11 @@ final class DriveDispatcher {
   }
 
   /**
-   * Whether it has stood for a while before something on a part of its path that it cannot be told
-   * otherwise any more: it is stopped, and begins anew round that.
+   * Whether it has been stopped for a while by something on a part of its path that it cannot be
+   * told otherwise any more: it is stopped, and begins anew round that.
    */
   private boolean updateObstructed(FloorRobot robot) {
-    RobotReport report = robot.reported.report();
+    LastReport report = robot.reported.report();
     boolean isStopped =
         report.role() == Role.ALONE
             && report.mode() == Mode.DRIVING
@@ -121,7 +121,7 @@ final class DriveDispatcher {
             .isEmpty();
   }
 
-  /** A leader that stands and would begin. */
+  /** A leader that is stopped and would begin. */
   private boolean isAwaitingFollowers(FloorRobot robot) {
     return robot.isStanding()
         && state

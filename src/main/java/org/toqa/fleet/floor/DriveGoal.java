@@ -12,7 +12,7 @@ import org.toqa.mission.Phase;
  *
  * @param task null when it drives home or to a charger
  * @param goal metres, map frame
- * @param heading how it shall face there, radians, counter-clockwise, map frame; null: in any way
+ * @param heading how it shall face there, radians, counter-clockwise, map frame; null: any heading
  * @param load kilograms that it has on board
  */
 record DriveGoal(

@@ -30,9 +30,9 @@ import org.toqa.traffic.mapf.LacamJointPlanner;
  * The single writer of one floor: its map, its missions and who may drive where.
  *
  * <p>An event goes through {@code mission -> store -> command}: the mission's next state is stored,
- * and only then its commands become goals of drives. A robot that has a goal and stands is sent a
- * drive to it; that is decided anew at every tick, so that whatever was lost in between (a message,
- * a connection, a server) is made up for.
+ * and only then its commands become goals of drives. A robot that has a goal and is stopped is sent
+ * a drive to it; that is decided anew at every tick, so that whatever was lost in between (a
+ * message, a connection, a server) is made up for.
  */
 public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   /** For a plan for all robots; a function of the machine's speed, not of the floor's time. */

@@ -54,7 +54,9 @@ public final class FloorDistances implements PathLengths {
     return passable.computeIfAbsent(diameter, d -> Inflation.inflateWhereNothingFits(grid, d / 2));
   }
 
-  /** A robot may stand a little nearer to a wall than it would drive: a cell beside it will do. */
+  /**
+   * A robot may be stopped a little nearer to a wall than it would drive: a cell beside it will do.
+   */
   private static double length(DistanceField field, Cell to) {
     double length = field.to(to);
     for (int dRow = -1; dRow <= 1 && Double.isInfinite(length); dRow++) {

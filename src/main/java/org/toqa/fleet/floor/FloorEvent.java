@@ -31,7 +31,7 @@ public sealed interface FloorEvent {
   record TaskNotBegun(Mission mission) implements FloorEvent {}
 
   /**
-   * @param floor what is in the way on it
+   * @param floor the obstacles on it
    * @param robots all robots of the floor
    * @param missions its tasks that have not ended
    * @param ended tasks that ended since the last report

@@ -115,7 +115,7 @@ final class FloorMissions {
         .ifPresent(old -> applyEvent(old, new MissionEvent.Retasked(robot)));
   }
 
-  /** A mission that was under way when the server stopped goes on in the phase it was stored in. */
+  /** A mission that had begun when the server stopped continues in the phase it was stored in. */
   void recover(OpenTask open) {
     Mission mission = open.mission();
     state.missions.put(mission, open.changedAt());
@@ -127,7 +127,7 @@ final class FloorMissions {
     }
   }
 
-  /** Whether it works for a mission that it cannot be taken from: it is not on its way home. */
+  /** Whether it works for a mission that it cannot be taken from: it is not driving home. */
   private boolean isBusy(String robot) {
     return state
         .missions

@@ -61,7 +61,7 @@ final class FloorReporter {
             .missionOf(robot.name())
             .map(m -> state.formations.driveGoal(m, robot.name()))
             .orElse(robot.drive.goal());
-    return robot.view(state.floor.name(), work, path);
+    return robot.view(work, path);
   }
 
   TaskView view(OpenMissions.DatedMission dated) {

@@ -27,9 +27,6 @@ import org.toqa.wording.Sentence;
 final class FloorRobot {
   private static final Logger log = LoggerFactory.getLogger(FloorRobot.class);
 
-  /** The diameter assumed of a robot that was never heard of: the smallest of ours, metres. */
-  static final double UNKNOWN_FOOTPRINT = 0.255;
-
   final ActorRef<RobotMessage> agent;
 
   /** What the robot says. */
@@ -44,10 +41,10 @@ final class FloorRobot {
   final ChargingState charging = new ChargingState();
   final HoldState hold = new HoldState();
 
-  /** That it stands and has nothing to do. */
+  /** That it is stopped and has nothing to do. */
   final ConditionTimer idle = new ConditionTimer();
 
-  /** That it stands before an obstacle on its path. */
+  /** That an obstacle on its path stops it. */
   final ConditionTimer obstructed = new ConditionTimer();
 
   private RobotRecord record;
@@ -77,7 +74,7 @@ final class FloorRobot {
 
   /** Kilograms that it may carry. */
   double maxLoad() {
-    return Math.min(record.maxLoad(), reported.capabilities().maxLoad());
+    return reported.capabilities().allowedLoad(record);
   }
 
   boolean isHeard() {
@@ -100,12 +97,12 @@ final class FloorRobot {
   }
 
   boolean isStanding() {
-    boolean stands =
+    boolean isStopped =
         reported.mode() == Mode.IDLE || (reported.mode() == Mode.HOLDING && !reported.isMoving());
-    return stands && hasNoDrive();
+    return isStopped && hasNoDrive();
   }
 
-  /** Whether it has ended or given up its drive and stands, well or not. */
+  /** Whether it has ended or given up its drive and is stopped, well or not. */
   boolean hasStopped() {
     return isHeard() && !reported.isMoving() && reported.mode() != Mode.DRIVING && hasNoDrive();
   }
@@ -132,7 +129,7 @@ final class FloorRobot {
   }
 
   RobotState state() {
-    RobotReport report = reported.report();
+    LastReport report = reported.report();
     return new RobotCondition(
             settings.isInService(),
             report.at() != null,
@@ -146,30 +143,19 @@ final class FloorRobot {
   /**
    * @param work its part in the mission that it belongs to
    */
-  RobotView view(String floor, @Nullable DriveGoal work, RemainingPath path) {
+  RobotView view(@Nullable DriveGoal work, RemainingPath path) {
     return new RobotView(
-        name(),
-        floor,
+        record,
+        reported.capabilities(),
         state(),
-        reported.pose(),
-        reported.battery(),
-        work == null ? null : work.task(),
-        work == null ? Phase.NONE : work.phase(),
-        maxLoad(),
-        reported.footprint(),
-        reported.capabilities().speeds().forward(),
-        record.host(),
-        record.port(),
-        record.parking(),
-        record.simulated(),
-        path.points(),
-        path.released(),
-        reported.report().errors(),
-        activity(work),
-        reported.report().at(),
-        hold.isHeld(),
-        charging.turn().map(Turn::point).orElse(null),
-        record.fingerprint(),
+        new RobotView.Work(
+            work == null ? null : work.task(),
+            work == null ? Phase.NONE : work.phase(),
+            hold.isHeld(),
+            charging.turn().map(Turn::point).orElse(null),
+            activity(work)),
+        reported.report().telemetry(),
+        path,
         reported.alert());
   }
 
@@ -218,9 +204,9 @@ final class FloorRobot {
     return known == null ? null : known.hex();
   }
 
-  /** Why its group stands, as the robot says; null where it does not. */
+  /** Why its group has stopped, as the robot reports it; null where it has not. */
   @Nullable String groupStopReason() {
-    RobotReport report = reported.report();
+    LastReport report = reported.report();
     return report.role() == Role.ALONE || report.errors().isEmpty()
         ? null
         : report.errors().getFirst().text();

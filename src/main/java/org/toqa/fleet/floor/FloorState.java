@@ -40,7 +40,7 @@ public final class FloorState {
   final OpenMissions missions = new OpenMissions();
   final Formations formations;
 
-  /** By a person's word, of all its robots; null: they may drive. */
+  /** By an operator, of all its robots; null: they may drive. */
   @Nullable Hold hold;
 
   /** Of the time that ticks bring. */

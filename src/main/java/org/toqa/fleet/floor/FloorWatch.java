@@ -66,7 +66,7 @@ final class FloorWatch {
         .toList();
   }
 
-  /** What a robot sees in the cell that it stands in fills the next one: it cannot be there. */
+  /** What a robot sees in the cell that it is in fills the next one: it cannot be there. */
   private Vec2 beyondOwnCell(Vec2 from, Vec2 percept) {
     Vec2 away = percept.minus(from);
     boolean isInOwnCell = floor.grid().cellAt(percept).equals(floor.grid().cellAt(from));
@@ -89,7 +89,7 @@ final class FloorWatch {
   }
 
   /**
-   * Asks the traffic who stands still; to be called after it decided.
+   * Asks the traffic who is at a standstill; to be called after it decided.
    *
    * @param mayStand whether a robot is not expected to move
    */

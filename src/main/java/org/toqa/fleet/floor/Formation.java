@@ -7,10 +7,10 @@ import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.traffic.floor.FormationFootprint;
 
 /**
- * Who stands where round a load that several robots pick up.
+ * Who is where round a load that several robots pick up.
  *
  * @param shape the leader first, as the mission names its robots
- * @param load where it is picked up, and which way it faces, map frame
+ * @param load where it is picked up, and with which heading, map frame
  * @param size of the load
  * @param group the same, as the traffic knows it
  */
@@ -22,7 +22,7 @@ record Formation(Shape shape, Pose load, LoadSize size, FormationFootprint group
   static final LoadSize DEFAULT_LOAD_SIZE = new LoadSize(0.3, 0.3);
 
   /**
-   * Where each robot stands to pick the load up; all face alike.
+   * Where each robot is to pick the load up; all face alike.
    *
    * @param index of the robot among the mission's, 0 for the leader
    */

@@ -20,10 +20,10 @@ import org.toqa.traffic.floor.FormationFootprint;
 import org.toqa.traffic.mapf.LacamJointPlanner;
 
 /**
- * Finds places round a load where all its robots can stand: {@link Shape#around}, turned east,
- * north, west or south until every place is clear of walls and the group has a path to the goal,
- * each place moved to the middle of a cell so that no two robots touch the same one. A function of
- * its arguments: a restarted server finds the same. Confined to one thread.
+ * Finds places round a load where all its robots can be: {@link Shape#around}, turned east, north,
+ * west or south until every place is clear of walls and the group has a path to the goal, each
+ * place moved to the middle of a cell so that no two robots touch the same one. A function of its
+ * arguments: a restarted server finds the same. Confined to one thread.
  */
 final class FormationPlacement {
   private static final int QUARTERS = 4;

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -60,7 +61,7 @@ final class Formations {
             .filter(Objects::nonNull)
             .mapToDouble(r -> r.reported.footprint())
             .max()
-            .orElse(FloorRobot.UNKNOWN_FOOTPRINT)
+            .orElse(RobotCapabilities.UNKNOWN.footprint())
         / 2;
   }
 
@@ -100,7 +101,7 @@ final class Formations {
     return carryingMission(robot).filter(m -> !leader(m).equals(robot));
   }
 
-  /** The formation that this robot leads now, its followers at their places or on the way. */
+  /** The formation that this robot leads now, its followers at their places or driving there. */
   Optional<Formation> ledFormation(String robot) {
     return carryingMission(robot)
         .filter(m -> leader(m).equals(robot) && isTogether(m))
@@ -133,7 +134,7 @@ final class Formations {
   }
 
   static boolean isFollowing(FloorRobot robot, Mission mission) {
-    RobotReport report = robot.reported.report();
+    LastReport report = robot.reported.report();
     return report.role() == Role.FOLLOWER
         && Objects.equals(report.task(), mission.id())
         && report.drive() != 0;
@@ -143,7 +144,7 @@ final class Formations {
   void updateTraffic() {
     formations.keySet().removeIf(key -> state.missions.get(key.task()).isEmpty());
     for (FloorRobot robot : state.robots.values()) {
-      RobotReport report = robot.reported.report();
+      LastReport report = robot.reported.report();
       Pose pose = report.pose();
       if (pose == null || report.at() == null) {
         continue;
@@ -222,8 +223,8 @@ final class Formations {
   }
 
   /**
-   * Why the whole group shall come to a stand before it is told otherwise; null: it need not.
-   * Robots that are stopped one by one would tear at the load.
+   * Why the whole group shall stop before it is told otherwise; null: it need not. Robots that are
+   * stopped one by one would tear at the load.
    */
   @Nullable Sentence stopReason(Mission mission) {
     if (!isGroup(mission) || mission.state() != TaskState.CARRYING) {
@@ -241,7 +242,7 @@ final class Formations {
   /** Whether it drives for the mission, but not where that leads now. */
   private static boolean isDrivingElsewhere(FloorRobot leader, Mission mission) {
     Vec2 goal = leader.drive.order().knownGoal();
-    RobotReport report = leader.reported.report();
+    LastReport report = leader.reported.report();
     return goal != null
         && report.drive() != 0
         && Objects.equals(report.task(), mission.id())

@@ -10,7 +10,7 @@ import org.toqa.mission.Mission;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
-/** Lets robots hold that shall stand where they are, and go on when nothing keeps them. */
+/** Lets robots hold that shall stop where they are, and go on when nothing keeps them. */
 final class HoldDispatcher {
   private static final Duration RESEND_AFTER = Duration.ofSeconds(1);
   private static final Duration STARTS_WITHIN = Duration.ofSeconds(30);

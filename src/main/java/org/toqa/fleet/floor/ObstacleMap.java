@@ -15,12 +15,12 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
 /**
- * What stands on a floor that its map does not show, as far as robots have seen it.
+ * Obstacles on a floor that its map does not show, as far as robots have seen it.
  *
  * <p>A percept marks the cell that it lies in; cells that touch are one obstacle. A cell is
  * forgotten {@link #REMEMBER_FOR} after it was last seen: robots go round it and so stop looking,
- * and nothing else would ever open the floor again where something was carried away. What still
- * stands there is seen once more by the next robot that comes near, at the price of a new plan.
+ * and nothing else would ever open the floor again where something was carried away. What still is
+ * still there is seen once more by the next robot that comes near, at the price of a new plan.
  *
  * <p>It knows no clock: time is handed in.
  */

@@ -12,7 +12,7 @@ import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
-/** What people want of a floor's robots: to stand, to go home, to be out of service, to be told. */
+/** Operator commands to a floor's robots: to hold, to go home, to be out of service, to be told. */
 final class OperatorCommandHandler {
   private final FloorState state;
   private final FloorReporter reports;
@@ -26,14 +26,14 @@ final class OperatorCommandHandler {
       FloorState state,
       FloorReporter reports,
       FloorMissions missions,
-      HoldDispatcher holding,
+      HoldDispatcher holds,
       HomeDispatcher homing,
       RobotEventHandler robotEvents,
       ActorRef<FloorMessage> self) {
     this.state = state;
     this.reports = reports;
     this.missions = missions;
-    this.holds = holding;
+    this.holds = holds;
     this.homing = homing;
     this.robotEvents = robotEvents;
     this.self = self;

@@ -2,6 +2,7 @@ package org.toqa.fleet.floor;
 
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.robot.RobotEvent.CommandRejected;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
@@ -13,20 +14,11 @@ import org.toqa.wording.Sentence;
 /** What a robot has said of itself. Only {@link RobotEventHandler} changes it. */
 final class ReportedState {
   private Contact contact;
-  private RobotReport report = RobotReport.NONE;
-  private Capabilities capabilities = Capabilities.UNKNOWN;
+  private LastReport report = LastReport.NONE;
+  private RobotCapabilities capabilities = RobotCapabilities.UNKNOWN;
   private @Nullable Sentence alert;
   private @Nullable CommandRejected rejectedChange;
-  private Instant strangerNotedAt = Instant.MIN;
-
-  /**
-   * @param footprint diameter, metres
-   * @param maxLoad kilograms that it says it carries
-   */
-  record Capabilities(double footprint, DriveSpeeds speeds, double maxLoad) {
-    static final Capabilities UNKNOWN =
-        new Capabilities(FloorRobot.UNKNOWN_FOOTPRINT, DriveSpeeds.DEFAULT, Double.MAX_VALUE);
-  }
+  private Instant refusalNotedAt = Instant.MIN;
 
   /**
    * @param now since when it is not heard
@@ -47,7 +39,7 @@ final class ReportedState {
     return contact.isConnected();
   }
 
-  RobotReport report() {
+  LastReport report() {
     return report;
   }
 
@@ -74,7 +66,7 @@ final class ReportedState {
     return report.drive();
   }
 
-  Capabilities capabilities() {
+  RobotCapabilities capabilities() {
     return capabilities;
   }
 
@@ -89,15 +81,15 @@ final class ReportedState {
   }
 
   /** When the history was last told whom it did not let in. */
-  Instant strangerNotedAt() {
-    return strangerNotedAt;
+  Instant refusalNotedAt() {
+    return refusalNotedAt;
   }
 
   void connected(Hello hello, Instant now) {
     contact = new Contact.Heard();
     report = report.with(hello, now);
     capabilities =
-        new Capabilities(
+        new RobotCapabilities(
             hello.footprint(), DriveSpeeds.DEFAULT.atMost(hello.maxSpeed()), hello.maxLoad());
     alert = null;
     rejectedChange = null;
@@ -105,7 +97,7 @@ final class ReportedState {
 
   void setReport(AgentMessage.State state, Instant now) {
     contact = contact.heardAgain();
-    report = RobotReport.of(state, now);
+    report = LastReport.of(state, now);
   }
 
   void setHeardAgain() {
@@ -131,7 +123,7 @@ final class ReportedState {
     report = report.withDrive(drive, task);
   }
 
-  /** A person has said that it does not stand there any more. */
+  /** A person has said that it is not there any more. */
   void forgetPose() {
     report = report.withoutPose();
   }
@@ -140,8 +132,8 @@ final class ReportedState {
     alert = why;
   }
 
-  void setStrangerNotedAt(Instant at) {
-    strangerNotedAt = at;
+  void setRefusalNotedAt(Instant at) {
+    refusalNotedAt = at;
   }
 
   /** A change of its drive was refused; its next report tells whether it still drives that. */

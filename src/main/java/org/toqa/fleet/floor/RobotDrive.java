@@ -69,11 +69,6 @@ final class RobotDrive {
     return notBefore.isAfter(now);
   }
 
-  void postpone(Instant until, Sentence why) {
-    notBefore = until;
-    waitReason = why;
-  }
-
   // --- what it was told -------------------------------------------------------------------------
 
   DriveOrder order() {
@@ -111,6 +106,28 @@ final class RobotDrive {
   /** It has taken the drive, or never will. */
   void settle() {
     order = order.settled();
+  }
+
+  /**
+   * It says that it has taken a drive.
+   *
+   * @param number of the drive; 0: it has none
+   * @return whether that is the one that it was told
+   */
+  boolean settle(long number) {
+    boolean isTold = order.isOf(number);
+    if (isTold) {
+      settle();
+    }
+    return isTold;
+  }
+
+  /** It has refused what it was told, and shall not be told anew before a time. */
+  void abandonCommand(Instant until, Sentence why) {
+    settle();
+    endCancelling();
+    notBefore = until;
+    waitReason = why;
   }
 
   void cancel() {

@@ -25,9 +25,9 @@ import org.toqa.wording.Sentence;
 /** Takes in what a floor's robots say, and tells the traffic and the missions. */
 final class RobotEventHandler {
   private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
-  private static final Duration STRANGERS_INTERVAL = Duration.ofMinutes(5);
+  private static final Duration REFUSALS_INTERVAL = Duration.ofMinutes(5);
 
-  /** The robot's word for connections that it did not take. */
+  /** The code by which a robot reports connections that it refused. */
   private static final String REFUSED = "REFUSED";
 
   private final FloorState state;
@@ -75,7 +75,7 @@ final class RobotEventHandler {
     robot.reported.setAlert(null);
   }
 
-  /** A person said of a lost robot that it does not stand there any more. */
+  /** A person said of a lost robot that it is not there any more. */
   void forgetPose(FloorRobot robot) {
     robot.reported.forgetPose();
     robot.drive.settle();
@@ -112,20 +112,17 @@ final class RobotEventHandler {
 
   private void stateReported(FloorRobot robot, AgentMessage.State said) {
     robot.reported.setReport(said, state.clock.instant());
-    recordStrangers(robot);
+    recordRefusedConnections(robot);
     RobotEvent.CommandRejected refusal = robot.reported.takeRejectedChange();
     if (refusal != null && Objects.equals(refusal.changing(), said.drive())) {
       abandonCommand(robot, refusal.reason());
     } // else the change and the end of the drive had crossed
     if (state.formations.isCoveredByLeader(robot.name())) {
-      if (robot.drive.order().isOf(said.drive())) {
-        robot.drive.settle();
-      }
+      robot.drive.settle(said.drive());
       if (said.drive() == 0) {
         robot.drive.endCancelling();
       }
-    } else if (robot.drive.order().isOf(said.drive())) {
-      robot.drive.settle();
+    } else if (robot.drive.settle(said.drive())) {
       if (state.traffic.hasRobot(robot.name())) {
         state.traffic.reportProgress(robot.name(), said.pose(), said.segment(), state.now);
       } else {
@@ -155,18 +152,18 @@ final class RobotEventHandler {
   }
 
   /** Tells the history whom the robot did not let in; of many, a few. */
-  private void recordStrangers(FloorRobot robot) {
+  private void recordRefusedConnections(FloorRobot robot) {
     Optional<Fault> refusal =
         robot.reported.report().errors().stream().filter(e -> e.code().equals(REFUSED)).findFirst();
-    Instant notedAt = robot.reported.strangerNotedAt();
-    if (refusal.isPresent() && !notedAt.plus(STRANGERS_INTERVAL).isAfter(state.now)) {
-      robot.reported.setStrangerNotedAt(state.now);
+    Instant notedAt = robot.reported.refusalNotedAt();
+    if (refusal.isPresent() && !notedAt.plus(REFUSALS_INTERVAL).isAfter(state.now)) {
+      robot.reported.setRefusalNotedAt(state.now);
       addToHistory(
           robot,
-          EventKind.ROBOT_STRANGER,
+          EventKind.ROBOT_CONNECTION_REFUSED,
           Phrase.STRANGER_NOT_LET_IN.with(robot.name(), refusal.get().text()));
     } else if (refusal.isEmpty()) {
-      robot.reported.setStrangerNotedAt(Instant.MIN);
+      robot.reported.setRefusalNotedAt(Instant.MIN);
     }
   }
 
@@ -175,7 +172,7 @@ final class RobotEventHandler {
   }
 
   private static boolean isBraking(FloorRobot robot) {
-    RobotReport report = robot.reported.report();
+    LastReport report = robot.reported.report();
     return report.mode() == Mode.DRIVING || (report.mode() == Mode.HOLDING && report.moving());
   }
 
@@ -214,14 +211,13 @@ final class RobotEventHandler {
 
   /** A drive may be so short that no state of the robot ever tells of it. */
   private static void driveAccepted(FloorRobot robot, long drive) {
-    Optional<StoredDrive> told = robot.drive.order().storedDrive().filter(d -> d.seq() == drive);
-    if (told.isPresent()) {
-      robot.drive.settle();
-      robot.reported.setDrive(drive, told.get().task()); // a cancel must name it
+    if (robot.drive.settle(drive)) {
+      Long task = robot.drive.order().storedDrive().orElseThrow().task();
+      robot.reported.setDrive(drive, task); // a cancel must name it
     }
   }
 
-  /** A drive may have ended while a change of it was on its way; its next state tells. */
+  /** A drive may have ended while a change of it was being sent; its next state tells. */
   private void commandRejected(FloorRobot robot, RobotEvent.CommandRejected m) {
     if (m.changing() == null) {
       abandonCommand(robot, m.reason());
@@ -230,11 +226,9 @@ final class RobotEventHandler {
     }
   }
 
-  /** What the robot refused is given up: it stands, and is asked anew a little later. */
+  /** What the robot refused is given up: it is stopped, and is asked anew a little later. */
   private void abandonCommand(FloorRobot robot, String reason) {
-    robot.drive.settle();
-    robot.drive.endCancelling();
-    robot.drive.postpone(
+    robot.drive.abandonCommand(
         state.now.plus(RETRY_AFTER), Phrase.REFUSED_A_COMMAND.with(robot.name(), reason));
     Pose pose = robot.reported.pose();
     if (robot.reported.drive() != 0) {

@@ -38,7 +38,7 @@ final class RobotWatch {
   Optional<OfRobot> missionEvent(FloorRobot robot, @Nullable TaskPlace place, Instant now) {
     if (!robot.settings.isInService()) {
       if (robot.isHeard() && !robot.hasStopped()) {
-        return Optional.empty(); // where it will stand is not known yet
+        return Optional.empty(); // where it will stop is not known yet
       }
       return Optional.of(new MissionEvent.RobotWithdrawn(robot.name(), place));
     }

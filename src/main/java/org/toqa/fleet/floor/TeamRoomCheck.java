@@ -1,12 +1,13 @@
 package org.toqa.fleet.floor;
 
 import java.util.Optional;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
-/** Whether a floor has room for robots that carry a load together, all the way. */
+/** Whether a floor has room for robots that carry a load together, along the whole path. */
 public final class TeamRoomCheck {
   private final FormationPlacement places;
 
@@ -24,7 +25,7 @@ public final class TeamRoomCheck {
                     mission.task().goal().position(),
                     robots,
                     mission.task().size(),
-                    FloorRobot.UNKNOWN_FOOTPRINT / 2)
+                    RobotCapabilities.UNKNOWN.footprint() / 2)
                 .isPresent();
     return isPossible
         ? Optional.empty()

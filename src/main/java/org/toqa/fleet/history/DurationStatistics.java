@@ -15,7 +15,11 @@ import org.toqa.statistics.Percentiles;
 public record DurationStatistics(int count, double mean, double median, double p90) {
   private static final double MICROSECONDS = 1e6;
 
-  /** Null where there is nothing to say. */
+  /**
+   * Of durations of tasks, in any order; null where there are none.
+   *
+   * @param microseconds one duration a task, at least 0
+   */
   public static @Nullable DurationStatistics of(long[] microseconds) {
     if (microseconds.length == 0) {
       return null;

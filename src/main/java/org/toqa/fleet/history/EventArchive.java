@@ -8,10 +8,19 @@ import org.toqa.fleet.EventRecord;
 /** Reads everything that has happened. Called by threads that may wait. */
 public interface EventArchive {
 
-  /** Events that come before the one with that id, newest first. */
+  /**
+   * Events that come before the one with that id, newest first.
+   *
+   * @param before an id; those of later events are higher
+   * @param limit how many at most
+   */
   List<Entry> events(Filter filter, long before, int limit);
 
-  /** One line of the history and its place in it. */
+  /**
+   * One line of the history and its place in it.
+   *
+   * @param id rises with every event
+   */
   record Entry(long id, EventRecord event) {}
 
   /**

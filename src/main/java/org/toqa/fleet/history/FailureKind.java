@@ -14,7 +14,7 @@ public enum FailureKind {
   ROBOT_CHARGES(EventKind.TASK_ROBOT_CHARGES),
   /** A deadline could not be met any more. */
   LATE(EventKind.TASK_LATE),
-  /** Robots stood before each other. */
+  /** Robots blocked each other. */
   STANDSTILL(EventKind.TRAFFIC_STANDSTILL),
   CHARGER_FAILS(EventKind.ROBOT_CHARGER_FAILS);
 

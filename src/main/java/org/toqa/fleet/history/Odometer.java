@@ -7,7 +7,7 @@ import org.toqa.geometry.Vec2;
 
 /** Adds up the distance that a robot drives, from where it is seen. */
 final class Odometer {
-  /** Metres; what is nearer may be the shiver of one that stands. */
+  /** Metres; a shorter distance may be noise of a stopped robot's pose. */
   private static final double STEP = 0.05;
 
   /** Who is seen farther off than so many times what it can drive was put there, or put right. */

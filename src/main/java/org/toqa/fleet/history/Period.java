@@ -83,11 +83,14 @@ public record Period(LocalDate from, LocalDate to, ZoneId zone, Step step, List<
     return borders.getLast();
   }
 
+  /** How many buckets it is divided into, at least one. */
   public int bucketCount() {
     return borders.size() - 1;
   }
 
   /**
+   * The bucket that the moment is in, counted from 0.
+   *
    * @param moment within the period
    */
   public int bucketIndex(Instant moment) {

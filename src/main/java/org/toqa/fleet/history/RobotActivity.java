@@ -5,14 +5,14 @@ import org.toqa.fleet.RobotView;
 
 /** What a robot spends its time with. */
 public enum RobotActivity {
-  /** Fetches a load or carries it, also while it makes way for others. */
+  /** Fetches a load or carries it, also while it makes room for others. */
   WORKING,
-  /** Drives without a load to fetch or carry: home, to a charging point, out of the way. */
+  /** Drives without a load to fetch or carry: home, to a charging point, to make room. */
   TRAVELLING,
   CHARGING,
-  /** Stands, and could be given a task. */
+  /** Is stopped, and could be given a task. */
   IDLE,
-  /** A person has it stand: by itself, with its task, its floor or the whole fleet. */
+  /** An operator put it on hold: by itself, with its task, its floor or the whole fleet. */
   HELD,
   /** Reports an error, or does not know where it is. */
   TROUBLED,
@@ -31,10 +31,10 @@ public enum RobotActivity {
   }
 
   private static RobotActivity ofOperational(RobotView robot) {
-    if (robot.held()) {
+    if (robot.work().held()) {
       return HELD;
     }
-    if (robot.phase().isCarryingTask()) {
+    if (robot.work().phase().isCarryingTask()) {
       return WORKING;
     }
     return robot.state() == RobotState.IDLE ? IDLE : TRAVELLING;

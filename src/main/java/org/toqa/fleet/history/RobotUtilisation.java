@@ -9,11 +9,12 @@ import java.util.stream.Stream;
  *
  * @param time how long it did what, as far as the server ran; every use is there
  * @param metres that it drove
- * @param battery how much its battery fell; 1 is a full one
+ * @param battery the sum of all falls of its charge, as a share of a full battery; at least 0
  */
 public record RobotUtilisation(
     String robot, Map<RobotActivity, Duration> time, double metres, double battery) {
 
+  /** How long it did that, in seconds, to the millisecond. */
   public double seconds(RobotActivity use) {
     return time.getOrDefault(use, Duration.ZERO).toMillis() / 1000.0;
   }

@@ -10,6 +10,7 @@ import org.slf4j.LoggerFactory;
 import org.toqa.fleet.PeriodicWork;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Telemetry;
 import org.toqa.fleet.SnapshotFeed;
 import org.toqa.persistence.StoreException;
 
@@ -45,10 +46,11 @@ public final class TrackRecorder implements AutoCloseable {
   }
 
   private void observe(RobotView robot) {
-    if (robot.pose() != null && robot.lastSeen() != null && robot.state() != RobotState.LOST) {
+    Telemetry seen = robot.telemetry();
+    if (seen.pose() != null && seen.lastSeen() != null && robot.state() != RobotState.LOST) {
       thinners
           .computeIfAbsent(robot.name(), TrackThinner::new)
-          .add(robot.lastSeen(), robot.pose().position())
+          .add(seen.lastSeen(), seen.pose().position())
           .ifPresent(waiting::add);
     }
   }

@@ -13,8 +13,8 @@ import org.toqa.geometry.Vec2;
  * that pass it closely enough at its moment; a position outside of what all of them have in common
  * means that the one before it is kept. That takes the same few numbers however long the track (the
  * swing filter of Elmeleegy, Elmagarmid, Cecchet, Aref and Zwaenepoel, "Online piece-wise linear
- * approximation of numerical streams with precision guarantees", 2009). A robot that stands costs
- * nothing.
+ * approximation of numerical streams with precision guarantees", 2009). A robot that is stopped
+ * costs nothing.
  */
 final class TrackThinner {
   /** Metres along each axis by which the track may be beside where the robot was at a moment. */

@@ -6,6 +6,7 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Telemetry;
 
 /** Measures what one robot does, by looking at it again and again. */
 final class UtilisationMeter {
@@ -69,11 +70,13 @@ final class UtilisationMeter {
   }
 
   private void measure(RobotView view) {
-    if (view.pose() != null && view.lastSeen() != null) {
-      metres += odometer.add(view.lastSeen(), view.pose().position(), pace * view.speed());
+    Telemetry seen = view.telemetry();
+    if (seen.pose() != null && seen.lastSeen() != null) {
+      double speed = pace * view.capabilities().speeds().forward();
+      metres += odometer.add(seen.lastSeen(), seen.pose().position(), speed);
     }
-    if (view.battery() != null) {
-      battery += drain.add(view.battery());
+    if (seen.battery() != null) {
+      battery += drain.add(seen.battery());
     }
   }
 

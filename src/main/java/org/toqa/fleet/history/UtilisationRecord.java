@@ -9,7 +9,7 @@ import java.util.Map;
  *
  * @param time how long it did what; what is not in it took no time
  * @param metres that it drove
- * @param battery how much its battery fell; 1 is a full one
+ * @param battery the sum of all falls of its charge, as a share of a full battery; at least 0
  */
 public record UtilisationRecord(
     String robot, Instant at, Map<RobotActivity, Duration> time, double metres, double battery) {

@@ -10,7 +10,8 @@ import org.jspecify.annotations.Nullable;
  * @param delivery from order to delivery, over the tasks that were delivered then
  * @param completion from order to the end, over the tasks that were done then
  * @param metres that all robots drove
- * @param battery how much all batteries fell; 1 is a full one
+ * @param battery the sum of all falls of charge of all batteries, as a share of a full one; at
+ *     least 0
  * @param failures how often; every kind is there
  */
 public record WorkStatistics(
@@ -25,6 +26,7 @@ public record WorkStatistics(
     double battery,
     Map<FailureKind, Long> failures) {
 
+  /** Failures of all kinds, counted. */
   public long failureCount() {
     return failures.values().stream().mapToLong(Long::longValue).sum();
   }

@@ -59,7 +59,7 @@ final class AllocationRounds {
   /** Tasks for several robots that have no room round the load, and why. */
   private final Map<Long, Sentence> tasksWithoutRoom = new HashMap<>();
 
-  /** Floors with a round under way. */
+  /** Floors with a running round. */
   private final Set<String> deciding = new HashSet<>();
 
   AllocationRounds(

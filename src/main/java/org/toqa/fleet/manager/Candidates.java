@@ -7,11 +7,12 @@ import org.toqa.allocation.Availability;
 import org.toqa.allocation.Candidate;
 import org.toqa.fleet.RobotCondition;
 import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.Place;
 
-/** A floor's robots, as its reports tell of them, in the eyes of an allocator. */
+/** A floor's robots, as reported by it, as an allocator's input. */
 final class Candidates {
   private Candidates() {}
 
@@ -25,21 +26,22 @@ final class Candidates {
   }
 
   private static Candidate of(FloorMap floor, RobotView robot, Availability availability) {
-    Vec2 position = robot.pose() == null ? floor.grid().origin() : robot.pose().position();
+    Pose pose = robot.telemetry().pose();
+    Vec2 position = pose == null ? floor.grid().origin() : pose.position();
     Vec2 parking =
-        Optional.ofNullable(robot.parking())
+        Optional.ofNullable(robot.record().parking())
             .flatMap(floor::place)
             .map(Place::position)
             .orElse(position);
     return new Candidate(
         robot.name(),
         robot.maxLoad(),
-        robot.footprint(),
-        robot.speed(),
+        robot.capabilities().footprint(),
+        robot.capabilities().speeds().forward(),
         position,
         parking,
-        robot.battery(),
+        robot.telemetry().battery(),
         availability,
-        availability == Availability.BUSY ? robot.task() : null);
+        availability == Availability.BUSY ? robot.work().task() : null);
   }
 }

@@ -38,16 +38,15 @@ final class DeadlineWatch {
   }
 
   /**
-   * @param earliest empty where that cannot be said now
+   * @param delivery the earliest one
    * @return a sentence if it has just become clear that the task will be late
    */
-  Optional<Sentence> check(TaskView task, Optional<Delivery> earliest, Instant now) {
+  Optional<Sentence> check(TaskView task, Delivery delivery, Instant now) {
     Instant deadline = task.task().deadline();
-    if (deadline == null || earliest.isEmpty()) {
+    if (deadline == null) {
       return Optional.empty();
     }
     boolean isNew = !reportedBefore.remove(task.id());
-    Delivery delivery = earliest.get();
     Duration left = Duration.ofMillis(Math.round(delivery.left().toMillis() / pace));
     Duration after = Duration.between(deadline, now.plus(left));
     if (!after.isPositive()) {

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.PathLengths;
@@ -21,42 +22,49 @@ import org.toqa.mission.TaskState;
  */
 final class DeliveryForecast {
   private final PathLengths travel;
+  private final List<RobotView> robots;
+  private final Map<Long, TaskView> assigned;
 
   /**
    * @param left until it is delivered, of the fleet's time
    */
   record Delivery(String robot, Duration left) {}
 
-  DeliveryForecast(PathLengths travel) {
+  /**
+   * For the tasks of one floor.
+   *
+   * @param assigned tasks that robots have
+   */
+  DeliveryForecast(PathLengths travel, List<RobotView> robots, List<TaskView> assigned) {
     this.travel = travel;
+    this.robots = robots;
+    this.assigned = assigned.stream().collect(Collectors.toMap(TaskView::id, task -> task));
   }
 
   /**
-   * @param robots of the task's floor
-   * @param tasks those that robots have, by id
    * @return empty where no robot can carry it alone now
    */
-  Optional<Delivery> earliestDelivery(
-      TaskView task, List<RobotView> robots, Map<Long, TaskView> tasks) {
+  Optional<Delivery> earliestDelivery(TaskView task) {
     Stream<RobotView> able =
         task.robots().isEmpty()
             ? robots.stream().filter(r -> r.maxLoad() >= task.task().load())
             : robots.stream().filter(r -> task.robots().contains(r.name()));
-    return able.flatMap(
-            robot -> metres(task, robot, tasks).stream().map(m -> deliveryAfter(robot, m)))
+    return able.flatMap(robot -> metres(task, robot).stream().map(m -> deliveryAfter(robot, m)))
         .min(Comparator.comparing(Delivery::left));
   }
 
   private static Delivery deliveryAfter(RobotView robot, double metres) {
-    return new Delivery(robot.name(), Duration.ofMillis(Math.round(1000 * metres / robot.speed())));
+    double seconds = metres / robot.capabilities().speeds().forward();
+    return new Delivery(robot.name(), Duration.ofMillis(Math.round(1000 * seconds)));
   }
 
-  private Optional<Double> metres(TaskView task, RobotView robot, Map<Long, TaskView> tasks) {
-    Pose pose = robot.pose();
+  private Optional<Double> metres(TaskView task, RobotView robot) {
+    Pose pose = robot.telemetry().pose();
     if (pose == null || !robot.state().isFit()) {
       return Optional.empty();
     }
-    TaskView current = robot.task() == null ? null : tasks.get(robot.task());
+    Long currentId = robot.work().task();
+    TaskView current = currentId == null ? null : assigned.get(currentId);
     double metres = remainingMetres(robot, pose.position(), task, current);
     return Double.isFinite(metres) ? Optional.of(metres) : Optional.empty();
   }
@@ -73,7 +81,7 @@ final class DeliveryForecast {
         + metresToDelivery(robot, current.task().goal().position(), task);
   }
 
-  /** With the load on board, or by way of where it is. */
+  /** With the load on board, or through where it is. */
   private double metresToDelivery(RobotView robot, Vec2 from, TaskView task) {
     Vec2 goal = task.task().goal().position();
     if (task.state() == TaskState.CARRYING) {
@@ -84,6 +92,6 @@ final class DeliveryForecast {
   }
 
   private double metres(RobotView robot, Vec2 from, Vec2 to) {
-    return travel.lengthsFrom(to, robot.footprint()).applyAsDouble(from);
+    return travel.lengthsFrom(to, robot.capabilities().footprint()).applyAsDouble(from);
   }
 }

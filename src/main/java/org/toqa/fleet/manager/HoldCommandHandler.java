@@ -21,8 +21,8 @@ import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * What is on hold by a person's word: all robots, or those of a floor. Robots hold at once, and go
- * on only when that is stored. Confined to the manager's agent.
+ * What is on hold by an operator: all robots, or those of a floor. Robots hold at once, and go on
+ * only when that is stored. Confined to the manager's agent.
  */
 final class HoldCommandHandler {
   private final FleetStore store;

@@ -34,7 +34,8 @@ import org.toqa.mission.TaskState;
 
 /**
  * Takes tasks, keeps their queue, decides who carries what, and publishes snapshots of the whole
- * fleet. An accepted task is stored before its asker is answered; robots are given it by its floor.
+ * fleet. An accepted task is stored before its caller is answered; robots are given it by its
+ * floor.
  */
 final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private static final Logger log = LoggerFactory.getLogger(ManagerAgent.class);
@@ -48,7 +49,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final TaskCommandHandler taskCommands;
   private final RobotCommandHandler robotCommands;
 
-  /** Floors whose tick is under way. */
+  /** Floors whose tick is running. */
   private final Set<String> ticking = new HashSet<>();
 
   static Behavior<ManagerMessage> of(
@@ -89,19 +90,19 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     List<OpenTask> open = store.openTasks();
     Set<Long> toldBefore = open.stream().map(t -> t.mission().id()).collect(Collectors.toSet());
     PathQuery paths = new PathQuery(runtime.threadPerTaskExecutor("path"));
-    OrderValidator check = new OrderValidator(floorMaps, paths);
-    this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore));
+    OrderValidator validator = new OrderValidator(floorMaps, paths);
+    this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore), self);
     this.rounds = new AllocationRounds(fleet, allocator, paths, self);
     this.snapshotPublisher =
         new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, latest);
     this.taskCommands =
         new TaskCommandHandler(
-            fleet, rounds, lateTasks, storeHealth, check, allocator, paths, self);
+            fleet, rounds, lateTasks, storeHealth, validator, allocator, paths, self);
     this.robotCommands =
         new RobotCommandHandler(
             fleet,
             snapshotPublisher,
-            check,
+            validator,
             new RobotRegistrar(links, store, fleet.writer, clock, runtime),
             self);
     recover(floorMaps, open, links, rules, now);
@@ -212,6 +213,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.FloorHoldEnded m -> holdCommands.floorHoldEnded(m.floor());
       case ManagerMessage.FromFloor m -> handle(m.event());
       case ManagerMessage.AllocationDecided m -> rounds.allocationDecided(m);
+      case ManagerMessage.DeadlinesChecked m -> lateTasks.deadlinesChecked(m);
+      case ManagerMessage.QueuedDeadlinesChecked m -> lateTasks.queuedDeadlinesChecked(m);
       case ManagerMessage.StoreHealthChanged m ->
           snapshotPublisher.publish(); // also where simulated time stands still
       case ManagerMessage.Tick m -> tick(m.now());

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.function.Consumer;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
@@ -21,6 +22,7 @@ import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorEvent;
+import org.toqa.fleet.manager.DeliveryForecast.Delivery;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
@@ -170,6 +172,23 @@ public sealed interface ManagerMessage {
    * @param teams by task: whether the robots that were chosen to carry it together have room
    */
   record AllocationDecided(String floor, List<Decision> decisions, Map<Long, TeamFinding> teams)
+      implements ManagerMessage {}
+
+  /**
+   * The open deadlines have been looked at.
+   *
+   * @param earliest when tasks can be delivered, by task, where that can be said
+   */
+  record DeadlinesChecked(Map<Long, Delivery> earliest) implements ManagerMessage {}
+
+  /**
+   * The deadlines of tasks that have just come into the queue have been looked at.
+   *
+   * @param earliest when tasks can be delivered, by task, where that can be said
+   * @param reply is given the tasks with what is known of their deadlines
+   */
+  record QueuedDeadlinesChecked(
+      List<TaskView> tasks, Map<Long, Delivery> earliest, Consumer<List<TaskView>> reply)
       implements ManagerMessage {}
 
   /** The store has stopped or begun to answer. */

@@ -32,7 +32,7 @@ import org.toqa.wording.Sentence;
 
 /** Checks orders against the floors before anything of them is stored. Any thread may ask. */
 final class OrderValidator {
-  /** Half the diameter of the smallest robot there is, metres: where it cannot stand, none can. */
+  /** Half the diameter of the smallest robot there is, metres: where it cannot be, none can. */
   static final double SMALLEST_RADIUS = 0.1275;
 
   private final List<FloorMap> floors;
@@ -92,19 +92,7 @@ final class OrderValidator {
     if (grid.cellAt(from.position()).equals(grid.cellAt(to.position()))) {
       return new Answer.Rejected<>("goal", Phrase.SAME_PLACE.with());
     }
-    return new Answer.Accepted<>(
-        new TransportTask(
-            0,
-            order.name(),
-            order.load(),
-            from,
-            to,
-            floor.get().name(),
-            order.priority(),
-            order.deadline(),
-            order.size(),
-            user,
-            now));
+    return new Answer.Accepted<>(order.task(from, to, floor.get().name(), user, now));
   }
 
   private CompletionStage<Answer<TransportTask>> checkPath(TransportTask task) {
@@ -233,7 +221,7 @@ final class OrderValidator {
     return end == Phrase.START ? "start" : "goal";
   }
 
-  /** Whether the smallest robot can stand on the point itself, or in the middle of its cell. */
+  /** Whether the smallest robot can be on the point itself, or in the middle of its cell. */
   private boolean canStand(FloorMap floor, Vec2 point) {
     OccupancyGrid grid = floor.grid();
     return standable(floor).isFree(grid.cellAt(point))

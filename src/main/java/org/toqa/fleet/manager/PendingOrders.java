@@ -5,8 +5,8 @@ import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Submitted orders whose checks are under way: whichever check ends first, they go on in the order
- * in which they came. Confined to one agent.
+ * Submitted orders whose checks are running: whichever check ends first, they go on in the order in
+ * which they came. Confined to one agent.
  */
 final class PendingOrders {
   private final Deque<Pending> inOrder = new ArrayDeque<>();

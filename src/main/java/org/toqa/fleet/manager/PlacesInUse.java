@@ -57,8 +57,8 @@ final class PlacesInUse {
   /** Those who still work for it. */
   private static List<Pose> robotPoses(TaskView task, List<RobotView> robots) {
     return robots.stream()
-        .filter(r -> Long.valueOf(task.id()).equals(r.task()))
-        .flatMap(r -> Stream.<@Nullable Pose>ofNullable(r.pose()))
+        .filter(r -> Long.valueOf(task.id()).equals(r.work().task()))
+        .flatMap(r -> Stream.<@Nullable Pose>ofNullable(r.telemetry().pose()))
         .toList();
   }
 }

@@ -25,13 +25,13 @@ final class RobotCommandHandler {
   RobotCommandHandler(
       FleetState fleet,
       SnapshotPublisher snapshotPublisher,
-      OrderValidator check,
-      RobotRegistrar intake,
+      OrderValidator validator,
+      RobotRegistrar registrar,
       ActorRef<ManagerMessage> self) {
     this.fleet = fleet;
     this.snapshotPublisher = snapshotPublisher;
-    this.validator = check;
-    this.registrar = intake;
+    this.validator = validator;
+    this.registrar = registrar;
     this.self = self;
   }
 

@@ -27,21 +27,21 @@ final class SnapshotPublisher {
   private final AllocationRounds rounds;
   private final LateTaskReporter lateTasks;
   private final HoldCommandHandler holds;
-  private final StoreHealthCheck storeWatch;
+  private final StoreHealthCheck storeHealth;
   private final LatestSnapshot latest;
 
   SnapshotPublisher(
       FleetState fleet,
       AllocationRounds rounds,
-      LateTaskReporter late,
+      LateTaskReporter lateTasks,
       HoldCommandHandler holds,
-      StoreHealthCheck storeWatch,
+      StoreHealthCheck storeHealth,
       LatestSnapshot latest) {
     this.fleet = fleet;
     this.rounds = rounds;
-    this.lateTasks = late;
+    this.lateTasks = lateTasks;
     this.holds = holds;
-    this.storeWatch = storeWatch;
+    this.storeHealth = storeHealth;
     this.latest = latest;
   }
 
@@ -50,7 +50,7 @@ final class SnapshotPublisher {
     List<RobotView> views = new ArrayList<>();
     Map<Long, TaskView> tasks = new HashMap<>();
     Set<Sentence> alerts = new LinkedHashSet<>();
-    if (!storeWatch.isAvailable()) {
+    if (!storeHealth.isAvailable()) {
       alerts.add(StoreHealthCheck.DATABASE_AWAY);
     }
     fleet.ended.forEach(t -> tasks.put(t.id(), t));

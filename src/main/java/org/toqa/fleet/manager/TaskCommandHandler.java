@@ -36,7 +36,7 @@ import org.toqa.wording.Phrase;
  * <ol>
  *   <li>An order is checked, by plans of other threads, and comes back as a message.
  *   <li>It is adopted if the fleet is still strong enough for it, and checked again otherwise.
- *   <li>It is stored, and comes back as a message; then its asker is answered.
+ *   <li>It is stored, and comes back as a message; then its caller is answered.
  * </ol>
  */
 final class TaskCommandHandler {
@@ -54,17 +54,17 @@ final class TaskCommandHandler {
   TaskCommandHandler(
       FleetState fleet,
       AllocationRounds rounds,
-      LateTaskReporter late,
-      StoreHealthCheck storeWatch,
-      OrderValidator check,
+      LateTaskReporter lateTasks,
+      StoreHealthCheck storeHealth,
+      OrderValidator validator,
       Allocator allocator,
       PathQuery paths,
       ActorRef<ManagerMessage> self) {
     this.fleet = fleet;
     this.rounds = rounds;
-    this.lateTasks = late;
-    this.storeHealth = storeWatch;
-    this.validator = check;
+    this.lateTasks = lateTasks;
+    this.storeHealth = storeHealth;
+    this.validator = validator;
     this.allocator = allocator;
     this.paths = paths;
     this.self = self;
@@ -254,44 +254,26 @@ final class TaskCommandHandler {
   }
 
   void taskStored(ManagerMessage.TaskStored m) {
-    Enqueued queued = enqueue(List.of(m.task()));
-    answer(queued, m.replyTo(), new Answer.Accepted<>(queued.tasks().getFirst()));
+    lateTasks.checkQueued(
+        enqueue(List.of(m.task())),
+        tasks -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(tasks.getFirst()))));
   }
 
   void tasksStored(ManagerMessage.TasksStored m) {
-    Enqueued queued = enqueue(m.tasks());
-    answer(queued, m.replyTo(), new BatchAnswer.Accepted(queued.tasks()));
+    lateTasks.checkQueued(
+        enqueue(m.tasks()),
+        tasks -> m.replyTo().tell(StatusReply.success(new BatchAnswer.Accepted(tasks))));
   }
 
-  /**
-   * New tasks that have come into the queue.
-   *
-   * @param late events of those that will be late
-   */
-  private record Enqueued(List<TaskView> tasks, List<EventRecord> late) {}
-
-  private Enqueued enqueue(List<TransportTask> tasks) {
+  private List<TaskView> enqueue(List<TransportTask> tasks) {
     List<TaskView> views = new ArrayList<>();
-    List<EventRecord> late = new ArrayList<>();
     for (TransportTask task : tasks) {
       fleet.queue.add(Mission.queued(task), task.createdAt(), true);
       fleet.dueFloors.add(task.floor());
-      TaskView queued = fleet.view(task.id(), FleetState.LOOKING_FOR_ROBOT);
-      lateTasks.check(queued).ifPresent(late::add);
-      views.add(lateTasks.withLateness(queued));
+      views.add(fleet.view(task.id(), FleetState.LOOKING_FOR_ROBOT));
     }
     fleet.changed = true;
-    return new Enqueued(views, late);
-  }
-
-  private <T> void answer(Enqueued queued, ActorRef<StatusReply<T>> replyTo, T answer) {
-    if (queued.late().isEmpty()) {
-      replyTo.tell(StatusReply.success(answer));
-    } else {
-      fleet.writer.write(
-          () -> fleet.store.addEvents(queued.late()),
-          () -> replyTo.tell(StatusReply.success(answer)));
-    }
+    return views;
   }
 
   /** A task that has robots is its floor's; the floor hands back what it does not have. */

@@ -57,10 +57,10 @@ final class TaskExchanges {
 
   private static boolean isDrivingToLoad(TaskView task, @Nullable RobotView robot) {
     return robot != null
-        && !robot.held()
+        && !robot.work().held()
         && (robot.state() == RobotState.DRIVING || robot.state() == RobotState.IDLE)
-        && robot.phase() == Phase.TO_OBJECT
-        && Long.valueOf(task.id()).equals(robot.task());
+        && robot.work().phase() == Phase.TO_OBJECT
+        && Long.valueOf(task.id()).equals(robot.work().task());
   }
 
   /**

@@ -13,15 +13,15 @@ import org.toqa.fleet.StoreWriter;
 import org.toqa.mission.TransportTask;
 
 /**
- * Stores new tasks so that their askers hear the truth: a task that was accepted is stored, and one
- * that was not is not stored later, when nobody waits for it any more. Of tasks that are wanted
- * together all are stored or none.
+ * Stores new tasks so that their callers are told the truth: a task that was accepted is stored,
+ * and one that was not is not stored later, when nobody waits for it any more. Of tasks that are
+ * wanted together all are stored or none.
  *
  * <p>All that came in during one transaction go into the next one together (group commit), so that
- * many askers wait hardly longer than one. Any thread may bring tasks.
+ * many callers wait hardly longer than one. Any thread may bring tasks.
  */
 final class TaskSubmitter {
-  /** Shorter than any asker waits for the answer. */
+  /** Shorter than any caller waits for the answer. */
   private static final Duration LIMIT = Duration.ofSeconds(8);
 
   private static final int MOST_AT_ONCE = 100;

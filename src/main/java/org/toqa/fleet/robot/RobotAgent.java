@@ -67,7 +67,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private Instant now;
 
-  /** The drives that commands on their way are to change, by the commands' numbers. */
+  /** The drives that commands not yet answered are to change, by the commands' numbers. */
   private final Map<Long, Long> changing = new HashMap<>();
 
   private final SilenceDetector silence;

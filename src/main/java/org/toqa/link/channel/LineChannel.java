@@ -66,7 +66,7 @@ public final class LineChannel implements AutoCloseable {
   /**
    * Queues a line.
    *
-   * @param line with its line feed
+   * @param line bytes of UTF-8 with their line feed
    * @return false: the queue was full, and the channel is closed
    */
   public boolean send(byte[] line) {

@@ -73,7 +73,13 @@ public sealed interface AgentMessage {
       @JsonSetter(nulls = Nulls.SET) @Nullable PhaseEnd done)
       implements AgentMessage {}
 
-  /** A phase flag: this drive ended this phase of this task. */
+  /**
+   * A phase flag: this drive ended this phase of this task.
+   *
+   * @param task its id; null for a drive without a task
+   * @param phase 0 to 3
+   * @param drive the sequence number of the drive's command
+   */
   record PhaseEnd(@JsonSetter(nulls = Nulls.SET) @Nullable Long task, int phase, long drive) {}
 
   /**
@@ -113,14 +119,27 @@ public sealed interface AgentMessage {
    */
   record Fault(String code, String text) {}
 
-  /** Sent again until the server has acknowledged it. */
+  /**
+   * Sent again until the server has acknowledged it.
+   *
+   * @param task its id; null for a drive without a task
+   * @param phase 0 to 3
+   * @param drive the sequence number of the drive's command
+   */
   record Done(@JsonSetter(nulls = Nulls.SET) @Nullable Long task, int phase, long drive)
       implements AgentMessage {}
 
+  /**
+   * The command was accepted.
+   *
+   * @param seq the command's sequence number
+   */
   record Ack(long seq) implements AgentMessage {}
 
   /**
-   * @param seq of the refused command; 0 where the line bore none
+   * The command was refused.
+   *
+   * @param seq the refused command's sequence number; 0 where the line had none
    * @param reason a sentence for people
    */
   record Reject(long seq, String reason) implements AgentMessage {}

@@ -29,17 +29,21 @@ public final class LineReader {
   public sealed interface Line {}
 
   /**
-   * @param utf8 without its line feed
+   * @param utf8 the line's bytes, without its line feed
    */
   @SuppressWarnings("ArrayRecordComponent") // handed on once, never compared
   public record Text(byte[] utf8) implements Line {}
 
   /**
-   * @param bytes how long it was, with its line feed
+   * @param bytes how many it had, with its line feed
    */
   public record TooLong(long bytes) implements Line {}
 
-  /** The next line, or null at the end of the stream; waits for it. */
+  /**
+   * The next line, or null at the end of the stream; waits for it.
+   *
+   * @throws IOException when the stream cannot be read
+   */
   public @Nullable Line readLine() throws IOException {
     byte[] line = new byte[0];
     long length = 0;

@@ -82,6 +82,7 @@ public final class LinkCodec {
   /**
    * The message as a line with its line feed.
    *
+   * @return bytes of UTF-8, at most {@link #MAX_LINE_BYTES}
    * @throws IllegalArgumentException if it would be longer than a line may be
    */
   public static byte[] encode(ServerMessage message) {
@@ -91,25 +92,34 @@ public final class LinkCodec {
   /**
    * The message as a line with its line feed.
    *
+   * @return bytes of UTF-8, at most {@link #MAX_LINE_BYTES}
    * @throws IllegalArgumentException if it would be longer than a line may be
    */
   public static byte[] encode(AgentMessage message) {
     return encode((Object) message);
   }
 
-  /** The message as a line with its line feed. */
+  /**
+   * The message as a line with its line feed.
+   *
+   * @return bytes of UTF-8, at most {@link #MAX_LINE_BYTES}
+   * @throws IllegalArgumentException if it would be longer than a line may be
+   */
   public static byte[] encode(PairingMessage message) {
     return encode((Object) message);
   }
 
+  /** The message, or the refusal that says what is wrong with the line; never throws. */
   public static DecodeResult<ServerMessage> decodeServerMessage(LineReader.Line line) {
     return decode(line, ServerMessage.class);
   }
 
+  /** As {@link #decodeServerMessage}. */
   public static DecodeResult<AgentMessage> decodeAgentMessage(LineReader.Line line) {
     return decode(line, AgentMessage.class);
   }
 
+  /** As {@link #decodeServerMessage}. */
   public static DecodeResult<PairingMessage> decodePairingMessage(LineReader.Line line) {
     return decode(line, PairingMessage.class);
   }
@@ -119,7 +129,7 @@ public final class LinkCodec {
         + bytes
         + " bytes; a line has at most "
         + MAX_LINE_BYTES
-        + ". Send a longer way by extend.";
+        + ". Send a longer path by extend.";
   }
 
   private static byte[] encode(Object message) {

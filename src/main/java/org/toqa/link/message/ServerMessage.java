@@ -14,7 +14,7 @@ import org.toqa.motion.Segment;
 
 /**
  * What a robot is sent: by the server, and in a formation by its leader. Every {@link Command} of
- * the server bears a sequence number that rises also over restarts of the server; the robot answers
+ * the server has a sequence number that rises also over restarts of the server; the robot answers
  * it with {@link AgentMessage.Ack} or {@link AgentMessage.Reject}, and a number that is not higher
  * than the last one has no further effect.
  */
@@ -36,17 +36,21 @@ import org.toqa.motion.Segment;
 })
 public sealed interface ServerMessage {
 
-  /** A message that bears a sequence number. */
+  /** A message that has a sequence number. */
   sealed interface Command extends ServerMessage {
+    /** Higher than that of every earlier command to the robot. */
     long seq();
   }
 
   /**
-   * Drive along segments. Legal only for a robot that stands.
+   * Drive along segments. Legal only for a robot that is stopped.
    *
+   * @param seq also the number by which later messages name this drive
    * @param task null for charging and going home, which have phase 0
-   * @param start where the robot stands, map frame
-   * @param released only the first so many segments may be driven yet
+   * @param phase 0 to 3
+   * @param start where the robot is, map frame
+   * @param released only the first so many segments may be driven yet; counted from the drive's
+   *     first
    * @param last (on the wire {@code final}) the segments end the phase; false: an {@link Extend}
    *     brings the rest
    * @param load kilograms that the robot has on board
@@ -66,7 +70,8 @@ public sealed interface ServerMessage {
    * Replaces the segments with index {@code from} and above.
    *
    * @param drive the sequence number of the drive
-   * @param from not below what was released
+   * @param from an index, 0 for the drive's first segment; not below what was released
+   * @param released how many of the drive's segments may be driven then
    */
   record Extend(
       long seq,
@@ -78,7 +83,10 @@ public sealed interface ServerMessage {
       implements Command {}
 
   /**
-   * @param released only grows
+   * Drive on, up to the end of what is released.
+   *
+   * @param drive the sequence number of the drive
+   * @param released how many of the drive's segments may be driven, from its first; only grows
    */
   record Release(long seq, long drive, int released) implements Command {}
 
@@ -90,6 +98,9 @@ public sealed interface ServerMessage {
   record Lead(long seq, long task, double tolerance, List<Follower> followers) implements Command {}
 
   /**
+   * Where a leader connects to a follower.
+   *
+   * @param port of TCP, 1 to 65535
    * @param fingerprint of its certificate; null where the link is not encrypted
    */
   record Follower(
@@ -102,8 +113,8 @@ public sealed interface ServerMessage {
    * Keep a place beside a leader until its end of the formation.
    *
    * @param fingerprint of the leader's certificate; null where the link is not encrypted
-   * @param offset in the leader's frame: x forward, y left
-   * @param tolerance metres
+   * @param offset metres, in the leader's frame: x forward, y left
+   * @param tolerance metres that the robot may be off its place
    */
   record Follow(
       long seq,
@@ -114,21 +125,34 @@ public sealed interface ServerMessage {
       double tolerance)
       implements Command {}
 
+  /** Stop within the limits, and stay stopped until {@link Resume}. */
   record Hold(long seq) implements Command {}
 
+  /** End the hold. */
   record Resume(long seq) implements Command {}
 
   /**
-   * @param task null for a drive without a task
+   * Stop, and forget task, phase and drive.
+   *
+   * @param task its id; null for a drive without a task
    */
   record Cancel(long seq, @JsonSetter(nulls = Nulls.SET) @Nullable Long task) implements Command {}
 
-  /** The operator or a parking dock says where the robot is. */
+  /**
+   * The operator or a parking dock says where the robot is.
+   *
+   * @param pose metres and radians, map frame
+   */
   record Locate(long seq, Pose pose) implements Command {}
 
+  /** Shows that the server is there. */
   record Ping(long seq) implements Command {}
 
-  /** The server has stored that the drive is done. */
+  /**
+   * The server has stored that the drive is done.
+   *
+   * @param done the sequence number of the drive
+   */
   record AckDone(long done) implements ServerMessage {}
 
   /** A message of a leading robot; each is answered with {@link AgentMessage.FollowerReport}. */
@@ -139,13 +163,17 @@ public sealed interface ServerMessage {
   /**
    * Where the leader is: every 200 ms, and more often while it brakes.
    *
-   * @param seq counted by the leader
+   * @param seq counted by the leader from 1
    * @param stamp the leader's own clock, milliseconds since 1970: information only
    * @param pose map frame
    */
   record LeaderPose(long task, long seq, long stamp, Pose pose, AgentMessage.Speed twist)
       implements LeaderMessage {}
 
-  /** The leader is at its goal. */
+  /**
+   * The leader is at its goal.
+   *
+   * @param task its id
+   */
   record FormationEnd(long task) implements LeaderMessage {}
 }

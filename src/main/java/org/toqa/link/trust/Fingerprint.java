@@ -17,6 +17,9 @@ public record Fingerprint(String hex) {
 
   private static final Pattern HEX = Pattern.compile("[0-9a-f]{64}");
 
+  /**
+   * @throws IllegalArgumentException if it is not 64 digits 0-9a-f
+   */
   public Fingerprint {
     if (!HEX.matcher(hex).matches()) {
       throw new IllegalArgumentException("A fingerprint has 64 digits 0-9a-f, not: " + hex);

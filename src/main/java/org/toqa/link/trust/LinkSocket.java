@@ -46,15 +46,29 @@ public final class LinkSocket implements AutoCloseable {
     return tcp.getInetAddress();
   }
 
+  /**
+   * What the other end sends, decrypted.
+   *
+   * @throws IOException when the socket is closed or not connected
+   */
   public InputStream in() throws IOException {
     return stream.getInputStream();
   }
 
+  /**
+   * What is sent to the other end.
+   *
+   * @throws IOException when the socket is closed or not connected
+   */
   public OutputStream out() throws IOException {
     return stream.getOutputStream();
   }
 
-  /** Lets the conversation last so long from now on, and not longer. */
+  /**
+   * Closes the connection when the limit is over, unless the result is closed before.
+   *
+   * @param limit of real time, from now on
+   */
   public TimeLimit startTimeLimit(Duration limit) {
     return new TimeLimit(tcp, limit);
   }

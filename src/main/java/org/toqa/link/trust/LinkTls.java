@@ -55,6 +55,8 @@ public final class LinkTls {
    * sent before the other end is found to be trusted. Whether the other end trusts this one shows
    * with the first line that is read.
    *
+   * @param limit of real time for the whole handshake
+   * @return the encrypted connection
    * @throws HandshakeException the socket is closed then
    */
   public LinkSocket connect(
@@ -73,7 +75,7 @@ public final class LinkTls {
         return handshake(connected, tls, protocol);
       } catch (IOException e) {
         HandshakeException failure = failure(time, e);
-        hangUp(connected);
+        closeFailed(connected);
         throw failure;
       }
     }
@@ -82,6 +84,7 @@ public final class LinkTls {
   /**
    * Goes on, as the server, with a connection that was taken.
    *
+   * @param limit of real time for the whole handshake
    * @throws HandshakeException the socket is closed then
    */
   public LinkSocket accept(Socket accepted, PeerVerifier verifier, Duration limit)
@@ -106,7 +109,7 @@ public final class LinkTls {
         return handshake(accepted, tls, PAIRING, LINK);
       } catch (IOException e) {
         HandshakeException failure = failure(time, e);
-        hangUp(accepted);
+        closeFailed(accepted);
         throw failure;
       }
     }
@@ -185,7 +188,7 @@ public final class LinkTls {
    * that still writes while the socket is closed would lose the alert, and see only a broken
    * connection.
    */
-  private static void hangUp(Socket failed) {
+  private static void closeFailed(Socket failed) {
     try (failed;
         TimeLimit _ = new TimeLimit(failed, LONGEST_FAREWELL)) {
       failed.shutdownOutput();

@@ -48,6 +48,12 @@ public final class PrivateFile {
     return Optional.of(Files.readAllBytes(path));
   }
 
+  /**
+   * Replaces the file as a whole; it is on the disk when this returns.
+   *
+   * @throws IOException when it cannot be written; the file has its old content or the new one
+   *     then, never a part
+   */
   public void write(byte[] content) throws IOException {
     Path next = path.resolveSibling(path.getFileName() + ".next");
     Files.deleteIfExists(next);

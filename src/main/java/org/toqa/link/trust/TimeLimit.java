@@ -16,6 +16,9 @@ public final class TimeLimit implements AutoCloseable {
   private final CompletableFuture<Void> timer;
   private volatile boolean hasPassed;
 
+  /**
+   * @param limit of real time, from now on; to the millisecond
+   */
   public TimeLimit(Socket socket, Duration limit) {
     this.socket = socket;
     timer =

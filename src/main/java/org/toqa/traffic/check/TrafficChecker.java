@@ -13,8 +13,8 @@ import org.toqa.traffic.MotionModel;
 /**
  * Judges what robots did, by the rules alone: it knows no planner and uses nothing that one uses.
  *
- * <p>The rules: robots stand on free cells; a step is one the model allows; no two stand on one
- * cell; no two change places.
+ * <p>The rules: robots are on free cells; a step is one the model allows; no two are on one cell;
+ * no two change places.
  */
 public final class TrafficChecker {
   private final OccupancyGrid grid;

@@ -5,7 +5,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.motion.Segment;
 
 /**
- * Whether robots that stand so near to each other that they touch the same cell may part. Cells
+ * Whether robots that are so near to each other that they touch the same cell may part. Cells
  * cannot tell; here the discs themselves are looked at.
  */
 final class Clearance {
@@ -20,9 +20,9 @@ final class Clearance {
   private Clearance() {}
 
   /**
-   * Whether a robot can drive a section beside one that stands: the two share no cell but those
+   * Whether a robot can drive a section beside one that is stopped: the two share no cell but those
    * under the robot now, and it does not come nearer than it is. A formation that sets out shares
-   * no cell with anybody: who stands beside it goes first.
+   * no cell with anybody: who is stopped beside it goes first.
    *
    * @param from where the section begins
    */

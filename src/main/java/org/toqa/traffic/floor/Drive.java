@@ -177,12 +177,12 @@ final class Drive {
     return true;
   }
 
-  /** The robot stands: its progress is looked at from now on. */
+  /** The robot is stopped: its progress is looked at from now on. */
   void restartProgress(Instant now) {
     lastProgress = now;
   }
 
-  /** The robot stands and has no path. */
+  /** The robot is stopped and has no path. */
   void stop() {
     lastPathEnd = path == null ? lastPathEnd : path.poseAfter(released);
     path = null;

@@ -10,14 +10,14 @@ public sealed interface DriveCommand {
   String robot();
 
   /**
-   * Begin a path; the robot stands.
+   * Begin a path; the robot is stopped.
    *
    * @param endsAtGoal whether the path ends at its goal
    */
   record Begin(String robot, Trajectory trajectory, int released, boolean endsAtGoal)
       implements DriveCommand {}
 
-  /** Drive another way from segment {@code from} on; all before it has been released. */
+  /** Drive another path from segment {@code from} on; all before it has been released. */
   record Extend(String robot, int from, List<Segment> segments, int released, boolean endsAtGoal)
       implements DriveCommand {}
 

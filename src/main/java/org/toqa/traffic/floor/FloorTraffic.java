@@ -1,11 +1,7 @@
 package org.toqa.traffic.floor;
 
-import static java.util.Comparator.nullsLast;
-
-import java.time.Duration;
 import java.time.Instant;
 import java.util.BitSet;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -24,14 +20,14 @@ import org.toqa.wording.Sentence;
  * Who may drive where on one floor, and in which order.
  *
  * <p>A robot that wants to go somewhere is first offered a smooth path of its own: the shortest one
- * in eight headings round whoever stands. It gets it if the cells that it sweeps meet nobody
+ * in eight headings round stopped robots. It gets it if the cells that it sweeps meet nobody
  * else's, now or later; such paths need no order. Otherwise all robots are planned together from
  * where their released paths end ({@link JointPlanner}), those without a goal too, so that they
  * step aside; the plan's order of visits to each cell is then kept ({@link JointPlan}).
  *
  * <p>Paths are released section by section. A section is released when no other robot has a cell of
  * it and whoever comes before has left; what is released is driven to its end whatever others do,
- * and a robot can stand there. So a robot never enters what another has not left, however late
+ * and a robot can be stopped there. So a robot never enters what another has not left, however late
  * anyone is, and since the order has no cycle somebody can always go on.
  *
  * <p>Confined to one thread. It knows no clock: time is handed in. Points and poses are in metres
@@ -45,14 +41,9 @@ import org.toqa.wording.Sentence;
  * </ol>
  */
 public final class FloorTraffic {
-  private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
-
   private final FreeSpace freeSpace;
-  private final SingleRobotPlanner singleRobotPlanner;
-  private final LanePlanner lanePlanner;
+  private final PathAssigner pathAssigner;
   private final SectionReleaser releaser;
-  private final RoomMaker roomMaker;
-  private final WaitReasonFinder waitReasons;
   private final CellAllocations allocations;
   private final StandstillDetector standstillDetector = new StandstillDetector();
   private final ReplanTrigger trigger = new ReplanTrigger();
@@ -66,19 +57,23 @@ public final class FloorTraffic {
       OccupancyGrid grid, JointPlanner jointPlanner, Supplier<Deadline> planningDeadline) {
     SectionFitter fitter = new SectionFitter();
     this.freeSpace = new FreeSpace(grid);
-    this.singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
-    this.lanePlanner =
-        new LanePlanner(freeSpace, singleRobotPlanner, fitter, jointPlanner, planningDeadline);
     this.allocations = new CellAllocations(grid, robots.values());
     this.releaser = new SectionReleaser(fitter, robots, allocations);
-    this.roomMaker = new RoomMaker(singleRobotPlanner, robots, trigger);
-    this.waitReasons = new WaitReasonFinder(freeSpace, singleRobotPlanner);
+    SingleRobotPlanner singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
+    this.pathAssigner =
+        new PathAssigner(
+            robots,
+            allocations,
+            trigger,
+            singleRobotPlanner,
+            new LanePlanner(freeSpace, singleRobotPlanner, fitter, jointPlanner, planningDeadline),
+            new WaitReasonFinder(freeSpace, singleRobotPlanner));
   }
 
   // --- what is so -------------------------------------------------------------------------------
 
   /**
-   * The robot stands at a pose and has no path; it may be new here.
+   * The robot is stopped at a pose and has no path; it may be new here.
    *
    * @param diameter of the disc that the robot fills, metres, above 0
    */
@@ -96,8 +91,8 @@ public final class FloorTraffic {
   }
 
   /**
-   * The robot, which stands, leads others from now on: its goal is where the load shall go, and all
-   * of the formation's cells are its own. The others must have left.
+   * The robot, which is stopped, leads others from now on: its goal is where the load shall go, and
+   * all of the formation's cells are its own. The others must have left.
    *
    * @param formation null: it drives alone again
    * @throws IllegalArgumentException if there is no such robot
@@ -114,7 +109,7 @@ public final class FloorTraffic {
   /**
    * How fast the robot shall drive from now on.
    *
-   * @param name of one that stands or drives here
+   * @param name of one that is stopped or drives here
    * @throws IllegalArgumentException if there is no such robot
    */
   public void setSpeeds(String name, DriveSpeeds speeds) {
@@ -204,7 +199,7 @@ public final class FloorTraffic {
   }
 
   /**
-   * Something stands where the map shows nothing: robots go round, and paths that are not released
+   * There is an obstacle where the map shows none: robots go round, and paths that are not released
    * are given up where they meet it.
    *
    * @param cells all that are obstructed now, as bits by {@link OccupancyGrid#index}; instead of
@@ -243,7 +238,7 @@ public final class FloorTraffic {
   // --- what can be read -------------------------------------------------------------------------
 
   /**
-   * Whether the robot stands at its goal.
+   * Whether the robot is stopped at its goal.
    *
    * @throws IllegalArgumentException if there is no such robot
    */
@@ -271,7 +266,7 @@ public final class FloorTraffic {
   }
 
   /**
-   * Whether an obstacle stands on what it has been released and not driven yet.
+   * Whether an obstacle is on what it has been released and not driven yet.
    *
    * @throws IllegalArgumentException if there is no such robot
    */
@@ -304,12 +299,7 @@ public final class FloorTraffic {
   public List<DriveCommand> decide(Instant now) {
     allocations.refresh();
     detectStalls(now);
-    planSingleRobots(now);
-    planJointly(now);
-    findWaitReasons(now);
-    robots.values().stream()
-        .filter(TrafficRobot::needsPath)
-        .forEach(robot -> roomMaker.makeRoomFor(robot, now));
+    pathAssigner.assignPaths(standstills(), now);
     robots.values().forEach(robot -> releaser.release(robot, now));
     standstillDetector.update(robots.values(), now);
     return robots.values().stream().flatMap(robot -> robot.takeUnsentCommand().stream()).toList();
@@ -332,66 +322,6 @@ public final class FloorTraffic {
         if (stalled) {
           freeUnreleased(robot);
         }
-      }
-    }
-  }
-
-  /** Gives their own paths to those that wait: formations first, then the longest waiting. */
-  private void planSingleRobots(Instant now) {
-    List<TrafficRobot> unserved =
-        robots.values().stream()
-            .filter(TrafficRobot::needsPath)
-            .sorted(
-                Comparator.<TrafficRobot, Boolean>comparing(robot -> !robot.isFormation())
-                    .thenComparing(
-                        robot -> robot.waiting.since(),
-                        nullsLast(Comparator.<Instant>naturalOrder())))
-            .toList();
-    for (TrafficRobot robot : unserved) {
-      if (robot.waiting.since() == null) {
-        robot.waiting.setSince(now);
-      }
-      if (trigger.isChanged() || robot.waiting.isSinglePlanOlderThan(RETRY_AFTER, now)) {
-        robot.waiting.recordSinglePlan(now);
-        planSingleRobot(robot);
-      }
-    }
-  }
-
-  private void planSingleRobot(TrafficRobot robot) {
-    BitSet claimed = robot.claimedByOthers(robots.values());
-    robots.values().stream()
-        .filter(other -> other.hasPrecedenceOver(robot))
-        .forEach(other -> claimed.or(other.waiting.wantedCells()));
-    singleRobotPlanner
-        .pathAmong(robot, robots.values(), claimed)
-        .ifPresent(
-            sections -> {
-              robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
-              robot.waiting.restart(null);
-            });
-  }
-
-  private void planJointly(Instant now) {
-    if (!trigger.takePlanNeeded(robots.values(), standstills(), now)) {
-      return;
-    }
-    LanePlanner.Outcome outcome =
-        lanePlanner.plan(robots.values(), allocations, trigger.mustReplan());
-    if (outcome == LanePlanner.Outcome.PLANNED) {
-      trigger.recordPlanned();
-      robots.values().stream()
-          .filter(TrafficRobot::hasPathToGoal)
-          .forEach(robot -> robot.waiting.endWaitForPath());
-    }
-  }
-
-  private void findWaitReasons(Instant now) {
-    for (TrafficRobot robot : robots.values()) {
-      if (!robot.needsPath()) {
-        robot.waiting.clearNoPathReason();
-      } else if (robot.waiting.isNoPathReasonOlderThan(RETRY_AFTER, now)) {
-        robot.waiting.setNoPathReason(waitReasons.reasonFor(robot, robots.values()), now);
       }
     }
   }

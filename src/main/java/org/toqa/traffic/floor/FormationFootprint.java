@@ -62,7 +62,7 @@ public final class FormationFootprint {
     return parts.stream().mapToDouble(p -> p.offset().norm() + p.radius()).max().orElseThrow();
   }
 
-  /** Where its robots and its load are while it stands. */
+  /** Where its robots and its load are while it is stopped. */
   List<PlacedDisc> discs(Pose leader) {
     return parts.stream()
         .map(
@@ -73,7 +73,7 @@ public final class FormationFootprint {
         .toList();
   }
 
-  /** The cells under all of it while it stands. */
+  /** The cells under all of it while it is stopped. */
   CellSet cellsAt(OccupancyGrid grid, Pose leader) {
     CellSet cells = CellSet.NONE;
     for (PlacedDisc disc : discs(leader)) {

@@ -22,7 +22,7 @@ import org.toqa.traffic.RoadGraph;
 
 /**
  * A goal for each robot that is planned, all different: the lane cell of its own goal if it can
- * have that, else a place near to it; and for a robot that wants nothing the place where it stands,
+ * have that, else a place near to it; and for a robot that wants nothing the place where it is,
  * unless another wants that. Whoever has a place or a path to it keeps it, then whoever waits
  * longest chooses.
  */

@@ -118,7 +118,7 @@ final class JointPlan {
             Arrays.asList(new @Nullable Dependency[visits.size()])));
   }
 
-  /** With round corners, where these are clear and the robot stands well in its cell. */
+  /** With round corners, where these are clear and the robot is near the middle of its cell. */
   private List<Section> sections(
       TrafficRobot robot, Pose start, List<Cell> visits, SectionFitter fitter) {
     OccupancyGrid lattice = lanes.lattice();
@@ -181,8 +181,8 @@ final class JointPlan {
   }
 
   /**
-   * The same by way of the middle of the first cell, for a robot that stands beside that: from
-   * middle to middle the lanes are known to be wide enough.
+   * The same through the middle of the first cell, for a robot that is beside that: from middle to
+   * middle the lanes are known to be wide enough.
    */
   static List<Waypoint> waypointsFromCentre(
       OccupancyGrid lattice, List<Cell> visits, int from, IntPredicate stopsAt) {

@@ -15,15 +15,15 @@ import org.toqa.traffic.RoadGraph;
  * <p>The side of such a lane cell is a whole number of the floor's cells. A robot in the middle of
  * one touches no other, and one that drives straight to the next touches those two only, so robots
  * that keep to different lane cells never need the same cell of the floor. A lane cell is open
- * where the disc fits in its middle, and joined with the next where the disc fits all the way: a
- * wall in its corner closes nothing. The lattice is laid so that robots on it come near to as much
- * as can be of where they could be without it; a wider one is taken only where it fits the aisles
- * better.
+ * where the disc fits in its middle, and joined with the next where the disc fits between them too:
+ * a wall in its corner closes nothing. The lattice is laid so that robots on it come near to as
+ * much as can be of where they could be without it; a wider one is taken only where it fits the
+ * aisles better.
  *
  * <p>Where the floor's own cells are large enough, they are the lane cells. Immutable.
  */
 final class LaneGrid {
-  /** A lane cell is wider than the robot by at least so much, metres: nobody stands exactly. */
+  /** A lane cell is wider than the robot by at least so much, metres: no robot stops exactly. */
   private static final double SLACK = 0.02;
 
   /** Cells of the floor that are looked at, to find the best lattice. */

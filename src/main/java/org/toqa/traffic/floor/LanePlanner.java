@@ -24,8 +24,7 @@ import org.toqa.traffic.RoadGraph;
  *
  * <p>Tried in this order, until everybody who wants to go somewhere can: with wide lane cells, on
  * which robots of every size can be planned, then with narrower ones; first without those who drive
- * paths of their own or stand aside from the lanes, then with them. Who is left out is driven
- * round.
+ * paths of their own or are beside the lanes, then with them. Who is left out is driven round.
  */
 final class LanePlanner {
   /** Of the time left, what each search may take. */
@@ -207,7 +206,7 @@ final class LanePlanner {
     }
 
     /**
-     * Gives each a lane cell to begin in; who stands aside drives to the middle of one. Whoever can
+     * Gives each a lane cell to begin in; who is not in the middle of one drives there. Whoever can
      * have none is taken out.
      *
      * @return whether all have one

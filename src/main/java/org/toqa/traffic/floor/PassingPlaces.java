@@ -6,7 +6,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
-/** Where a robot may come to stand on its path, so that a section may end there. */
+/** Where a robot may stop on its path, so that a section may end there. */
 sealed interface PassingPlaces {
 
   /**
@@ -25,7 +25,7 @@ sealed interface PassingPlaces {
 
   /** In the middle of each cell. */
   record CellCentres(OccupancyGrid cells) implements PassingPlaces {
-    /** How near to a cell's middle, in cells, a robot counts as standing in it. */
+    /** How near to a cell's middle, in cells, a robot counts as in it. */
     private static final double NEAR = 0.2;
 
     @Override

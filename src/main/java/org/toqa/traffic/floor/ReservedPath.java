@@ -75,7 +75,7 @@ record ReservedPath(
     return count;
   }
 
-  /** Where the robot stands after the first {@code count} sections. */
+  /** Where the robot is after the first {@code count} sections. */
   Pose poseAfter(int count) {
     return count == 0 ? start : sections.get(count - 1).end();
   }

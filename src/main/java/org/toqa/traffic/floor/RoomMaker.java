@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a robot stands on another's only path and no plan for all could move it, as one that is too
+ * Where a robot is on another's only path and no plan for all could move it, as one that is too
  * large for the lanes, it is sent to the nearest place where it is on nobody's path.
  */
 final class RoomMaker {
@@ -28,7 +28,7 @@ final class RoomMaker {
     this.trigger = trigger;
   }
 
-  /** Sends away who stands on the only path of a robot that has waited long enough. */
+  /** Sends away who is on the only path of a robot that has waited long enough. */
   void makeRoomFor(TrafficRobot robot, Instant now) {
     Instant since = robot.waiting.since();
     if (since == null || since.plus(MAKE_ROOM_AFTER).isAfter(now)) {
@@ -55,7 +55,7 @@ final class RoomMaker {
     }
   }
 
-  /** One that has a path and cannot go on it, as to where a formation stands, blocks that too. */
+  /** One that has a path and cannot go on it, as to where a formation is, blocks that too. */
   private @Nullable TrafficRobot robotBlocking(TrafficRobot robot) {
     WaitReason reason = robot.waiting.noPathReason();
     if (reason == null || reason.robot() == null) {

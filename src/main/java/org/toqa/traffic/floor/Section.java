@@ -6,10 +6,10 @@ import org.toqa.motion.Segment;
 
 /**
  * The unit of reservation: a piece of a path that is released as a whole, and at whose end the
- * robot can stand.
+ * robot can be stopped.
  *
  * @param segments what is driven
- * @param end where the robot then stands, map frame
+ * @param end where the robot then is, map frame
  * @param cells all cells that the robot touches meanwhile, from the first moment to the last
  * @param endCells those that it touches at the end
  */

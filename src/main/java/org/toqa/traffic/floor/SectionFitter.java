@@ -10,14 +10,14 @@ import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
 
 /**
- * Makes sections of a path: fits the segments, cuts the straights where the robot may stand, and
+ * Makes sections of a path: fits the segments, cuts the straights where the robot may stop, and
  * gathers what lies between two such places.
  */
 final class SectionFitter {
   private static final double SHORTEST = 1e-6;
 
   /**
-   * @param start where the robot stands
+   * @param start where the robot is, map frame
    * @param cornerLength metres, of {@link SegmentFitter}
    */
   List<Section> fit(
@@ -72,7 +72,7 @@ final class SectionFitter {
     }
   }
 
-  /** A straight in pieces that end where the robot may stand; anything else whole. */
+  /** A straight in pieces that end where the robot may stop; anything else whole. */
   private static List<Segment> split(Pose from, Segment segment, PassingPlaces passingPlaces) {
     if (segment.w() != 0 || segment.v() == 0) {
       return List.of(segment);

@@ -95,7 +95,7 @@ final class SectionReleaser {
         || other.drive.path().visitAfterSections(other.drive.completed()) > dependency.visit();
   }
 
-  /** Whether it has stood before the section for a little. */
+  /** Whether it has been stopped before the section for a little. */
   private static boolean hasWaited(TrafficRobot robot, Instant now) {
     if (robot.drive.completed() < robot.drive.released()) {
       return false;

@@ -230,7 +230,7 @@ final class SingleRobotPlanner {
 
   /**
    * Whether it touches no wall and no obstacle. What it touches already, as it may have been
-   * stopped anywhere and stands a little beside where it should, it comes no nearer to.
+   * stopped anywhere and is a little beside where it should be, it comes no nearer to.
    */
   private boolean isClear(TrafficRobot robot, List<Section> sections) {
     OccupancyGrid grid = freeSpace.grid();
@@ -297,8 +297,8 @@ final class SingleRobotPlanner {
   }
 
   /**
-   * The cell in which its path over cells begins: where it stands, or beside that where the middle
-   * of its cell is too near to something.
+   * The cell in which its path over cells begins: where it is, or beside that where the middle of
+   * its cell is too near to something.
    */
   private Cell entry(OccupancyGrid free, TrafficRobot robot) {
     Cell here = robot.releasedCell();

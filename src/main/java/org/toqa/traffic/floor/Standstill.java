@@ -8,7 +8,7 @@ import org.toqa.grid.Cell;
  * What must not be and was seen all the same: robots that do not get on.
  *
  * @param robots by name; of a cycle in the order in which each waits for the next
- * @param cells where they stand
+ * @param cells where they are
  * @param since when it was first seen
  */
 public record Standstill(Kind kind, List<String> robots, List<Cell> cells, Instant since) {

@@ -14,7 +14,8 @@ import org.toqa.grid.Cell;
 
 /**
  * Watches what robots really do, whatever was planned: who has not moved for longer than its path
- * says, and who waits for whom in a circle.
+ * says, and who waits for whom in a circle (a cycle of the wait-for graph: Coffman et al., "System
+ * deadlocks", 1971).
  */
 final class StandstillDetector {
   private static final Duration CYCLE_AFTER = Duration.ofSeconds(2);

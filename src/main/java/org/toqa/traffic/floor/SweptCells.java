@@ -19,7 +19,7 @@ final class SweptCells {
   private SweptCells() {}
 
   /**
-   * The cells under a standing disc; parts outside the grid are left out.
+   * The cells under a disc at rest; parts outside the grid are left out.
    *
    * @param radius metres
    */

@@ -18,12 +18,12 @@ import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
-/** A robot in {@link FloorTraffic}: where it stands, how large it is, where it goes. */
+/** A robot in {@link FloorTraffic}: where it is, how large it is, where it goes. */
 final class TrafficRobot {
   /** So near to its goal, metres, a robot has arrived. */
   private static final double ARRIVED = 0.03;
 
-  /** So near to the middle of a cell, in cells, a robot stands in it. */
+  /** So near to the middle of a cell, in cells, a robot is in it. */
   private static final double NEAR = 0.2;
 
   /** So nearly, radians, it faces as it shall. */
@@ -152,7 +152,7 @@ final class TrafficRobot {
         : formation.discs(pose);
   }
 
-  /** The cells under it when it stands there. */
+  /** The cells under it when it is there. */
   CellSet cellsAt(Pose at) {
     return formation == null
         ? SweptCells.at(grid, at.position(), radius)
@@ -176,7 +176,7 @@ final class TrafficRobot {
     return standingCells;
   }
 
-  /** The cells that are its own now, in parts: where it stands, and all of what it may drive. */
+  /** The cells that are its own now, in parts: where it is, and all of what it may drive. */
   void forEachAllocated(Consumer<CellSet> consumer) {
     consumer.accept(standingCells);
     drive.forEachAllocated(consumer);
@@ -202,7 +202,7 @@ final class TrafficRobot {
     return claimed;
   }
 
-  /** Where it will stand when it has driven what is released, and where its path goes on. */
+  /** Where it will be when it has driven what is released, and where its path goes on. */
   Pose releasedEnd() {
     ReservedPath path = drive.path();
     if (path != null) {
@@ -230,14 +230,14 @@ final class TrafficRobot {
     return goal != null && drive.path() == null && isGoal(pose);
   }
 
-  /** Whether who stands there stands at its goal, or where it fills a cell, in that of its goal. */
+  /** Whether who is there is at its goal, or where it fills a cell, in that of its goal. */
   boolean isGoal(Pose place) {
     if (goal == null) {
       return false;
     }
     if (formation != null) {
       Vec2 load = formation.shape().loadAt(place).position();
-      return load.distanceTo(goal) < FormationPlanner.goalTolerance(grid);
+      return load.distanceTo(goal) < FormationLattice.goalTolerance(grid);
     }
     boolean facesRight =
         goalHeading == null || Math.abs(Angles.difference(place.theta(), goalHeading)) < FACING;
@@ -296,7 +296,7 @@ final class TrafficRobot {
     waiting.forgetPath();
   }
 
-  /** It stands and has no path. */
+  /** It is stopped and has no path. */
   void stop() {
     drive.stop();
     waiting.setBlockedReason(null);
@@ -310,7 +310,7 @@ final class TrafficRobot {
   }
 
   /**
-   * It stands where a trajectory begins that it drives already, and may drive to its end.
+   * It is where a trajectory begins that it drives already, and may drive to its end.
    *
    * @param completedSegments so many are completed
    */

@@ -24,7 +24,7 @@ public sealed interface WaitReason {
     }
   }
 
-  /** Another robot stands where it has to go. */
+  /** Another robot is where it has to go. */
   record RobotStanding(String robot, Vec2 where) implements WaitReason {
     @Override
     public Sentence sentence() {
@@ -32,7 +32,7 @@ public sealed interface WaitReason {
     }
   }
 
-  /** Another robot stands there, and cannot be told to make room. */
+  /** Another robot is there, and cannot be told to make room. */
   record RobotNotMovable(String robot, Vec2 where) implements WaitReason {
     @Override
     public Sentence sentence() {
@@ -48,7 +48,7 @@ public sealed interface WaitReason {
     }
   }
 
-  /** Something that the map does not show stands in its only path. */
+  /** Something that the map does not show is on its only path. */
   record ObstacleOnPath(Vec2 where) implements WaitReason {
     @Override
     public Sentence sentence() {

@@ -8,10 +8,10 @@ import org.jspecify.annotations.Nullable;
 
 /** Since when a robot waits, what for, and the cells that it asks others to leave. */
 final class WaitState {
-  /** Since when it stands short of its goal; null while it drives or has no goal. */
+  /** Since when it is stopped short of its goal; null while it drives or has no goal. */
   private @Nullable Instant since;
 
-  /** Since when it stands before a section that it may not enter. */
+  /** Since when it is stopped before a section that it may not enter. */
   private @Nullable Instant blockedSince;
 
   /** Why it may not enter the next section of its path; null while it may. */
@@ -115,14 +115,14 @@ final class WaitState {
     blockedReason = reason;
   }
 
-  /** Since when it stands before the section: from now on, if it did not before. */
+  /** Since when it is stopped before the section: from now on, if it did not before. */
   Instant blockedSince(Instant now) {
     Instant known = blockedSince == null ? now : blockedSince;
     blockedSince = known;
     return known;
   }
 
-  /** The section before which it stood is another one now. */
+  /** The section before which it was stopped is another one now. */
   void restartBlocked() {
     blockedSince = null;
   }

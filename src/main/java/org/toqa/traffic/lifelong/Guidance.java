@@ -14,9 +14,9 @@ import org.toqa.traffic.mapf.StateGraph;
  * the same direction, before they meet.
  *
  * <p>Idea: each robot announces the edges of its shortest path. An edge costs a step, and half a
- * step more for each robot that announced it the other way about. Who plans next therefore prefers
- * an aisle that is driven in its direction; one-way streets form by themselves, and dissolve when
- * the traffic changes. A robot keeps its distances until it has a new goal.
+ * step more for each robot that announced it in the other direction. Who plans next therefore
+ * prefers an aisle that is driven in its direction; one-way streets form by themselves, and
+ * dissolve when the traffic changes. A robot keeps its distances until it has a new goal.
  *
  * <p>Cost: one A* search a goal, from the goal to the robot and a margin beyond, so that distances
  * are known in an ellipse around both; with a row of stacks as queue, as costs are small whole

@@ -6,7 +6,7 @@ import org.toqa.traffic.Deadline;
  * Plans for all robots of a floor together, a few steps ahead.
  *
  * <ol>
- *   <li>The caller describes the floor as it is now: where the robots stand, where they want to be,
+ *   <li>The caller describes the floor as it is now: where the robots are, where they want to be,
  *       what is blocked.
  *   <li>{@link #plan} answers the next steps of every robot. They hold together: no two share a
  *       cell or change places if all go step by step. Whoever is late must not be overtaken.

@@ -10,10 +10,10 @@ import org.toqa.traffic.mapf.StateGraph;
  * Chooses an operation, some steps long, for every robot: priority inheritance with backtracking
  * over operations instead of single steps.
  *
- * <p>Idea: as in PIBT, robots choose in the order of their priority, and whoever is in the way has
- * to choose anew, itself pushing others. But what they choose are all ways to use the next few
+ * <p>Idea: as in PIBT, robots choose in the order of their priority, and whoever blocks the choice
+ * has to choose anew, itself pushing others. But what they choose are all uses of the next few
  * steps, so that a robot turns round in time, or backs out of an aisle, which no single step would
- * pay for. An operation may be in the way of one other robot at most. Everybody always has an
+ * pay for. An operation may conflict with one other robot at most. Everybody always has an
  * operation, the rest of the last one if nothing else, so there is a valid plan at any time.
  *
  * <p>Afterwards robots picked by chance choose again, pushing whomever, where that makes all of
@@ -29,7 +29,7 @@ final class OperationSearch {
   private static final int LONGEST_CHAIN = 200;
   private static final int EXCHANGE_EFFORT = 1500;
 
-  // A choice as one number, best first: cost, slowness, robot in the way + 1, actions.
+  // A choice as one number, best first: cost, slowness, blocking robot + 1, actions.
   private static final int ACTION_BITS = 3;
   private static final int CODE_BITS = 15;
   private static final int ROBOT_BITS = 16;
@@ -176,7 +176,7 @@ final class OperationSearch {
     return isChosen;
   }
 
-  /** Ends the chain: nobody is in the way of this robot. */
+  /** Ends the chain: no other robot blocks this one. */
   private boolean settle(int robot, int level) {
     operations.put(robot);
     if (mayRotate) {
@@ -265,7 +265,7 @@ final class OperationSearch {
     return Math.max(0, cost(robot) - distances[robot][operations.state(robot, 0)]);
   }
 
-  /** Lists the operations of a robot that are in the way of one other at most. */
+  /** Lists the operations of a robot that conflict with one other at most. */
   private int list(int robot, int level) {
     if (choices[level] == null) {
       int most = 1;

@@ -2,15 +2,15 @@ package org.toqa.traffic.lifelong;
 
 /** What a robot may expect of the traffic. */
 public enum PlanStatus {
-  /** It stands at its goal. */
+  /** It is at its goal. */
   ARRIVED,
   /** It has a path, and drives or waits its turn. */
   DRIVING,
   /** The time did not suffice to look for its path; it keeps out of others' until the next plan. */
   NOT_YET_PLANNED,
-  /** It stands on a cell that may not be driven, and stays there. */
+  /** It is on a cell that may not be driven, and stays there. */
   START_BLOCKED,
-  /** Another robot of the snapshot stands on the same cell; this one stays. */
+  /** Another robot of the snapshot is on the same cell; this one stays. */
   START_SHARED,
   /** Its goal may not be driven. */
   GOAL_BLOCKED,

@@ -7,8 +7,8 @@ import org.toqa.traffic.GridPose;
  * A robot as traffic sees it.
  *
  * @param name by which the planner knows it again
- * @param goal where it wants to be; a robot that wants nothing has the cell it stands on, and makes
- *     way for others
+ * @param goal where it wants to be; a robot that wants nothing has the cell it is on, and makes
+ *     room for others
  * @param urgency a head start over others, in steps of waiting
  */
 public record PlannedRobot(String name, GridPose pose, Cell goal, int urgency) {}

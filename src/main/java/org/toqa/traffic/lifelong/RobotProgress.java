@@ -15,7 +15,7 @@ import org.toqa.traffic.DistanceTables;
  * all others go first for a few steps, how many is up to chance. If it has not even left its cell
  * for long, it may instead, by chance, go before all others: of a jam in which nobody moves, one
  * draws clear. And who has had {@value #MAX_SETBACKS} such setbacks is stuck: it and those around
- * it are sent on detours, to anywhere near for a few steps, so that no order in which they stand is
+ * it are sent on detours, to anywhere near for a few steps, so that no order in which they are is
  * kept.
  */
 final class RobotProgress {

@@ -22,7 +22,8 @@ import org.toqa.traffic.mapf.StateGraph;
 /**
  * The planner of a fleet: {@link Guidance} shows each robot its path around the traffic, {@link
  * OperationSearch} settles step by step who goes and who makes room, {@link RobotProgress} keeps
- * the priorities.
+ * the priorities. Plans reach a few steps ahead and are made anew as robots move (rolling horizon:
+ * Li et al., "Lifelong multi-agent path finding in large-scale warehouses", AAAI 2021).
  */
 public final class RollingHorizonPlanner implements LifelongPlanner {
   private static final int DEPTH_CLASSIC = 3;
@@ -139,7 +140,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     return present;
   }
 
-  /** Whoever is stuck, and who stands beside it. */
+  /** Whoever is stuck, and who is beside it. */
   private void sendStuckOnDetours(List<RobotProgress> present, StateGraph graph) {
     Set<Integer> stuck =
         present.stream()

@@ -178,8 +178,8 @@ final class Lacam {
   }
 
   /**
-   * Whoever stands at its goal goes behind all others; otherwise the order stays, so that the
-   * longer a robot is on its path, the further in front it is.
+   * Whoever is at its goal goes behind all others; otherwise the order stays, so that the longer a
+   * robot is on its path, the further in front it is.
    */
   private int[] unarrivedFirst(int[] order, int[] places) {
     int[] sorted = new int[order.length];

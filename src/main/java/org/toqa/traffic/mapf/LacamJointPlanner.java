@@ -17,7 +17,7 @@ import org.toqa.traffic.RoadGraph;
 /**
  * Plans the robots of a floor together: {@link Lacam} without rings that move at once finds a plan,
  * {@link PrioritisedPlanning} perhaps a better one, and {@link NeighbourhoodSearch} takes out the
- * detours. These two know nothing of rings; where one has come in, the first plan stands.
+ * detours. These two know nothing of rings; where one has come in, the first plan is kept.
  */
 public final class LacamJointPlanner implements JointPlanner {
   private static final long SEED = 7275;

@@ -4,7 +4,7 @@ import java.util.List;
 import org.toqa.grid.Cell;
 import org.toqa.traffic.RoadGraph;
 
-/** Robots that stand somewhere and want to be elsewhere, in a fixed order. */
+/** Robots that are somewhere and want to be elsewhere, in a fixed order. */
 public record MapfInstance(RoadGraph roads, List<Cell> starts, List<Cell> goals) {
 
   /**

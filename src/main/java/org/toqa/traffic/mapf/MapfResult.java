@@ -33,7 +33,7 @@ public sealed interface MapfResult {
     GOAL_SHARED,
     /** The robot has no path to its goal, even alone. */
     NO_WAY,
-    /** All ways of driving were tried: the robots cannot all reach their goals together. */
+    /** The whole search space was explored: the robots cannot all reach their goals together. */
     NO_PLAN,
     OUT_OF_TIME
   }

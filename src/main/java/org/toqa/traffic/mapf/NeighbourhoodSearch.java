@@ -11,10 +11,10 @@ import org.toqa.traffic.RoadGraph;
 /**
  * Makes a plan better until the time is up, by large neighbourhood search.
  *
- * <p>Idea: take the paths of a few robots that are in each other's way out of the plan, and put
- * them in again one after the other, each as quick as the rest allows ({@link SafeIntervalSearch});
- * keep what is not worse. The few are a delayed robot and those it meets on shorter paths, or any
- * few. How many, and which of the two, is chosen by what has paid so far.
+ * <p>Idea: take the paths of a few robots that delay each other out of the plan, and put them in
+ * again one after the other, each as quick as the rest allows ({@link SafeIntervalSearch}); keep
+ * what is not worse. The few are a delayed robot and those it meets on shorter paths, or any few.
+ * How many, and which of the two, is chosen by what has paid so far.
  *
  * <p>Cost: the plan is valid after every step, so it can stop at any time.
  *
@@ -40,7 +40,7 @@ final class NeighbourhoodSearch {
   private final boolean[] isInGroup;
   private int groupSize;
 
-  /** Steps gained for each way of choosing a group, and the work spent on it. */
+  /** Steps gained for each method of choosing a group, and the work spent on it. */
   private final double[] gains = new double[CHOICES];
 
   private final double[] efforts = new double[CHOICES];

@@ -11,7 +11,7 @@ import org.toqa.traffic.RoadGraph;
  * One step for all robots at once, by priority inheritance with backtracking (PIBT).
  *
  * <p>Idea: robots choose in the order of their priority, each the neighbour nearest to its goal.
- * Whoever stands there must choose next, inheriting the priority; if it finds no place, the chooser
+ * Whoever is there must choose next, inheriting the priority; if it finds no place, the chooser
  * takes its next best. A swap that a narrow place calls for is brought about by letting the robots
  * of a pair walk away together until there is room to pass: one pulls the other behind it.
  *
@@ -34,7 +34,7 @@ final class Pibt {
   private final SplittableRandom random;
   private final boolean mayRotate;
 
-  /** Who stands on a vertex before the step, and who after. */
+  /** Who is on a vertex before the step, and who after. */
   private final int[] before;
 
   private final int[] after;

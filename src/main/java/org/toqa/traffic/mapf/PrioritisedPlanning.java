@@ -16,7 +16,7 @@ import org.toqa.traffic.RoadGraph;
  * none takes its path and sends those who stand in it back into the queue.
  *
  * <p>Idea: whoever has the shortest path goes first, because a long path bends around a short one
- * at less cost than the other way about, and because nobody has to wait until the last has passed
+ * at less cost than in the other order, and because nobody has to wait until the last has passed
  * before it may stay at its goal. On a floor that is not crowded this comes within a few hundredths
  * of the lower bound, where the step by step rule of {@link Pibt} takes half as long again. A robot
  * rises in rank each time it finds no path, and only its equals and betters stay, so that two do

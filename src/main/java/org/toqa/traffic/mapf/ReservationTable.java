@@ -30,7 +30,7 @@ public final class ReservationTable {
     this.edgeTaken = new long[roads.vertexCount() * DIRECTIONS * words];
   }
 
-  /** The first step that is beyond the table; stands for "for ever". */
+  /** The first step that is beyond the table; means "for ever". */
   public int end() {
     return words << WORD;
   }
@@ -82,7 +82,9 @@ public final class ReservationTable {
     return firstBit(vertexTaken, vertex * words, time, 0L);
   }
 
-  /** The first time from {@code time} on at which nobody drives from the vertex that way. */
+  /**
+   * The first time from {@code time} on at which nobody drives from the vertex in that direction.
+   */
   int nextFreeEdge(int vertex, int direction, int time) {
     return firstBit(edgeTaken, (vertex * DIRECTIONS + direction) * words, time, -1L);
   }

@@ -1,11 +1,14 @@
 package org.toqa.web.api;
 
+import jakarta.servlet.http.HttpServletResponse;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.Collectors;
+import org.apache.commons.csv.CSVFormat;
 import org.jspecify.annotations.Nullable;
 
-/** A table as RFC 4180 has it. */
+/** A table as RFC 4180 has it, in which a spreadsheet finds no formulas. */
 final class CsvWriter {
   /** With one of these a spreadsheet would take a text for a formula. */
   private static final String FORMULA_SIGNS = "=+-@\t\r";
@@ -19,29 +22,25 @@ final class CsvWriter {
   /** Texts and times as they are, numbers with a point; null: an empty cell. */
   void addLine(@Nullable Object... cells) {
     lines
-        .append(Arrays.stream(cells).map(CsvWriter::cell).collect(Collectors.joining(",")))
-        .append("\r\n");
+        .append(
+            CSVFormat.RFC4180.format(Arrays.stream(cells).map(CsvWriter::withoutFormula).toArray()))
+        .append(CSVFormat.RFC4180.getRecordSeparator());
   }
 
-  private static String cell(@Nullable Object value) {
-    return switch (value) {
-      case null -> "";
-      case String text -> quoted(withoutFormula(text));
-      default -> quoted(value.toString());
-    };
+  private static @Nullable Object withoutFormula(@Nullable Object cell) {
+    return cell instanceof String text
+            && !text.isEmpty()
+            && FORMULA_SIGNS.indexOf(text.charAt(0)) >= 0
+        ? "'" + text
+        : cell;
   }
 
-  private static String withoutFormula(String text) {
-    return !text.isEmpty() && FORMULA_SIGNS.indexOf(text.charAt(0)) >= 0 ? "'" + text : text;
-  }
-
-  private static String quoted(String text) {
-    boolean isPlain = text.chars().noneMatch(c -> c == '"' || c == ',' || c == '\r' || c == '\n');
-    return isPlain ? text : '"' + text.replace("\"", "\"\"") + '"';
-  }
-
-  @Override
-  public String toString() {
-    return lines.toString();
+  /** Sends the table, in UTF-8, as a file of that name. */
+  void send(HttpServletResponse response, String fileName) throws IOException {
+    byte[] bytes = lines.toString().getBytes(StandardCharsets.UTF_8);
+    response.setContentType("text/csv;header=present;charset=UTF-8");
+    response.setHeader("Content-Disposition", "attachment; filename=\"" + fileName + "\"");
+    response.setContentLength(bytes.length);
+    response.getOutputStream().write(bytes);
   }
 }

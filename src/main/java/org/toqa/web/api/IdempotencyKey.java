@@ -2,7 +2,7 @@ package org.toqa.web.api;
 
 import jakarta.servlet.http.HttpServletRequest;
 import java.util.UUID;
-import org.toqa.web.TaskSubmitter;
+import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 
@@ -21,6 +21,6 @@ final class IdempotencyKey {
     if (!given.matches("[!-~]{1,128}")) {
       throw Problem.of(400, Texts.of(request).get("problem.idempotencyKey")).exception();
     }
-    return TaskSubmitter.idempotencyKey(Caller.of(request).account(), "header " + given);
+    return IdempotentSubmitter.idempotencyKey(Caller.of(request).account(), "header " + given);
   }
 }

@@ -3,7 +3,6 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.time.ZoneId;
 import java.util.List;
 import java.util.Locale;
@@ -40,11 +39,7 @@ public final class ImportResource extends ApiHandler {
           start.get().position().y(),
           10);
     }
-    byte[] bytes = csv.toString().getBytes(StandardCharsets.UTF_8);
-    response.setContentType("text/csv;header=present;charset=UTF-8");
-    response.setHeader("Content-Disposition", "attachment; filename=\"toqa-tasks.csv\"");
-    response.setContentLength(bytes.length);
-    response.getOutputStream().write(bytes);
+    csv.send(response, "toqa-tasks.csv");
   }
 
   public static void importTable(HttpServletRequest request, HttpServletResponse response)
@@ -89,12 +84,12 @@ public final class ImportResource extends ApiHandler {
   }
 
   private static String sentence(LineFaults faults, Texts texts) {
-    String told =
+    String sentences =
         faults.first().stream()
             .map(fault -> sentence(fault, texts))
             .collect(Collectors.joining(" "));
     String rest = faults.more() == 0 ? "" : " " + texts.get("import.more", faults.more());
-    return texts.get("import.faulty") + " " + told + rest;
+    return texts.get("import.faulty") + " " + sentences + rest;
   }
 
   private static String sentence(LineFault fault, Texts texts) {

@@ -33,7 +33,7 @@ public final class PasswordResetResource extends ApiHandler {
     if (wait.isPositive()) {
       long seconds = wait.plusMillis(999).toSeconds();
       response.setHeader("Retry-After", Long.toString(seconds));
-      throw Problem.of(429, texts.get("error.login.tooSoon", seconds)).exception();
+      throw Problem.of(429, texts.get("error.login.tooManyAttempts", seconds)).exception();
     }
     response.setStatus(HttpServletResponse.SC_ACCEPTED);
   }
@@ -51,13 +51,13 @@ public final class PasswordResetResource extends ApiHandler {
         services(request)
             .passwordLinks()
             .user(secret)
-            .orElseThrow(() -> Problem.of(410, texts.get("reset.over")).exception());
+            .orElseThrow(() -> Problem.of(410, texts.get("reset.expired")).exception());
     String password = new InputRules(texts, errors).newPassword("password", given, user.name());
     throwIfAny(errors);
     if (!services(request)
         .passwordLinks()
         .replacePassword(secret, services(request).passwordHasher().hash(password))) {
-      throw Problem.of(410, texts.get("reset.over")).exception();
+      throw Problem.of(410, texts.get("reset.expired")).exception();
     }
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }

@@ -19,7 +19,7 @@ public record ProblemHandler(Handler handler) implements Handler {
     } catch (Problem.ProblemException e) {
       e.problem().send(request, response);
     } catch (StoreException e) {
-      Problem.of(503, Texts.of(request).get("problem.databaseAway")).send(request, response);
+      Problem.of(503, Texts.of(request).get("problem.databaseUnavailable")).send(request, response);
     }
   }
 }

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
@@ -11,7 +12,7 @@ import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.wording.Sentence;
 
-/** A robot on the wire; the fields are those of {@link RobotView}, the route as it is drawn. */
+/** A robot on the wire; flat, its path as it is drawn. */
 public record RobotJson(
     String name,
     String floor,
@@ -38,30 +39,33 @@ public record RobotJson(
     @Nullable Sentence alert) {
 
   public static RobotJson of(RobotView view) {
-    SimplifiedPath path = SimplifiedPath.of(view.path(), view.released());
+    RobotRecord stored = view.record();
+    RobotView.Work work = view.work();
+    RobotView.Telemetry seen = view.telemetry();
+    SimplifiedPath path = SimplifiedPath.of(view.path().points(), view.path().released());
     return new RobotJson(
         view.name(),
         view.floor(),
         view.state(),
-        view.pose(),
-        view.battery(),
-        view.task(),
-        view.phase().number(),
+        seen.pose(),
+        seen.battery(),
+        work.task(),
+        work.phase().number(),
         view.maxLoad(),
-        view.footprint(),
-        view.speed(),
-        view.host(),
-        view.port(),
-        view.parking(),
-        view.simulated(),
+        view.capabilities().footprint(),
+        view.capabilities().speeds().forward(),
+        stored.host(),
+        stored.port(),
+        stored.parking(),
+        stored.simulated(),
         path.points(),
         path.released(),
-        view.errors(),
-        view.doing(),
-        view.lastSeen(),
-        view.held(),
-        view.charger(),
-        Objects.toString(view.fingerprint(), null),
+        seen.errors(),
+        work.doing(),
+        seen.lastSeen(),
+        work.held(),
+        work.charger(),
+        Objects.toString(stored.fingerprint(), null),
         view.alert());
   }
 }

@@ -3,8 +3,7 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.util.concurrent.CompletionStage;
-import org.toqa.fleet.Answer;
+import org.toqa.fleet.Fleet;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotView;
@@ -15,6 +14,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.Fields;
 import org.toqa.web.input.InputRules;
+import org.toqa.web.input.RobotCommand;
 import org.toqa.web.input.RobotOrderReader;
 import org.toqa.web.input.Version;
 
@@ -56,70 +56,61 @@ public final class RobotResource extends ApiHandler {
   }
 
   public static void remove(HttpServletRequest request, HttpServletResponse response) {
-    await(request, services(request).fleet()::removeRobot);
+    await(request, Fleet::removeRobot);
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 
   public static void takeOutOfService(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    command(request, response, services(request).fleet()::takeOutOfService);
+    command(request, response, Fleet::takeOutOfService);
   }
 
   public static void putInService(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    command(request, response, services(request).fleet()::putInService);
+    command(request, response, Fleet::putInService);
   }
 
   public static void hold(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    command(request, response, services(request).fleet()::holdRobot);
+    command(request, response, Fleet::holdRobot);
   }
 
   public static void resume(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    command(request, response, services(request).fleet()::resumeRobot);
+    command(request, response, Fleet::resumeRobot);
   }
 
   public static void sendHome(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
-    command(request, response, services(request).fleet()::sendHome);
+    command(request, response, Fleet::sendHome);
   }
 
   public static void pair(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     PairingOrder order = readBody(request, RobotOrderReader::readPairing).orElseThrow();
-    command(
-        request,
-        response,
-        (robot, user) -> services(request).fleet().pairRobot(robot, order, user));
+    command(request, response, (fleet, robot, user) -> fleet.pairRobot(robot, order, user));
   }
 
   public static void locate(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     Pose pose = readBody(request, RobotResource::readPose);
-    command(
-        request,
-        response,
-        (robot, user) -> services(request).fleet().locateRobot(robot, pose, user));
-  }
-
-  /** Sends the fleet a command for the robot of that name. */
-  @FunctionalInterface
-  private interface Command {
-    CompletionStage<Answer<RobotView>> send(String robot, String user);
+    command(request, response, (fleet, robot, user) -> fleet.locateRobot(robot, pose, user));
   }
 
   private static void command(
-      HttpServletRequest request, HttpServletResponse response, Command command)
+      HttpServletRequest request, HttpServletResponse response, RobotCommand command)
       throws IOException {
     Json.send(request, response, 200, RobotJson.of(await(request, command)));
   }
 
-  private static RobotView await(HttpServletRequest request, Command command) {
+  private static RobotView await(HttpServletRequest request, RobotCommand command) {
     return acceptedValue(
         request,
         FleetAnswers.await(
-            command.send(RequestPath.parameter(request, "name"), Caller.of(request).name())));
+            command.send(
+                services(request).fleet(),
+                RequestPath.parameter(request, "name"),
+                Caller.of(request).name())));
   }
 
   private static Pose readPose(Fields fields) {

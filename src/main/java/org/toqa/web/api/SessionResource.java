@@ -47,7 +47,7 @@ public final class SessionResource extends ApiHandler {
       throws IOException {
     Texts texts = Texts.of(request);
     switch (outcome) {
-      case Authenticator.Outcome.Authenticated welcome ->
+      case Authenticator.Outcome.Authenticated login ->
           Json.send(
               request,
               response,
@@ -56,7 +56,7 @@ public final class SessionResource extends ApiHandler {
                   "token",
                   services(request)
                       .sessions()
-                      .begin(welcome.account(), Session.Kind.TOKEN, RequestOrigin.of(request))
+                      .begin(login.account(), Session.Kind.TOKEN, RequestOrigin.of(request))
                       .secret()));
       case Authenticator.Outcome.WrongCredentials() -> {
         response.setHeader("WWW-Authenticate", "Bearer");
@@ -64,9 +64,9 @@ public final class SessionResource extends ApiHandler {
       }
       case Authenticator.Outcome.AccountDisabled() ->
           Problem.of(403, texts.get("error.login.disabled")).send(request, response);
-      case Authenticator.Outcome.Throttled tooSoon -> {
-        response.setHeader("Retry-After", Long.toString(tooSoon.retryAfterSeconds()));
-        Problem.of(429, texts.get("error.login.tooSoon", tooSoon.retryAfterSeconds()))
+      case Authenticator.Outcome.Throttled throttled -> {
+        response.setHeader("Retry-After", Long.toString(throttled.retryAfterSeconds()));
+        Problem.of(429, texts.get("error.login.tooManyAttempts", throttled.retryAfterSeconds()))
             .send(request, response);
       }
     }

@@ -47,23 +47,24 @@ final class StatisticsCsv {
 
   private static void addFigures(WorkStatistics figures, List<@Nullable Object> line) {
     line.addAll(List.of(figures.ordered(), figures.done(), figures.failed(), figures.cancelled()));
-    addSpread(figures.waiting(), line);
-    addSpread(figures.delivery(), line);
-    addSpread(figures.completion(), line);
+    addDurations(figures.waiting(), line);
+    addDurations(figures.delivery(), line);
+    addDurations(figures.completion(), line);
     line.add(number(figures.metres()));
     line.add(number(100 * figures.battery()));
     Stream.of(FailureKind.values()).map(figures.failures()::get).forEach(line::add);
   }
 
-  private static void addSpread(@Nullable DurationStatistics spread, List<@Nullable Object> line) {
-    if (spread == null) {
+  private static void addDurations(
+      @Nullable DurationStatistics durations, List<@Nullable Object> line) {
+    if (durations == null) {
       line.add(0);
       line.add(null);
       line.add(null);
       line.add(null);
     } else {
-      line.add(spread.count());
-      Stream.of(spread.mean(), spread.median(), spread.p90())
+      line.add(durations.count());
+      Stream.of(durations.mean(), durations.median(), durations.p90())
           .map(StatisticsCsv::number)
           .forEach(line::add);
     }
@@ -73,7 +74,7 @@ final class StatisticsCsv {
   static CsvWriter robots(PeriodStatistics figures) {
     List<String> header = new ArrayList<>(List.of("robot", "recorded_s"));
     Stream.of(RobotActivity.values())
-        .map(use -> use.name().toLowerCase(Locale.ROOT) + "_s")
+        .map(activity -> activity.name().toLowerCase(Locale.ROOT) + "_s")
         .forEach(header::add);
     header.addAll(List.of("distance_m", "battery_used_percent"));
     CsvWriter csv = new CsvWriter(header);
@@ -81,7 +82,9 @@ final class StatisticsCsv {
       List<Object> line = new ArrayList<>();
       line.add(robot.robot());
       line.add(number(robot.recordedSeconds()));
-      Stream.of(RobotActivity.values()).map(use -> number(robot.seconds(use))).forEach(line::add);
+      Stream.of(RobotActivity.values())
+          .map(activity -> number(robot.seconds(activity)))
+          .forEach(line::add);
       line.add(number(robot.metres()));
       line.add(number(100 * robot.battery()));
       csv.addLine(line.toArray());

@@ -16,7 +16,7 @@ import org.toqa.wording.Sentence;
  * A task on the wire.
  *
  * @param load kilograms
- * @param loadAt where the load stands if that is neither its start nor its goal
+ * @param loadAt where the load is if that is neither its start nor its goal
  * @param history left out of lists and of the live stream
  */
 public record TaskJson(

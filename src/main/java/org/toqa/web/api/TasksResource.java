@@ -45,7 +45,7 @@ public final class TasksResource extends ApiHandler {
     TaskOrder order = readBody(request, TaskOrderReader::read);
     TaskView task =
         switch (services(request)
-            .taskSubmitter()
+            .submitter()
             .submit(order, Caller.of(request).account(), IdempotencyKey.of(request))) {
           case KeyedAnswer.Answered<TaskView>(var answer) -> acceptedValue(request, answer);
           case KeyedAnswer.Repeated<TaskView>(TaskView before) ->

@@ -132,7 +132,7 @@ public final class UserResource extends ApiHandler {
   }
 
   /**
-   * @param token told but once
+   * @param token not shown again
    */
   private record TokenJson(String token, SessionJson session) {}
 

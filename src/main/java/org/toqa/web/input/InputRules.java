@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.toqa.accounts.PasswordStrength;
+import org.toqa.accounts.PasswordRules;
 import org.toqa.accounts.Role;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.TransportTask.LoadSize;
@@ -26,8 +26,6 @@ public final class InputRules {
   private static final int MAX_EMAIL_LENGTH = 254;
   private static final int MAX_TOKEN_NAME_LENGTH = 64;
   private static final int MAX_TOKEN_DAYS = 365;
-  private static final int MIN_PASSWORD_LENGTH = 10;
-  private static final int MAX_PASSWORD_LENGTH = 200;
   private static final int MAX_PORT = 65_535;
   private static final int MAX_PRIORITY = 100;
 
@@ -49,7 +47,7 @@ public final class InputRules {
   private static final Pattern USER_NAME =
       Pattern.compile("[\\p{L}\\p{N}][\\p{L}\\p{N}._@-]{0,63}");
 
-  /** One address, and nothing that a letter's head would take for more. */
+  /** One address, and nothing that an e-mail's header would take for more. */
   private static final Pattern EMAIL =
       Pattern.compile(
           "[A-Za-z0-9.!#$%&'*+/=?^_`{|}~-]{1,64}@[A-Za-z0-9]([A-Za-z0-9.-]*[A-Za-z0-9])?");
@@ -230,7 +228,7 @@ public final class InputRules {
     return name;
   }
 
-  /** How many days a token is good. */
+  /** How many days a token is valid. */
   public int tokenDays(String field, @Nullable Double given) {
     if (given == null || given != Math.rint(given) || !(given >= 1 && given <= MAX_TOKEN_DAYS)) {
       refuse(field, "error.tokenDays", MAX_TOKEN_DAYS);
@@ -254,21 +252,19 @@ public final class InputRules {
             });
   }
 
-  /**
-   * A password that somebody chooses: long enough to resist guessing, and none that is tried first.
-   * Which characters it has is nobody's business.
-   */
+  /** A password that somebody chooses, by {@link PasswordRules}. */
   public String newPassword(String field, @Nullable String given, String userName) {
     String password = given == null ? "" : given;
-    if (password.length() < MIN_PASSWORD_LENGTH) {
-      refuse(field, "error.password.short", MIN_PASSWORD_LENGTH);
-    } else if (password.length() > MAX_PASSWORD_LENGTH) {
-      refuse(field, "error.password.long", MAX_PASSWORD_LENGTH);
-    } else if (password.equalsIgnoreCase(userName)) {
-      refuse(field, "error.password.name");
-    } else if (PasswordStrength.isGuessable(password, userName)) {
-      refuse(field, "error.password.common");
-    }
+    PasswordRules.violation(password, userName)
+        .ifPresent(
+            violation -> {
+              switch (violation) {
+                case TOO_SHORT -> refuse(field, "error.password.short", PasswordRules.MIN_LENGTH);
+                case TOO_LONG -> refuse(field, "error.password.long", PasswordRules.MAX_LENGTH);
+                case SAME_AS_NAME -> refuse(field, "error.password.name");
+                case GUESSABLE -> refuse(field, "error.password.common");
+              }
+            });
     return password;
   }
 

@@ -11,8 +11,8 @@ import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.web.FleetAnswers;
+import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Services;
-import org.toqa.web.TaskSubmitter;
 import org.toqa.web.Texts;
 
 /** Puts in the tasks of a table that somebody sends: all of them, or none. */
@@ -52,13 +52,13 @@ public final class TaskImport {
       return withRefusals(
           table, FleetAnswers.await(services.fleet().rejections(orders, user.name())));
     }
-    return switch (services.taskSubmitter().submitAll(orders, user, key)) {
-      case TaskSubmitter.BatchOutcome.Answered(BatchAnswer.Accepted(var tasks)) ->
+    return switch (services.submitter().submitAll(orders, user, key)) {
+      case IdempotentSubmitter.BatchOutcome.Answered(BatchAnswer.Accepted(var tasks)) ->
           new Outcome.Imported(tasks);
-      case TaskSubmitter.BatchOutcome.Answered(BatchAnswer.Rejected(var refusals)) ->
+      case IdempotentSubmitter.BatchOutcome.Answered(BatchAnswer.Rejected(var refusals)) ->
           withRefusals(table, refusals);
-      case TaskSubmitter.BatchOutcome.Repeated(var tasks) -> new Outcome.Imported(tasks);
-      case TaskSubmitter.BatchOutcome.KeyReused() -> new Outcome.KeyReused();
+      case IdempotentSubmitter.BatchOutcome.Repeated(var tasks) -> new Outcome.Imported(tasks);
+      case IdempotentSubmitter.BatchOutcome.KeyReused() -> new Outcome.KeyReused();
     };
   }
 

@@ -41,7 +41,7 @@ final class TaskOrderTable {
   private final LineFaults faults = new LineFaults();
   private final List<Row> rows = new ArrayList<>();
 
-  /** An order and the line in which it stands. */
+  /** An order and its line. */
   record Row(long line, TaskOrder order) {}
 
   private TaskOrderTable(CsvTable table, ZoneId zone, Instant now, Texts texts) {

@@ -13,7 +13,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.access.RequestOrigin;
 
-/** Does what a person wants of a user, whether it came by a form or by the wire. */
+/** Changes of a user that a person asks for, by a form or by the API. */
 public final class UserCommands {
   private final Services services;
   private final Texts texts;
@@ -69,7 +69,7 @@ public final class UserCommands {
    * A token for the user's own programs.
    *
    * @param nameField that gets the sentence when the name is refused
-   * @param days how long it is good
+   * @param days of its lifetime
    */
   public Optional<SessionStore.NewSession> createToken(
       Caller caller,
@@ -101,9 +101,10 @@ public final class UserCommands {
         .authenticator()
         .authenticate(
             user.name(), password == null ? "" : password, caller.session().origin().address())) {
-      case Authenticator.Outcome.Authenticated welcome -> {}
-      case Authenticator.Outcome.Throttled tooSoon ->
-          errors.add(field, texts.get("error.login.tooSoon", tooSoon.retryAfterSeconds()));
+      case Authenticator.Outcome.Authenticated login -> {}
+      case Authenticator.Outcome.Throttled throttled ->
+          errors.add(
+              field, texts.get("error.login.tooManyAttempts", throttled.retryAfterSeconds()));
       default -> errors.add(field, texts.get("error.password.old"));
     }
   }

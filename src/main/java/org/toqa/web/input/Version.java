@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.Secret;
+import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskView;
@@ -20,7 +21,8 @@ public record Version(String text) {
   }
 
   public static Version of(RobotView robot) {
-    return of(robot.host(), robot.port(), robot.maxLoad(), robot.parking());
+    RobotRecord stored = robot.record();
+    return of(stored.host(), stored.port(), robot.maxLoad(), stored.parking());
   }
 
   public static Version of(TaskView task) {

@@ -22,7 +22,7 @@ record FloorJson(
     List<StandstillJson> standstills,
     List<FaultyCharger> faultyChargers) {
 
-  /** Cells that stay reserved for a robot that is not heard of. */
+  /** Cells that stay reserved for a lost robot. */
   record KeptJson(String robot, List<Integer> cells) {}
 
   record StandstillJson(List<String> robots, List<Vec2> where, Instant since, Sentence text) {

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 public record Chart(
     String name, String head, boolean isHorizontal, List<Column> columns, List<Row> rows) {
 
-  /** How a column is drawn. Bars of one row stand upon each other. */
+  /** How a column is drawn. Bars of one row are stacked. */
   public enum Shape {
     BAR,
     LINE,

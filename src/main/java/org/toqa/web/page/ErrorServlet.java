@@ -64,9 +64,9 @@ public final class ErrorServlet extends HttpServlet {
               case 413 -> "problem.tooLarge";
               case 503 ->
                   cause(request) instanceof StoreException
-                      ? "problem.databaseAway"
-                      : "problem.fleetSilent";
-              default -> status < 500 ? "problem.badRequest" : "problem.ourFault";
+                      ? "problem.databaseUnavailable"
+                      : "problem.fleetTimeout";
+              default -> status < 500 ? "problem.badRequest" : "problem.serverError";
             });
   }
 

@@ -7,7 +7,7 @@ import java.util.concurrent.CompletionStage;
 import org.toqa.web.FleetAnswers;
 import org.toqa.web.access.Caller;
 
-/** The forms on every page that pause all robots and let them go on. */
+/** The forms on every page that pause and resume all robots. */
 public final class FleetForms extends PageHandler {
   public static void pause(HttpServletRequest request, HttpServletResponse response)
       throws IOException {

@@ -15,7 +15,7 @@ import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.wording.Sentence;
 
-/** The forms on the live map that put a floor's robots on hold and let them go on. */
+/** The forms on the live map that hold and resume all robots of a floor. */
 public final class FloorForms extends PageHandler {
   public static void hold(HttpServletRequest request, HttpServletResponse response)
       throws IOException {

@@ -32,7 +32,8 @@ public final class ForgottenPasswordPage extends PageHandler {
         redirect(request, response, "/forgotten?done=sent");
         return;
       }
-      errors.add("form", texts.get("error.login.tooSoon", wait.plusMillis(999).toSeconds()));
+      errors.add(
+          "form", texts.get("error.login.tooManyAttempts", wait.plusMillis(999).toSeconds()));
     }
     addAttributes(request);
     showAgain(request, response, "forgotten", errors);

@@ -13,7 +13,7 @@ import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.fleet.TaskView;
-import org.toqa.web.TaskSubmitter;
+import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
@@ -63,7 +63,8 @@ public final class ImportPage extends PageHandler {
       byte[] table, ZoneId zone, HttpServletRequest request, FieldErrors errors) {
     Account user = Caller.of(request).account();
     UUID key =
-        TaskSubmitter.idempotencyKey(user, "import " + request.getParameter("idempotencyKey"));
+        IdempotentSubmitter.idempotencyKey(
+            user, "import " + request.getParameter("idempotencyKey"));
     return switch (new TaskImport(services(request), Texts.of(request))
         .run(table, zone, user, key)) {
       case TaskImport.Outcome.Imported(List<TaskView> tasks) -> Optional.of(tasks);

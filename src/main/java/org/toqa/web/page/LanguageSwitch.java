@@ -12,11 +12,11 @@ import org.toqa.web.RequestPath;
 import org.toqa.web.access.LanguageCookie;
 
 /**
- * The switch on every page that chooses the language. It is a link, for it also stands where no
+ * The switch on every page that chooses the language. It is a link, for it is also there where no
  * form may; it chooses nothing when another site leads here.
  */
 public final class LanguageSwitch extends PageHandler {
-  /** Segments from the address of a form to the page on which it stands, at most. */
+  /** Segments from the address of a form to the page that has it, at most. */
   private static final int DEEPEST_FORM = 3;
 
   public static void choose(HttpServletRequest request, HttpServletResponse response)
@@ -32,7 +32,7 @@ public final class LanguageSwitch extends PageHandler {
     redirect(request, response, returnPage(request, request.getParameter("back")));
   }
 
-  /** Where a refused form was shown again, the page on which it stands. */
+  /** Where a refused form was shown again, the page that has it. */
   private static String returnPage(HttpServletRequest request, @Nullable String address) {
     return Stream.iterate(Objects.requireNonNullElse(address, ""), LanguageSwitch::parentPath)
         .limit(1 + DEEPEST_FORM)

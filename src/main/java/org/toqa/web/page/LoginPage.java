@@ -43,8 +43,8 @@ public final class LoginPage extends PageHandler {
     switch (services(request)
         .authenticator()
         .authenticate(name, password, request.getRemoteAddr())) {
-      case Authenticator.Outcome.Authenticated welcome -> {
-        SessionCookie.signIn(request, response, services(request), welcome.account());
+      case Authenticator.Outcome.Authenticated login -> {
+        SessionCookie.signIn(request, response, services(request), login.account());
         redirect(
             request,
             response,
@@ -58,9 +58,9 @@ public final class LoginPage extends PageHandler {
         errors.add("form", texts.get("error.login.disabled"));
         showAgain(request, response, "login", errors);
       }
-      case Authenticator.Outcome.Throttled tooSoon -> {
-        errors.add("form", texts.get("error.login.tooSoon", tooSoon.retryAfterSeconds()));
-        response.setHeader("Retry-After", Long.toString(tooSoon.retryAfterSeconds()));
+      case Authenticator.Outcome.Throttled throttled -> {
+        errors.add("form", texts.get("error.login.tooManyAttempts", throttled.retryAfterSeconds()));
+        response.setHeader("Retry-After", Long.toString(throttled.retryAfterSeconds()));
         showAgain(request, response, "login", errors);
       }
     }

@@ -17,7 +17,7 @@ import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.grid.FloorMap;
 import org.toqa.web.FleetAnswers;
-import org.toqa.web.TaskSubmitter;
+import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.ScheduleOrder;
@@ -62,7 +62,8 @@ public final class NewTaskPage extends PageHandler {
   private static Optional<Schedule> schedule(
       ScheduleOrder order, HttpServletRequest request, FieldErrors errors) {
     Caller user = Caller.of(request);
-    UUID key = TaskSubmitter.idempotencyKey(user.account(), "schedule " + idempotencyKey(request));
+    UUID key =
+        IdempotentSubmitter.idempotencyKey(user.account(), "schedule " + idempotencyKey(request));
     KeyedAnswer<Schedule> answer = add(order, user, key, request);
     return added(
         answer instanceof KeyedAnswer.KeyReused<Schedule>
@@ -94,9 +95,11 @@ public final class NewTaskPage extends PageHandler {
       TaskOrder order, HttpServletRequest request, FieldErrors errors) {
     Account user = Caller.of(request).account();
     return switch (services(request)
-        .taskSubmitter()
+        .submitter()
         .submit(
-            order, user, TaskSubmitter.idempotencyKey(user, "form " + idempotencyKey(request)))) {
+            order,
+            user,
+            IdempotentSubmitter.idempotencyKey(user, "form " + idempotencyKey(request)))) {
       case KeyedAnswer.Answered<TaskView>(var answer) -> acceptedValue(request, answer, errors);
       case KeyedAnswer.Repeated<TaskView>(TaskView before) -> Optional.of(before);
       case KeyedAnswer.KeyReused<TaskView>() ->

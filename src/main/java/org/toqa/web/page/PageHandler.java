@@ -26,7 +26,7 @@ abstract class PageHandler {
   private static final int CONFLICT = 409;
   private static final int UNPROCESSABLE = 422;
 
-  /** Stands for the whole form where no field is at fault. */
+  /** The name under which an error of the whole form is filed. */
   private static final String FORM = "form";
 
   static Services services(HttpServletRequest request) {

@@ -5,11 +5,10 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
-import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
-import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
 import org.toqa.web.FleetAnswers;
@@ -19,6 +18,7 @@ import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.Fields;
 import org.toqa.web.input.InputRules;
+import org.toqa.web.input.RobotCommand;
 import org.toqa.web.input.RobotOrderReader;
 import org.toqa.web.input.Version;
 
@@ -80,39 +80,31 @@ public final class RobotPage extends PageHandler {
     command(request, response, "locate", form(RobotPage::readPose), Fleet::locateRobot);
   }
 
-  /** A command that needs nothing but the robot. */
-  @FunctionalInterface
-  private interface Command {
-    CompletionStage<Answer<RobotView>> send(Fleet fleet, String robot, String user);
-  }
-
-  /** A command that says how. */
-  @FunctionalInterface
-  private interface CommandWith<T> {
-    CompletionStage<Answer<RobotView>> send(Fleet fleet, String robot, T value, String user);
-  }
-
   private static void command(
-      HttpServletRequest request, HttpServletResponse response, String form, Command command)
+      HttpServletRequest request, HttpServletResponse response, String form, RobotCommand command)
       throws ServletException, IOException {
-    command(
-        request,
-        response,
-        form,
-        fields -> Optional.of(form),
-        (fleet, robot, none, user) -> command.send(fleet, robot, user));
+    send(request, response, form, fields -> Optional.of(command));
+  }
+
+  private static <T> void command(
+      HttpServletRequest request,
+      HttpServletResponse response,
+      String form,
+      Function<Fields, Optional<T>> reader,
+      RobotCommand.With<T> command)
+      throws ServletException, IOException {
+    send(request, response, form, fields -> reader.apply(fields).map(command::of));
   }
 
   /**
    * @param form names the form that was sent, where the page shows it again
    * @param reader answers nothing, with a sentence in the errors, where a field is wrong
    */
-  private static <T> void command(
+  private static void send(
       HttpServletRequest request,
       HttpServletResponse response,
       String form,
-      Function<Fields, Optional<T>> reader,
-      CommandWith<T> command)
+      Function<Fields, Optional<RobotCommand>> reader)
       throws ServletException, IOException {
     Optional<RobotView> now = addRobotAttributes(request);
     if (now.isEmpty()) {
@@ -132,7 +124,7 @@ public final class RobotPage extends PageHandler {
     Optional<RobotView> robot =
         reader
             .apply(new FormFields(request, errors))
-            .map(value -> FleetAnswers.await(command.send(fleet, name, value, user)))
+            .map(command -> FleetAnswers.await(command.send(fleet, name, user)))
             .flatMap(answer -> acceptedValue(request, answer, errors));
     if (robot.isPresent()) {
       boolean isRemoved = form.equals("remove");
@@ -153,11 +145,12 @@ public final class RobotPage extends PageHandler {
 
   private static FieldErrors differences(RobotView robot, HttpServletRequest request) {
     Texts texts = Texts.of(request);
+    RobotRecord stored = robot.record();
     return new EditConflict(request, Version.of(robot))
-        .compareText("host", robot.host(), "")
-        .compareNumber("port", robot.port(), String.valueOf(robot.port()))
+        .compareText("host", stored.host(), "")
+        .compareNumber("port", stored.port(), String.valueOf(stored.port()))
         .compareNumber("maxLoad", robot.maxLoad(), texts.get("common.kilograms", robot.maxLoad()))
-        .compareText("parking", robot.parking(), texts.get("robot.parking.none"))
+        .compareText("parking", stored.parking(), texts.get("robot.parking.none"))
         .differences();
   }
 

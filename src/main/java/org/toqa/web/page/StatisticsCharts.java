@@ -108,14 +108,14 @@ final class StatisticsCharts {
   /** What each robot did. */
   Chart utilisation() {
     List<Column> columns = new ArrayList<>();
-    for (RobotActivity use : RobotActivity.values()) {
-      columns.add(new Column(use.name(), Shape.BAR, Unit.SHARE));
+    for (RobotActivity activity : RobotActivity.values()) {
+      columns.add(new Column(activity.name(), Shape.BAR, Unit.SHARE));
     }
     columns.add(new Column("recorded", Shape.NONE, Unit.SECONDS));
     columns.add(new Column("distance", Shape.NONE, Unit.METRES));
     columns.add(new Column("battery", Shape.NONE, Unit.SHARE));
     return new Chart(
-        "use",
+        "utilisation",
         "robot",
         true,
         columns,
@@ -124,8 +124,8 @@ final class StatisticsCharts {
 
   private static Row row(RobotUtilisation robot) {
     List<@Nullable Double> values = new ArrayList<>();
-    for (RobotActivity use : RobotActivity.values()) {
-      values.add(robot.utilisation(use));
+    for (RobotActivity activity : RobotActivity.values()) {
+      values.add(robot.utilisation(activity));
     }
     values.add(robot.recordedSeconds());
     values.add(robot.metres());

@@ -37,7 +37,7 @@ public final class StatisticsPage extends PageHandler {
     request.setAttribute("total", figures.total());
     StatisticsCharts charts = new StatisticsCharts(figures, locale);
     request.setAttribute("series", charts.series());
-    request.setAttribute("use", charts.utilisation());
+    request.setAttribute("utilisation", charts.utilisation());
     show(request, response, "statistics");
   }
 }

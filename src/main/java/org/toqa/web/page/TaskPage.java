@@ -144,7 +144,7 @@ public final class TaskPage extends PageHandler {
     request.setAttribute("version", Version.of(task));
     request.setAttribute("mayChange", TaskCommandReader.canChange(Caller.of(request), task));
     request.setAttribute("history", services(request).archive().history(task.id()));
-    request.setAttribute("road", TIMELINE);
+    request.setAttribute("timeline", TIMELINE);
     request.setAttribute("reached", TIMELINE.indexOf(task.state()));
   }
 }

@@ -36,7 +36,7 @@ public final class RequestLimitFilter extends HttpFilter {
     services.metrics().recordRateLimited();
     long seconds = wait.plusMillis(999).toSeconds();
     response.setHeader("Retry-After", Long.toString(seconds));
-    ErrorResponse.sendText(request, response, 429, "problem.tooFast", seconds);
+    ErrorResponse.sendText(request, response, 429, "problem.tooManyRequests", seconds);
   }
 
   private static boolean isUnlimited(HttpServletRequest request) {

@@ -13,7 +13,7 @@ import org.toqa.web.access.Permission;
 /**
  * A method and a path that the server answers.
  *
- * @param path from the application's root; a segment in braces stands for any one segment, a last
+ * @param path from the application's root; a segment in braces matches any one segment, a last
  *     segment {@code *} for any rest
  * @param handler null: files are there, which the container's own servlet sends
  */
@@ -54,7 +54,7 @@ public record Route(
     return path.equals("/") ? "" : path;
   }
 
-  /** What stands in the place of each segment in braces, if the path fits. */
+  /** The value of each segment in braces, if the path matches. */
   Optional<Map<String, String>> match(String actual) {
     List<String> wanted = List.of(path.split("/", -1));
     List<String> given = List.of(actual.split("/", -1));

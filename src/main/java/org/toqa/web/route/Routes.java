@@ -65,7 +65,7 @@ import org.toqa.web.page.UsersPage;
 /** Every route of the server and who may use it. What is not in this list is not found. */
 public final class Routes {
   /**
-   * A path with a fixed segment stands before one that would also take it as a parameter. {@link
+   * A path with a fixed segment comes before one that would also take it as a parameter. {@link
    * RouteListener} registers them all.
    */
   private static final List<Route> ALL =
@@ -214,7 +214,7 @@ public final class Routes {
    * What is found at a path.
    *
    * @param routes one for each method that is answered there
-   * @param parameters what stands in the path for each segment in braces
+   * @param parameters the value of each segment in braces
    */
   public record Match(List<Route> routes, Map<String, String> parameters) {
 

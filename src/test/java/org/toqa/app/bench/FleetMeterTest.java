@@ -6,16 +6,17 @@ import java.time.Instant;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
-import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
-import org.toqa.wording.Sentence;
+import org.toqa.motion.DriveSpeeds;
+import org.toqa.testbed.Hall;
 
 class FleetMeterTest {
   private static final Instant NOON = Instant.parse("2026-06-01T12:00:00Z");
@@ -66,29 +67,8 @@ class FleetMeterTest {
 
   /** r1 is 0.2 m wide, any other one 0.3 m. */
   private static RobotView robot(String name, double x, double y) {
-    return new RobotView(
-        name,
-        "hall",
-        RobotState.DRIVING,
-        new Pose(x, y, 0),
-        1.0,
-        null,
-        Phase.NONE,
-        5,
-        name.equals("r1") ? 0.2 : 0.3,
-        0.25,
-        "127.0.0.1",
-        7275,
-        null,
-        true,
-        List.of(),
-        0,
-        List.of(),
-        Sentence.verbatim("Drives"),
-        NOON,
-        false,
-        null,
-        null,
-        null);
+    double footprint = name.equals("r1") ? 0.2 : 0.3;
+    return Hall.robot(name, RobotState.DRIVING, new Pose(x, y, 0), "127.0.0.1", 7275)
+        .withCapabilities(new RobotCapabilities(footprint, DriveSpeeds.DEFAULT, 5));
   }
 }

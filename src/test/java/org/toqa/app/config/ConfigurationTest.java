@@ -19,13 +19,13 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.allocation.Policy;
 
 class ConfigurationTest {
-  private static final Path WEBAPP = Path.of("/webapp");
+  private static final Path SHIPPED_MAP = Path.of("/webapp/WEB-INF/maps/lab.yaml");
 
   @TempDir private Path folder;
 
   @Test
   void withoutAnyLayerTheDefaultsHold() throws Exception {
-    Configuration configuration = Configuration.of(WEBAPP, List.of());
+    Configuration configuration = Configuration.of(SHIPPED_MAP, List.of());
 
     assertEquals(8080, configuration.port());
     assertEquals("127.0.0.1", configuration.address().getHostAddress());
@@ -38,7 +38,7 @@ class ConfigurationTest {
 
   @Test
   void theDefaultDatabaseLosesNoCommittedRow() throws Exception {
-    String url = Configuration.of(WEBAPP, List.of()).database().url();
+    String url = Configuration.of(SHIPPED_MAP, List.of()).database().url();
 
     assertEquals("jdbc:h2:file:" + Path.of("toqa-data/toqa").toAbsolutePath(), head(url));
     assertEquals("WRITE_DELAY=0", url.substring(url.lastIndexOf(';') + 1));
@@ -51,7 +51,8 @@ class ConfigurationTest {
         SettingSource.fromEnvironment(Map.of("TOQA_PORT", "11", "TOQA_SIMULATE", "12"));
     SettingSource commandLine = commandLine(Setting.PORT, "21");
 
-    Configuration configuration = Configuration.of(WEBAPP, List.of(commandLine, environment, file));
+    Configuration configuration =
+        Configuration.of(SHIPPED_MAP, List.of(commandLine, environment, file));
 
     assertEquals(21, configuration.port());
     assertEquals(12, configuration.simulatedRobots());
@@ -62,7 +63,7 @@ class ConfigurationTest {
   void aGroupOfTheFileIsReadByItsKeys() throws Exception {
     Configuration configuration =
         Configuration.of(
-            WEBAPP,
+            SHIPPED_MAP,
             List.of(
                 file(
                     """
@@ -79,7 +80,7 @@ class ConfigurationTest {
   @Test
   void aPathInTheFileCountsFromTheFilesFolder() throws Exception {
     assertEquals(
-        folder.resolve("kept"), Configuration.of(WEBAPP, List.of(file("data: kept"))).data());
+        folder.resolve("kept"), Configuration.of(SHIPPED_MAP, List.of(file("data: kept"))).data());
   }
 
   @Test
@@ -87,7 +88,7 @@ class ConfigurationTest {
     SettingSource environment =
         SettingSource.fromEnvironment(Map.of("TOQA_MANAGER", "mia:pass:word"));
 
-    Configuration configuration = Configuration.of(WEBAPP, List.of(environment));
+    Configuration configuration = Configuration.of(SHIPPED_MAP, List.of(environment));
 
     assertEquals(new Configuration.FirstManager("mia", "pass:word"), configuration.firstManager());
   }
@@ -98,7 +99,8 @@ class ConfigurationTest {
         SettingSource.fromEnvironment(Map.of("TOQA_ALLOCATOR", "contract-net"));
 
     assertEquals(
-        Policy.CONTRACT_NET, Configuration.of(WEBAPP, List.of(environment)).allocationPolicy());
+        Policy.CONTRACT_NET,
+        Configuration.of(SHIPPED_MAP, List.of(environment)).allocationPolicy());
   }
 
   @ParameterizedTest
@@ -209,7 +211,7 @@ class ConfigurationTest {
 
   private String complaint(SettingSource layer) {
     return assertThrows(
-            ConfigurationException.class, () -> Configuration.of(WEBAPP, List.of(layer)))
+            ConfigurationException.class, () -> Configuration.of(SHIPPED_MAP, List.of(layer)))
         .getMessage();
   }
 

@@ -26,7 +26,6 @@ import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
-import org.toqa.fleet.RobotView;
 import org.toqa.fleet.history.EventArchive.Filter;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
@@ -142,7 +141,7 @@ class SimulatedDocksTest {
   private static Pose pose(FleetSnapshot view, String robot) {
     return view.robots().stream()
         .filter(r -> r.name().equals(robot))
-        .map(RobotView::pose)
+        .map(r -> r.telemetry().pose())
         .map(Objects::requireNonNull)
         .findFirst()
         .orElseThrow();

@@ -116,7 +116,8 @@ class WebServerTest {
       options.put(Setting.PROXY, proxy);
       options.put(Setting.DATA, folder.resolve(proxy).toString());
       Configuration configuration =
-          Configuration.of(WEBAPP, List.of(SettingSource.fromCommandLine(options)));
+          Configuration.of(
+              WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(options)));
       try (WebServer web = WebServer.bind(WEBAPP, configuration);
           FleetServer toqa = FleetServer.start(configuration);
           WebServer.RunningWebapp site = web.open(toqa);
@@ -140,11 +141,13 @@ class WebServerTest {
     Map<Setting, @Nullable String> options = options(0);
     options.put(Setting.TLS_CERTIFICATE, certificate.toString());
     options.put(Setting.TLS_KEY, key.toString());
-    return Configuration.of(WEBAPP, List.of(SettingSource.fromCommandLine(options)));
+    return Configuration.of(
+        WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(options)));
   }
 
   private Configuration onPort(int port) throws ConfigurationException {
-    return Configuration.of(WEBAPP, List.of(SettingSource.fromCommandLine(options(port))));
+    return Configuration.of(
+        WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(options(port))));
   }
 
   private Map<Setting, @Nullable String> options(int port) {

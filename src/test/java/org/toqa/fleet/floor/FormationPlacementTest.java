@@ -11,6 +11,7 @@ import java.util.Random;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
@@ -20,7 +21,7 @@ import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.traffic.mapf.LacamJointPlanner;
 
 class FormationPlacementTest {
-  private static final double RADIUS = FloorRobot.UNKNOWN_FOOTPRINT / 2;
+  private static final double RADIUS = RobotCapabilities.UNKNOWN.footprint() / 2;
 
   /** Metres and radians; three times what a robot takes for standing on its place. */
   private static final double OFF_PLACE = 0.003;
@@ -38,15 +39,15 @@ class FormationPlacementTest {
 
   @Test
   void twoRobotsCarryBetweenMostStationsOfTheLab() {
-    int ways = 0;
+    int paths = 0;
     for (Place start : lab.stations()) {
       Place goal = lab.stations().get((lab.stations().indexOf(start) + 5) % lab.stations().size());
-      ways += round(start, goal, 2).isPresent() ? 1 : 0;
+      paths += round(start, goal, 2).isPresent() ? 1 : 0;
     }
-    assertTrue(ways > lab.stations().size() / 2, ways + " of " + lab.stations().size());
+    assertTrue(paths > lab.stations().size() / 2, paths + " of " + lab.stations().size());
   }
 
-  /** No robot stands exactly where it was sent. */
+  /** No robot is exactly where it was sent. */
   @Test
   void whatIsPromisedIsKeptWhereverTheLeaderComesToStand() {
     Random random = new Random(7);

@@ -11,10 +11,15 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Telemetry;
+import org.toqa.fleet.RobotView.Work;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.Phase;
+import org.toqa.motion.DriveSpeeds;
+import org.toqa.testbed.Hall;
 import org.toqa.wording.Sentence;
 
 class UtilisationMeterTest {
@@ -137,36 +142,17 @@ class UtilisationMeterTest {
   }
 
   private static RobotView seenAt(Instant at, RobotView view) {
-    double x = view.pose() == null ? 0 : view.pose().x();
-    double battery = view.battery() == null ? 0 : view.battery();
-    return robot(view.state(), view.phase().number(), x, battery, view.held(), at);
+    Telemetry seen = view.telemetry();
+    return view.withTelemetry(new Telemetry(seen.pose(), seen.battery(), seen.errors(), at));
   }
 
   private static RobotView robot(
       RobotState state, int phase, double x, double battery, boolean held, Instant seen) {
-    return new RobotView(
-        "r1",
-        "lab",
-        state,
-        new Pose(x, 0, 0),
-        battery,
-        phase == 0 ? null : 7L,
-        Phase.stored(phase),
-        5,
-        0.3,
-        SPEED,
-        "127.0.0.1",
-        7275,
-        null,
-        true,
-        List.of(),
-        0,
-        List.of(),
-        Sentence.verbatim(""),
-        seen,
-        held,
-        null,
-        null,
-        null);
+    Long task = phase == 0 ? null : 7L;
+    return Hall.robot("r1", state, null, "127.0.0.1", 7275)
+        .withCapabilities(
+            new RobotCapabilities(0.3, new DriveSpeeds(SPEED, 1, 1), Double.MAX_VALUE))
+        .withWork(new Work(task, Phase.stored(phase), held, null, Sentence.verbatim("")))
+        .withTelemetry(new Telemetry(new Pose(x, 0, 0), battery, List.of(), seen));
   }
 }

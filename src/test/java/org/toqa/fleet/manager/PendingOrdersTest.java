@@ -19,13 +19,13 @@ class PendingOrdersTest {
   private static final TaskOrder ORDER =
       new TaskOrder("box", 1, new Where.Station("A"), new Where.Station("B"), null, 0, null, null);
 
-  private final ActorSystem<StatusReply<Answer<TaskView>>> asker =
-      ActorSystem.create(Behaviors.ignore(), "asker");
+  private final ActorSystem<StatusReply<Answer<TaskView>>> caller =
+      ActorSystem.create(Behaviors.ignore(), "caller");
   private final PendingOrders orders = new PendingOrders();
 
   @AfterEach
   void stop() {
-    asker.terminate();
+    caller.terminate();
   }
 
   @Test
@@ -44,7 +44,7 @@ class PendingOrdersTest {
 
   private ManagerMessage.OrderChecked checked() {
     ManagerMessage.SubmitTask request =
-        new ManagerMessage.SubmitTask(ORDER, "Clara", UUID.randomUUID(), asker);
+        new ManagerMessage.SubmitTask(ORDER, "Clara", UUID.randomUUID(), caller);
     return new ManagerMessage.OrderChecked(
         orders.add(request, 0), new Answer.Unknown<>(Sentence.verbatim("No.")), null);
   }

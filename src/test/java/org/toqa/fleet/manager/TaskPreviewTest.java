@@ -44,7 +44,8 @@ class TaskPreviewTest {
         view ->
             view.robots().size() == 2
                 && view.robots().stream()
-                    .allMatch(r -> r.state() == RobotState.IDLE && r.battery() != null));
+                    .allMatch(
+                        r -> r.state() == RobotState.IDLE && r.telemetry().battery() != null));
   }
 
   @AfterEach
@@ -105,7 +106,7 @@ class TaskPreviewTest {
     for (int i = 0; i < 2; i++) {
       stage.fleet.submit(order(LIGHT), "Clara").toCompletableFuture().get(10, TimeUnit.SECONDS);
     }
-    stage.await(view -> view.robots().stream().allMatch(r -> r.task() != null));
+    stage.await(view -> view.robots().stream().allMatch(r -> r.work().task() != null));
 
     TaskPreview told = preview(order(LIGHT));
 

@@ -18,12 +18,11 @@ import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.TamperedStore;
-import org.toqa.geometry.Vec2;
-import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask;
 import org.toqa.persistence.StoreException;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.testbed.LabTask;
 
 @Timeout(60)
 class TaskSubmitterTest {
@@ -112,19 +111,6 @@ class TaskSubmitterTest {
   }
 
   private static TransportTask task(String name) {
-    TaskPlace start = new TaskPlace(new Vec2(1, 1), null);
-    TaskPlace goal = new TaskPlace(new Vec2(2, 2), null);
-    return new TransportTask(
-        0,
-        name,
-        1,
-        start,
-        goal,
-        "lab",
-        0,
-        null,
-        null,
-        "ann",
-        Instant.parse("2026-11-21T10:00:00Z"));
+    return LabTask.of(name, "ann", Instant.parse("2026-11-21T10:00:00Z"));
   }
 }

@@ -100,8 +100,8 @@ class LinkCodecProperties {
             Arbitraries.integers(),
             Arbitraries.of(true, false))
         .as(
-            (seq, task, phase, start, way, released, last) ->
-                new ServerMessage.Drive(seq, task, phase, start, way, released, last, 0));
+            (seq, task, phase, start, path, released, last) ->
+                new ServerMessage.Drive(seq, task, phase, start, path, released, last, 0));
   }
 
   @Provide

@@ -168,7 +168,7 @@ class LinkTlsTest {
                     .write("{\"type\":\"hello\"}\n".getBytes(StandardCharsets.UTF_8));
                 taken.getInputStream().readAllBytes();
               } catch (IOException e) {
-                // the server hangs up
+                // the server closes the connection
               }
             },
             Thread::startVirtualThread);
@@ -228,7 +228,7 @@ class LinkTlsTest {
         Thread.sleep(100);
       }
     } catch (IOException | InterruptedException e) {
-      // the robot hangs up
+      // the robot closes the connection
     }
   }
 

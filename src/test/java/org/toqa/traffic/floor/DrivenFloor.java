@@ -44,7 +44,7 @@ final class DrivenFloor {
   static final class Body {
     Pose pose;
     final double diameter;
-    @Nullable Trajectory way;
+    @Nullable Trajectory trajectory;
     int released;
     int completed;
     boolean last;
@@ -72,7 +72,7 @@ final class DrivenFloor {
     }
 
     double arrived(OccupancyGrid grid) {
-      return group == null ? ARRIVED : FormationPlanner.goalTolerance(grid) + ARRIVED;
+      return group == null ? ARRIVED : FormationLattice.goalTolerance(grid) + ARRIVED;
     }
   }
 
@@ -141,7 +141,7 @@ final class DrivenFloor {
 
   /** It stops where it is and wants nothing any more, as after a cancel or a restart. */
   void giveUp(String robot) {
-    body(robot).way = null;
+    body(robot).trajectory = null;
     send(robot, null);
   }
 
@@ -158,13 +158,13 @@ final class DrivenFloor {
 
   boolean isAt(String robot, Cell cell) {
     Body body = body(robot);
-    return body.way == null && body.pose.position().distanceTo(grid.centre(cell)) < 1e-3;
+    return body.trajectory == null && body.pose.position().distanceTo(grid.centre(cell)) < 1e-3;
   }
 
   boolean isArrived(String robot) {
     Body body = body(robot);
     return body.goal == null
-        || (body.way == null && body.carries().distanceTo(body.goal) < body.arrived(grid));
+        || (body.trajectory == null && body.carries().distanceTo(body.goal) < body.arrived(grid));
   }
 
   boolean areAllArrived() {
@@ -200,7 +200,7 @@ final class DrivenFloor {
   }
 
   private void report(String name, Body body) {
-    if (body.way == null) {
+    if (body.trajectory == null) {
       traffic.reportStanding(name, body.pose, body.diameter, now);
     } else {
       traffic.reportProgress(name, body.pose, body.completed, now);
@@ -211,24 +211,25 @@ final class DrivenFloor {
     Body body = body(decision.robot());
     switch (decision) {
       case DriveCommand.Begin begin -> {
-        require(body.way == null, decision.robot() + " was told to begin while it drives");
+        require(body.trajectory == null, decision.robot() + " was told to begin while it drives");
         require(
             begin.trajectory().start().distanceTo(body.pose) < 1e-6,
             decision.robot() + " was told to begin elsewhere");
-        body.way = begin.trajectory();
+        body.trajectory = begin.trajectory();
         body.released = begin.released();
         body.completed = 0;
         body.inSegment = 0;
         body.last = begin.endsAtGoal();
       }
       case DriveCommand.Extend extend -> {
-        Trajectory way =
+        Trajectory trajectory =
             Objects.requireNonNull(
-                body.way, () -> decision.robot() + " was told to go on while it stands");
-        require(extend.from() >= body.released, decision.robot() + ": a released way was changed");
-        List<Segment> segments = new ArrayList<>(way.segments().subList(0, extend.from()));
+                body.trajectory, () -> decision.robot() + " was told to go on while it is stopped");
+        require(
+            extend.from() >= body.released, decision.robot() + ": a released section was changed");
+        List<Segment> segments = new ArrayList<>(trajectory.segments().subList(0, extend.from()));
         segments.addAll(extend.segments());
-        body.way = new Trajectory(way.start(), segments);
+        body.trajectory = new Trajectory(trajectory.start(), segments);
         body.released = extend.released();
         body.last = extend.endsAtGoal();
       }
@@ -240,13 +241,13 @@ final class DrivenFloor {
   }
 
   private void move(Body body) {
-    Trajectory way = body.way;
-    if (way == null || body.isStuck) {
+    Trajectory trajectory = body.trajectory;
+    if (trajectory == null || body.isStuck) {
       return;
     }
     double left = STEP * (chance.nextInt(4) == 0 ? 0 : chance.nextDouble(0.3, 1));
     while (left > 0 && body.completed < body.released) {
-      double t = way.segments().get(body.completed).t();
+      double t = trajectory.segments().get(body.completed).t();
       double used = Math.min(left, t - body.inSegment);
       body.inSegment += used;
       left -= used;
@@ -255,13 +256,13 @@ final class DrivenFloor {
         body.inSegment = 0;
       }
     }
-    Pose at = way.poseAfter(body.completed);
+    Pose at = trajectory.poseAfter(body.completed);
     body.pose =
-        body.completed < way.segments().size()
-            ? at.advanced(way.segments().get(body.completed).twist(), body.inSegment)
+        body.completed < trajectory.segments().size()
+            ? at.advanced(trajectory.segments().get(body.completed).twist(), body.inSegment)
             : at;
-    if (body.last && body.completed == way.segments().size()) {
-      body.way = null;
+    if (body.last && body.completed == trajectory.segments().size()) {
+      body.trajectory = null;
     }
   }
 
@@ -321,7 +322,7 @@ final class DrivenFloor {
     Map<String, String> reasons = new HashMap<>();
     for (String robot : bodies.keySet()) {
       Body body = body(robot);
-      if (!isArrived(robot) || body.way != null) {
+      if (!isArrived(robot) || body.trajectory != null) {
         reasons.put(robot, reason(robot) + " at " + body.pose + " for " + body.goal);
       }
     }

@@ -22,7 +22,7 @@ import org.toqa.grid.OccupancyGrid;
  * size a 0.5            diameter, metres; 0.255 where nothing is said
  * a to 8,1              where it wants to go at the start
  * at 20 a to 3,1        ... and after 20 s
- * at 20 a stops         its wheels stand still, nobody knows why
+ * at 20 a stops         its wheels are stopped, nobody knows why
  * at 30 a drives        ... and turn again
  * at 20 a is lost       it cannot be told anything any more
  * at 30 a is found

@@ -51,7 +51,7 @@ class FloorTrafficPropertyTest {
     }
   }
 
-  /** A floor with the robots r0, r1 ..., which stand at the first places after a shuffle. */
+  /** A floor with the robots r0, r1 ..., which are at the first places after a shuffle. */
   private static DrivenFloor floorWithRobots(
       OccupancyGrid grid, List<Cell> free, int robots, Random random, long seed) {
     Collections.shuffle(free, random);
@@ -123,7 +123,7 @@ class FloorTrafficPropertyTest {
     return true;
   }
 
-  /** Floors whose cells are far smaller than a robot, which stands anywhere, and is of any size. */
+  /** Floors whose cells are far smaller than a robot, which may be anywhere, and of any size. */
   @Property(tries = 10, seed = "20261121")
   void onFineMapsEveryRobotArrives(@ForAll @LongRange(min = 0) long seed) {
     driveOnAFineMap(seed);

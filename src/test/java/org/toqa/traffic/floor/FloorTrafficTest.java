@@ -267,11 +267,11 @@ class FloorTrafficTest {
     floor.send("r", new Cell(3, 2));
     while (!floor.isArrived("r")) {
       floor.step();
-      List<Vec2> way = floor.traffic.remainingPath("r").points();
-      for (int i = 2; i < way.size(); i++) {
-        double along = way.get(i - 1).distanceTo(way.get(i));
-        double round = way.get(i - 2).distanceTo(way.get(i));
-        assertTrue(round >= along - 1e-6, () -> "back at " + way);
+      List<Vec2> path = floor.traffic.remainingPath("r").points();
+      for (int i = 2; i < path.size(); i++) {
+        double along = path.get(i - 1).distanceTo(path.get(i));
+        double round = path.get(i - 2).distanceTo(path.get(i));
+        assertTrue(round >= along - 1e-6, () -> "back at " + path);
       }
     }
   }

@@ -38,7 +38,7 @@ class FormationFootprintPropertyTest {
     lab = FloorReader.read(Path.of("maps", "lab.yaml"));
   }
 
-  /** Held at any moment, a group has a way on from where it comes to a stand. */
+  /** Held at any moment, a group has a path on from where it has stopped. */
   @Property(tries = 200, seed = "20261121")
   void groupThatIsHeldOnItsWayGoesOn(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
@@ -135,7 +135,7 @@ class FormationFootprintPropertyTest {
    */
   private record Carry(OccupancyGrid grid, Pose load, Vec2 goal, int robots) {
 
-    /** Whether a group has room there, and on an empty floor a way. */
+    /** Whether a group has room there, and on an empty floor a path. */
     boolean isPossible() {
       DrivenFloor empty = new DrivenFloor(grid, 1);
       if (!group().discs(leader()).stream().allMatch(empty::isOffTheWalls)) {
@@ -143,7 +143,7 @@ class FormationFootprintPropertyTest {
       }
       begin(empty, "group");
       empty.step();
-      return empty.isArrived("group") || empty.body("group").way != null;
+      return empty.isArrived("group") || empty.body("group").trajectory != null;
     }
 
     void begin(DrivenFloor floor, String name) {

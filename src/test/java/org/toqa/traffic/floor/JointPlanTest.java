@@ -53,11 +53,11 @@ class JointPlanTest {
   /** The course of one robot that has the floor for itself and faces east. */
   private ReservedPath course(Cell... visits) {
     Vec2 start = floor.centre(visits[0]);
-    TrafficRobot mover =
+    TrafficRobot robot =
         new TrafficRobot(
             "r", 1, floor, new Pose(start.x(), start.y(), 0), DIAMETER / 2, Instant.EPOCH);
     List<int[]> steps = List.of(visits).stream().map(c -> new int[] {roads.vertex(c)}).toList();
-    new JointPlan(lanes, new BitSet(), roads, List.of(mover), steps).adopt(new SectionFitter());
-    return Objects.requireNonNull(mover.drive.path());
+    new JointPlan(lanes, new BitSet(), roads, List.of(robot), steps).adopt(new SectionFitter());
+    return Objects.requireNonNull(robot.drive.path());
   }
 }

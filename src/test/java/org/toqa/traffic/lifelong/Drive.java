@@ -84,7 +84,7 @@ final class Drive {
   }
 
   private static List<GridPose> at(LifelongPlan plan, int step) {
-    return plan.paths().stream().map(itinerary -> itinerary.at(step)).toList();
+    return plan.paths().stream().map(path -> path.at(step)).toList();
   }
 
   /** One step of all robots. */

@@ -53,11 +53,11 @@ class GuidancePropertyTest {
     Guidance guidance = new Guidance(graph);
     char[] before = guidance.distances(start, goal);
 
-    int[] way = guidance.announce(start, before);
+    int[] path = guidance.announce(start, before);
     if (before[start] != DistanceTables.UNREACHABLE) {
-      assertTrue(way.length <= before[start] / Guidance.STEP);
+      assertTrue(path.length <= before[start] / Guidance.STEP);
     }
-    guidance.withdraw(way);
+    guidance.withdraw(path);
 
     assertEquals(new String(before), new String(guidance.distances(start, goal)));
   }

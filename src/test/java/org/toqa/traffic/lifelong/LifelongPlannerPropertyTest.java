@@ -160,7 +160,7 @@ class LifelongPlannerPropertyTest {
     return cells.get(random.nextInt(cells.size()));
   }
 
-  /** Whether no other robot stands there at this moment, moved already or not. */
+  /** Whether no other robot is there at this moment, moved already or not. */
   private static boolean isClear(Drive drive, Floor floor, GridPose stance, int robot) {
     return Stream.iterate(0, other -> other + 1)
         .limit(floor.starts().size())

@@ -70,15 +70,15 @@ class EditConflictTest {
     assertTrue(page.contains("Current value: None: stays where its task ends<"), page);
     assertFalse(page.contains("Current value: r1.lan"), "the address is the same");
     assertTrue(page.contains("value=\"8\""), "what was entered stays");
-    assertEquals(7300, robot().port());
+    assertEquals(7300, robot().record().port());
     assertEquals(6, robot().maxLoad());
-    assertNull(robot().parking());
+    assertNull(robot().record().parking());
 
     String now = version(page, "/robots/r1/change");
     assertEquals(303, send(second, "robots/r1/change", mine, now).statusCode());
-    assertEquals(7275, robot().port());
+    assertEquals(7275, robot().record().port());
     assertEquals(8, robot().maxLoad());
-    assertEquals("P2", robot().parking());
+    assertEquals("P2", robot().record().parking());
   }
 
   @Test
@@ -92,7 +92,7 @@ class EditConflictTest {
 
     assertEquals(409, refused.statusCode());
     assertTrue(refused.body().contains("Current value: other.lan<"), refused.body());
-    assertNull(robot().fingerprint());
+    assertNull(robot().record().fingerprint());
   }
 
   @Test
@@ -207,7 +207,7 @@ class EditConflictTest {
     Map<String, String> mine = Map.of("host", "r1.lan", "port", "7500", "maxLoad", "5");
 
     assertEquals(409, send(second, "robots/r1/change", mine, seen).statusCode());
-    assertEquals(7400, robot().port());
+    assertEquals(7400, robot().record().port());
   }
 
   private void addTask() {

@@ -45,7 +45,6 @@ class HistoryInBrowserTest extends BrowserTest {
         .setRobots(
             Hall.robot("r1", RobotState.IDLE, new Pose(2, 1, 0), "127.0.0.1", 7275),
             Hall.robot("r2", RobotState.IDLE, new Pose(4, 1, 0), "127.0.0.1", 7276));
-    page().setDefaultTimeout(10_000);
     page().navigate(server.root().toString());
     page().getByLabel("Name").fill(WebTestServer.CLERK);
     page().getByLabel("Password").fill(WebTestServer.PASSWORD);

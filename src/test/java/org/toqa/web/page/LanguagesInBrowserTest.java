@@ -39,7 +39,6 @@ class LanguagesInBrowserTest extends BrowserTest {
   void start() throws Exception {
     server = WebTestServer.startForBrowser();
     server.fleet().changeRobots(none -> PagesInBrowser.fleetAtWork());
-    page().setDefaultTimeout(10_000);
     page().setViewportSize(1280, 900);
   }
 

@@ -14,7 +14,6 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,7 +23,6 @@ import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 
 /** What managers do with robots and users, in a real browser. */
-@Tag("full")
 class ManagerPagesInBrowserTest extends PagesInBrowser {
   @Test
   void aRobotIsTakenOutOfServiceOnItsPage() {
@@ -47,6 +45,7 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
                 List.of(),
                 List.of()));
     page.getByText("Release its place").click();
+    assertThat(page.getByText("Confirm release")).isVisible();
     picture(page, "robot-out-of-service");
     page.getByText("Put back in service").click();
     assertThat(page.locator(".heading .state")).hasText("Idle");
@@ -95,6 +94,7 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("The session has ended.");
 
     page.getByText("All users").click();
+    assertThat(page.getByRole(AriaRole.LINK, link("Clara"))).isVisible();
     picture(page, name + "-users");
     page.getByRole(AriaRole.LINK, link("Clara")).click();
     page.getByText("Create password link").click();

@@ -8,7 +8,6 @@ import com.microsoft.playwright.assertions.LocatorAssertions;
 import com.microsoft.playwright.options.ColorScheme;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FloorView;
 import org.toqa.geometry.Pose;
@@ -18,7 +17,6 @@ import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
 
 /** The live map in a real browser. */
-@Tag("full")
 class MapInBrowserTest extends PagesInBrowser {
   @Test
   void theMapShowsARobotMove() {

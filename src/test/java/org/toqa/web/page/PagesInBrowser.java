@@ -5,63 +5,37 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import com.microsoft.playwright.Browser;
-import com.microsoft.playwright.BrowserContext;
-import com.microsoft.playwright.BrowserType;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
-import com.microsoft.playwright.Playwright;
 import com.microsoft.playwright.options.ColorScheme;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
+import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Work;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.Phase;
+import org.toqa.testbed.BrowserTest;
 import org.toqa.testbed.Hall;
+import org.toqa.traffic.floor.RemainingPath;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** A fleet at work, a browser, and what its tests look at; scripts must not complain. */
-abstract class PagesInBrowser {
+abstract class PagesInBrowser extends BrowserTest {
   private static final Path PICTURES = Path.of("target/screenshots");
 
-  private static Playwright playwright;
-  static Browser browser;
-
   WebTestServer server;
-  final List<String> complaints = new ArrayList<>();
-
-  @BeforeAll
-  static void openBrowser() {
-    playwright =
-        Playwright.create(
-            new Playwright.CreateOptions().setEnv(Map.of("PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD", "1")));
-    browser =
-        playwright
-            .chromium()
-            .launch(
-                new BrowserType.LaunchOptions()
-                    .setExecutablePath(Path.of("/usr/bin/chromium"))
-                    .setArgs(List.of("--no-sandbox", "--disable-gpu")));
-  }
-
-  @AfterAll
-  static void closeBrowser() {
-    browser.close();
-    playwright.close();
-  }
 
   @BeforeEach
   void start() throws Exception {
@@ -72,7 +46,9 @@ abstract class PagesInBrowser {
   @AfterEach
   void stop() throws Exception {
     server.close();
-    assertEquals(List.of(), complaints);
+    assertEquals(
+        List.of(),
+        complaints().stream().filter(c -> !c.startsWith("Failed to load resource")).toList());
   }
 
   static void assertFits(Page page) {
@@ -88,22 +64,12 @@ abstract class PagesInBrowser {
   }
 
   Page loggedIn(int width, int height, ColorScheme scheme) {
-    BrowserContext context =
-        browser.newContext(
+    Page page =
+        openPage(
             new Browser.NewContextOptions()
                 .setViewportSize(width, height)
                 .setColorScheme(scheme)
                 .setTimezoneId("America/Bogota"));
-    Page page = context.newPage();
-    page.setDefaultTimeout(10_000);
-    page.onPageError(complaints::add);
-    page.onConsoleMessage(
-        message -> {
-          if (message.type().equals("error")
-              && !message.text().startsWith("Failed to load resource")) {
-            complaints.add(message.text());
-          }
-        });
     page.navigate(server.root().toString());
     page.getByLabel("Name").fill(WebTestServer.MANAGER);
     page.getByLabel("Password").fill(WebTestServer.PASSWORD);
@@ -129,7 +95,12 @@ abstract class PagesInBrowser {
     return page.evaluate("document.querySelector('#map').toDataURL()");
   }
 
+  /**
+   * Takes a picture for people to look at; the page must be the one that it is to show, since
+   * Chromium refuses to take one while another page replaces it.
+   */
   static void picture(Page page, String name) {
+    page.waitForLoadState();
     page.screenshot(new Page.ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")));
   }
 
@@ -144,88 +115,32 @@ abstract class PagesInBrowser {
   }
 
   static RobotView driving(String name, Pose pose, long task) {
-    RobotView still = robot(name, RobotState.DRIVING, pose);
-    return new RobotView(
-        name,
-        still.floor(),
-        still.state(),
-        pose,
-        0.84,
-        task,
-        Phase.TO_GOAL,
-        5,
-        0.255,
-        0.25,
-        "127.0.0.1",
-        7275,
-        "P1",
-        true,
-        List.of(new Vec2(5.4, 4.6), new Vec2(6.15, 3.15), new Vec2(8, 3.1), new Vec2(9, 1.05)),
-        2,
-        List.of(),
-        Phrase.CARRIES_LOAD.with(task),
-        Hall.START,
-        false,
-        null,
-        null,
-        null);
+    return robot(name, RobotState.DRIVING, pose)
+        .withWork(new Work(task, Phase.TO_GOAL, false, null, Phrase.CARRIES_LOAD.with(task)))
+        .withPath(
+            new RemainingPath(
+                List.of(
+                    new Vec2(5.4, 4.6), new Vec2(6.15, 3.15), new Vec2(8, 3.1), new Vec2(9, 1.05)),
+                2));
   }
 
   static RobotView troubled(RobotView still, List<Fault> errors, @Nullable String alert) {
-    return new RobotView(
-        still.name(),
-        still.floor(),
-        still.state(),
-        still.pose(),
-        still.battery(),
-        still.task(),
-        still.phase(),
-        still.maxLoad(),
-        still.footprint(),
-        still.speed(),
-        still.host(),
-        still.port(),
-        still.parking(),
-        still.simulated(),
-        still.path(),
-        still.released(),
-        errors,
-        still.doing(),
-        still.lastSeen(),
-        still.held(),
-        still.charger(),
-        still.fingerprint(),
-        alert == null ? null : Sentence.verbatim(alert));
+    return still
+        .withTelemetry(still.telemetry().withErrors(errors))
+        .withAlert(alert == null ? null : Sentence.verbatim(alert));
   }
 
   static RobotView robot(String name, RobotState state, Pose pose) {
     RobotView still = Hall.robot(name, state, pose, "127.0.0.1", 7275);
-    return state == RobotState.ERROR
-        ? new RobotView(
-            name,
-            still.floor(),
-            state,
-            pose,
-            0.12,
-            null,
-            Phase.NONE,
-            5,
-            0.255,
-            0.25,
-            "127.0.0.1",
-            7275,
-            "P3",
-            true,
-            List.of(),
-            0,
-            List.of(new Fault("BATTERY_LOW", "The battery is nearly empty.")),
-            Phrase.HAS_FAULT.with("The battery is nearly empty."),
-            Hall.START,
-            false,
-            null,
-            null,
-            null)
-        : still;
+    return state == RobotState.ERROR ? withEmptyBattery(still) : still;
+  }
+
+  private static RobotView withEmptyBattery(RobotView robot) {
+    Fault fault = new Fault("BATTERY_LOW", "The battery is nearly empty.");
+    return robot
+        .withRecord(robot.record().withChange(new RobotChange("127.0.0.1", 7275, 5, "P3")))
+        .withTelemetry(robot.telemetry().withBattery(0.12).withErrors(List.of(fault)))
+        .withWork(new Work(null, Phase.NONE, false, null, Phrase.HAS_FAULT.with(fault.text())));
   }
 
   /** One of each kind. */

@@ -7,7 +7,6 @@ import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.ColorScheme;
 import java.util.List;
 import java.util.Map;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.mission.TaskState;
@@ -16,7 +15,6 @@ import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 
 /** Every page fits its screen. Pictures of them go to {@code target/screenshots}. */
-@Tag("full")
 class PagesInBrowserTest extends PagesInBrowser {
   @ParameterizedTest
   @CsvSource({"1280, 900, LIGHT, desktop", "1280, 900, DARK, dark", "390, 844, LIGHT, phone"})
@@ -57,6 +55,9 @@ class PagesInBrowserTest extends PagesInBrowser {
             "robots",
             "robots/r5",
             "users",
+            "users/1",
+            "users/2",
+            "history",
             "statistics",
             "api",
             "nothing")) {
@@ -78,8 +79,33 @@ class PagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("[aria-invalid=true], :user-invalid").first()).isVisible();
     page.waitForLoadState();
     picture(page, name + "-tasks-new-refused");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280, 900, LIGHT, desktop", "1280, 900, DARK, dark", "390, 844, LIGHT, phone"})
+  void everyPageOfAVisitorFitsItsScreen(int width, int height, ColorScheme scheme, String name)
+      throws Exception {
+    Page page = loggedIn(width, height, scheme);
+    page.navigate(server.root() + "users/1");
+    page.locator("form[action$=reset-link] button").click();
+    String secret = page.locator("code.secret").textContent().replaceFirst(".*secret=", "");
+    picture(page, name + "-reset-link");
     page.context().clearCookies();
-    page.navigate(server.root().toString());
-    picture(page, name + "-login");
+    try (WebTestServer empty = WebTestServer.startEmpty(0)) {
+      Map<String, String> addresses =
+          Map.of(
+              "first-start", empty.root().toString(),
+              "login", server.root().toString(),
+              "forgotten", server.root() + "forgotten",
+              "reset", server.root() + "reset?secret=" + secret,
+              "reset-over", server.root() + "reset?secret=none");
+      addresses.forEach(
+          (picture, address) -> {
+            page.navigate(address);
+            assertThat(page.locator("h1")).isVisible();
+            picture(page, name + "-" + picture);
+            assertFits(page);
+          });
+    }
   }
 }

@@ -219,7 +219,6 @@ class ReplayInBrowserTest extends BrowserTest {
   }
 
   private void openMap(int width, int height, ColorScheme scheme) {
-    page().setDefaultTimeout(20_000);
     page().setViewportSize(width, height);
     page().emulateMedia(new Page.EmulateMediaOptions().setColorScheme(scheme));
     page().navigate(server.root().toString());

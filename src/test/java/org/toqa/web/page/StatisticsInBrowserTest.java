@@ -33,7 +33,6 @@ class StatisticsInBrowserTest extends BrowserTest {
   @BeforeEach
   void start() throws Exception {
     server = WebTestServer.startForBrowser();
-    page().setDefaultTimeout(10_000);
     page().navigate(server.root().toString());
     page().getByLabel("Name").fill(WebTestServer.CLERK);
     page().getByLabel("Password").fill(WebTestServer.PASSWORD);

@@ -10,14 +10,12 @@ import com.microsoft.playwright.options.FilePayload;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.mission.TaskState;
 
 /** Tasks are given, imported and scheduled in a real browser. */
-@Tag("full")
 class TaskPagesInBrowserTest extends PagesInBrowser {
   @Test
   void aTaskIsAssignedByClickingOnTheMapAndSeenToTheEnd() {

@@ -83,6 +83,7 @@ public final class LinkEndpoint implements AutoCloseable {
     }
   }
 
+  /** The port of TCP that it listens on, 1 to 65535. */
   public int port() {
     return listener.port();
   }

@@ -62,7 +62,7 @@ final class PairingHandler {
               instanceof Decoded<PairingMessage>(Pair(var proof))) {
         link.out().write(LinkCodec.encode(answerTo(proof, link)));
       } else {
-        rejected.record("What %s said to pair was not understood.", link.remoteAddress());
+        rejected.record("The pairing request of %s is not valid.", link.remoteAddress());
       }
     } catch (IOException e) {
       rejected.record("The pairing with %s was cut off.", link.remoteAddress());

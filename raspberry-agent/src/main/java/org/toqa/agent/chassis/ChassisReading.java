@@ -11,8 +11,8 @@ import org.toqa.link.message.AgentMessage.Fault;
  *
  * @param powerCycle another number after every power-up: odometry of two power cycles has nothing
  *     to do with each other
- * @param startPose where the body stood at its power-up, map frame, if that is known for sure
- * @param odometry moved since power-up, in the frame of the place where it stood then
+ * @param startPose where the body was at its power-up, map frame, if that is known for sure
+ * @param odometry moved since power-up, in the frame of the pose that it had then
  * @param twist in the robot's frame
  * @param battery 0 to 1
  * @param ranges metres, in the order of the range sensors

@@ -6,7 +6,7 @@ import org.toqa.geometry.Vec2;
 
 /**
  * The battery of a simulated body: it drains by time, distance and load, and is charged while the
- * body stands at a charging point.
+ * body is at a charging point.
  *
  * @param initialLevel what the battery of a new body has, 0 to 1
  * @param chargers charging points, metres, map frame
@@ -16,7 +16,7 @@ public record SimulatedBattery(double initialLevel, List<Vec2> chargers) {
   /** A new body begins with a full battery, and there is nowhere to charge it. */
   public static final SimulatedBattery FULL = new SimulatedBattery(1, List.of());
 
-  /** Eight hours of standing, or 80 minutes of driving at 0.25 m/s, empty the battery. */
+  /** Eight hours of standstill, or 80 minutes of driving at 0.25 m/s, empty the battery. */
   private static final double DRAIN_A_SECOND = 1 / 28_800.0;
 
   private static final double DRAIN_A_METRE = 1 / 1_440.0;
@@ -27,14 +27,14 @@ public record SimulatedBattery(double initialLevel, List<Vec2> chargers) {
   /** An empty battery is full after half an hour. */
   private static final double CHARGE_A_SECOND = 1 / 1_800.0;
 
-  /** Metres; a body that stands so near to a charging point has docked. */
+  /** Metres; a body that is stopped so near to a charging point has docked. */
   private static final double DOCKED_METRES = 0.15;
 
   public SimulatedBattery {
     chargers = List.copyOf(chargers);
   }
 
-  /** Whether a body that stands there is charged. */
+  /** Whether a body that is stopped there is charged. */
   boolean isDocked(Pose place) {
     return chargers.stream().anyMatch(point -> point.distanceTo(place.position()) < DOCKED_METRES);
   }

@@ -12,6 +12,7 @@ import org.toqa.geometry.Twist;
 import org.toqa.motion.Odometry;
 import org.toqa.motion.WheelKinematics;
 import org.toqa.motion.WheelLimits;
+import org.toqa.motion.WheelSpeeds;
 
 /**
  * The body of a robot on two or three wheels, simulated: motors that follow a command with a lag
@@ -25,7 +26,7 @@ public final class SimulatedChassis implements Chassis {
   private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
 
   /** Radians a second: more than the firmware commands, which is slower than the motors may be. */
-  private static final double MAX_WHEEL_RATE = WheelLimits.DEFAULT.ratedRate();
+  private static final double MAX_WHEEL_SPEED = WheelLimits.DEFAULT.ratedRate();
 
   /** Radians a second squared: 1.5 m/s2 at the rim of a wheel of 0.04 m. */
   private static final double WHEEL_ACCELERATION = 1.5 / 0.04;
@@ -34,8 +35,8 @@ public final class SimulatedChassis implements Chassis {
 
   private static final double MOTOR_LAG_SECONDS = 0.04;
 
-  /** Radians a second; wheels that turn no faster stand. */
-  private static final double STANDING_RATE = 1e-3;
+  /** Radians a second; wheels that turn no faster count as stopped. */
+  private static final double STANDING_SPEED = 1e-3;
 
   private static final double LONGEST_STEP_SECONDS = 0.02;
 
@@ -68,14 +69,19 @@ public final class SimulatedChassis implements Chassis {
    *
    * @param file keeps the body
    * @param start where a new body is put, map frame
-   * @param noise standard deviation of a wheel's slip, as a share of what it turns
+   * @param noise standard deviation of a wheel's slip, as a share of what it turns, 0 or more
+   * @throws IOException when the file cannot be read or written
    */
   public SimulatedChassis(Path file, Pose start, SimulatedBattery battery, double noise, long seed)
       throws IOException {
     this(file, start, battery, noise, seed, DEFAULT_SENSORS, Surroundings.EMPTY);
   }
 
-  /** The same among obstacles, with sensors that see them. */
+  /**
+   * The same among obstacles, with sensors that see them.
+   *
+   * @throws IOException as above
+   */
   public SimulatedChassis(
       Path file,
       Pose start,
@@ -161,7 +167,7 @@ public final class SimulatedChassis implements Chassis {
         state.powerCycle(),
         state.powerCycle() == 1 ? state.start() : null,
         state.odometry(),
-        kinematics.twist(state.wheelRates().values(kinematics.wheelCount())),
+        kinematics.twist(state.wheelSpeeds()),
         state.battery(),
         ranges.update(state.truePose(), nanos),
         List.of());
@@ -184,7 +190,7 @@ public final class SimulatedChassis implements Chassis {
     framesToLose = count;
   }
 
-  /** Fault switch: the wheels stand and follow no command, and the body does not know why. */
+  /** Fault switch: the wheels are stopped and follow no command, and the body does not know why. */
   public void setFrozen(boolean isFrozen) {
     frozen = isFrozen;
   }
@@ -196,9 +202,7 @@ public final class SimulatedChassis implements Chassis {
    * @param share of its turning that is lost, 0 to 1
    */
   public void setWheelSlip(int wheel, double share) {
-    double[] grips = NO_SLIP.values(kinematics.wheelCount());
-    grips[wheel] = 1 - share;
-    grip = ThreeWheels.of(grips);
+    grip = NO_SLIP.with(wheel, 1 - share);
   }
 
   /**
@@ -225,7 +229,7 @@ public final class SimulatedChassis implements Chassis {
   /** The body of a daemon that ended: its last command ran out, then it came to a standstill. */
   private void stopWheels() {
     move(state.command(), COMMAND_LIFE_NANOS / 1e9);
-    while (state.wheelRates().largest() > STANDING_RATE) {
+    while (state.wheelSpeeds().largest() > STANDING_SPEED) {
       move(Twist.ZERO, LONGEST_STEP_SECONDS);
     }
   }
@@ -234,35 +238,36 @@ public final class SimulatedChassis implements Chassis {
     double left = seconds;
     while (left > 1e-9) {
       double step = Math.min(left, LONGEST_STEP_SECONDS);
-      move(ThreeWheels.of(kinematics.rates(command)).limited(MAX_WHEEL_RATE), step);
+      move(kinematics.speeds(command).limited(MAX_WHEEL_SPEED), step);
       left -= step;
     }
   }
 
-  private void move(ThreeWheels wanted, double dt) {
+  private void move(WheelSpeeds wanted, double dt) {
     // first-order lag; the acceleration limited alike for all wheels, so that its direction stays
-    ThreeWheels change =
+    WheelSpeeds change =
         wanted
-            .minus(state.wheelRates())
+            .minus(state.wheelSpeeds())
             .times(1 - Math.exp(-dt / MOTOR_LAG_SECONDS))
             .limited(WHEEL_ACCELERATION * dt);
-    ThreeWheels rates = frozen ? ThreeWheels.ZERO : state.wheelRates().plus(change);
-    ThreeWheels turns = frozen ? ThreeWheels.ZERO : state.wheelRates().plus(rates).times(dt / 2);
+    WheelSpeeds speeds = frozen ? WheelSpeeds.ZERO : state.wheelSpeeds().plus(change);
+    WheelSpeeds mean = frozen ? WheelSpeeds.ZERO : state.wheelSpeeds().plus(speeds).times(0.5);
+    ThreeWheels turns = ThreeWheels.turned(mean, dt);
     ThreeWheels turned = state.wheelTurns().plus(turns);
     ThreeWheels rolled =
         new ThreeWheels(slip(turns.one()), slip(turns.two()), slip(turns.three()))
             .times(wheelSizes)
             .times(grip);
-    Twist moves = kinematics.twist(rolled.values(kinematics.wheelCount()));
+    Twist moves = kinematics.twist(rolled.perSecond());
     double metres = Math.hypot(moves.vx(), moves.vy());
-    boolean isCharged = rates.largest() < STANDING_RATE && battery.isDocked(state.truePose());
+    boolean isCharged = speeds.largest() < STANDING_SPEED && battery.isDocked(state.truePose());
     state =
         new SimulatedChassisState(
             state.powerCycle(),
             state.start(),
             state.truePose().advanced(moves, 1),
             turned,
-            rates,
+            speeds,
             odometry.update(counts(turned)),
             state.command(),
             isCharged
@@ -295,7 +300,7 @@ public final class SimulatedChassis implements Chassis {
         counts(ofState.wheelTurns()));
   }
 
-  /** Whole counts; the counters wrap around like the 32-bit registers that they stand for. */
+  /** Whole counts; the counters wrap around like the 32-bit registers that they simulate. */
   private int[] counts(ThreeWheels turned) {
     return Arrays.stream(turned.values(kinematics.wheelCount()))
         .mapToInt(SimulatedChassis::count)

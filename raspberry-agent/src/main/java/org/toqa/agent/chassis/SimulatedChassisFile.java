@@ -11,6 +11,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.motion.WheelSpeeds;
 
 /**
  * Keeps a simulated body while no daemon runs: a body does not vanish when its daemon is killed.
@@ -53,7 +54,7 @@ final class SimulatedChassisFile implements AutoCloseable {
             new Pose(n[1], n[2], n[3]),
             new Pose(n[4], n[5], n[6]),
             new ThreeWheels(n[7], n[8], n[9]),
-            new ThreeWheels(n[10], n[11], n[12]),
+            new WheelSpeeds(n[10], n[11], n[12]),
             new Pose(n[13], n[14], n[15]),
             new Twist(n[16], n[17], n[18]),
             n[19],
@@ -72,9 +73,9 @@ final class SimulatedChassisFile implements AutoCloseable {
       b.wheelTurns().one(),
       b.wheelTurns().two(),
       b.wheelTurns().three(),
-      b.wheelRates().one(),
-      b.wheelRates().two(),
-      b.wheelRates().three(),
+      b.wheelSpeeds().first(),
+      b.wheelSpeeds().second(),
+      b.wheelSpeeds().third(),
       b.odometry().x(),
       b.odometry().y(),
       b.odometry().theta(),

@@ -2,6 +2,7 @@ package org.toqa.agent.chassis;
 
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.motion.WheelSpeeds;
 
 /**
  * The physical state of a simulated body at one instant.
@@ -10,18 +11,17 @@ import org.toqa.geometry.Twist;
  * @param start where it was first put, map frame
  * @param truePose where it really is, map frame
  * @param wheelTurns radians that each wheel has turned since power-up
- * @param wheelRates of the wheels, radians a second
  * @param odometry what its encoders make of it, since power-up
  * @param command the last velocity wanted, robot frame
  * @param battery 0 to 1
- * @param steps simulated so far
+ * @param steps simulated so far, counted
  */
 record SimulatedChassisState(
     long powerCycle,
     Pose start,
     Pose truePose,
     ThreeWheels wheelTurns,
-    ThreeWheels wheelRates,
+    WheelSpeeds wheelSpeeds,
     Pose odometry,
     Twist command,
     double battery,
@@ -31,28 +31,28 @@ record SimulatedChassisState(
 
   static SimulatedChassisState atStart(Pose start, double battery) {
     return new SimulatedChassisState(
-        1, start, start, ThreeWheels.ZERO, ThreeWheels.ZERO, ORIGIN, Twist.ZERO, battery, 0);
+        1, start, start, ThreeWheels.ZERO, WheelSpeeds.ZERO, ORIGIN, Twist.ZERO, battery, 0);
   }
 
   SimulatedChassisState withCommand(Twist wanted) {
     return new SimulatedChassisState(
-        powerCycle, start, truePose, wheelTurns, wheelRates, odometry, wanted, battery, steps);
+        powerCycle, start, truePose, wheelTurns, wheelSpeeds, odometry, wanted, battery, steps);
   }
 
   /** The same, but it takes itself to have moved so far since power-up. */
   SimulatedChassisState withOdometry(Pose moved) {
     return new SimulatedChassisState(
-        powerCycle, start, truePose, wheelTurns, wheelRates, moved, command, battery, steps);
+        powerCycle, start, truePose, wheelTurns, wheelSpeeds, moved, command, battery, steps);
   }
 
-  /** Switched off and on again where it is: it stands, and its odometry starts anew. */
+  /** Switched off and on again where it is: it is stopped, and its odometry starts anew. */
   SimulatedChassisState withPowerCycle() {
     return new SimulatedChassisState(
         powerCycle + 1,
         start,
         truePose,
         ThreeWheels.ZERO,
-        ThreeWheels.ZERO,
+        WheelSpeeds.ZERO,
         ORIGIN,
         Twist.ZERO,
         battery,

@@ -14,12 +14,22 @@ public record SimulatedWheels(WheelKinematics kinematics, double slip, double si
 
   private static final WheelKinematics TWO_WHEELS = new DifferentialKinematics(0.04, 0.20);
 
-  /** Three omnidirectional wheels. */
+  /**
+   * Three omnidirectional wheels.
+   *
+   * @param slip see the class: a share, at least 0
+   * @param sizeError see the class: a share, at least 0
+   */
   public static SimulatedWheels omni(double slip, double sizeError) {
     return new SimulatedWheels(ThreeWheelKinematics.DEFAULT, slip, sizeError);
   }
 
-  /** Two wheels on one axle, as far apart and as large as the three. */
+  /**
+   * Two wheels on one axle, of 0.04 m radius, 0.20 m apart.
+   *
+   * @param slip see the class: a share, at least 0
+   * @param sizeError see the class: a share, at least 0
+   */
   public static SimulatedWheels differential(double slip, double sizeError) {
     return new SimulatedWheels(TWO_WHEELS, slip, sizeError);
   }

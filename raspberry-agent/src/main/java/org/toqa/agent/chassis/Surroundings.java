@@ -4,8 +4,8 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 
 /**
- * What stands and lies round one simulated body, which itself is no part of it. Called by the
- * body's thread.
+ * The obstacles round one simulated body, which itself is no part of it. Called by the body's
+ * thread.
  */
 public interface Surroundings {
 
@@ -36,7 +36,7 @@ public interface Surroundings {
   /**
    * Metres from a point to the first thing in a direction.
    *
-   * @param ray from where and which way, map frame
+   * @param ray from where and in which direction, map frame
    * @param farthest metres; the answer where nothing is nearer
    */
   double distance(Pose ray, double farthest);

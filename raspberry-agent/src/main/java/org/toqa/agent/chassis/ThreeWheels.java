@@ -1,15 +1,28 @@
 package org.toqa.agent.chassis;
 
+import org.toqa.motion.WheelSpeeds;
+
 /**
- * One value for each wheel of a body with three: radians turned, or radians a second. A body with
- * two has no third one, whose value stays 0.
+ * One value for each wheel of a body with three: radians turned, or a factor of them. A body with
+ * two has no third one, whose value does not matter.
  */
 record ThreeWheels(double one, double two, double three) {
 
   static final ThreeWheels ZERO = new ThreeWheels(0, 0, 0);
 
-  static ThreeWheels of(double... values) {
-    return new ThreeWheels(values[0], values[1], values.length < 3 ? 0 : values[2]);
+  /**
+   * What the wheels turn.
+   *
+   * @param seconds so long at these speeds
+   */
+  static ThreeWheels turned(WheelSpeeds speeds, double seconds) {
+    return new ThreeWheels(
+        speeds.first() * seconds, speeds.second() * seconds, speeds.third() * seconds);
+  }
+
+  /** The speeds at which they turn so far in one second. */
+  WheelSpeeds perSecond() {
+    return new WheelSpeeds(one, two, three);
   }
 
   /**
@@ -19,12 +32,12 @@ record ThreeWheels(double one, double two, double three) {
     return wheels == 3 ? new double[] {one, two, three} : new double[] {one, two};
   }
 
-  double largest() {
-    return Math.max(Math.abs(one), Math.max(Math.abs(two), Math.abs(three)));
-  }
-
-  ThreeWheels times(double factor) {
-    return new ThreeWheels(one * factor, two * factor, three * factor);
+  /**
+   * @param wheel from 0
+   */
+  ThreeWheels with(int wheel, double value) {
+    return new ThreeWheels(
+        wheel == 0 ? value : one, wheel == 1 ? value : two, wheel == 2 ? value : three);
   }
 
   /** Each value times the other's for the same wheel. */
@@ -34,15 +47,5 @@ record ThreeWheels(double one, double two, double three) {
 
   ThreeWheels plus(ThreeWheels other) {
     return new ThreeWheels(one + other.one, two + other.two, three + other.three);
-  }
-
-  ThreeWheels minus(ThreeWheels other) {
-    return plus(other.times(-1));
-  }
-
-  /** The same direction, no value beyond {@code limit}. */
-  ThreeWheels limited(double limit) {
-    double largest = largest();
-    return largest <= limit ? this : times(limit / largest);
   }
 }

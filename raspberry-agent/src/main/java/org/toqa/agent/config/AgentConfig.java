@@ -24,7 +24,7 @@ import org.toqa.yaml.YamlSyntaxException;
  *
  * @param name the robot's
  * @param address to listen on
- * @param port to listen on; 0 for any free one
+ * @param port of TCP to listen on, 0 to 65535; 0 for any free one
  * @param plainOffLoopback whether the link of a robot that was never paired may do without
  *     encryption off loopback too
  * @param dataDir where the journal and a simulated body are kept
@@ -71,7 +71,11 @@ public record AgentConfig(
         new Following(new SingleIntegratorLaw(Gains.DEFAULT), 0.02);
   }
 
-  /** Reads a file; a relative data folder lies beside it. */
+  /**
+   * Reads a file; a relative data folder lies beside it.
+   *
+   * @throws ConfigException with a sentence for people: the key, its value and what is allowed
+   */
   public static AgentConfig read(Path file) throws ConfigException {
     ConfigSection top = new ConfigSection(file.toString(), "", readKeys(file), KEYS);
     return new AgentConfig(

@@ -42,7 +42,7 @@ public sealed interface ChassisConfig {
    * The real firmware in a simulated microcontroller.
    *
    * @param socket where that one listens
-   * @param start where the body stood when it was switched on for the first time, map frame; null
+   * @param start where the body was when it was switched on for the first time, map frame; null
    *     where nobody knows
    */
   record SimulatedFirmware(Path socket, @Nullable Pose start) implements ChassisConfig {}

@@ -140,6 +140,8 @@ public final class PeerConnections implements AutoCloseable {
   /**
    * Whether a server is connected that has said nothing for a second, and nothing of it waits to be
    * processed.
+   *
+   * @param nanos now, nanoseconds on the monotonic clock of {@link #process}
    */
   public boolean isWaitingForServer(long nanos) {
     PeerConnection waiting = server == null ? unidentified.peekLast() : server;
@@ -151,6 +153,8 @@ public final class PeerConnections implements AutoCloseable {
 
   /**
    * Whether a leader is connected whose next pose is overdue, and nothing waits to be processed.
+   *
+   * @param nanos now, nanoseconds on the monotonic clock of {@link #process}
    */
   public boolean isWaitingForLeader(long nanos) {
     return leader != null
@@ -161,6 +165,8 @@ public final class PeerConnections implements AutoCloseable {
 
   /**
    * Hands on what was received, after closing the connections of peers that are trusted no more.
+   *
+   * @param nanos now, nanoseconds on the daemon's monotonic clock
    */
   public void process(Handler handler, long nanos) {
     closeUntrusted(handler);

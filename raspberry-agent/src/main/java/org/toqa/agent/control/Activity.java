@@ -25,7 +25,7 @@ sealed interface Activity permits Alone, Leading, Following {
 
   Role role();
 
-  /** The drive under way; a follower has none. */
+  /** The current drive; a follower has none. */
   Optional<DriveRun> drive();
 
   /**

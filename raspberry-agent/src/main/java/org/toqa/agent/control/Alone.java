@@ -6,7 +6,7 @@ import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.Role;
 
-/** A robot by itself: it drives, or it stands. */
+/** A robot by itself: it drives, or it is stopped. */
 record Alone(Optional<DriveRun> drive) implements Activity {
 
   /** A robot that has nothing to do. */

@@ -36,7 +36,7 @@ final class CommandRules {
   sealed interface NamedDrive {
     record Found(DriveRun run) implements NamedDrive {}
 
-    /** It is not under way. */
+    /** It does not drive. */
     record NotFound(String sentence) implements NamedDrive {}
   }
 
@@ -109,7 +109,7 @@ final class CommandRules {
     }
     return activity.drive().isEmpty() && record.reading().isStanding()
         ? Optional.empty()
-        : Optional.of("The robot is still moving; wait until it stands.");
+        : Optional.of("The robot is still moving; wait until it has stopped.");
   }
 
   private static Optional<String> objectionAsLeader(Drive drive, Activity activity) {

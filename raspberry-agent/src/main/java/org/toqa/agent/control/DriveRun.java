@@ -14,7 +14,7 @@ import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
 
 /**
- * One drive under way: its trajectory, whether it ends its phase, and whether it was cancelled. A
+ * The current drive: its trajectory, whether it ends its phase, and whether it was cancelled. A
  * cancelled drive comes to a standstill on its path and is then dropped.
  */
 final class DriveRun {
@@ -88,12 +88,12 @@ final class DriveRun {
     return isFinal && runner.isAtEnd();
   }
 
-  /** Whether the reference stands. */
+  /** Whether the reference is stopped. */
   boolean isStanding() {
     return trajectory().isStanding();
   }
 
-  /** Whether the reference stands at the end of what is released. */
+  /** Whether the reference is stopped at the end of what is released. */
   boolean isWaitingForRelease() {
     return trajectory().completedCount() == trajectory().releasedCount() && isStanding();
   }
@@ -115,7 +115,7 @@ final class DriveRun {
             new Fault(
                 "OFF_WAY",
                 String.format(
-                    Locale.ROOT, "The robot is %.2f m off its way.", runner.trackingError())))
+                    Locale.ROOT, "The robot is %.2f m off its path.", runner.trackingError())))
         : Optional.empty();
   }
 }

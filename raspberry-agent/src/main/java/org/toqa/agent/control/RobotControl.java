@@ -51,13 +51,13 @@ import org.toqa.link.message.ServerMessage.Resume;
  *       for it acknowledges and goes on. A robot that drives comes to a standstill on its path.
  *   <li>A hold outlasts drives and restarts until {@code resume}; a drive that comes meanwhile is
  *       accepted and waits.
- *   <li>A daemon that starts anew does not go on with the drive under way: it stands, keeps task
+ *   <li>A daemon that starts anew does not continue its last drive: it stays stopped, keeps task
  *       and phase, reports them in its hello, and waits for a new drive from where it is. What
  *       moved while no daemon watched is known by odometry, but nobody has looked whether the path
  *       is still free.
  *   <li>In a formation the leader's drive is phase 2 of its task, and the followers have none: a
  *       follower's phase ends by its leader's message. A follower keeps its place while the server
- *       is silent, since its leader stands when nothing more is released.
+ *       is silent, since its leader stops when nothing more is released.
  *   <li>A robot that accepts {@code follow} leads no more.
  *   <li>A phase 3 whose end is acknowledged ends the task for this robot.
  * </ul>
@@ -130,7 +130,10 @@ public final class RobotControl {
     }
   }
 
-  /** The answer to a command, which has its effect by then. */
+  /**
+   * The answer to a command: an {@code Ack}, and it has its effect by then, or a {@code Reject}
+   * with the reason, and nothing has changed.
+   */
   public AgentMessage execute(Command command) {
     if (command instanceof Ping || command.seq() <= record.entry().lastSeq()) {
       return new Ack(command.seq());
@@ -352,7 +355,7 @@ public final class RobotControl {
     return isServerSilent && activity.drive().filter(DriveRun::isWaitingForRelease).isPresent();
   }
 
-  /** Whether its body stands, and nothing but a message from outside would move it. */
+  /** Whether its body is stopped, and nothing but a message from outside would move it. */
   public boolean isAtRest() {
     return record.reading().isStanding() && (mode() == Mode.IDLE || mode() == Mode.HOLDING);
   }

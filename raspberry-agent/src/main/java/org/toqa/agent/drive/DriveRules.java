@@ -19,7 +19,7 @@ import org.toqa.motion.Segment;
  */
 public final class DriveRules {
 
-  /** How far from its drive's start a robot may stand. */
+  /** Metres that a robot may be from its drive's start. */
   private static final double START_METRES = 0.10;
 
   private static final double START_RADIANS = Math.toRadians(10);
@@ -55,7 +55,7 @@ public final class DriveRules {
     double turned = Math.abs(Angles.difference(drive.start().theta(), robotPose.theta()));
     if (!(away <= START_METRES) || !(turned <= START_RADIANS)) {
       return objection(
-          "The drive starts %.2f m and %.0f degrees away from where the robot stands,"
+          "The drive starts %.2f m and %.0f degrees away from where the robot is,"
               + " (%.2f, %.2f) facing %.0f degrees.",
           away,
           Math.toDegrees(turned),
@@ -104,7 +104,7 @@ public final class DriveRules {
 
   private Optional<String> objectionTo(List<Segment> segments, int from) {
     if (from + segments.size() > MOST_SEGMENTS) {
-      return objection("A way has at most %d segments.", MOST_SEGMENTS);
+      return objection("A drive has at most %d segments.", MOST_SEGMENTS);
     }
     for (int i = 0; i < segments.size(); i++) {
       Segment s = segments.get(i);

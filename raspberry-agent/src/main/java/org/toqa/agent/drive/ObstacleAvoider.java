@@ -17,8 +17,8 @@ import org.toqa.link.message.AgentMessage.Fault;
 
 /**
  * Watches the path that a robot is about to drive: lets it pass beside an obstacle that only
- * reaches in, stops it before one that stands on the path, and turns it a little to see how wide
- * that is. A leader only stops.
+ * reaches in, stops it before one that is on the path, and turns it a little to see how wide that
+ * is. A leader only stops.
  */
 public final class ObstacleAvoider {
 
@@ -28,7 +28,7 @@ public final class ObstacleAvoider {
   /** Metres round a point that blocks the path: what is seen there belongs to the same obstacle. */
   private static final double SAME_OBSTACLE_METRES = 0.5;
 
-  /** Metres; with less room than this it stands. */
+  /** Metres; with less room than this it stays stopped. */
   private static final double STOP_DISTANCE = 0.02;
 
   private final double radius;
@@ -141,7 +141,7 @@ public final class ObstacleAvoider {
     return passage.blocking().isEmpty() ? List.of() : nearSightings.points();
   }
 
-  /** What it stands before; empty where it does not. */
+  /** What it is stopped by; empty where nothing stops it. */
   public Optional<Fault> fault() {
     return isStopped()
         ? Optional.of(
@@ -149,7 +149,7 @@ public final class ObstacleAvoider {
                 "OBSTACLE",
                 String.format(
                     Locale.ROOT,
-                    "Something stands %.2f m ahead; the robot waits until it is gone.",
+                    "There is an obstacle %.2f m ahead; the robot waits until it is gone.",
                     passage.ahead())))
         : Optional.empty();
   }

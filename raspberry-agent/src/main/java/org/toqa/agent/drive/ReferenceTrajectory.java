@@ -8,7 +8,7 @@ import org.toqa.motion.Segment;
 
 /**
  * The segments of a drive as a moving reference: a pose that runs over the released ones at a pace
- * between 0 (stands) and 1 (as planned).
+ * between 0 (stopped) and 1 (as planned).
  *
  * <p>Slowing down scales time and not the path, so that a robot that brakes stays on the curve that
  * was planned and checked. The pace rises and falls with the acceleration limits; before the end of
@@ -47,7 +47,12 @@ public final class ReferenceTrajectory {
     replace(0, segments, released);
   }
 
-  /** Replaces the segments with index {@code from} and above, none of which was released. */
+  /**
+   * Replaces the segments with index {@code from} and above, none of which was released.
+   *
+   * @param from 0 for the first segment of the drive
+   * @param nowReleased how many segments of the drive may be driven then
+   */
   public void replace(int from, List<Segment> tail, int nowReleased) {
     segments.subList(from, segments.size()).clear();
     segments.addAll(tail);
@@ -77,8 +82,8 @@ public final class ReferenceTrajectory {
   }
 
   /**
-   * From now on it comes to a stand within so many metres; turns on the spot are none. Where that
-   * is too short to slow down, it stands at once.
+   * From now on it stops within so many metres; turns on the spot are none. Where that is too short
+   * to slow down, it stops at once.
    */
   void stopWithin(double metres) {
     stopDistance = metres;
@@ -128,7 +133,7 @@ public final class ReferenceTrajectory {
     return completedCount;
   }
 
-  /** The reference stands. */
+  /** Whether the reference is stopped. */
   public boolean isStanding() {
     return pace == 0;
   }

@@ -11,7 +11,7 @@ import org.toqa.geometry.Twist;
 
 /**
  * Drives a robot along a {@link ReferenceTrajectory}: the reference runs ahead, the robot is
- * steered after it, and where it stands the robot is corrected towards it until it stands within
+ * steered after it, and where it is stopped the robot is corrected towards it until it is within
  * {@link #SETTLED_METRES}. The reference waits for a robot that falls behind, so that a blocked
  * robot is not left alone by it.
  */
@@ -71,7 +71,7 @@ public final class SegmentRunner {
     return trackingError > WAITING_METRES;
   }
 
-  /** Whether the robot stands at the end of the last segment. */
+  /** Whether the robot is stopped at the end of the last segment. */
   public boolean isAtEnd() {
     return settled && trajectory.completedCount() == trajectory.size();
   }
@@ -82,7 +82,7 @@ public final class SegmentRunner {
    * @param actual where the robot is, map frame
    * @param seconds since the last call
    * @param pace at which the reference may run, as a share of the planned speed; at 0 it slows down
-   *     and stands
+   *     and is stopped
    * @return the velocity to command, in the robot's frame
    */
   public Twist steer(Pose actual, double seconds, double pace) {

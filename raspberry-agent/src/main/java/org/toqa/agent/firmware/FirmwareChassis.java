@@ -21,10 +21,11 @@ import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.motion.Odometry;
 import org.toqa.motion.ThreeWheelKinematics;
+import org.toqa.motion.WheelSpeeds;
 
 /**
- * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it
- * stands, which spares the processor of the robot. A stop that may be cleared without a person, by
+ * The real body: a microcontroller that is sent a velocity at every tick, and seldom while it is
+ * stopped, which spares the processor of the robot. A stop that may be cleared without a person, by
  * power-up or by a link that was silent, is cleared here.
  */
 public final class FirmwareChassis implements Chassis {
@@ -47,7 +48,7 @@ public final class FirmwareChassis implements Chassis {
 
   private static final FirmwareCommand STANDSTILL = new Velocity(Twist.ZERO);
 
-  /** A body that stands is sent commands no oftener; it bears 200 ms without one. */
+  /** A body that is stopped is sent commands no oftener; its time limit for one is 200 ms. */
   private static final long STANDSTILL_INTERVAL_NANOS = 60_000_000;
 
   /** Failures are logged no oftener. */
@@ -80,8 +81,9 @@ public final class FirmwareChassis implements Chassis {
    * Finds the microcontroller.
    *
    * @param caption what the display shows first
-   * @param start where the body stood when it was switched on for the first time, map frame, if
+   * @param start where the body was when it was switched on for the first time, map frame, if
    *     somebody has put it there
+   * @param nanos now, nanoseconds on the daemon's monotonic clock
    * @throws IOException if no microcontroller answers
    */
   public FirmwareChassis(FrameTransport transport, String caption, @Nullable Pose start, long nanos)
@@ -194,12 +196,15 @@ public final class FirmwareChassis implements Chassis {
     if (seconds <= 0) {
       return Optional.empty();
     }
-    double[] rates = new double[WHEELS.wheelCount()];
-    for (int i = 0; i < rates.length; i++) {
-      int moved = now.counts().get(i) - before.counts().get(i); // as counters wrap around
-      rates[i] = moved * RADIANS_A_COUNT / seconds;
-    }
-    return Optional.of(WHEELS.twist(rates));
+    return Optional.of(
+        WHEELS.twist(
+            WheelSpeeds.of(
+                WHEELS.wheelCount(),
+                wheel -> {
+                  // as counters wrap around
+                  int moved = now.counts().get(wheel) - before.counts().get(wheel);
+                  return moved * RADIANS_A_COUNT / seconds;
+                })));
   }
 
   private ChassisReading reading() {

@@ -25,7 +25,7 @@ public sealed interface FirmwareCommand {
    */
   record CurveSegment(double v, double w, double t) implements FirmwareCommand {}
 
-  /** Slow down, stand, and forget the queue. */
+  /** Slow down, stop, and drop the queue. */
   record Halt() implements FirmwareCommand {}
 
   /**

@@ -7,18 +7,18 @@ import org.toqa.geometry.Pose;
 /**
  * What the microcontroller reports.
  *
- * @param sequence of the command that is answered
+ * @param sequence the number of the command that is answered
  * @param powerCycle another number after every start
  * @param stampMillis since the start; wraps around after 49 days
  * @param counts of the wheels' encoders; they wrap around
  * @param odometry moved since the start, in the frame of the place where it was then
  * @param ranges metres, from right to left; empty while the sensors are silent
- * @param batteryVolts of the whole battery
+ * @param batteryVolts volts of the whole battery
  * @param missingFloor floor sensors that see no floor, one bit each
- * @param freeSegments places in the queue of segments
- * @param segmentsDriven since the start; wraps around after 65,536
- * @param badFrames that it has received
- * @param lostBytes that it had no room for
+ * @param freeSegments how many more segments its queue has room for
+ * @param segmentsDriven how many since the start; wraps around after 65,536
+ * @param badFrames how many it has received
+ * @param lostBytes how many it had no room for
  */
 public record FirmwareStatus(
     int sequence,

@@ -37,6 +37,12 @@ public final class SimulatorTransport implements FrameTransport {
   /** Micros until the microcontroller is as old as the daemon; below 0 it is ahead. */
   private long dueMicros;
 
+  /**
+   * Connects to the simulator.
+   *
+   * @param socket the Unix socket on which it listens
+   * @throws IOException with a sentence for people: nothing listens there
+   */
   public SimulatorTransport(Path socket) throws IOException {
     try {
       channel = SocketChannel.open(StandardProtocolFamily.UNIX);

@@ -88,7 +88,8 @@ public final class SpidevTransport implements FrameTransport {
   /**
    * @param device such as {@code /dev/spidev0.0}
    * @param hertz of the bus's clock
-   * @param wordDelayMicros pause after each byte
+   * @param wordDelayMicros pause after each byte, microseconds
+   * @throws IOException with a sentence for people: it cannot be opened or is no SPI device
    */
   public SpidevTransport(Path device, int hertz, int wordDelayMicros) throws IOException {
     this.device = device;

@@ -4,7 +4,10 @@ import java.util.EnumSet;
 import java.util.Set;
 import org.toqa.link.message.AgentMessage.Fault;
 
-/** Why the microcontroller stands; in the order of the bits of {@code docs/spi-frame.md}. */
+/**
+ * Why the microcontroller has stopped the motors; in the order of the bits of {@code
+ * docs/spi-frame.md}.
+ */
 public enum StopReason {
   POWER_UP("The robot was switched on and has not been told to drive."),
   LINK("The microcontroller heard nothing from the daemon for 200 ms."),

@@ -15,7 +15,8 @@ import org.toqa.link.message.ServerMessage.LeaderPose;
 
 /**
  * What a leader sends to its followers: its pose every 200 ms, and at the end the end of the
- * formation until each has answered. For one thread.
+ * formation until each has answered. Times are nanoseconds on the daemon's monotonic clock. For one
+ * thread.
  */
 public final class FormationBroadcast implements AutoCloseable {
 

@@ -72,13 +72,14 @@ public final class FormationFollower {
                 trouble == Trouble.LEADER_LOST
                     ? new Fault(
                         "LEADER_LOST",
-                        "The robot stands: it hears nothing from %s.".formatted(order.leader()))
+                        "The robot has stopped: it hears nothing from %s."
+                            .formatted(order.leader()))
                     : new Fault(
                         "OUT_OF_PLACE",
                         String.format(
                             Locale.ROOT,
                             trouble == Trouble.TOO_FAR
-                                ? "The robot stands: it is %.2f m from its place beside %s."
+                                ? "The robot has stopped: it is %.2f m from its place beside %s."
                                 : "The robot is %.2f m from its place beside %s.",
                             follower.error(),
                             order.leader())));

@@ -41,7 +41,10 @@ public final class FormationLeader {
   }
 
   /**
+   * Notes a follower's answer; those to another task's formation are ignored.
+   *
    * @param own where the leader is, map frame
+   * @param now when it was received, seconds
    */
   public void recordReport(String follower, FollowerReport keep, Pose own, double now) {
     if (keep.task() == order.task()) {
@@ -50,11 +53,15 @@ public final class FormationLeader {
     }
   }
 
-  /** How fast the path may be driven, as a share of the planned speed; 0 to stand. */
+  /** How fast the path may be driven, as a share of the planned speed; 0 to stop. */
   public double pace(double now) {
     return watch.verdict(now) instanceof Drive(double pace) ? pace : 0;
   }
 
+  /**
+   * How abruptly the velocity may change at that moment; while the group has to stop, all that
+   * wheels can.
+   */
   public PaceLimits paceLimits(double now) {
     PaceLimits gentle = PaceLimits.forLeader(limits, Math.max(reach, limits.speed()));
     return watch.verdict(now) instanceof Stop ? gentle.withBraking() : gentle;
@@ -69,7 +76,7 @@ public final class FormationLeader {
     return watch.isInPlace() || now - arrivalSeconds > LONGEST_ARRIVAL_SECONDS;
   }
 
-  /** Why the group stands; empty while it may drive. */
+  /** Why the group has stopped; empty while it may drive. */
   public Optional<Fault> fault(double now) {
     Verdict verdict = watch.verdict(now);
     return verdict instanceof Stop(Verdict.Reason reason, String follower)
@@ -81,9 +88,9 @@ public final class FormationLeader {
     String sentence =
         switch (reason) {
           case NOT_READY -> "The group waits for %s, which has not answered yet.";
-          case LATE -> "The group stands: %s does not answer.";
-          case NOT_FOLLOWING -> "The group stands: %s cannot follow.";
-          case OUT_OF_PLACE -> "The group stands: %s is too far from its place.";
+          case LATE -> "The group has stopped: %s does not answer.";
+          case NOT_FOLLOWING -> "The group has stopped: %s cannot follow.";
+          case OUT_OF_PLACE -> "The group has stopped: %s is too far from its place.";
         };
     return sentence.formatted(follower);
   }

@@ -15,6 +15,12 @@ public final class DataFolder implements AutoCloseable {
   private final Path path;
   private final FileChannel lockFile;
 
+  /**
+   * Makes the folder where it is missing, and takes it for this daemon until {@link #close}.
+   *
+   * @throws DataFolderInUseException if another daemon has it
+   * @throws IOException if it cannot be made or written
+   */
   public DataFolder(Path path) throws IOException {
     this.path = path;
     Files.createDirectories(path);
@@ -26,7 +32,11 @@ public final class DataFolder implements AutoCloseable {
     }
   }
 
-  /** Whether a daemon runs on it. */
+  /**
+   * Whether a daemon runs on it.
+   *
+   * @throws IOException if that cannot be found out
+   */
   public static boolean isInUse(Path path) throws IOException {
     if (Files.notExists(path)) {
       return false;

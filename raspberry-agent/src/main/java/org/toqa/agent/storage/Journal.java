@@ -38,7 +38,11 @@ public final class Journal {
   private Optional<JournalEntry> entry;
   private @Nullable Fault fault;
 
-  /** Reads what an earlier daemon wrote into the folder. */
+  /**
+   * Reads what an earlier daemon wrote into the folder. What is not a journal is put aside.
+   *
+   * @throws IOException when the folder cannot be read or written
+   */
   public Journal(Path folder) throws IOException {
     file = folder.resolve("journal.json");
     next = folder.resolve("journal.json.next");

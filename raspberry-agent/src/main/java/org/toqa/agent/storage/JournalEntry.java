@@ -8,11 +8,12 @@ import org.toqa.link.message.AgentMessage.PhaseEnd;
 /**
  * What a daemon must know again when it is started anew.
  *
- * @param powerCycle of the body when this was written
+ * @param powerCycle the number of the body's power-up when this was written
  * @param anchor the map pose of the origin of the body's odometry; null when it is not known
  * @param lastSeq the highest sequence number accepted so far of a command that has an effect
+ * @param phase 0 to 3
  * @param load kilograms on board
- * @param drive the drive under way, 0 for none
+ * @param drive the sequence number of the current drive, 0 for none
  * @param segment how many of its segments are completed
  * @param held whether an operator's hold is in force
  * @param done the last phase that was driven to its end and is not acknowledged yet
@@ -41,7 +42,13 @@ public record JournalEntry(
     return new JournalEntry(cycle, origin, lastSeq, task, phase, load, drive, segment, held, done);
   }
 
-  /** A new drive; it shows that the server knows of the last one's end. */
+  /**
+   * A new drive; it shows that the server knows of the last one's end.
+   *
+   * @param newDrive its sequence number
+   * @param inPhase 0 to 3
+   * @param onBoard kilograms
+   */
   public JournalEntry withDrive(long newDrive, @Nullable Long ofTask, int inPhase, double onBoard) {
     return new JournalEntry(
         powerCycle, anchor, lastSeq, ofTask, inPhase, onBoard, newDrive, 0, held, null);

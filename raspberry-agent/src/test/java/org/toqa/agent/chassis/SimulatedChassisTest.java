@@ -96,7 +96,7 @@ class SimulatedChassisTest {
       nanos += 60_000_000_000L;
       ChassisReading later = body.exchange(Twist.ZERO, nanos);
 
-      // 0.2 s at 0.25 m/s, and the way to a stand
+      // 0.2 s at 0.25 m/s, and the braking distance
       double rolled = before.distanceTo(later.odometry());
       assertTrue(rolled > 0.05 && rolled < 0.09, "rolled " + rolled);
       assertTrue(later.isStanding());

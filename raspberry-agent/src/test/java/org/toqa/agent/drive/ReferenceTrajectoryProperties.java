@@ -29,31 +29,31 @@ class ReferenceTrajectoryProperties {
       @ForAll("segments") @Size(min = 1, max = 8) List<Segment> segments,
       @ForAll @IntRange(max = 8) int released) {
     int count = Math.min(released, segments.size());
-    ReferenceTrajectory way =
+    ReferenceTrajectory reference =
         new ReferenceTrajectory(START, segments, count, PaceLimits.forSingleRobot(LIMITS));
-    runToAStand(way);
+    runToAStand(reference);
 
     Pose end = new Trajectory(START, segments).poseAfter(count);
-    assertEquals(count, way.completedCount());
-    assertEquals(0, end.distanceTo(way.pose()), 1e-9);
+    assertEquals(count, reference.completedCount());
+    assertEquals(0, end.distanceTo(reference.pose()), 1e-9);
   }
 
   @Property(tries = 200)
   void referenceMovesNoFasterThanItsSegmentsAndStopsNoHarderThanItMay(
       @ForAll("segments") @Size(min = 1, max = 8) List<Segment> segments) {
-    ReferenceTrajectory way =
+    ReferenceTrajectory reference =
         new ReferenceTrajectory(
             START, segments, segments.size(), PaceLimits.forSingleRobot(LIMITS));
     double fastest = segments.stream().mapToDouble(s -> Math.abs(s.v())).max().orElseThrow();
-    for (int i = 0; i < MANY_TICKS && way.completedCount() < way.size(); i++) {
-      Pose before = way.pose();
-      int segment = way.completedCount();
-      double speed = way.twist().vx();
-      way.advance(TICK, i % 300 < 200 ? 1 : 0);
+    for (int i = 0; i < MANY_TICKS && reference.completedCount() < reference.size(); i++) {
+      Pose before = reference.pose();
+      int segment = reference.completedCount();
+      double speed = reference.twist().vx();
+      reference.advance(TICK, i % 300 < 200 ? 1 : 0);
 
-      assertTrue(before.distanceTo(way.pose()) <= fastest * TICK + 1e-9);
-      if (way.completedCount() == segment) {
-        double change = Math.abs(way.twist().vx() - speed);
+      assertTrue(before.distanceTo(reference.pose()) <= fastest * TICK + 1e-9);
+      if (reference.completedCount() == segment) {
+        double change = Math.abs(reference.twist().vx() - speed);
         assertTrue(change <= LIMITS.acceleration() * TICK + 1e-9, "changes by " + change);
       }
     }
@@ -62,36 +62,36 @@ class ReferenceTrajectoryProperties {
   @Property(tries = 100)
   void trajectoryReleasedPieceByPieceEndsWhereTheWholeDoes(
       @ForAll("segments") @Size(min = 2, max = 6) List<Segment> segments) {
-    ReferenceTrajectory way =
+    ReferenceTrajectory reference =
         new ReferenceTrajectory(START, segments, 0, PaceLimits.forSingleRobot(LIMITS));
     for (int count = 1; count <= segments.size(); count++) {
-      way.release(count);
-      runToAStand(way);
+      reference.release(count);
+      runToAStand(reference);
     }
 
-    assertEquals(0, new Trajectory(START, segments).end().distanceTo(way.pose()), 1e-9);
+    assertEquals(0, new Trajectory(START, segments).end().distanceTo(reference.pose()), 1e-9);
   }
 
   @Property(tries = 100)
   void heldReferenceStandsAndGoesOn(
       @ForAll("segments") @Size(min = 1, max = 4) List<Segment> segments,
       @ForAll @IntRange(min = 1, max = 400) int ticks) {
-    ReferenceTrajectory way =
+    ReferenceTrajectory reference =
         new ReferenceTrajectory(
             START, segments, segments.size(), PaceLimits.forSingleRobot(LIMITS));
     for (int i = 0; i < ticks; i++) {
-      way.advance(TICK, 1);
+      reference.advance(TICK, 1);
     }
     for (int i = 0; i < 500; i++) {
-      way.advance(TICK, 0);
+      reference.advance(TICK, 0);
     }
-    Pose held = way.pose();
-    assertTrue(way.isStanding());
-    way.advance(TICK, 0);
-    assertEquals(held, way.pose());
+    Pose held = reference.pose();
+    assertTrue(reference.isStanding());
+    reference.advance(TICK, 0);
+    assertEquals(held, reference.pose());
 
-    runToAStand(way);
-    assertEquals(0, new Trajectory(START, segments).end().distanceTo(way.pose()), 1e-9);
+    runToAStand(reference);
+    assertEquals(0, new Trajectory(START, segments).end().distanceTo(reference.pose()), 1e-9);
   }
 
   @Provide
@@ -105,11 +105,11 @@ class ReferenceTrajectoryProperties {
     return any.list();
   }
 
-  private static void runToAStand(ReferenceTrajectory way) {
-    way.advance(TICK, 1);
-    for (int i = 0; i < MANY_TICKS && !way.isStanding(); i++) {
-      way.advance(TICK, 1);
+  private static void runToAStand(ReferenceTrajectory reference) {
+    reference.advance(TICK, 1);
+    for (int i = 0; i < MANY_TICKS && !reference.isStanding(); i++) {
+      reference.advance(TICK, 1);
     }
-    assertTrue(way.isStanding(), "it comes to a stand");
+    assertTrue(reference.isStanding(), "it stops");
   }
 }

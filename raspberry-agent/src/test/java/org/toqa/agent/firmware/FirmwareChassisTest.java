@@ -14,7 +14,7 @@ import org.toqa.agent.firmware.FirmwareCommand.Velocity;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
 
-/** Over a microcontroller that always says that it stands. */
+/** Over a microcontroller that always reports that it is stopped. */
 class FirmwareChassisTest {
   private static final int TICK = 20_000_000;
   private static final int SEQUENCE = 7;

@@ -16,7 +16,7 @@ import org.toqa.motion.Odometry;
 import org.toqa.motion.ThreeWheelKinematics;
 import org.toqa.motion.WheelLimits;
 
-/** Numbers that stand in the firmware's sources and in the daemon's. */
+/** Numbers that are in the firmware's sources and in the daemon's. */
 class FirmwareConstantsTest {
 
   private static final Path SOURCES = Path.of("firmware/src");

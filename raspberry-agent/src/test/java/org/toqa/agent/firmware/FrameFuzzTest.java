@@ -23,10 +23,10 @@ class FrameFuzzTest {
 
   private static final long TICK = 20_000_000;
 
-  /** A body that stands is not spoken to at every tick. */
+  /** A body that is stopped is not sent a frame at every tick. */
   private static final Twist SLOWLY = new Twist(0.1, 0, 0);
 
-  /** An answer of so many bytes stands for a wire that is cut. */
+  /** An answer of so many bytes means a wire that is cut. */
   private static final int CUT = 1;
 
   private final Random random = new Random(FuzzRun.SEED);

@@ -92,10 +92,10 @@ class SimulatedFirmwareIT {
     try (Chassis chassis = chassis()) {
       run(chassis, new Twist(0.25, 0, 0), SECOND);
       probe.advance(Duration.ofSeconds(1));
-      Truth stood = probe.truth();
+      Truth stopped = probe.truth();
 
-      assertTrue(stood.rolledOn().compareTo(STAND_LIMIT) <= 0, stood.toString());
-      assertEquals("STOPPED: LINK       ", stood.text("lcd2"));
+      assertTrue(stopped.rolledOn().compareTo(STAND_LIMIT) <= 0, stopped.toString());
+      assertEquals("STOPPED: LINK       ", stopped.text("lcd2"));
       nanos += TICK;
       assertEquals(List.of("STOP_LINK"), codes(chassis.exchange(new Twist(0.25, 0, 0), nanos)));
       assertEquals(0.25, run(chassis, new Twist(0.25, 0, 0), SECOND).twist().vx(), 0.01);
@@ -109,10 +109,10 @@ class SimulatedFirmwareIT {
       probe.change("load 40");
       run(chassis, new Twist(1, 1, 9.9), SECOND);
       probe.advance(Duration.ofSeconds(1));
-      Truth stood = probe.truth();
+      Truth stopped = probe.truth();
 
-      assertTrue(stood.rolledOn().compareTo(STAND_LIMIT) <= 0, stood.toString());
-      assertTrue(stood.rolledOn().toMillis() > 200, stood.toString());
+      assertTrue(stopped.rolledOn().compareTo(STAND_LIMIT) <= 0, stopped.toString());
+      assertTrue(stopped.rolledOn().toMillis() > 200, stopped.toString());
     }
   }
 
@@ -126,11 +126,11 @@ class SimulatedFirmwareIT {
         Duration pressed = probe.truth().now();
         probe.change("switch pressed");
         probe.advance(Duration.ofMillis(150));
-        Truth stood = probe.truth();
-        Duration took = stood.moved().minus(pressed);
+        Truth stopped = probe.truth();
+        Duration took = stopped.moved().minus(pressed);
 
-        assertTrue(took.compareTo(BRAKE_LIMIT) <= 0, load + " " + took + " " + stood);
-        assertTrue(took.toMillis() > 5, load + " " + took + " " + stood);
+        assertTrue(took.compareTo(BRAKE_LIMIT) <= 0, load + " " + took + " " + stopped);
+        assertTrue(took.toMillis() > 5, load + " " + took + " " + stopped);
         probe.change("switch released");
         clear(chassis);
       }

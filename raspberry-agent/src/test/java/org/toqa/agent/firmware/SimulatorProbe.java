@@ -106,7 +106,7 @@ public final class SimulatorProbe implements AutoCloseable {
       return time("moved_us");
     }
 
-    /** From the last exchange until the wheels stood. */
+    /** From the last exchange until the wheels had stopped. */
     Duration rolledOn() {
       return moved().minus(time("exchanged_us"));
     }

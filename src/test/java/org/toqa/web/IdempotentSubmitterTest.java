@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 import tools.jackson.databind.json.JsonMapper;
 
 /** The same order twice is one task. */
-class TaskSubmitterTest {
+class IdempotentSubmitterTest {
   private static final JsonMapper JSON = new JsonMapper();
   private static final Pattern KEY_FIELD =
       Pattern.compile("name=\"idempotencyKey\" value=\"([^\"]+)\"");

@@ -3,6 +3,7 @@ package org.toqa.fleet.floor;
 import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.RobotView.Telemetry;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Fault;
@@ -20,7 +21,7 @@ import org.toqa.link.message.AgentMessage.Role;
  * @param task the task that it drives for, if any
  * @param at when it was heard last; null: never
  */
-record RobotReport(
+record LastReport(
     boolean localised,
     @Nullable Pose pose,
     @Nullable Double battery,
@@ -33,23 +34,23 @@ record RobotReport(
     @Nullable Instant at) {
 
   /** Of a robot that was never heard of. */
-  static final RobotReport NONE =
-      new RobotReport(false, null, null, Mode.IDLE, Role.ALONE, false, 0, null, List.of(), null);
+  static final LastReport NONE =
+      new LastReport(false, null, null, Mode.IDLE, Role.ALONE, false, 0, null, List.of(), null);
 
-  /** Metres a second that a standing robot may still report. */
+  /** Metres a second that a stopped robot may still report. */
   private static final double STANDING_SPEED = 0.02;
 
-  /** Radians a second that a standing robot may still report. */
+  /** Radians a second that a stopped robot may still report. */
   private static final double STANDING_TURN = 0.05;
 
-  RobotReport {
+  LastReport {
     errors = List.copyOf(errors);
   }
 
-  static RobotReport of(AgentMessage.State state, Instant now) {
+  static LastReport of(AgentMessage.State state, Instant now) {
     boolean moves =
         Math.abs(state.twist().v()) > STANDING_SPEED || Math.abs(state.twist().w()) > STANDING_TURN;
-    return new RobotReport(
+    return new LastReport(
         state.localised(),
         state.pose(),
         state.battery(),
@@ -63,8 +64,8 @@ record RobotReport(
   }
 
   /** What a hello does not tell stays as it was. */
-  RobotReport with(Hello hello, Instant now) {
-    return new RobotReport(
+  LastReport with(Hello hello, Instant now) {
+    return new LastReport(
         hello.localised(),
         hello.pose(),
         battery,
@@ -77,12 +78,17 @@ record RobotReport(
         now);
   }
 
-  RobotReport withDrive(long newDrive, @Nullable Long newTask) {
-    return new RobotReport(
+  LastReport withDrive(long newDrive, @Nullable Long newTask) {
+    return new LastReport(
         localised, pose, battery, mode, role, moving, newDrive, newTask, errors, at);
   }
 
-  RobotReport withoutPose() {
-    return new RobotReport(localised, null, battery, mode, role, moving, drive, task, errors, at);
+  LastReport withoutPose() {
+    return new LastReport(localised, null, battery, mode, role, moving, drive, task, errors, at);
+  }
+
+  /** What readers see of it. */
+  Telemetry telemetry() {
+    return new Telemetry(pose, battery, errors, at);
   }
 }

@@ -17,11 +17,11 @@ import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 
 /**
- * Puts tasks in, each of them once: an order that comes again with its key gets the task that it
- * got before, also after a crash of the server. One server writes to a database, so two orders with
- * the same key that come at once are kept apart by a lock here.
+ * Submits tasks to the fleet, each of them once: an order that comes again with its key gets the
+ * task that it got before, also after a crash of the server. One server writes to a database, so
+ * two orders with the same key that come at once are kept apart by a lock here.
  */
-public final class TaskSubmitter {
+public final class IdempotentSubmitter {
   private static final int STRIPES = 64;
 
   private final Fleet fleet;
@@ -29,7 +29,7 @@ public final class TaskSubmitter {
   private final Lock[] locks =
       Stream.generate(ReentrantLock::new).limit(STRIPES).toArray(Lock[]::new);
 
-  TaskSubmitter(Fleet fleet, TaskArchive archive) {
+  public IdempotentSubmitter(Fleet fleet, TaskArchive archive) {
     this.fleet = fleet;
     this.archive = archive;
   }

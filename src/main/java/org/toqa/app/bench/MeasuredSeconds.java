@@ -1,0 +1,26 @@
+package org.toqa.app.bench;
+
+import org.toqa.app.command.Arguments;
+import picocli.CommandLine.Option;
+
+/** {@code --seconds}: how long a bench measures. */
+final class MeasuredSeconds {
+  @Option(
+      names = "--seconds",
+      defaultValue = "60",
+      paramLabel = "S",
+      description = "Seconds to measure, 1 to 3600 (default: ${DEFAULT-VALUE}).")
+  private int seconds;
+
+  /**
+   * @throws picocli.CommandLine.ParameterException when it is out of its range
+   */
+  void check(Arguments arguments) {
+    arguments.requireBetween("--seconds", seconds, 1, 3600);
+  }
+
+  /** Seconds of real time. */
+  int value() {
+    return seconds;
+  }
+}

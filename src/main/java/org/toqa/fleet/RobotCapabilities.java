@@ -1,0 +1,21 @@
+package org.toqa.fleet;
+
+import org.toqa.motion.DriveSpeeds;
+
+/**
+ * What a robot says that it can.
+ *
+ * @param footprint diameter, metres
+ * @param maxLoad kilograms that it says it carries
+ */
+public record RobotCapabilities(double footprint, DriveSpeeds speeds, double maxLoad) {
+
+  /** Assumed of a robot that was never heard of: the smallest diameter of ours, any load. */
+  public static final RobotCapabilities UNKNOWN =
+      new RobotCapabilities(0.255, DriveSpeeds.DEFAULT, Double.MAX_VALUE);
+
+  /** Kilograms that the robot may carry: no more than it says, and than a person entered. */
+  public double allowedLoad(RobotRecord robot) {
+    return Math.min(robot.maxLoad(), maxLoad);
+  }
+}
