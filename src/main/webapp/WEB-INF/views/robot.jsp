@@ -7,7 +7,7 @@
 <fmt:message key="robot.title" var="title"><fmt:param value="${robot.name}"/></fmt:message>
 <fmt:formatNumber value="${robot.maxLoad}" maxFractionDigits="2" var="maxLoad"/>
 <fmt:formatNumber value="${robot.capabilities.footprint}" maxFractionDigits="3" var="footprint"/>
-<fmt:formatNumber value="${robot.capabilities.speeds.forward}" maxFractionDigits="2" var="speed"/>
+<fmt:formatNumber value="${robot.speed()}" maxFractionDigits="2" var="speed"/>
 <t:page title="${title}" here="robot" script="robot/track.js">
   <t:errors/>
   <div id="live" data-live="robot" data-name="${fn:escapeXml(robot.name)}">

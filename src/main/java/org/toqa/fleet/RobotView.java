@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.mission.Phase;
 import org.toqa.traffic.floor.RemainingPath;
@@ -13,7 +14,7 @@ import org.toqa.wording.Sentence;
  * A robot as readers see it.
  *
  * @param record as it is stored: its name, its floor, and what a person entered of it
- * @param path the rest of its path; {@link RemainingPath#NONE} when it stands
+ * @param path the rest of its path; {@link RemainingPath#NONE} when it is stopped
  * @param alert why it and the server do not trust each other; null: nothing is wrong
  */
 public record RobotView(
@@ -69,6 +70,21 @@ public record RobotView(
 
   public String floor() {
     return record.floor();
+  }
+
+  /** Metres a second at which it drives straight on. */
+  public double speed() {
+    return capabilities.speeds().forward();
+  }
+
+  /** The rest of its path as a line, metres, map frame; empty when it is stopped. */
+  public List<Vec2> pathPoints() {
+    return path.points();
+  }
+
+  /** How many of {@link #pathPoints} it may already drive to. */
+  public int releasedPoints() {
+    return path.released();
   }
 
   /** Kilograms that it may carry. */

@@ -72,7 +72,7 @@ final class UtilisationMeter {
   private void measure(RobotView view) {
     Telemetry seen = view.telemetry();
     if (seen.pose() != null && seen.lastSeen() != null) {
-      double speed = pace * view.capabilities().speeds().forward();
+      double speed = pace * view.speed();
       metres += odometer.add(seen.lastSeen(), seen.pose().position(), speed);
     }
     if (seen.battery() != null) {

@@ -37,7 +37,7 @@ final class Candidates {
         robot.name(),
         robot.maxLoad(),
         robot.capabilities().footprint(),
-        robot.capabilities().speeds().forward(),
+        robot.speed(),
         position,
         parking,
         robot.telemetry().battery(),

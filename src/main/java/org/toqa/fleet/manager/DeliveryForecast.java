@@ -54,7 +54,7 @@ final class DeliveryForecast {
   }
 
   private static Delivery deliveryAfter(RobotView robot, double metres) {
-    double seconds = metres / robot.capabilities().speeds().forward();
+    double seconds = metres / robot.speed();
     return new Delivery(robot.name(), Duration.ofMillis(Math.round(1000 * seconds)));
   }
 

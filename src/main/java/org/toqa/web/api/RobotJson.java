@@ -42,7 +42,7 @@ public record RobotJson(
     RobotRecord stored = view.record();
     RobotView.Work work = view.work();
     RobotView.Telemetry seen = view.telemetry();
-    SimplifiedPath path = SimplifiedPath.of(view.path().points(), view.path().released());
+    SimplifiedPath path = SimplifiedPath.of(view.pathPoints(), view.releasedPoints());
     return new RobotJson(
         view.name(),
         view.floor(),
@@ -53,7 +53,7 @@ public record RobotJson(
         work.phase().number(),
         view.maxLoad(),
         view.capabilities().footprint(),
-        view.capabilities().speeds().forward(),
+        view.speed(),
         stored.host(),
         stored.port(),
         stored.parking(),
