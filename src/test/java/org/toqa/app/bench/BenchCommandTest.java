@@ -124,7 +124,7 @@ class BenchCommandTest {
     assertEquals(2, json.path("solved").intValue());
     assertEquals(2, json.path("mismatches").intValue());
     assertTrue(err.toString().contains("query 1: The length is 4.0; the file has 3.9."));
-    assertTrue(err.toString().contains("query 3: No way was found"), err::toString);
+    assertTrue(err.toString().contains("query 3: No path was found"), err::toString);
     assertEquals(List.of("4.0", "0.0", "-1"), Files.readAllLines(file("lengths")));
   }
 
