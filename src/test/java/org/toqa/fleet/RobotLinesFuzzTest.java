@@ -34,10 +34,12 @@ import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.link.TcpRobotLinkFactory;
+import org.toqa.link.message.LineReader;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.DecodeResult.Decoded;
 import org.toqa.link.message.LinkCodec;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
@@ -116,6 +118,7 @@ class RobotLinesFuzzTest {
             .toList();
     long begin = System.nanoTime();
     long lines = 0;
+    long understood = 0;
     try (Socket socket = robot.accept()) {
       drain(socket);
       socket.getOutputStream().write(correct.get(1)); // a hello of a robot that is idle
@@ -139,6 +142,11 @@ class RobotLinesFuzzTest {
     assertEquals(List.of(), failures.list.stream().filter(RobotLinesFuzzTest::isFailure).toList());
     assertTrue(understood > lines / 4 && understood < 3 * lines / 4, understood + " understood");
     FuzzRun.tell("the server", lines, "%,d could be read".formatted(understood), begin);
+  }
+
+  private static boolean isUnderstood(byte[] line) {
+    return line.length < LinkCodec.MAX_LINE_BYTES
+        && LinkCodec.decodeAgentMessage(new LineReader.Text(line)) instanceof Decoded;
   }
 
   private static boolean isFailure(ILoggingEvent event) {
