@@ -3,7 +3,7 @@
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/toqa/services
 
 # Where the system keeps its settings; the test of this script has samples of its own.
-etc=${etc:-/etc}
+etc=${TOQA_TEST_ETC:-/etc}
 
 missing=
 
@@ -47,14 +47,14 @@ release() (
   echo "${UBUNTU_CODENAME:-$VERSION_CODENAME}"
 )
 
-# The mirror of Debian or Ubuntu that this machine uses, whichever way its sources are written:
-# apt itself reads them. Archives of others have addresses that look the same, but no "universe".
+# The mirror of Debian or Ubuntu that this machine uses, whichever way its sources are written.
+# Archives of others have addresses that look the same as Ubuntu's, but no "universe".
 mirror() {
   case $(distribution) in
     ubuntu)
       found=$(sources | sed -n "s/^$(release) universe //p" | head -n 1)
-      case $(dpkg --print-architecture) in
-        amd64 | i386) usual=http://archive.ubuntu.com/ubuntu/ ;;
+      case $(uname -m) in
+        x86_64) usual=http://archive.ubuntu.com/ubuntu/ ;;
         *) usual=http://ports.ubuntu.com/ubuntu-ports/ ;;
       esac
       ;;
@@ -66,10 +66,40 @@ mirror() {
   echo "${found:-$usual}"
 }
 
-# A line for each: RELEASE COMPONENT ADDRESS.
+# A line for each: RELEASE COMPONENT ADDRESS/. Read here, for apt tells only those that it has
+# fetched, and a new machine has fetched none.
 sources() {
-  apt-get -o Dir::Etc="$etc/apt" indextargets --format '$(RELEASE) $(COMPONENT) $(REPO_URI)' \
-    'Created-By: Packages'
+  for list in "$etc/apt/sources.list" "$etc"/apt/sources.list.d/*.list; do
+    [ ! -f "$list" ] || sed -n 's/^deb[[:blank:]][[:blank:]]*\(\[[^]]*\] *\)\{0,1\}//p' "$list"
+  done | awk '{ sub(/\/*$/, "/", $1); for (i = 3; i <= NF && $i !~ /^#/; i++) print $2, $i, $1 }'
+  for paragraphs in "$etc"/apt/sources.list.d/*.sources; do
+    [ ! -f "$paragraphs" ] || awk '
+      function tell(addresses, releases, components, a, r, c) {
+        if (types ~ /(^| )deb( |$)/ && enabled !~ /no|false/) {
+          addresses = split(uris, address); releases = split(suites, release)
+          components = split(parts, component)
+          for (a = 1; a <= addresses; a++) for (r = 1; r <= releases; r++)
+            for (c = 1; c <= components; c++) {
+              sub(/\/*$/, "/", address[a])
+              print release[r], component[c], address[a]
+            }
+        }
+        types = uris = suites = parts = enabled = ""
+      }
+      /^#/ { next }
+      /^[ \t]*$/ { tell(); next }
+      /^[^ \t]/ { key = tolower($1) }
+      {
+        value = $0
+        sub(/^[^ \t:]*:?/, "", value)
+        if (key == "types:") types = types value
+        if (key == "uris:") uris = uris value
+        if (key == "suites:") suites = suites value
+        if (key == "components:") parts = parts value
+        if (key == "enabled:") enabled = tolower(value)
+      }
+      END { tell() }' "$paragraphs"
+  done
 }
 
 # unpack SUITE PACKAGE FOLDER: the package and all that it depends on, unpacked and not installed.

@@ -31,8 +31,8 @@ import tools.jackson.databind.JsonNode;
  * that is a fault, and none that the document does not have.
  *
  * <p>{@code -Dtoqa.schemathesis} is the program; {@code -Dtoqa.fuzz.examples=100} for more than the
- * usual 10 a route beside those that the document itself suggests, {@code -Dtoqa.seed=2} for
- * other ones. Leaves out the live events, which do not end.
+ * usual 10 a route beside those that the document itself suggests, {@code -Dtoqa.seed=2} for other
+ * ones. Leaves out the live events, which do not end.
  */
 @Tag("full")
 @TestMethodOrder(OrderAnnotation.class)

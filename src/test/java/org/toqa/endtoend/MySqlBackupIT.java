@@ -33,7 +33,8 @@ class MySqlBackupIT {
     Path dump = folder.resolve("toqa.sql");
     try (OwnMySql mySql = new OwnMySql(folder)) {
       Needed.orLeftOut(
-          !mySql.isMariaDb(), "MySQL, for MariaDB dumps otherwise: ./toqa test fetches it on Debian");
+          !mySql.isMariaDb(),
+          "MySQL, for MariaDB dumps otherwise: ./toqa test fetches it on Debian");
       addUser(mySql);
       try (RunningServer server =
           new RunningServer(

@@ -73,7 +73,8 @@ class MissionPropertyTest {
     }
     mission = mission.apply(new MissionEvent.Cancel("max", LoadChoice.HERE)).mission();
     for (AssignedRobot assigned : mission.assignedRobots()) {
-      mission = mission.apply(new MissionEvent.Stopped(assigned.robot(), MissionEvents.SPOT)).mission();
+      mission =
+          mission.apply(new MissionEvent.Stopped(assigned.robot(), MissionEvents.SPOT)).mission();
     }
     assertEquals(TaskState.CANCELLED, mission.state());
   }

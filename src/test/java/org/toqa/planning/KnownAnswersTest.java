@@ -47,9 +47,7 @@ class KnownAnswersTest {
     List<Answer> answers =
         Files.isDirectory(FOLDER)
             ? headingAnswers()
-            : OwnMaps.queries()
-                .map(query -> ownAnswer(query, ReferenceSearch.ARCS_ONLY))
-                .toList();
+            : OwnMaps.queries().map(query -> ownAnswer(query, ReferenceSearch.ARCS_ONLY)).toList();
     assertAsShort(new HeadingAStar(), Rule.HEADING, answers);
   }
 

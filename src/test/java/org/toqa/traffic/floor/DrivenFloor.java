@@ -35,7 +35,8 @@ final class DrivenFloor {
   /** So near to its goal, metres, a robot has to come. */
   private static final double ARRIVED = 0.03;
 
-  private static final Pattern WAITING_FOR = Pattern.compile("^Waiting for (r\\d+)( to leave the goal)?");
+  private static final Pattern WAITING_FOR =
+      Pattern.compile("^Waiting for (r\\d+)( to leave the goal)?");
 
   final OccupancyGrid grid;
   final FloorTraffic traffic;

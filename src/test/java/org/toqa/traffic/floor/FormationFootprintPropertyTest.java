@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -100,10 +101,7 @@ class FormationFootprintPropertyTest {
   void twoGroupsArrive(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     Carry one = carry(random);
-    Carry two = carry(random);
-    while (two.isNear(one)) {
-      two = carry(random);
-    }
+    Carry two = carry(random, other -> !other.isNear(one));
     DrivenFloor floor = new DrivenFloor(lab.grid(), seed);
     one.begin(floor, "one");
     two.begin(floor, "two");
@@ -128,13 +126,17 @@ class FormationFootprintPropertyTest {
    * aisles between are narrower than the group.
    */
   private Carry carry(Random random) {
+    return carry(random, any -> true);
+  }
+
+  private Carry carry(Random random, Predicate<Carry> isWanted) {
     while (true) {
       List<Place> places = stations(random);
       Vec2 from = places.get(0).position();
       Pose load = new Pose(from.x(), from.y(), random.nextInt(4) * Math.PI / 2);
       Vec2 to = places.get(1).position();
       Carry carry = new Carry(lab.grid(), load, to, 2 + random.nextInt(2));
-      if (carry.hasRoom() && carries.count(carry.isPossible())) {
+      if (isWanted.test(carry) && carry.hasRoom() && carries.count(carry.isPossible())) {
         return carry;
       }
     }

@@ -44,11 +44,9 @@ class RandomFloorsIT {
         LongStream.range(FuzzRun.SEED, FuzzRun.SEED + FLOORS)
             .mapToObj(
                 seed ->
-                    DynamicTest.dynamicTest(
-                        "floor " + seed, () -> floors.count(drive.test(seed))));
+                    DynamicTest.dynamicTest("floor " + seed, () -> floors.count(drive.test(seed))));
     return Stream.concat(
         driven,
-        Stream.of(
-            DynamicTest.dynamicTest("floors with room", () -> floors.assertPossible(0.9))));
+        Stream.of(DynamicTest.dynamicTest("floors with room", () -> floors.assertPossible(0.9))));
   }
 }
