@@ -139,7 +139,7 @@ property tries
 paths of known length
 generated floors
 runs with crashes
-carries by a group
+possible carries
 crashes between two events of a task
 requests by Schemathesis
 fuzz inputs of the server

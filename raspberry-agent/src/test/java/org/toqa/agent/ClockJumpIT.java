@@ -35,7 +35,8 @@ class ClockJumpIT {
   void robotDrivesOnAsIfNothingHadHappened() throws Exception {
     Optional<Path> library = library();
     Needed.orLeftOut(
-        library.isPresent(), "libfaketime, which sets the clock (Debian: apt-get install faketime)");
+        library.isPresent(),
+        "libfaketime, which sets the clock (Debian: apt-get install faketime)");
     Path clock = Files.writeString(folder.resolve("clock"), "+0");
     try (ToqaProcess daemon = daemon(library.get(), clock);
         FormationServer server =
