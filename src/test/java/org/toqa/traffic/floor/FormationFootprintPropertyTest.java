@@ -49,7 +49,7 @@ class FormationFootprintPropertyTest {
   }
 
   /** Held at any moment, a group has a path on from where it has stopped. */
-  @Property(tries = 60, seed = "20261121")
+  @Property(tries = 40, seed = "20261121")
   void groupThatIsHeldOnItsWayGoesOn(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     Carry carry = carry(random);
@@ -66,7 +66,7 @@ class FormationFootprintPropertyTest {
   }
 
   /** Among robots that drive to and fro, but not to its own places, it arrives, and so do they. */
-  @Property(tries = 60, seed = "20261121")
+  @Property(tries = 40, seed = "20261121")
   void groupArrivesAmongOthers(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     Carry carry = carry(random);
@@ -97,7 +97,7 @@ class FormationFootprintPropertyTest {
   }
 
   /** Two groups, neither of which ever stands in the other's only path, each arrive. */
-  @Property(tries = 20, seed = "20261121")
+  @Property(tries = 10, seed = "20261121")
   void twoGroupsArrive(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
     Carry one = carry(random);
