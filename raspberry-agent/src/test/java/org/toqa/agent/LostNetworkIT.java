@@ -2,7 +2,6 @@ package org.toqa.agent;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.net.ConnectException;
@@ -32,6 +31,7 @@ import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.trust.LinkSocket;
 import org.toqa.motion.Segment;
+import org.toqa.testbed.Needed;
 import org.toqa.testbed.RobotNetwork;
 import org.toqa.testbed.ToqaProcess;
 
@@ -64,9 +64,9 @@ class LostNetworkIT {
 
   @BeforeEach
   void start() throws Exception {
-    assumeTrue(
+    Needed.orLeftOut(
         RobotNetwork.isAllowed(),
-        "Cables are pulled between network namespaces: run it as root, with ip (Debian: iproute2)");
+        "network namespaces, whose cables are pulled: run it as root, with ip (Debian: iproute2)");
     network = new RobotNetwork(3);
     for (int robot = 0; robot < 3; robot++) {
       daemons.add(daemon(robot));

@@ -11,6 +11,8 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -32,6 +34,9 @@ final class DrivenFloor {
 
   /** So near to its goal, metres, a robot has to come. */
   private static final double ARRIVED = 0.03;
+
+  private static final Pattern WAITING_FOR =
+      Pattern.compile("^Waiting for (r\\d+)( to leave the goal)?");
 
   final OccupancyGrid grid;
   final FloorTraffic traffic;
@@ -315,6 +320,30 @@ final class DrivenFloor {
   /** What a robot says that has not arrived. */
   String reason(String robot) {
     return String.valueOf(traffic.waitReason(robot));
+  }
+
+  /**
+   * Whether those that the robot waits for, and those that these wait for, end with one that cannot
+   * be told to go: it is lost, or stands at the goal of another. Robots that wait for each other do
+   * not.
+   */
+  boolean waitsForOneThatStays(String robot) {
+    Set<String> chain = new TreeSet<>();
+    String at = robot;
+    while (chain.add(at)) {
+      if (lost.contains(at)) {
+        return true;
+      }
+      Matcher waiting = WAITING_FOR.matcher(reason(at));
+      if (!waiting.find()) {
+        return false;
+      }
+      at = waiting.group(1);
+      if (isArrived(at) && waiting.group(2) != null) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** What each robot that has not arrived says. */
