@@ -30,8 +30,8 @@ import org.toqa.store.JdbiScheduleStore;
 
 /**
  * A fleet with a real daemon over a simulated body at each parking point of a floor. The test's own
- * thread moves the world, a step at a time, and each step only when what the steps before it brought
- * about has come where it was sent: no machine is too slow, and every picture is looked at.
+ * thread moves the world, a step at a time, and each step only when what the steps before it
+ * brought about has come where it was sent: no machine is too slow, and every picture is looked at.
  */
 final class LiveFloor {
   private static final double MAX_LOAD = 5;

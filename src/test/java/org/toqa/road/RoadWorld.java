@@ -82,8 +82,7 @@ final class RoadWorld {
                 SimulatedFloor.of(lab),
                 clock);
         StopSignal stop = new StopSignal()) {
-      clock.add(
-          nanos -> robots.truePose(ROBOT).ifPresent(track::add), Duration.ofMillis(100));
+      clock.add(nanos -> robots.truePose(ROBOT).ifPresent(track::add), Duration.ofMillis(100));
       clock.start();
       ServerOperation operation =
           (toqa, address, _) -> {
@@ -108,8 +107,7 @@ final class RoadWorld {
   private RoadWorld with(int port) throws Exception {
     api.post(
         "robots",
-        Map.of(
-            "name", ROBOT, "host", "127.0.0.1", "port", port, "maxLoad", 5, "parking", "P1"));
+        Map.of("name", ROBOT, "host", "127.0.0.1", "port", port, "maxLoad", 5, "parking", "P1"));
     return this;
   }
 

@@ -60,8 +60,7 @@ class KilledLeaderTest {
       State later = ofFollower.awaitState(s -> s.stamp() > stopped.stamp() + 1_000);
       assertEquals(0, stopped.pose().distanceTo(later.pose()), 0.005);
 
-      State before =
-          ofFollower.states().stream().filter(s -> s.stamp() <= gone).toList().getLast();
+      State before = ofFollower.states().stream().filter(s -> s.stamp() <= gone).toList().getLast();
       double seconds = (gone - before.stamp()) / 1000.0 + STAND_SECONDS;
       double driven = before.pose().distanceTo(stopped.pose());
       assertTrue(driven < seconds * SPEED, "it still drove " + driven + " m");

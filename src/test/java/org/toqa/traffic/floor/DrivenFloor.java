@@ -92,9 +92,7 @@ final class DrivenFloor {
     this.chance = new SplittableRandom(seed);
     this.traffic =
         new FloorTraffic(
-            grid,
-            new LacamJointPlanner(),
-            () -> Deadline.in(PLANNING_LIMIT, this::planningNanos));
+            grid, new LacamJointPlanner(), () -> Deadline.in(PLANNING_LIMIT, this::planningNanos));
   }
 
   private long planningNanos() {
