@@ -1,5 +1,6 @@
 package org.toqa.road;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -33,6 +34,7 @@ class WheelsToMapTest {
           road.api()
               .awaitSnapshot(
                   snapshot -> {
+                    assertFalse(road.isLate(), () -> "it never came home: " + told);
                     JsonNode pose = poseOf(snapshot);
                     if (pose == null) {
                       return false;

@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.DriveSpeeds;
 
 /**
  * A floor, its robots and what happens to them, as text. After remarks ({@code #} and a blank) and
@@ -169,9 +170,7 @@ final class FloorScenario {
 
   private void join(DrivenFloor floor, String robot, String place) {
     floor.putAt(robot, point(place), sizes.getOrDefault(robot, DrivenFloor.DIAMETER));
-    if (speeds.containsKey(robot)) {
-      floor.setMaxSpeed(robot, speeds.get(robot));
-    }
+    floor.setMaxSpeed(robot, speeds.getOrDefault(robot, DriveSpeeds.DEFAULT.forward()));
   }
 
   private OccupancyGrid grid() {

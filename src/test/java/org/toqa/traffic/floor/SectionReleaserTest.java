@@ -1,6 +1,7 @@
 package org.toqa.traffic.floor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
@@ -36,23 +37,16 @@ class SectionReleaserTest {
     traffic.setMovable("a", true);
     traffic.setGoal("a", grid.centre(new Cell(CELLS - 1, 0)), now);
 
-    Trajectory trajectory = null;
-    int released = 0;
+    DriveCommand.Begin begin =
+        assertInstanceOf(DriveCommand.Begin.class, traffic.decide(now).getFirst());
+    Trajectory trajectory = begin.trajectory();
+    int released = begin.released();
     List<Integer> ahead = new ArrayList<>();
-    for (int completed = 0; trajectory == null || completed < count(trajectory); completed++) {
-      if (trajectory != null) {
-        now = now.plus(Duration.ofMillis(500));
-        traffic.reportProgress("a", trajectory.poseAfter(completed), completed, now);
-      }
+    for (int completed = 0; completed < count(trajectory); completed++) {
+      now = now.plus(Duration.ofMillis(500));
+      traffic.reportProgress("a", trajectory.poseAfter(completed), completed, now);
       for (DriveCommand command : traffic.decide(now)) {
-        switch (command) {
-          case DriveCommand.Begin begin -> {
-            trajectory = begin.trajectory();
-            released = begin.released();
-          }
-          case DriveCommand.Release release -> released = release.released();
-          case DriveCommand.Extend extend -> throw new AssertionError("changed: " + extend);
-        }
+        released = assertInstanceOf(DriveCommand.Release.class, command).released();
       }
       ahead.add(released - completed);
       if (released < count(trajectory)) {
