@@ -90,7 +90,7 @@ final class FleetBench implements Callable<Integer> {
     load.run(time.warmUp(), stop, snapshot -> {});
     ClearanceJudge truth = new ClearanceJudge(toqa.fleet().floors().getFirst().grid());
     FleetMeter meter = new FleetMeter(toqa.fleetClock(), truth);
-    try (BodyObservation observation = toqa.observeBodies(truth::judge)) {
+    try (BodyObservation _ = toqa.observeBodies(truth::judge)) {
       load.run(time.seconds(), stop, meter::observe);
     }
     Report report = meter.report();

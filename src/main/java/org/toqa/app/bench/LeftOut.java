@@ -53,6 +53,7 @@ enum LeftOut {
       "The load: free says where robots were, by odometry, and knows nothing of it.",
       "Other robots.");
 
+  @SuppressWarnings("ImmutableEnumChecker") // a copy
   private final List<String> sentences;
 
   LeftOut(String... sentences) {

@@ -93,7 +93,7 @@ public final class DemoCommand implements Callable<Integer> {
       return runDemo(toqa, address, stop);
     }
     try (BodyRecorder recorder = BodyRecorder.create(bodies);
-        BodyObservation observation = toqa.observeBodies(recorder::write)) {
+        BodyObservation _ = toqa.observeBodies(recorder::write)) {
       return runDemo(toqa, address, stop);
     }
   }

@@ -231,8 +231,7 @@ public final class FleetServer implements AutoCloseable {
     if (observed == null) {
       throw new IllegalStateException("No robots are simulated.");
     }
-    Participant participant =
-        nanos -> observer.accept(Duration.ofNanos(nanos), observed.all());
+    Participant participant = nanos -> observer.accept(Duration.ofNanos(nanos), observed.all());
     fleetClock.add(participant, VirtualClock.STEP);
     return () -> fleetClock.remove(participant);
   }

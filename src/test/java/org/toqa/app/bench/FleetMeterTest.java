@@ -34,8 +34,7 @@ class FleetMeterTest {
   @Test
   void bodiesThatTouchFailWhateverRobotsReport() {
     meter.observe(snapshot(List.of(robot("r1", 1, 1), robot("r2", 3, 1)), List.of()));
-    assertEquals(
-        List.of("nothing was seen of where two robots really were"), failures(0));
+    assertEquals(List.of("nothing was seen of where two robots really were"), failures(0));
 
     judge(Body.disc("r1", new Vec2(1, 1), 0.1), Body.disc("r2", new Vec2(3, 1), 0.15));
     assertEquals(List.of(), failures(0));

@@ -22,7 +22,8 @@ class BodyRecorderTest {
     try (BodyRecorder recorder = BodyRecorder.create(file)) {
       recorder.write(Duration.ofMillis(20), List.of(Body.disc("r1", new Vec2(1, 2), 0.25)));
       recorder.write(
-          Duration.ofMillis(1040), List.of(Body.load("load", new Pose(0, 0, 0), 4, 2, Set.of("r1"))));
+          Duration.ofMillis(1040),
+          List.of(Body.load("load", new Pose(0, 0, 0), 4, 2, Set.of("r1"))));
 
       assertEquals(
           List.of(
