@@ -44,16 +44,17 @@ final class RecordedBodies {
         new RecordedBodies(
             new ClearanceJudge(FloorReader.read(Path.of("maps", "lab.yaml")).grid()));
     String written = Files.readString(file);
-    written
-        .substring(0, written.lastIndexOf('\n') + 1)
-        .lines()
-        .map(line -> JsonMapper.shared().readValue(line, Moment.class))
-        .reduce(bodies::add);
+    double before = Double.NaN;
+    for (String line : written.substring(0, written.lastIndexOf('\n') + 1).lines().toList()) {
+      Moment moment = JsonMapper.shared().readValue(line, Moment.class);
+      bodies.add(Double.isNaN(before) ? moment.seconds() - STEP : before, moment);
+      before = moment.seconds();
+    }
     return bodies;
   }
 
-  private Moment add(Moment before, Moment moment) {
-    assertEquals(STEP, moment.seconds() - before.seconds(), 1e-6, "a moment is missing");
+  private void add(double secondsBefore, Moment moment) {
+    assertEquals(STEP, moment.seconds() - secondsBefore, 1e-6, "a moment is missing");
     for (Body body : moment.bodies()) {
       (body.carriers().isEmpty() ? robots : loads).add(body.name());
       if (body.carriers().isEmpty()) {
@@ -63,7 +64,6 @@ final class RecordedBodies {
     long seen = moment.bodies().stream().filter(body -> body.carriers().isEmpty()).count();
     assertEquals(robots.size(), seen, () -> "robots have gone from " + moment);
     judge.judge(Duration.ofNanos(Math.round(moment.seconds() * 1e9)), moment.bodies());
-    return moment;
   }
 
   /**

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotCapabilities;
@@ -39,7 +40,7 @@ class FleetMeterTest {
     judge(Body.disc("r1", new Vec2(1, 1), 0.1), Body.disc("r2", new Vec2(3, 1), 0.15));
     assertEquals(List.of(), failures(0));
     assertEquals(1.75, meter.report().trueNearestMetres()); // 2 m less 0.1 m and 0.15 m
-    assertEquals(0.85, meter.report().trueWallMetres(), 1e-12); // r2, from the south
+    assertEquals(0.85, Objects.requireNonNull(meter.report().trueWallMetres()), 1e-12); // r2, from the south
     assertEquals(1, meter.report().trueSamples());
 
     judge(Body.disc("r1", new Vec2(1, 1), 0.1), Body.disc("r2", new Vec2(1.2, 1), 0.15));
