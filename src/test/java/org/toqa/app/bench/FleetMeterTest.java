@@ -40,7 +40,8 @@ class FleetMeterTest {
     judge(Body.disc("r1", new Vec2(1, 1), 0.1), Body.disc("r2", new Vec2(3, 1), 0.15));
     assertEquals(List.of(), failures(0));
     assertEquals(1.75, meter.report().trueNearestMetres()); // 2 m less 0.1 m and 0.15 m
-    assertEquals(0.85, Objects.requireNonNull(meter.report().trueWallMetres()), 1e-12); // r2, from the south
+    // r2 is 1 m from the south
+    assertEquals(0.85, Objects.requireNonNull(meter.report().trueWallMetres()), 1e-12);
     assertEquals(1, meter.report().trueSamples());
 
     judge(Body.disc("r1", new Vec2(1, 1), 0.1), Body.disc("r2", new Vec2(1.2, 1), 0.15));
