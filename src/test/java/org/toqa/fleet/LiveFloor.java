@@ -1,5 +1,7 @@
 package org.toqa.fleet;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.nio.file.Path;
@@ -12,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Predicate;
 import org.toqa.allocation.Policy;
+import org.toqa.app.server.TrueBodies;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
@@ -20,6 +23,9 @@ import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.mission.TaskState;
+import org.toqa.sim.Body;
+import org.toqa.sim.ClearanceJudge;
+import org.toqa.sim.ClearanceJudge.Clearance;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedRobot;
@@ -53,6 +59,11 @@ final class LiveFloor {
   final SimulatedFloor world;
   final SimulatedFleet robots;
   final AgentFleet fleet;
+
+  /** Of all bodies, at each step of the world. */
+  private final ClearanceJudge truth;
+
+  private volatile boolean hasSeenCarriedLoad;
 
   /**
    * @param world where the robots really are
@@ -98,7 +109,15 @@ final class LiveFloor {
             clock.instant(),
             runtime);
     parts.add(fleet);
+    truth = new ClearanceJudge(floor.grid());
+    TrueBodies trueBodies = new TrueBodies(robots, fleet.snapshots()::latest);
+    clock.add(nanos -> judge(nanos, trueBodies.all()), VirtualClock.STEP);
     clock.add(nanos -> fleet.tick(clock.instant()), Duration.ofMillis(100));
+  }
+
+  private void judge(long nanos, List<Body> bodies) {
+    truth.judge(Duration.ofNanos(nanos), bodies);
+    hasSeenCarriedLoad |= bodies.stream().anyMatch(body -> !body.carriers().isEmpty());
   }
 
   private static SimulatedRobot body(FloorMap floor, Place parking) {
@@ -167,9 +186,24 @@ final class LiveFloor {
     return view.tasks().stream().anyMatch(t -> t.id() == task && t.state() == state);
   }
 
+  /** Whether a load that several robots carry was among the bodies that were judged. */
+  boolean hasSeenCarriedLoad() {
+    return hasSeenCarriedLoad;
+  }
+
+  /** No body has touched another one or a wall, where they really were. */
+  private void assertClear() {
+    assertTrue(truth.samples() > 0);
+    truth.betweenBodies().ifPresent(nearest -> assertFalse(nearest.isTouch(), nearest::toString));
+    Clearance wall = truth.toWall().orElseThrow();
+    assertFalse(wall.isTouch(), wall::toString);
+  }
+
+  /** Whatever a test is about: what was to be clear of each other must have been. */
   void close() throws Exception {
     for (AutoCloseable part : parts.reversed()) {
       part.close();
     }
+    assertClear();
   }
 }
