@@ -12,6 +12,6 @@ schemathesis() {
     return
   fi
   rm -rf "$environment"
-  say "Schemathesis, which fuzzes the API, cannot be fetched: is pypi.org reached?"
+  say "Schemathesis, which fuzzes the API, cannot be fetched: is the index of Python packages reached?"
   exit 1
 } >&2

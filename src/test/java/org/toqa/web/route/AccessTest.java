@@ -45,7 +45,7 @@ class AccessTest extends WebServerTest {
     }
 
     boolean endsSession() {
-      return path.equals("/logout") || path.equals("/api/v1/session") && method.equals("DELETE");
+      return path.equals("/logout") || (path.equals("/api/v1/session") && method.equals("DELETE"));
     }
   }
 
