@@ -51,19 +51,14 @@ release() (
 # Archives of others have addresses that look the same as Ubuntu's, but no "universe".
 mirror() {
   case $(distribution) in
-    ubuntu)
-      found=$(sources | sed -n "s/^$(release) universe //p" | head -n 1)
-      case $(uname -m) in
-        x86_64) usual=http://archive.ubuntu.com/ubuntu/ ;;
-        *) usual=http://ports.ubuntu.com/ubuntu-ports/ ;;
-      esac
-      ;;
-    *)
-      found=$(sources | sed -n 's/^[^ ]* main \(.*\/debian\/\)$/\1/p' | head -n 1)
-      usual=http://deb.debian.org/debian/
-      ;;
+    ubuntu) found=$(sources | sed -n "s/^$(release) universe //p" | head -n 1) ;;
+    *) found=$(sources | sed -n 's/^[^ ]* main \(.*\/debian\/\)$/\1/p' | head -n 1) ;;
   esac
-  echo "${found:-$usual}"
+  [ -n "$found" ] || {
+    say "found no package source of $(distribution) in $etc/apt; add one and try again"
+    return 1
+  }
+  echo "$found"
 }
 
 # A line for each: RELEASE COMPONENT ADDRESS/. Read here, for apt tells only those that it has
@@ -107,12 +102,13 @@ unpack() {
   [ -d "$3" ] && return
   command -v apt-get >/dev/null || return 1
   say "fetching $2"
+  source=$(mirror) || return 1
   part=$3.$$
   mkdir -p "$part/lists/partial" "$part/cache/archives/partial" "$part/root"
   components=main
   [ "$(distribution)" = debian ] || components="main universe"
   keyring=/usr/share/keyrings/$(distribution)-archive-keyring.gpg
-  echo "deb [signed-by=$keyring] $(mirror) $1 $components" >"$part/sources.list"
+  echo "deb [signed-by=$keyring] $source $1 $components" >"$part/sources.list"
   if private_apt "$part" update && private_apt "$part" --download-only install "$2"; then
     for package in "$part"/cache/archives/*.deb; do
       dpkg -x "$package" "$part/root" || return 1

@@ -50,7 +50,7 @@ class ApiFuzzIT {
 
   @BeforeAll
   static void start() throws Exception {
-    Needed.orLeftOut(!PROGRAM.isEmpty(), "Schemathesis: ./toqa test fetches it from pypi.org");
+    Needed.orLeftOut(!PROGRAM.isEmpty(), "Schemathesis: ./toqa test fetches it");
     Path config = Files.writeString(folder.resolve("server.yaml"), "requestsPerSecond: 0\n");
     server = new RunningServer(folder, "--config", config.toString(), "--simulate", "3");
     for (int task = 0; task < 3; task++) {

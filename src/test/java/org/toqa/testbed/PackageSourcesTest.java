@@ -31,18 +31,18 @@ class PackageSourcesTest {
         "apt/sources.list.d/debian.sources",
         """
         Types: deb
-        URIs: http://deb.debian.org/debian-security
+        URIs: http://security.example/debian-security
         Suites: bookworm-security
         Components: main
 
         Types: deb deb-src
-        URIs: http://ftp.de.debian.org/debian
+        URIs: http://mirror.example/debian
         Suites: bookworm bookworm-updates
         Components: main contrib
         Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg
         """);
 
-    assertEquals("http://ftp.de.debian.org/debian/", mirror());
+    assertEquals("http://mirror.example/debian/", mirror());
   }
 
   @Test
@@ -52,7 +52,7 @@ class PackageSourcesTest {
         "apt/sources.list",
         """
         # deb cdrom:[Debian]/ bookworm main
-        deb [arch=amd64] https://download.docker.com/linux/debian bookworm stable
+        deb [arch=amd64] https://others.example/linux/debian bookworm stable
         deb-src http://src.example/debian/ bookworm main
         deb http://mirror.example/debian/ bookworm main contrib non-free-firmware
         """);
@@ -67,7 +67,7 @@ class PackageSourcesTest {
         "apt/sources.list.d/a-ppa.sources",
         """
         Types: deb
-        URIs: https://ppa.launchpadcontent.net/somebody/tools/ubuntu/
+        URIs: https://others.example/somebody/tools/ubuntu/
         Suites: noble
         Components: main
         """);
@@ -75,18 +75,18 @@ class PackageSourcesTest {
         "apt/sources.list.d/ubuntu.sources",
         """
         Types: deb
-        URIs: http://de.archive.ubuntu.com/ubuntu/
+        URIs: http://mirror.example/ubuntu/
         Suites: noble noble-updates noble-backports
         Components: main restricted universe multiverse
         Signed-By: /usr/share/keyrings/ubuntu-archive-keyring.gpg
 
         Types: deb
-        URIs: http://security.ubuntu.com/ubuntu/
+        URIs: http://security.example/ubuntu/
         Suites: noble-security
         Components: main restricted universe multiverse
         """);
 
-    assertEquals("http://de.archive.ubuntu.com/ubuntu/", mirror());
+    assertEquals("http://mirror.example/ubuntu/", mirror());
   }
 
   @Test
@@ -95,12 +95,12 @@ class PackageSourcesTest {
     write(
         "apt/sources.list",
         """
-        deb http://ports.ubuntu.com/ubuntu-ports/ jammy-security main universe
-        deb http://ports.ubuntu.com/ubuntu-ports/ jammy main restricted
-        deb http://ports.ubuntu.com/ubuntu-ports jammy universe
+        deb http://mirror.example/ubuntu-ports/ jammy-security main universe
+        deb http://mirror.example/ubuntu-ports/ jammy main restricted
+        deb http://mirror.example/ubuntu-ports jammy universe
         """);
 
-    assertEquals("http://ports.ubuntu.com/ubuntu-ports/", mirror());
+    assertEquals("http://mirror.example/ubuntu-ports/", mirror());
   }
 
   @Test
@@ -111,18 +111,23 @@ class PackageSourcesTest {
     write(
         "apt/sources.list.d/official.list",
         """
-        deb http://packages.linuxmint.com wilma main upstream import backport
-        deb http://archive.ubuntu.com/ubuntu noble main restricted universe multiverse
+        deb http://others.example wilma main upstream import backport
+        deb http://mirror.example/ubuntu noble main restricted universe multiverse
         """);
 
-    assertEquals("http://archive.ubuntu.com/ubuntu/", mirror());
+    assertEquals("http://mirror.example/ubuntu/", mirror());
   }
 
   @Test
-  void machineWithoutSourcesTakesTheUsualMirror() throws Exception {
+  void machineWithoutSourcesIsToldSo() throws Exception {
     write("os-release", DEBIAN);
 
-    assertEquals("http://deb.debian.org/debian/", mirror());
+    Process script = run("say() { echo \"$1\"; }; . src/test/services/debian.sh; mirror");
+
+    assertEquals(
+        "found no package source of debian in %s/apt; add one and try again".formatted(etc),
+        said(script));
+    assertEquals(1, script.waitFor());
   }
 
   private void write(String file, String content) throws IOException {
@@ -130,13 +135,20 @@ class PackageSourcesTest {
   }
 
   private String mirror() throws Exception {
-    String script = ". src/test/services/debian.sh; mirror";
+    Process script = run(". src/test/services/debian.sh; mirror");
+    String said = said(script);
+    assertEquals(0, script.waitFor());
+    return said;
+  }
+
+  private Process run(String script) throws IOException {
     ProcessBuilder shell = new ProcessBuilder(List.of("sh", "-euc", script));
     shell.environment().put("TOQA_TEST_ETC", etc.toString());
     shell.redirectError(ProcessBuilder.Redirect.INHERIT);
-    Process process = shell.start();
-    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertEquals(0, process.waitFor());
-    return said.strip();
+    return shell.start();
+  }
+
+  private static String said(Process script) throws IOException {
+    return new String(script.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
   }
 }
