@@ -17,7 +17,7 @@ import tools.jackson.databind.JsonNode;
 final class RunningServer implements AutoCloseable {
   static final String MANAGER = "boss";
   static final String PASSWORD = "boss-of-robots";
-  private static final Duration TIMEOUT = Duration.ofMinutes(3);
+  private static final Duration TIMEOUT = Duration.ofMinutes(10);
 
   private final Path folder;
   private final String[] arguments;

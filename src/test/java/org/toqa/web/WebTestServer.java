@@ -1,7 +1,6 @@
 package org.toqa.web;
 
 import com.github.benmanes.caffeine.cache.Ticker;
-import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.URI;
@@ -11,16 +10,12 @@ import java.sql.SQLException;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Comparator;
-import java.util.List;
 import java.util.stream.Stream;
 import org.apache.catalina.LifecycleException;
 import org.apache.catalina.LifecycleState;
-import org.apache.catalina.WebResourceRoot;
 import org.apache.catalina.connector.Connector;
 import org.apache.catalina.core.StandardContext;
 import org.apache.catalina.startup.Tomcat;
-import org.apache.catalina.webresources.DirResourceSet;
-import org.apache.catalina.webresources.StandardRoot;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
@@ -55,8 +50,8 @@ public final class WebTestServer implements AutoCloseable {
 
   private static final String PASSWORD_HASH = PASSWORDS.hash(PASSWORD);
 
-  /** Views are compiled once for all servers of this process. */
-  private static final Path COMPILED_VIEWS = temporaryFolder();
+  /** With the views as servlets, as the build has compiled them. */
+  private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
 
   private final TestFleet fleet;
   private final TestMailbox mailbox = new TestMailbox();
@@ -166,21 +161,13 @@ public final class WebTestServer implements AutoCloseable {
     connector.setProperty("address", "127.0.0.1");
     connector.setProperty("useVirtualThreads", "true");
     tomcat.setConnector(connector);
-    StandardContext context =
-        (StandardContext) tomcat.addWebapp("", new File("src/main/webapp").getAbsolutePath());
+    StandardContext context = (StandardContext) tomcat.addWebapp("", WEBAPP.toString());
     context.setParentClassLoader(WebTestServer.class.getClassLoader());
-    context.setWorkDir(COMPILED_VIEWS.toString());
     StandardJarScanFilter filter = new StandardJarScanFilter();
     filter.setDefaultTldScan(false);
     filter.setDefaultPluggabilityScan(false);
     filter.setTldScan("jakarta.servlet.jsp.jstl-*.jar");
     ((StandardJarScanner) context.getJarScanner()).setJarScanFilter(filter);
-    WebResourceRoot root = new StandardRoot(context);
-    for (String library : List.of("/assets/pico", "/assets/chart", "/assets/swagger")) {
-      String folder = new File("target/webapp" + library).getAbsolutePath();
-      root.addPreResources(new DirResourceSet(root, library, folder, "/"));
-    }
-    context.setResources(root);
     context.addServletContainerInitializer(
         (classes, servletContext) -> servletContext.setAttribute(Services.ATTRIBUTE, services),
         null);
@@ -231,16 +218,6 @@ public final class WebTestServer implements AutoCloseable {
     tomcat.destroy();
     database.close();
     delete(baseDir);
-  }
-
-  private static Path temporaryFolder() {
-    try {
-      Path folder = Files.createTempDirectory("toqa-views");
-      Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(folder)));
-      return folder;
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 
   private static void delete(Path folder) {
