@@ -163,6 +163,7 @@ require socat socat
 require ip iproute2
 require faketime faketime
 require setsid util-linux
+require systemd-analyze systemd
 require python3 python3
 python3 -c 'import ensurepip' 2>/dev/null || missing="$missing python3-venv"
 install_missing

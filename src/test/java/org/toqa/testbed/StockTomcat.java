@@ -34,8 +34,10 @@ public final class StockTomcat implements AutoCloseable {
 
   /**
    * @param base an empty folder for this Tomcat
+   * @param variables what is set in its environment
    */
-  public static StockTomcat start(Path base, Path war) throws IOException {
+  public static StockTomcat start(Path base, Path war, Map<String, String> variables)
+      throws IOException {
     Path home = home();
     for (String folder : List.of("conf", "webapps", "temp", "logs", "work")) {
       Files.createDirectories(base.resolve(folder));
@@ -53,6 +55,7 @@ public final class StockTomcat implements AutoCloseable {
         new ProcessBuilder("sh", home.resolve("bin/catalina.sh").toString(), "run")
             .redirectErrorStream(true)
             .redirectOutput(base.resolve("logs/out").toFile());
+    builder.environment().putAll(variables);
     builder
         .environment()
         .putAll(

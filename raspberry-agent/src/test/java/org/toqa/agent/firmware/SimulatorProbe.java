@@ -53,7 +53,7 @@ public final class SimulatorProbe implements AutoCloseable {
   }
 
   /** Time passes, and nobody says anything over the SPI. */
-  void advance(Duration time) throws IOException {
+  public void advance(Duration time) throws IOException {
     exchange(time, new byte[0]);
   }
 
@@ -107,7 +107,7 @@ public final class SimulatorProbe implements AutoCloseable {
     }
 
     /** From the last exchange until the wheels had stopped. */
-    Duration rolledOn() {
+    public Duration rolledOn() {
       return moved().minus(time("exchanged_us"));
     }
 
