@@ -127,14 +127,15 @@ class ClearedStopIT {
     return robot(api).get("state").asString().equals(state);
   }
 
-  private static String stateOf(ApiClient api, long task)
-      throws IOException, InterruptedException {
+  private static String stateOf(ApiClient api, long task) throws IOException, InterruptedException {
     return api.get("tasks/" + task).get("state").asString();
   }
 
   private static boolean isStoppedBy(ApiClient api, String code)
       throws IOException, InterruptedException {
-    return robot(api).get("errors").valueStream()
+    return robot(api)
+        .get("errors")
+        .valueStream()
         .anyMatch(error -> error.get("code").asString().equals(code));
   }
 

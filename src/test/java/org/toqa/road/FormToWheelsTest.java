@@ -49,7 +49,9 @@ class FormToWheelsTest {
 
   private static boolean areIdle(JsonNode snapshot) {
     return snapshot.get("robots").size() == 2
-        && snapshot.get("robots").valueStream()
+        && snapshot
+            .get("robots")
+            .valueStream()
             .allMatch(robot -> robot.get("state").asString().equals("IDLE"));
   }
 

@@ -117,8 +117,7 @@ final class RoadWorld {
     VirtualClock clock = toqa.fleetClock();
     try (ApiClient api = new ApiClient(address, MANAGER, WebTestServer.PASSWORD);
         SimulatedFleet robots =
-            SimulatedFleet.open(
-                folder.resolve("robots"), bodies, SimulatedFloor.of(lab), clock)) {
+            SimulatedFleet.open(folder.resolve("robots"), bodies, SimulatedFloor.of(lab), clock)) {
       RoadWorld road = new RoadWorld(toqa, address, api, robots, lab);
       Participant look = road::look;
       clock.add(look, VirtualClock.STEP);
