@@ -1,5 +1,9 @@
 package org.toqa.fleet;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.List;
@@ -25,9 +29,19 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   /** What computing is taken to last, so that its limits are the same on every machine. */
   private static final long NANOS_A_LOOK = 1_000;
 
+  private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
   private final BlockingQueue<Runnable> work = new LinkedBlockingQueue<>();
   private final AtomicLong looks = new AtomicLong();
   private final Thread thread = Thread.ofPlatform().daemon().name("fleet").start(this::run);
+
+  /** Whether what agents do is looked at: neither while they are made, nor while they end. */
+  private volatile boolean isWatching;
+
+  /** What agents did while it was, and how often they waited for anything; by the thread alone. */
+  private volatile long agentTurns;
+
+  private volatile long agentWaits;
 
   /** Guarded by this: what was handed in and is not done. */
   private long open;
@@ -76,7 +90,39 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
 
   @Override
   public Optional<Executor> agentExecutor() {
-    return Optional.of(this::add);
+    return Optional.of(work -> add(() -> runAgent(work)));
+  }
+
+  /** Time is not measured: a wait is one on a machine of any speed. */
+  private void runAgent(Runnable work) {
+    if (!isWatching) {
+      work.run();
+      return;
+    }
+    long before = waits();
+    try {
+      work.run();
+    } finally {
+      agentWaits += waits() - before;
+      agentTurns++;
+    }
+  }
+
+  /**
+   * From now on agents may wait for nothing, or, where they are made or end, again for something.
+   */
+  void setWatching(boolean isWatched) {
+    isWatching = isWatched;
+  }
+
+  /** How often this thread has slept or waited for another one. */
+  private static long waits() {
+    return THREADS.getThreadInfo(Thread.currentThread().threadId()).getWaitedCount();
+  }
+
+  /** No agent has slept, or waited for a file, a database, an answer or a lock. */
+  void assertAgentsNeverWaited() {
+    assertEquals(0, agentWaits, () -> "agents waited, in " + agentTurns + " turns");
   }
 
   @Override
