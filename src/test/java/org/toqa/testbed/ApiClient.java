@@ -91,6 +91,7 @@ public final class ApiClient implements AutoCloseable {
           lines
               .filter(line -> line.startsWith("data: "))
               .map(line -> JSON.readTree(line.substring("data: ".length())))
+              .filter(data -> data.has("robots")) // else it says only that it is alive
               .anyMatch(condition);
       if (!isSatisfied) {
         throw new AssertionError("the live events ended");
