@@ -28,12 +28,15 @@ start_database() {
 # Sets brand; what it names is unpacked.
 find_database() {
   mkdir -p "$cache"
-  if unpack sid mysql-server-core "$cache/mysql"; then
+  case $(distribution) in
+    ubuntu) set -- "$(release)" default-mysql-server-core ;;
+    *) set -- sid mysql-server-core ;;
+  esac
+  if unpack "$1" "$2" "$cache/mysql"; then
     brand=mysql
-  elif unpack "$(. /etc/os-release && echo "$VERSION_CODENAME")" mariadb-server-core \
-    "$cache/mariadb"; then
+  elif unpack "$(release)" mariadb-server-core "$cache/mariadb"; then
     brand=mariadb
-    say "MySQL of Debian sid cannot be had; the tests run on MariaDB instead"
+    say "$2 of $1 cannot be had; the tests run on MariaDB, and those that need MySQL fail"
   else
     say "found no database server; start a MySQL and name it by TOQA_TEST_MYSQL_URL"
     exit 1
@@ -43,8 +46,10 @@ find_database() {
 # The programs that back MySQL up and restore it are unpacked.
 find_mysql_client() {
   mkdir -p "$cache"
-  if ! unpack sid mysql-client "$cache/mysql-client"; then
-    say "found no client of MySQL: mysql-client of Debian sid cannot be had"
+  client_release=sid
+  [ "$(distribution)" = debian ] || client_release=$(release)
+  if ! unpack "$client_release" mysql-client "$cache/mysql-client"; then
+    say "found no client of MySQL: mysql-client of $client_release cannot be had"
     exit 1
   fi
 }

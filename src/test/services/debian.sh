@@ -2,31 +2,99 @@
 
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/toqa/services
 
-# require COMMAND PACKAGE: installs the package where the command is missing, or names it.
+# Where the system keeps its settings; the test of this script has samples of its own.
+etc=${TOQA_TEST_ETC:-/etc}
+
+missing=
+
+# require COMMAND PACKAGE: remembers the package where the command is missing.
 require() {
-  command -v "$1" >/dev/null || install "$1" "$2"
+  command -v "$1" >/dev/null || missing="$missing $2"
 }
 
 # require_file FILE PACKAGE: the same for a package that brings no command.
 require_file() {
-  [ -f "$1" ] || install "$1" "$2"
+  [ -f "$1" ] || missing="$missing $2"
 }
 
-# install WHAT PACKAGE
-install() {
+# Installs all that is missing, or names all of it.
+install_missing() {
+  [ -n "$missing" ] || return 0
   if [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
-    say "installing $2"
+    say "installing$missing"
     apt-get -q update >&2
-    DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install "$2" >&2
+    # shellcheck disable=SC2086 # packages are words
+    DEBIAN_FRONTEND=noninteractive apt-get -q -y --no-install-recommends install $missing >&2
   else
-    say "needs $1: install it (Debian: apt-get install $2) and try again"
+    say "missing:$missing"
+    say "install it and try again (Debian, Ubuntu: sudo apt-get install$missing)"
     exit 1
   fi
 }
 
-# The Debian mirror that this machine uses.
+# "debian" or "ubuntu", also on a system that is made of one of them.
+distribution() (
+  . "$etc/os-release"
+  case " $ID ${ID_LIKE:-} " in
+    *" ubuntu "*) echo ubuntu ;;
+    *) echo debian ;;
+  esac
+)
+
+# The name of the release, such as "bookworm" or "noble".
+release() (
+  . "$etc/os-release"
+  echo "${UBUNTU_CODENAME:-$VERSION_CODENAME}"
+)
+
+# The mirror of Debian or Ubuntu that this machine uses, whichever way its sources are written.
+# Archives of others have addresses that look the same as Ubuntu's, but no "universe".
 mirror() {
-  apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' | grep '/debian/$' | head -n 1
+  case $(distribution) in
+    ubuntu) found=$(sources | sed -n "s/^$(release) universe //p" | head -n 1) ;;
+    *) found=$(sources | sed -n 's/^[^ ]* main \(.*\/debian\/\)$/\1/p' | head -n 1) ;;
+  esac
+  [ -n "$found" ] || {
+    say "found no package source of $(distribution) in $etc/apt; add one and try again"
+    return 1
+  }
+  echo "$found"
+}
+
+# A line for each: RELEASE COMPONENT ADDRESS/. Read here, for apt tells only those that it has
+# fetched, and a new machine has fetched none.
+sources() {
+  for list in "$etc/apt/sources.list" "$etc"/apt/sources.list.d/*.list; do
+    [ ! -f "$list" ] || sed -n 's/^deb[[:blank:]][[:blank:]]*\(\[[^]]*\] *\)\{0,1\}//p' "$list"
+  done | awk '{ sub(/\/*$/, "/", $1); for (i = 3; i <= NF && $i !~ /^#/; i++) print $2, $i, $1 }'
+  for paragraphs in "$etc"/apt/sources.list.d/*.sources; do
+    [ ! -f "$paragraphs" ] || awk '
+      function tell(addresses, releases, components, a, r, c) {
+        if (types ~ /(^| )deb( |$)/ && enabled !~ /no|false/) {
+          addresses = split(uris, address); releases = split(suites, release)
+          components = split(parts, component)
+          for (a = 1; a <= addresses; a++) for (r = 1; r <= releases; r++)
+            for (c = 1; c <= components; c++) {
+              sub(/\/*$/, "/", address[a])
+              print release[r], component[c], address[a]
+            }
+        }
+        types = uris = suites = parts = enabled = ""
+      }
+      /^#/ { next }
+      /^[ \t]*$/ { tell(); next }
+      /^[^ \t]/ { key = tolower($1) }
+      {
+        value = $0
+        sub(/^[^ \t:]*:?/, "", value)
+        if (key == "types:") types = types value
+        if (key == "uris:") uris = uris value
+        if (key == "suites:") suites = suites value
+        if (key == "components:") parts = parts value
+        if (key == "enabled:") enabled = tolower(value)
+      }
+      END { tell() }' "$paragraphs"
+  done
 }
 
 # unpack SUITE PACKAGE FOLDER: the package and all that it depends on, unpacked and not installed.
@@ -34,10 +102,13 @@ unpack() {
   [ -d "$3" ] && return
   command -v apt-get >/dev/null || return 1
   say "fetching $2"
+  source=$(mirror) || return 1
   part=$3.$$
   mkdir -p "$part/lists/partial" "$part/cache/archives/partial" "$part/root"
-  keyring=/usr/share/keyrings/debian-archive-keyring.gpg
-  echo "deb [signed-by=$keyring] $(mirror) $1 main" >"$part/sources.list"
+  components=main
+  [ "$(distribution)" = debian ] || components="main universe"
+  keyring=/usr/share/keyrings/$(distribution)-archive-keyring.gpg
+  echo "deb [signed-by=$keyring] $source $1 $components" >"$part/sources.list"
   if private_apt "$part" update && private_apt "$part" --download-only install "$2"; then
     for package in "$part"/cache/archives/*.deb; do
       dpkg -x "$package" "$part/root" || return 1

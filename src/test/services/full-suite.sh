@@ -5,6 +5,7 @@ set -eu
 
 services=$(cd "$(dirname "$0")" && pwd -P)
 root=$(cd "$services/../../.." && pwd -P)
+tally=$root/target/tally.tsv
 
 say() {
   echo "toqa test: $1" >&2
@@ -16,38 +17,141 @@ say() {
 
 usage() {
   cat <<'END'
-Usage: ./toqa test
+Usage: ./toqa test [--long] [--seed N]
 
-Runs the full test suite. On Debian it brings what it needs: Chromium, socat, iproute2, faketime
-and the compilers of the firmware (installed when you are root, named when not), a private MySQL
-server with its client and the fuzzer Schemathesis (unpacked into ~/.cache/toqa, not installed).
-TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours instead; its user must be allowed to
-create databases.
+Runs the full test suite, and says at its end how much it did of each kind.
+
+  --long    as much as the documents state: 1,000 generated floors of each kind, a million fuzzed
+            inputs, 200 runs with crashes, 100 examples for each route of the API, ten times
+            the tries of each property, all from a new seed, which it prints; without it a sample from seed 1
+  --seed N  begins from this seed: the same seed tries the same
+
+Nothing is left out: what this machine lacks is named, all at once. On Debian and Ubuntu it brings
+what it needs: Chromium, socat, iproute2, faketime and the compilers of the firmware (installed when
+you are root), a private MySQL server with its client and the fuzzer Schemathesis (unpacked into
+~/.cache/toqa, not installed). Network cables are pulled by root alone.
+TOQA_TEST_MYSQL_URL=jdbc:mysql://... uses a server of yours where it is only talked to; its user
+must be allowed to create databases. The tests that kill one fail then.
 END
 }
 
-case ${1:-} in
-  "") ;;
-  -h | --help)
-    usage
-    exit 0
+wrong() {
+  say "$1 (./toqa test --help)"
+  exit 2
+}
+
+tier=sample
+seed=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --long) tier=long ;;
+    --seed)
+      shift
+      case ${1:-} in
+        "" | *[!0-9]* | ??????????*) wrong "--seed needs a whole number of at most nine digits" ;;
+      esac
+      seed=$1
+      ;;
+    -h | --help)
+      usage
+      exit 0
+      ;;
+    *) wrong "\"$1\" is not known" ;;
+  esac
+  shift
+done
+
+case $tier in
+  long)
+    seed=${seed:-$(($(od -An -N4 -tu4 /dev/urandom) % 1000000000))}
+    size="-Dtoqa.floors=1000 -Dtoqa.crashes=200 -Dtoqa.tries=10"
+    size="$size -Dtoqa.fuzz.inputs=250000 -Dtoqa.fuzz.examples=100"
     ;;
-  *)
-    say "\"$1\" is not known (./toqa test --help)"
-    exit 2
+  sample)
+    seed=${seed:-1}
+    size="-Dtoqa.floors=40 -Dtoqa.crashes=8 -Dtoqa.tries=1"
+    size="$size -Dtoqa.fuzz.inputs=20000 -Dtoqa.fuzz.examples=10"
     ;;
 esac
 
+# Ends everything that the tests started, also what they started themselves.
+end_maven() {
+  [ -n "${maven:-}" ] || return 0
+  kill -TERM "-$maven" 2>/dev/null || true
+  tenths=100
+  while kill -0 "-$maven" 2>/dev/null && [ "$tenths" -gt 0 ]; do
+    sleep 0.1
+    tenths=$((tenths - 1))
+  done
+  kill -KILL "-$maven" 2>/dev/null || true
+}
+
+# The network namespaces of robots, and their cables: see RobotNetwork.
+remove_networks() {
+  command -v ip >/dev/null || return 0
+  mark=tq$(($$ % 10000))
+  ip netns list 2>/dev/null | sed -n "s/^\(${mark}[rp][^ ]*\).*/\1/p" | while read -r space; do
+    ip netns delete "$space" || true
+  done
+  ip -o link 2>/dev/null | sed -n "s/^[0-9]*: \(${mark}[cs][0-9]*\)[@:].*/\1/p" |
+    while read -r link; do
+      ip link delete "$link" 2>/dev/null || true
+    done
+}
+
 finish() {
-  trap - EXIT INT TERM
-  [ -z "${maven:-}" ] || kill "$maven" 2>/dev/null || true
+  trap - EXIT
+  trap '' INT TERM HUP
+  end_maven
   stop_database
+  remove_networks
+  [ -z "${folder:-}" ] || rm -rf "$folder"
 }
 trap finish EXIT
+trap 'exit 129' HUP
 trap 'exit 130' INT
 trap 'exit 143' TERM
 
-require chromium chromium
+# How much was done; false where something was left out, or nothing of a kind was done.
+report() {
+  [ -f "$tally" ] || return 1
+  echo "toqa test: what was done, the $tier from seed $seed"
+  awk -F '\t' '
+    $1 == "left out" { print "left out, which must not be: " $3; bad = 1; next }
+    { sum[$1] += $2 }
+    END {
+      for (kind in sum) printf "%12d  %s\n", sum[kind], kind | "sort -k 2"
+      close("sort -k 2")
+      exit bad
+    }' "$tally" || return 1
+  all=0
+  while read -r kind; do
+    grep -q "^$kind	[1-9]" "$tally" || {
+      echo "not done: $kind"
+      all=1
+    }
+  done <<'END'
+unit tests
+browser tests
+packaged tests
+properties
+property tries
+paths of known length
+generated floors
+runs with crashes
+possible carries
+crashes between two events of a task
+requests by Schemathesis
+fuzz inputs of the server
+fuzz inputs of the daemon
+fuzz inputs of the frames of the microcontroller
+fuzz inputs of a serial stream
+END
+  return "$all"
+}
+
+command -v chromium-browser >/dev/null || command -v google-chrome >/dev/null ||
+  require chromium chromium
 require make make
 require cc gcc
 require avr-gcc gcc-avr
@@ -57,18 +161,33 @@ require cppcheck cppcheck
 require socat socat
 require ip iproute2
 require faketime faketime
+require setsid util-linux
 require python3 python3
+python3 -c 'import ensurepip' 2>/dev/null || missing="$missing python3-venv"
+install_missing
+[ "$(id -u)" = 0 ] ||
+  say "you are not root: the tests that pull network cables will fail (sudo -E ./toqa test)"
 
 cd "$root"
+say "the $tier, from seed $seed: ${size}"
+folder=$(mktemp -d)
+TMPDIR=$folder
+export TMPDIR
 say "testing the firmware"
 make -s -C firmware test sim
 schemathesis
 start_database
 [ "${brand:-}" != mysql ] || find_mysql_client
 
-./mvnw -B -ntp verify -Pfull -Dtoqa.mysql.url="$database_url" -Dtoqa.schemathesis="$fuzzer" &
+mkdir -p target
+: >"$tally"
+# A session of its own, so that all of it can be ended.
+# shellcheck disable=SC2086 # the size is words
+setsid ./mvnw -B -ntp verify -Pfull -Dtoqa.full=true -Dtoqa.seed="$seed" $size \
+  -Dtoqa.run=$$ -Dtest.folder="$folder" \
+  -Dtoqa.mysql.url="$database_url" -Dtoqa.schemathesis="$fuzzer" &
 maven=$!
 status=0
 wait "$maven" || status=$?
-maven=
+report || [ "$status" -ne 0 ] || status=1
 exit "$status"

@@ -1,16 +1,17 @@
 # What the tests take from Python's package index, in an environment of its own.
 
-# schemathesis: sets $fuzzer to the program; to nothing, and says so, where it cannot be fetched.
+# schemathesis: sets $fuzzer to the program. It and all that it needs are of the versions that
+# schemathesis.txt lists.
 schemathesis() {
-  fuzzer=$cache/schemathesis-4.32.5/bin/schemathesis
+  environment=$cache/schemathesis-$(cksum <"$services/schemathesis.txt" | cut -d ' ' -f 1)
+  fuzzer=$environment/bin/schemathesis
   [ -x "$fuzzer" ] && return
-  python3 -c 'import ensurepip' 2>/dev/null || install "Python's venv" python3-venv
   say "fetching Schemathesis"
-  environment=$cache/schemathesis-4.32.5
-  if python3 -m venv "$environment" && "$environment/bin/pip" -q install schemathesis==4.32.5; then
+  if python3 -m venv "$environment" &&
+    "$environment/bin/pip" -q install -r "$services/schemathesis.txt"; then
     return
   fi
   rm -rf "$environment"
-  fuzzer=
-  say "Schemathesis cannot be fetched: the API is not fuzzed"
+  say "Schemathesis, which fuzzes the API, cannot be fetched: is the index of Python packages reached?"
+  exit 1
 } >&2

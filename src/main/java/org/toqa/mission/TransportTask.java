@@ -31,7 +31,11 @@ public record TransportTask(
    * @param length metres, along the load's x axis
    * @param width metres, along its y axis
    */
-  public record LoadSize(double length, double width) {}
+  public record LoadSize(double length, double width) {
+
+    /** What is taken for a load whose size nobody said. */
+    public static final LoadSize DEFAULT = new LoadSize(0.3, 0.3);
+  }
 
   /** The same with the id that the store gave it. */
   public TransportTask withId(long stored) {

@@ -100,6 +100,11 @@ public final class SimulatedFleet implements AutoCloseable {
     return floor.truePose(robot);
   }
 
+  /** The robots where they really are, but for those whose bodies are not simulated as a whole. */
+  public List<Body> bodies() {
+    return floor.bodies();
+  }
+
   /** Takes the robots out of the world, the last one first, and ends their daemons. */
   @Override
   public void close() {

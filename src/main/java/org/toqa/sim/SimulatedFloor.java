@@ -103,6 +103,13 @@ public final class SimulatedFloor {
     return Optional.ofNullable(robots.get(robot)).map(Disc::at);
   }
 
+  /** The robots whose bodies are simulated as a whole, where they really are. */
+  List<Body> bodies() {
+    return robots.entrySet().stream()
+        .map(r -> Body.disc(r.getKey(), r.getValue().at().position(), r.getValue().radius()))
+        .toList();
+  }
+
   /**
    * What a robot finds round it.
    *

@@ -139,7 +139,8 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     }
   }
 
-  private boolean isReady() {
+  /** Whether no participant holds the world up. */
+  public boolean isReady() {
     return registrations.stream().allMatch(seat -> seat.participant().isReady(nanos));
   }
 

@@ -14,7 +14,6 @@ import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.argument.Argument;
 import org.jdbi.v3.core.argument.ArgumentFactory;
 import org.jdbi.v3.core.argument.NullArgument;
-import org.jdbi.v3.core.mapper.reflect.ConstructorMapper;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.fleet.FleetStore.StoredDrive;
@@ -52,17 +51,21 @@ final class DatabaseTypes {
     jdbi.registerColumnMapper(
         Trajectory.class, (row, column, context) -> TrajectoryJson.read(row.getString(column)));
 
-    jdbi.registerRowMapper(ConstructorMapper.factory(RobotRecord.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(Hold.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(StoredDrive.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(RobotTable.StoredRobotRow.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(TaskRow.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(TaskTable.AssignedRobotRow.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(ScheduleRow.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(EventTable.EventRow.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(JdbiSessionStore.ListedSessionRow.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(JdbiSessionStore.OwnedSessionRow.class));
-    jdbi.registerRowMapper(ConstructorMapper.factory(Account.class));
+    register(jdbi, RobotRecord.class);
+    register(jdbi, Hold.class);
+    register(jdbi, StoredDrive.class);
+    register(jdbi, RobotTable.StoredRobotRow.class);
+    register(jdbi, TaskRow.class);
+    register(jdbi, TaskTable.AssignedRobotRow.class);
+    register(jdbi, ScheduleRow.class);
+    register(jdbi, EventTable.EventRow.class);
+    register(jdbi, JdbiSessionStore.ListedSessionRow.class);
+    register(jdbi, JdbiSessionStore.OwnedSessionRow.class);
+    register(jdbi, Account.class);
+  }
+
+  private static <T> void register(Jdbi jdbi, Class<T> type) {
+    jdbi.registerRowMapper(type, new RowMapperCache<>(type));
   }
 
   /**

@@ -60,6 +60,7 @@ class ToqaScriptIT {
         Arguments.of(List.of("demo", "--robots", "9"), "--robots \"9\": it must be"),
         Arguments.of(List.of("demo", "--robots", "six"), "'six'"),
         Arguments.of(List.of("demo", "--report", "no/such/folder"), "that can be written"),
+        Arguments.of(List.of("demo", "--bodies", "no/such/folder"), "that can be written"),
         Arguments.of(List.of("plan", "--map", "nowhere.yaml"), "--from"),
         Arguments.of(List.of("bench", "swim"), "\"swim\" is not known"),
         Arguments.of(

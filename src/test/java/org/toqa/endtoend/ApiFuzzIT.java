@@ -2,7 +2,6 @@ package org.toqa.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,6 +20,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.testbed.ApiClient;
+import org.toqa.testbed.FuzzRun;
+import org.toqa.testbed.Needed;
+import org.toqa.testbed.Tally;
 import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 
@@ -29,15 +31,14 @@ import tools.jackson.databind.JsonNode;
  * that is a fault, and none that the document does not have.
  *
  * <p>{@code -Dtoqa.schemathesis} is the program; {@code -Dtoqa.fuzz.examples=100} for more than the
- * usual 10 a route beside those that the document itself suggests, {@code -Dtoqa.fuzz.seed=2} for
- * other ones. Leaves out the live events, which do not end.
+ * usual 10 a route beside those that the document itself suggests, {@code -Dtoqa.seed=2} for other
+ * ones. Leaves out the live events, which do not end.
  */
 @Tag("full")
 @TestMethodOrder(OrderAnnotation.class)
 class ApiFuzzIT {
   private static final String PROGRAM = System.getProperty("toqa.schemathesis", "");
-  private static final String EXAMPLES = System.getProperty("toqa.fuzz.examples", "10");
-  private static final String SEED = System.getProperty("toqa.fuzz.seed", "1");
+  private static final int EXAMPLES = Integer.getInteger("toqa.fuzz.examples", 10);
   private static final String CLERK = "clerk";
   private static final String CLERKS_PASSWORD = "clerk-of-robots";
   private static final Duration LIMIT = Duration.ofMinutes(30);
@@ -49,7 +50,7 @@ class ApiFuzzIT {
 
   @BeforeAll
   static void start() throws Exception {
-    assumeFalse(PROGRAM.isEmpty(), "Schemathesis is not here.");
+    Needed.orLeftOut(!PROGRAM.isEmpty(), "Schemathesis: ./toqa test fetches it");
     Path config = Files.writeString(folder.resolve("server.yaml"), "requestsPerSecond: 0\n");
     server = new RunningServer(folder, "--config", config.toString(), "--simulate", "3");
     for (int task = 0; task < 3; task++) {
@@ -110,17 +111,24 @@ class ApiFuzzIT {
         Path.of("src/test/resources/org/toqa/endtoend/schemathesis.toml").toAbsolutePath();
     List<String> command = new ArrayList<>(List.of(PROGRAM, "--config-file", settings.toString()));
     command.addAll(List.of("run", copyOfTheDocument(), "--url", server.root().toString()));
-    command.addAll(List.of("--seed", SEED, "-n", EXAMPLES));
+    command.addAll(List.of("--seed", "" + FuzzRun.SEED, "-n", "" + EXAMPLES));
     command.addAll(List.of(choice));
     try (ToqaProcess fuzzer = ToqaProcess.command(folder, command.toArray(String[]::new))) {
       int exitCode = fuzzer.exitCode(LIMIT);
       String report = String.join("\n", fuzzer.out());
 
       assertEquals(0, exitCode, report);
-      Matcher count = Pattern.compile("\\d+ generated").matcher(report);
-      assertTrue(count.find(), report);
-      System.out.println("Schemathesis: " + count.group());
+      assertTrue(number("Selected: (\\d+)", report) == number("Tested: (\\d+)", report), report);
+      long generated = number("(\\d+) generated", report);
+      assertTrue(generated > EXAMPLES && generated >= number("Tested: (\\d+)", report), report);
+      Tally.add("requests by Schemathesis", generated);
     }
+  }
+
+  private static long number(String pattern, String report) {
+    Matcher matcher = Pattern.compile(pattern).matcher(report);
+    assertTrue(matcher.find(), report);
+    return Long.parseLong(matcher.group(1));
   }
 
   private static String copyOfTheDocument() throws Exception {

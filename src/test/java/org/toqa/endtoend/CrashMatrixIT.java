@@ -23,19 +23,20 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.testbed.Tally;
 import tools.jackson.databind.JsonNode;
 
 /**
  * Server, daemons, database and links are cut at random moments while robots carry. Every task that
  * was accepted ends DONE once, and what was refused is never done.
  *
- * <p>{@code -Dtoqa.crashes=200} for so many runs, {@code -Dtoqa.crashes.from=17} to begin with
- * another seed.
+ * <p>{@code -Dtoqa.crashes=200} for so many runs, {@code -Dtoqa.seed=17} to begin with another
+ * seed.
  */
 @Tag("full")
 class CrashMatrixIT {
   private static final int RUNS = Integer.getInteger("toqa.crashes", 8);
-  private static final int FROM = Integer.getInteger("toqa.crashes.from", 1);
+  private static final int FROM = Integer.getInteger("toqa.seed", 1);
   private static final List<String> STATIONS =
       List.of("Goods-in 1", "Mill", "Store A", "Assembly", "Packing 1", "Goods-out");
   private static final Pattern DELIVERY = Pattern.compile("task (\\d+): phase 2 is done");
@@ -48,6 +49,7 @@ class CrashMatrixIT {
 
   @TempDir private static Path folder;
   private static CrashTestbed testbed;
+  private static int runs;
 
   @BeforeAll
   static void build() throws Exception {
@@ -56,6 +58,7 @@ class CrashMatrixIT {
 
   @AfterAll
   static void clear() throws Exception {
+    Tally.add("runs with crashes", runs);
     testbed.close();
   }
 
@@ -111,6 +114,7 @@ class CrashMatrixIT {
         cut.clear(testbed);
       }
     }
+    assertTrue(!accepted.isEmpty(), "no task was accepted");
     for (long task : accepted) {
       testbed.server.await("tasks/" + task, CrashMatrixIT::isStoredAsDone);
       assertEquals(1, testbed.server.eventCount(task, "Picked up"), () -> taskHistory(task));
@@ -122,6 +126,7 @@ class CrashMatrixIT {
       assertTrue(
           !refused.contains(task.get("name").asString()), () -> "refused, but kept: " + task);
     }
+    runs++;
   }
 
   /** What the live task says may be ahead of its history, which is read from the store. */

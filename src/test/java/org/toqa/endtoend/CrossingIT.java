@@ -39,16 +39,26 @@ class CrossingIT extends BrowserTest {
   @Test
   void sixRobotsCrossEachOthersWaysAndNeverMeet() throws Exception {
     Files.createDirectories(PICTURES);
+    Path bodies = folder.resolve("bodies.jsonl");
     Page page = page();
     page.setViewportSize(1280, 900);
     try (ToqaProcess demo =
             ToqaProcess.toqa(
-                folder, "demo", "--robots", String.valueOf(ROBOTS), "--speed", "4", "--port", "0");
+                folder,
+                "demo",
+                "--robots",
+                String.valueOf(ROBOTS),
+                "--speed",
+                "4",
+                "--port",
+                "0",
+                "--bodies",
+                bodies.toString());
         MapRecording film = MapRecording.of(page, PICTURES.resolve("crossing.webm"))) {
       URI root = URI.create(demo.awaitErr("http://[^ ]*").group());
       try (ApiClient api = new ApiClient(root, "demo", "demo-robots")) {
-        FutureTask<RobotTracks> tracks = new FutureTask<>(() -> untilAllIsDone(api));
-        Thread.ofVirtual().start(tracks);
+        FutureTask<Boolean> done = new FutureTask<>(() -> awaitAllDone(api));
+        Thread.ofVirtual().start(done);
 
         logIn(page, root);
         film.start();
@@ -61,8 +71,9 @@ class CrossingIT extends BrowserTest {
               "r" + i + " went " + film.distanceMoved("r" + i));
         }
         assertEquals(0, film.distanceMoved("Goods-out"), "the map itself moved");
-        RobotTracks seen = tracks.get(LIMIT, TimeUnit.SECONDS);
-        assertTrue(seen.smallestGap() >= 0, "two robots were " + seen.smallestGap() + " m apart");
+        done.get(LIMIT, TimeUnit.SECONDS);
+        RecordedBodies seen = RecordedBodies.read(bodies);
+        seen.assertClear(ROBOTS);
         assertFalse(seen.crossings().isEmpty());
       }
     }
@@ -90,16 +101,14 @@ class CrossingIT extends BrowserTest {
     }
   }
 
-  private static RobotTracks untilAllIsDone(ApiClient api) throws Exception {
-    RobotTracks tracks = new RobotTracks();
+  private static boolean awaitAllDone(ApiClient api) throws Exception {
     api.awaitSnapshot(
         snapshot -> {
-          tracks.add(snapshot.get("robots"));
           JsonNode tasks = snapshot.get("tasks");
           return tasks.size() > ROBOTS
               && StreamSupport.stream(tasks.spliterator(), false)
                   .allMatch(task -> task.get("state").asString().equals("DONE"));
         });
-    return tracks;
+    return true;
   }
 }

@@ -2,7 +2,6 @@ package org.toqa.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -18,6 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.testbed.FaultyTcpProxy;
+import org.toqa.testbed.Needed;
 import org.toqa.testbed.OwnMySql;
 import org.toqa.testbed.RealMySql;
 import tools.jackson.databind.JsonNode;
@@ -61,9 +61,9 @@ class DatabaseOutageIT {
 
   /** Where somebody brings his own database server there may be none that a test may kill. */
   private static void assumeOwnServer() {
-    assumeTrue(
+    Needed.orLeftOut(
         System.getenv("TOQA_TEST_MYSQL_URL") == null,
-        "runs where ./toqa test brings its own MySQL: without TOQA_TEST_MYSQL_URL");
+        "a MySQL that a test may kill: run ./toqa test without TOQA_TEST_MYSQL_URL");
   }
 
   private void goesAwayAndComesBack(String url, Happening away, Happening back) throws Exception {

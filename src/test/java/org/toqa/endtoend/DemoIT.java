@@ -26,11 +26,14 @@ class DemoIT {
   @ValueSource(ints = {3, 6})
   void theDemoTasksAreDoneAndReported(int robots) throws Exception {
     Path report = folder.resolve("report.json");
+    Path bodies = folder.resolve("bodies.jsonl");
     try (ToqaProcess demo =
         ToqaProcess.toqa(
             folder,
             "demo",
             "--once",
+            "--bodies",
+            bodies.toString(),
             "--robots",
             String.valueOf(robots),
             "--speed",
@@ -41,6 +44,7 @@ class DemoIT {
             report.toString())) {
       assertEquals(0, demo.exitCode(), () -> "it said: " + report);
     }
+    RecordedBodies.read(bodies).assertClear(robots);
     JsonNode tasks = JsonMapper.builder().build().readTree(Files.readString(report)).get("tasks");
     assertTrue(tasks.size() > robots);
     for (JsonNode task : tasks) {

@@ -1,8 +1,6 @@
 package org.toqa.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.testbed.Needed;
 import org.toqa.testbed.OwnMySql;
 
 /** A server on MySQL is put back to a dump, as docs/operations.md says. */
@@ -26,14 +25,16 @@ class MySqlBackupIT {
 
   @Test
   void aDumpThatIsTakenWhileRobotsCarryHoldsAll() throws Exception {
-    assumeTrue(
+    Needed.orLeftOut(
         System.getenv("TOQA_TEST_MYSQL_URL") == null,
-        "runs where ./toqa test brings its own MySQL: without TOQA_TEST_MYSQL_URL");
+        "a MySQL of its own: run ./toqa test without TOQA_TEST_MYSQL_URL");
     Path key = folder.resolve("data/link.p12");
     Path keptKey = folder.resolve("toqa.link.p12");
     Path dump = folder.resolve("toqa.sql");
     try (OwnMySql mySql = new OwnMySql(folder)) {
-      assumeFalse(mySql.isMariaDb(), "runs where MySQL can be had: MariaDB dumps otherwise");
+      Needed.orLeftOut(
+          !mySql.isMariaDb(),
+          "MySQL, for MariaDB dumps otherwise: ./toqa test fetches it on Debian");
       addUser(mySql);
       try (RunningServer server =
           new RunningServer(

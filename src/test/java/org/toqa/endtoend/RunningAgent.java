@@ -1,8 +1,6 @@
 package org.toqa.endtoend;
 
 import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -16,9 +14,12 @@ import org.toqa.testbed.ToqaProcess;
 final class RunningAgent implements AutoCloseable {
   private final String name;
   private final Path home;
-  private final int port = freePort();
   private final List<ToqaProcess> killed = new ArrayList<>();
+  private final String config;
   private @Nullable ToqaProcess process;
+
+  /** 0 until it has bound one, which it keeps when it is started again. */
+  private int port;
 
   /**
    * @param folder in which the robot's own one is made
@@ -28,18 +29,16 @@ final class RunningAgent implements AutoCloseable {
   RunningAgent(Path folder, String name, double x, double y, double speed) throws Exception {
     this.name = name;
     this.home = Files.createDirectories(folder.resolve(name));
-    Files.writeString(
-        home.resolve("agent.yaml"),
+    this.config =
         """
         name: %s
-        port: %d
         dataDir: data
         chassis:
           type: simulated
           start: {x: %s, y: %s, heading: 0}
           speed: %s
         """
-            .formatted(name, port, x, y, speed));
+            .formatted(name, x, y, speed);
     start();
   }
 
@@ -59,11 +58,12 @@ final class RunningAgent implements AutoCloseable {
   }
 
   void start(String... options) throws IOException, InterruptedException {
+    Files.writeString(home.resolve("agent.yaml"), config + "port: " + port + "\n");
     List<String> command =
         new ArrayList<>(List.of("agent", "--config", home.resolve("agent.yaml").toString()));
     command.addAll(List.of(options));
     process = ToqaProcess.toqa(home, Map.of(), command.toArray(String[]::new));
-    process.awaitErr(name + ".*" + port);
+    port = Integer.parseInt(process.awaitErr("listening on .* port (\\d+)").group(1));
   }
 
   /** As {@code kill -9} does it. */
@@ -80,12 +80,6 @@ final class RunningAgent implements AutoCloseable {
       lines.addAll(daemon.err());
     }
     return lines;
-  }
-
-  private static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      return socket.getLocalPort();
-    }
   }
 
   @Override

@@ -36,6 +36,7 @@ import org.toqa.wording.Sentence;
  * charges after 2                   seconds of work; six hours where nothing is said
  * charges within 20                 seconds, or the charger does not work; ten minutes where nothing is said
  * a is 1.4 wide                     metres, for the whole scenario
+ * a drives 0.1                      metres a second at most, for the whole scenario
  * a has 18                          percent in its battery, from now on
  * task box A B 2                    kilograms
  * task late A B 2 within 5          seconds to its deadline; "expect late answered ..." looks at
@@ -69,6 +70,7 @@ final class FleetScenario {
   private static final Pattern ROBOT = Pattern.compile("([a-z]) (\\D+)");
   private static final Pattern CHARGES = Pattern.compile("charges (below|after|within) (\\d+)");
   private static final Pattern WIDE = Pattern.compile("([a-z]) is ([0-9.]+) wide");
+  private static final Pattern DRIVES = Pattern.compile("([a-z]) drives ([0-9.]+)");
   private static final Pattern CANCEL = Pattern.compile("cancel (\\w+) ?(here|back)?");
   private static final Pattern HOLD = Pattern.compile("(hold|resume) (\\w+)");
   private static final Pattern ANSWER = Pattern.compile("answer (\\w+) (.+)");
@@ -76,6 +78,7 @@ final class FleetScenario {
   private final List<String> rows = new ArrayList<>();
   private final List<String> script = new ArrayList<>();
   private final Map<String, Double> diameters = new HashMap<>();
+  private final Map<String, Double> maxSpeeds = new HashMap<>();
   private ChargingRules charging = ChargingRules.USUAL;
   private final Map<String, Long> tasks = new HashMap<>();
   private final Map<String, TaskView> answered = new HashMap<>();
@@ -85,10 +88,13 @@ final class FleetScenario {
     for (String line : text.lines().toList()) {
       Matcher threshold = CHARGES.matcher(line);
       Matcher wide = WIDE.matcher(line);
+      Matcher drives = DRIVES.matcher(line);
       if (threshold.matches()) {
         charging = chargingRules(threshold.group(1), Integer.parseInt(threshold.group(2)));
       } else if (wide.matches()) {
         diameters.put(wide.group(1), Double.parseDouble(wide.group(2)));
+      } else if (drives.matches()) {
+        maxSpeeds.put(drives.group(1), Double.parseDouble(drives.group(2)));
       } else if (!line.isBlank() && !line.startsWith("# ")) {
         (line.contains(" ") || line.equals("restart") ? script : rows).add(line);
       }
@@ -116,6 +122,7 @@ final class FleetScenario {
         ScriptedRobot robot = stage.add(place.name(), place.position(), "P" + place.name());
         robot.setStepsPerSegment(STEPS_A_SEGMENT);
         robot.setFootprint(diameters.getOrDefault(place.name(), ScriptedRobot.FOOTPRINT));
+        robot.setMaxSpeed(maxSpeeds.getOrDefault(place.name(), ScriptedRobot.MAX_SPEED));
       }
       stage.restart();
       stage.await(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));

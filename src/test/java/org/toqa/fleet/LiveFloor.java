@@ -1,5 +1,7 @@
 package org.toqa.fleet;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.nio.file.Path;
@@ -9,8 +11,10 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Predicate;
 import org.toqa.allocation.Policy;
+import org.toqa.app.server.TrueBodies;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
@@ -19,6 +23,9 @@ import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.mission.TaskState;
+import org.toqa.sim.Body;
+import org.toqa.sim.ClearanceJudge;
+import org.toqa.sim.ClearanceJudge.Clearance;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedRobot;
@@ -27,24 +34,46 @@ import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
 
-/** A fleet with a real daemon over a simulated body at each parking point of a floor. */
+/**
+ * A fleet with a real daemon over a simulated body at each parking point of a floor. The test's own
+ * thread moves the world, a step at a time, and each step only when what the steps before it
+ * brought about has come where it was sent: no machine is too slow, and every picture is looked at.
+ */
 final class LiveFloor {
   private static final double MAX_LOAD = 5;
-  private static final Duration LIMIT = Duration.ofSeconds(150);
+
+  /** Of the world's time, for one condition. */
+  private static final Duration LIMIT = Duration.ofMinutes(30);
+
+  /** For a world that does not go on at all; nothing else depends on it. */
+  private static final Duration HANGS_AFTER = Duration.ofSeconds(60);
+
+  private static final long LOOK_AGAIN_NANOS = 100_000;
 
   private final List<AutoCloseable> parts = new ArrayList<>();
+  private final SingleThreadRuntime runtime = new SingleThreadRuntime();
+  private final SteppedLinks links;
+  private final long stepNanos;
+  private long due;
   final VirtualClock clock;
   final SimulatedFloor world;
   final SimulatedFleet robots;
   final AgentFleet fleet;
 
+  /** Of all bodies, at each step of the world. */
+  private final ClearanceJudge truth;
+
+  private volatile boolean hasSeenCarriedLoad;
+
   /**
    * @param world where the robots really are
-   * @param speed how many times faster than real time
+   * @param speed how many times faster than real time at most
    */
   LiveFloor(Path folder, FloorMap floor, SimulatedFloor world, double speed) throws Exception {
     this.world = world;
     clock = new VirtualClock(Instant.EPOCH, speed);
+    stepNanos = Math.round(VirtualClock.STEP.toNanos() / speed);
+    parts.add(runtime);
     Database database = Database.inMemory("live-" + System.nanoTime());
     parts.add(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
@@ -65,18 +94,30 @@ final class LiveFloor {
               true,
               null));
     }
+    links =
+        new SteppedLinks(
+            new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false), clock);
     fleet =
         new AgentFleet(
             List.of(floor),
             store,
             new JdbiScheduleStore(database.jdbi()),
-            new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false),
+            links,
             Policy.OPTIMAL.allocator(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, speed),
             InstantSource.system(),
-            clock.instant());
+            clock.instant(),
+            runtime);
     parts.add(fleet);
+    truth = new ClearanceJudge(floor.grid());
+    TrueBodies trueBodies = new TrueBodies(robots, fleet.snapshots()::latest);
+    clock.add(nanos -> judge(nanos, trueBodies.all()), VirtualClock.STEP);
     clock.add(nanos -> fleet.tick(clock.instant()), Duration.ofMillis(100));
+  }
+
+  private void judge(long nanos, List<Body> bodies) {
+    truth.judge(Duration.ofNanos(nanos), bodies);
+    hasSeenCarriedLoad |= bodies.stream().anyMatch(body -> !body.carriers().isEmpty());
   }
 
   private static SimulatedRobot body(FloorMap floor, Place parking) {
@@ -84,10 +125,8 @@ final class LiveFloor {
     return new SimulatedRobot("r" + (floor.parking().indexOf(parking) + 1), start, MAX_LOAD, 1);
   }
 
-  /** Lets the time run, and waits until all robots are ready. */
+  /** Waits until all robots are ready. */
   void start() throws InterruptedException {
-    clock.start();
-    parts.add(clock);
     await(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
   }
 
@@ -108,16 +147,35 @@ final class LiveFloor {
     return ((Answer.Accepted<TaskView>) answer).value().id();
   }
 
+  /** Lets the world go on until it is so. */
   FleetSnapshot await(Predicate<FleetSnapshot> condition) throws InterruptedException {
-    long end = System.nanoTime() + LIMIT.toNanos();
+    long end = clock.nanos() + LIMIT.toNanos();
+    runtime.awaitQuiescence();
     FleetSnapshot view = fleet.snapshots().latest();
     while (view.robots().isEmpty() || !condition.test(view)) {
-      if (System.nanoTime() > end) {
+      if (clock.nanos() > end) {
         fail("It is still so: " + view.tasks() + view.robots() + view.floors());
       }
-      view = fleet.snapshots().awaitNewer(view.version(), Duration.ofMillis(100));
+      step();
+      view = fleet.snapshots().latest();
     }
     return view;
+  }
+
+  private void step() throws InterruptedException {
+    long hangs = System.nanoTime() + HANGS_AFTER.toNanos();
+    while (!clock.isReady() || !links.areSettled()) {
+      if (System.nanoTime() > hangs) {
+        fail("The world does not go on: " + links);
+      }
+      LockSupport.parkNanos(LOOK_AGAIN_NANOS);
+    }
+    while (System.nanoTime() < due) {
+      LockSupport.parkNanos(due - System.nanoTime());
+    }
+    due = System.nanoTime() + stepNanos;
+    clock.advance(VirtualClock.STEP);
+    runtime.awaitQuiescence();
   }
 
   static TaskView task(FleetSnapshot view, long id) {
@@ -128,9 +186,24 @@ final class LiveFloor {
     return view.tasks().stream().anyMatch(t -> t.id() == task && t.state() == state);
   }
 
+  /** Whether a load that several robots carry was among the bodies that were judged. */
+  boolean hasSeenCarriedLoad() {
+    return hasSeenCarriedLoad;
+  }
+
+  /** No body has touched another one or a wall, where they really were. */
+  private void assertClear() {
+    assertTrue(truth.samples() > 0);
+    truth.betweenBodies().ifPresent(nearest -> assertFalse(nearest.isTouch(), nearest::toString));
+    Clearance wall = truth.toWall().orElseThrow();
+    assertFalse(wall.isTouch(), wall::toString);
+  }
+
+  /** Whatever a test is about: what was to be clear of each other must have been. */
   void close() throws Exception {
     for (AutoCloseable part : parts.reversed()) {
       part.close();
     }
+    assertClear();
   }
 }

@@ -38,6 +38,8 @@ import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
 import org.toqa.link.message.AgentMessage.Speed;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.DecodeResult.Decoded;
+import org.toqa.link.message.LineReader;
 import org.toqa.link.message.LinkCodec;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
@@ -116,6 +118,7 @@ class RobotLinesFuzzTest {
             .toList();
     long begin = System.nanoTime();
     long lines = 0;
+    long understood = 0;
     try (Socket socket = robot.accept()) {
       drain(socket);
       socket.getOutputStream().write(correct.get(1)); // a hello of a robot that is idle
@@ -123,7 +126,9 @@ class RobotLinesFuzzTest {
       while (lines < FuzzRun.INPUTS) {
         ByteArrayOutputStream all = new ByteArrayOutputStream();
         for (int i = 0; i < LINES_AT_ONCE; i++) {
-          all.writeBytes(fuzzer.next(correct));
+          byte[] line = fuzzer.next(correct);
+          understood += isUnderstood(line) ? 1 : 0;
+          all.writeBytes(line);
           all.write('\n');
         }
         lines += LINES_AT_ONCE;
@@ -135,7 +140,13 @@ class RobotLinesFuzzTest {
     }
 
     assertEquals(List.of(), failures.list.stream().filter(RobotLinesFuzzTest::isFailure).toList());
-    FuzzRun.tell("the server", lines, "no agent failed", begin);
+    assertTrue(understood > lines / 4 && understood < 3 * lines / 4, understood + " understood");
+    FuzzRun.tell("the server", lines, "%,d could be read".formatted(understood), begin);
+  }
+
+  private static boolean isUnderstood(byte[] line) {
+    return line.length < LinkCodec.MAX_LINE_BYTES
+        && LinkCodec.decodeAgentMessage(new LineReader.Text(line)) instanceof Decoded;
   }
 
   private static boolean isFailure(ILoggingEvent event) {

@@ -16,6 +16,9 @@ final class ScriptedCondition {
   /** Metres across. */
   double footprint = ScriptedRobot.FOOTPRINT;
 
+  /** Metres a second. */
+  double maxSpeed = ScriptedRobot.MAX_SPEED;
+
   int stepsPerSegment = 1;
   boolean mute;
   boolean stuck;

@@ -29,6 +29,7 @@ import org.toqa.link.message.ServerMessage.Lead;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.link.message.ServerMessage.Resume;
+import org.toqa.motion.Segment;
 
 /**
  * A robot at the other end of the link, without a link: it answers by the contract, drives one
@@ -38,6 +39,7 @@ import org.toqa.link.message.ServerMessage.Resume;
  */
 public final class ScriptedRobot {
   static final double FOOTPRINT = 0.255;
+  static final double MAX_SPEED = 0.5;
 
   private final String name;
   private final ScriptedCondition condition = new ScriptedCondition();
@@ -84,6 +86,15 @@ public final class ScriptedRobot {
    */
   synchronized void setFootprint(double diameter) {
     condition.footprint = diameter;
+  }
+
+  /**
+   * To be said before the server hears of it.
+   *
+   * @param speed metres a second; what is faster it refuses
+   */
+  synchronized void setMaxSpeed(double speed) {
+    condition.maxSpeed = speed;
   }
 
   /** From now on it says nothing, and drives nothing. */
@@ -233,9 +244,23 @@ public final class ScriptedRobot {
         say(new Reject(command.seq(), "There is no such drive any more; the robot has none."));
         return;
       }
+      if (isTooFast(command)) {
+        say(new Reject(command.seq(), "The robot cannot drive so fast."));
+        return;
+      }
       obey(command);
       say(new Ack(command.seq()));
     }
+  }
+
+  private boolean isTooFast(Command command) {
+    List<Segment> segments =
+        switch (command) {
+          case Drive d -> d.segments();
+          case Extend e -> e.segments();
+          default -> List.of();
+        };
+    return segments.stream().anyMatch(segment -> segment.v() > condition.maxSpeed + 1e-9);
   }
 
   private void obey(Command command) {
@@ -299,7 +324,7 @@ public final class ScriptedRobot {
         AgentMessage.VERSION,
         name,
         5,
-        0.5,
+        condition.maxSpeed,
         condition.footprint,
         true,
         pose,

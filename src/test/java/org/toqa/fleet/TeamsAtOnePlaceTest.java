@@ -1,5 +1,7 @@
 package org.toqa.fleet;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -29,6 +31,7 @@ class TeamsAtOnePlaceTest {
       long second = live.submit(8, "Packing 1", "Packing 2");
       live.await(view -> LiveFloor.isInState(view, first, TaskState.DONE));
       live.await(view -> LiveFloor.isInState(view, second, TaskState.DONE));
+      assertTrue(live.hasSeenCarriedLoad());
     } finally {
       live.close();
     }

@@ -1,4 +1,6 @@
-/** The whole road of a task, on the product as it is packaged: processes, sockets, databases. */
+/**
+ * The whole road of a task, over a real server and a real daemon: pages, sockets, database, wheels.
+ */
 @NullMarked
 package org.toqa.road;
 

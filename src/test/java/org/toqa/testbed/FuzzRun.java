@@ -1,5 +1,7 @@
 package org.toqa.testbed;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
 import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import java.time.Duration;
@@ -8,12 +10,12 @@ import org.slf4j.LoggerFactory;
 
 /**
  * How much is fuzzed: what {@code -Dtoqa.fuzz.inputs} says, for each target, and by which {@code
- * -Dtoqa.fuzz.seed}.
+ * -Dtoqa.seed}.
  */
 public final class FuzzRun {
 
   public static final long INPUTS = Long.getLong("toqa.fuzz.inputs", 20_000);
-  public static final long SEED = Long.getLong("toqa.fuzz.seed", 1);
+  public static final long SEED = Long.getLong("toqa.seed", 1);
 
   private FuzzRun() {}
 
@@ -36,12 +38,14 @@ public final class FuzzRun {
   }
 
   /**
-   * Tells on standard output what was done.
+   * Tells on standard output what was done, which must be as much as was asked for.
    *
    * @param target who had to take the inputs
    * @param begin of the run, {@link System#nanoTime}
    */
   public static void tell(String target, long inputs, String became, long begin) {
+    assertTrue(inputs >= INPUTS, () -> target + " had only " + inputs + " inputs");
+    Tally.add("fuzz inputs of " + target, inputs);
     System.out.printf(
         Locale.ROOT,
         "fuzzed %s: %,d inputs of seed %d in %.1f s; %s%n",

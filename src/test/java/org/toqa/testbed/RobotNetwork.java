@@ -14,8 +14,11 @@ public final class RobotNetwork implements AutoCloseable {
 
   private static final int LIMIT_SECONDS = 10;
 
-  /** So that two runs on one machine do not meet: names have at most 15 characters. */
-  private static final long RUN = ProcessHandle.current().pid() % 10_000;
+  /**
+   * So that two runs on one machine do not meet: names have at most 15 characters. The full suite
+   * chooses it, and removes what bears it when it is killed.
+   */
+  private static final long RUN = Long.getLong("toqa.run", ProcessHandle.current().pid()) % 10_000;
 
   private static final String SWITCH = "tq" + RUN + "s";
   private static final String SUBNET = "10.231.%d.".formatted(RUN % 250);

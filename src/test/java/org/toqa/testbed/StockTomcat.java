@@ -1,7 +1,6 @@
 package org.toqa.testbed;
 
 import java.io.IOException;
-import java.net.ServerSocket;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,6 +8,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
@@ -19,14 +20,16 @@ public final class StockTomcat implements AutoCloseable {
   private static final Path SHIPPED = Path.of("target/stock-tomcat");
   private static final Duration LIMIT = Duration.ofSeconds(60);
 
+  /** As in {@code Starting ProtocolHandler ["http-nio-127.0.0.1-auto-1-41231"]}. */
+  private static final Pattern PORT =
+      Pattern.compile("Starting ProtocolHandler \\[\"http-nio-.*-auto-\\d+-(\\d+)\"]");
+
   private final Process process;
   private final Path base;
-  private final int port;
 
-  private StockTomcat(Process process, Path base, int port) {
+  private StockTomcat(Process process, Path base) {
     this.process = process;
     this.base = base;
-    this.port = port;
   }
 
   /**
@@ -40,12 +43,11 @@ public final class StockTomcat implements AutoCloseable {
     for (String file : List.of("web.xml", "tomcat-users.xml")) {
       Files.copy(home.resolve("conf").resolve(file), base.resolve("conf").resolve(file));
     }
-    int port = freePort();
     Files.writeString(
         base.resolve("conf/server.xml"),
         Files.readString(home.resolve("conf/server.xml"))
             .replace("port=\"8005\"", "port=\"-1\"")
-            .replace("port=\"8080\"", "address=\"127.0.0.1\" port=\"" + port + "\""));
+            .replace("port=\"8080\"", "address=\"127.0.0.1\" port=\"0\""));
     Files.copy(war, base.resolve("webapps/ROOT.war"));
     ProcessBuilder builder =
         new ProcessBuilder("sh", home.resolve("bin/catalina.sh").toString(), "run")
@@ -55,7 +57,7 @@ public final class StockTomcat implements AutoCloseable {
         .environment()
         .putAll(
             Map.of("JAVA_HOME", System.getProperty("java.home"), "CATALINA_BASE", base.toString()));
-    return new StockTomcat(builder.start(), base, port);
+    return new StockTomcat(builder.start(), base);
   }
 
   private static Path home() throws IOException {
@@ -67,14 +69,13 @@ public final class StockTomcat implements AutoCloseable {
     }
   }
 
-  private static int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0)) {
-      return socket.getLocalPort();
+  /** Of what {@link #awaitStart} has seen: its log tells the port that it has bound. */
+  public URI uri() throws IOException {
+    Matcher bound = PORT.matcher(log());
+    if (!bound.find()) {
+      throw new AssertionError("Tomcat has no port: " + log());
     }
-  }
-
-  public URI uri() {
-    return URI.create("http://127.0.0.1:" + port + "/");
+    return URI.create("http://127.0.0.1:" + bound.group(1) + "/");
   }
 
   public String log() throws IOException {

@@ -2,7 +2,6 @@ package org.toqa.agent;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -20,6 +19,7 @@ import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.motion.Segment;
+import org.toqa.testbed.Needed;
 import org.toqa.testbed.ToqaProcess;
 
 /** A packaged daemon whose wall clock is set in the middle of a drive, as a time server does it. */
@@ -34,8 +34,9 @@ class ClockJumpIT {
   @Test
   void robotDrivesOnAsIfNothingHadHappened() throws Exception {
     Optional<Path> library = library();
-    assumeTrue(
-        library.isPresent(), "The clock is set by libfaketime: install it (Debian: faketime)");
+    Needed.orLeftOut(
+        library.isPresent(),
+        "libfaketime, which sets the clock (Debian: apt-get install faketime)");
     Path clock = Files.writeString(folder.resolve("clock"), "+0");
     try (ToqaProcess daemon = daemon(library.get(), clock);
         FormationServer server =

@@ -41,8 +41,9 @@ final class FormationRig implements AutoCloseable {
 
   static final long TASK = 7;
   static final double TOLERANCE = 0.05;
+  private static final double RADIUS = 0.1275;
   static final Pose LEADER = new Pose(5, 5, 0.3);
-  static final Shape SHAPE = Shape.around(3, 0.5, 0.4, 0.1275);
+  static final Shape SHAPE = Shape.around(3, 0.5, 0.4, RADIUS);
 
   private static final double SPEED = 3;
 
@@ -53,6 +54,7 @@ final class FormationRig implements AutoCloseable {
   private final List<Robot> robots = new ArrayList<>();
   private final Set<Robot> killed = new HashSet<>();
   private final List<FormationServer> servers = new ArrayList<>();
+  private final TrueFormation truth = new TrueFormation(SHAPE, RADIUS);
 
   private record Robot(Daemon daemon) implements Participant {
     @Override
@@ -82,6 +84,7 @@ final class FormationRig implements AutoCloseable {
       robots.add(open(i, places.get(i)));
     }
     robots.forEach(robot -> clock.add(robot, Chassis.TICK));
+    clock.add(truth, Chassis.TICK);
     clock.start();
     robots.forEach(robot -> fingerprints.add(pair(robot.daemon())));
     connectServers();
@@ -166,6 +169,11 @@ final class FormationRig implements AutoCloseable {
     return gone;
   }
 
+  /** Where the bodies really were until now. */
+  TrueFormation truth() {
+    return truth;
+  }
+
   @Override
   public void close() {
     servers.forEach(FormationServer::close);
@@ -191,7 +199,13 @@ final class FormationRig implements AutoCloseable {
                   0.255,
                   Rig.LIMITS,
                   AgentConfig.Following.DEFAULT,
-                  new ChassisConfig.Simulated(start, SimulatedBattery.FULL, 0.01, robot, 1)),
+                  new ChassisConfig.Simulated(
+                      start,
+                      SimulatedBattery.FULL,
+                      0.01,
+                      robot,
+                      1,
+                      truth.surroundings(name(robot)))),
               clock,
               clock.nanos(),
               tls != null));

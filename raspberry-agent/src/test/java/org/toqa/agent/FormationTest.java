@@ -45,6 +45,7 @@ class FormationTest {
   @AfterEach
   void close() {
     group.close();
+    group.truth().assertApart();
   }
 
   @Test
@@ -65,6 +66,7 @@ class FormationTest {
     assertNear(goal, standing(0));
     assertNear(FormationRig.SHAPE.followersAt(goal).get(0), standing(1));
     assertNear(FormationRig.SHAPE.followersAt(goal).get(1), standing(2));
+    group.truth().assertInShape(FormationRig.TOLERANCE);
   }
 
   @Test

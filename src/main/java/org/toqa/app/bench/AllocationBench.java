@@ -12,7 +12,6 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Allocator;
 import org.toqa.allocation.Assignment;
 import org.toqa.app.command.Arguments;
-import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.OptionalMapOption;
 import org.toqa.app.command.SeedOption;
 import org.toqa.app.server.WebappFolder;
@@ -141,7 +140,7 @@ final class AllocationBench implements Callable<Integer> {
             seed.value(),
             reports,
             solverSize == null ? null : solverMillis(solverSize));
-    new CommandOutput(spec).printJson(report);
+    new BenchOutput(spec).printReport(report);
     boolean allDelivered = reports.values().stream().allMatch(r -> r.delivered() == tasks.value());
     return allDelivered ? ExitCode.OK : ExitCode.SOFTWARE;
   }

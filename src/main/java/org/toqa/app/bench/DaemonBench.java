@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
-import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.TemporaryFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
@@ -77,7 +76,7 @@ final class DaemonBench implements Callable<Integer> {
         MeasuredDaemon daemon = MeasuredDaemon.start(agentJar(arguments), folder.path());
         DaemonPeers peers = DaemonPeers.of(daemon)) {
       Report report = measure(daemon, peers);
-      new CommandOutput(spec).printJson(report);
+      new BenchOutput(spec).printReport(report);
       return ExitCode.OK;
     } finally {
       others.forEach(Thread::interrupt);

@@ -1,9 +1,13 @@
 package org.toqa.app.bench;
 
 import java.net.URI;
+import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.FleetMeter.Report;
 import org.toqa.app.command.Arguments;
@@ -14,7 +18,10 @@ import org.toqa.app.command.SpeedOption;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Setting;
 import org.toqa.app.server.FleetServer;
+import org.toqa.app.server.FleetServer.BodyObservation;
 import org.toqa.app.server.ServerOperation;
+import org.toqa.sim.ClearanceJudge;
+import org.toqa.sim.ClearanceJudge.Clearance;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -33,8 +40,13 @@ import picocli.CommandLine.Spec;
       "Prints JSON: pace (simulated seconds per second; below the --speed if the",
       "machine cannot keep up), cores (processor seconds per second of the whole",
       "process), metresDriven and tasksDone (all robots together), nearestMetres (the",
-      "smallest distance between the edges of two robots; exits 1 if below 0),",
-      "heapBeforeMb and heapAfterMb (memory in use at the start and at the end)."
+      "smallest distance between the edges of two robots as they report themselves),",
+      "trueNearestMetres and trueWallMetres (the smallest distance between two bodies,",
+      "and between one and a wall, where they really were, looked for trueSamples",
+      "times), heapBeforeMb and heapAfterMb (memory in use at the start and at the",
+      "end), leavesOut (what is not measured).",
+      "",
+      "Exits 1 if a body touched another one or a wall, or below the least pace."
     })
 final class FleetBench implements Callable<Integer> {
 
@@ -53,12 +65,21 @@ final class FleetBench implements Callable<Integer> {
 
   @Mixin private SpeedOption speed = new SpeedOption();
 
+  @Option(
+      names = "--least-pace",
+      defaultValue = "0.5",
+      paramLabel = "N",
+      description =
+          "Least simulated seconds per second that pass, 0 to 100 (default: ${DEFAULT-VALUE}).")
+  private double leastPace;
+
   @Mixin private OptionalMapOption map = new OptionalMapOption();
 
   @Override
   public Integer call() throws Exception {
     Arguments arguments = new Arguments(spec);
     arguments.requireBetween("--robots", robots, 2, 500);
+    arguments.requireDecimalBetween("--least-pace", leastPace, 0, 100);
     time.check(arguments);
     ServerOperation measurement = this::measure;
     return measurement.runIsolated(settings());
@@ -67,11 +88,33 @@ final class FleetBench implements Callable<Integer> {
   private int measure(FleetServer toqa, URI address, StopSignal stop) throws Exception {
     TaskLoadGenerator load = TaskLoadGenerator.on(toqa.fleet(), robots, seed.value());
     load.run(time.warmUp(), stop, snapshot -> {});
-    FleetMeter meter = new FleetMeter(toqa.fleetClock());
-    load.run(time.seconds(), stop, meter::observe);
+    ClearanceJudge truth = new ClearanceJudge(toqa.fleet().floors().getFirst().grid());
+    FleetMeter meter = new FleetMeter(toqa.fleetClock(), truth);
+    try (BodyObservation _ = toqa.observeBodies(truth::judge)) {
+      load.run(time.seconds(), stop, meter::observe);
+    }
     Report report = meter.report();
-    new CommandOutput(spec).printJson(report);
-    return report.nearestMetres() >= 0 ? ExitCode.OK : ExitCode.SOFTWARE;
+    new BenchOutput(spec).printReport(report);
+    List<String> failures = failures(report, truth, leastPace);
+    failures.forEach(new CommandOutput(spec)::printError);
+    return failures.isEmpty() ? ExitCode.OK : ExitCode.SOFTWARE;
+  }
+
+  /** What is not as it must be, in sentences. */
+  static List<String> failures(Report report, ClearanceJudge truth, double leastPace) {
+    List<String> failures = new ArrayList<>();
+    Stream.of(truth.betweenBodies(), truth.toWall())
+        .flatMap(Optional::stream)
+        .filter(Clearance::isTouch)
+        .map(touch -> "in truth, " + touch)
+        .forEach(failures::add);
+    if (truth.betweenBodies().isEmpty()) {
+      failures.add("nothing was seen of where two robots really were");
+    }
+    if (report.pace() < leastPace) {
+      failures.add("the pace " + report.pace() + " is below " + leastPace);
+    }
+    return failures;
   }
 
   private Map<Setting, @Nullable String> settings() {

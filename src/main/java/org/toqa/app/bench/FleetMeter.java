@@ -7,14 +7,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskState;
+import org.toqa.sim.ClearanceJudge;
+import org.toqa.sim.ClearanceJudge.Clearance;
 
 /** Measures the fleet of this process, from when it is made until it reports. */
 final class FleetMeter {
   private final ProcessMeter meter;
+  private final ClearanceJudge truth;
   private final double heapBefore = HeapMemory.usedMegabytes();
 
   /** Those that had ended before. */
@@ -26,7 +30,7 @@ final class FleetMeter {
   private double metres;
   private double smallestGap = Double.POSITIVE_INFINITY;
 
-  /** The ground that a robot covers; metres, map frame. */
+  /** The ground that a robot says it covers; metres, map frame. */
   private record Disc(String robot, Vec2 centre, double radius) {
     static Stream<Disc> of(RobotView robot) {
       double radius = robot.capabilities().footprint() / 2;
@@ -47,8 +51,12 @@ final class FleetMeter {
    * @param cores as there
    * @param metresDriven by all robots together
    * @param tasksDone how many tasks were completed meanwhile
-   * @param nearestMetres the smallest distance between the edges of two robots; negative where they
-   *     overlapped
+   * @param nearestMetres the smallest distance between the edges of two robots as they reported
+   *     themselves; negative where they overlapped
+   * @param trueNearestMetres the smallest distance between two bodies as they really were; null:
+   *     there were no two
+   * @param trueWallMetres the same between a body and a wall; null: none came near one
+   * @param trueSamples how many moments these two were looked for at
    * @param heapBeforeMb heap in use at the start, in units of 10^6 bytes, after a garbage
    *     collection
    * @param heapAfterMb the same at the end
@@ -61,14 +69,19 @@ final class FleetMeter {
       double metresDriven,
       int tasksDone,
       double nearestMetres,
+      @Nullable Double trueNearestMetres,
+      @Nullable Double trueWallMetres,
+      long trueSamples,
       double heapBeforeMb,
       double heapAfterMb) {}
 
   /**
    * @param fleetTime the fleet's own clock
+   * @param truth looks at where bodies are meanwhile
    */
-  FleetMeter(InstantSource fleetTime) {
+  FleetMeter(InstantSource fleetTime, ClearanceJudge truth) {
     meter = new ProcessMeter(fleetTime);
+    this.truth = truth;
   }
 
   /** Adds a snapshot, each one after those before it. */
@@ -99,6 +112,9 @@ final class FleetMeter {
         metres,
         done.size(),
         smallestGap,
+        truth.betweenBodies().map(Clearance::metres).orElse(null),
+        truth.toWall().map(Clearance::metres).orElse(null),
+        truth.samples(),
         heapBefore,
         HeapMemory.usedMegabytes());
   }

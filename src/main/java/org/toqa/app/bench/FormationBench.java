@@ -8,7 +8,6 @@ import java.util.function.Supplier;
 import org.toqa.agent.chassis.SimulatedWheels;
 import org.toqa.app.bench.FormationRun.Group;
 import org.toqa.app.command.Arguments;
-import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.SeedOption;
 import org.toqa.app.server.WebappFolder;
 import org.toqa.formation.Gains;
@@ -99,8 +98,8 @@ final class FormationBench implements Callable<Integer> {
   @Override
   public Integer call() {
     Arguments arguments = new Arguments(spec);
-    requireBetween(arguments, "--slip", slip, 10);
-    requireBetween(arguments, "--wheel-size-error", sizeError, 5);
+    arguments.requireDecimalBetween("--slip", slip, 0, 10);
+    arguments.requireDecimalBetween("--wheel-size-error", sizeError, 0, 5);
     OccupancyGrid free = Inflation.inflate(arguments.readGrid(shippedMap.get()), RADIUS);
     SimulatedWheels three = SimulatedWheels.omni(slip / 100, sizeError / 100);
     SimulatedWheels two = SimulatedWheels.differential(slip / 100, sizeError / 100);
@@ -116,7 +115,7 @@ final class FormationBench implements Callable<Integer> {
     }
     Report report =
         new Report(seed.value(), formations, new TrackingRun(three, seed.value()).run());
-    new CommandOutput(spec).printJson(report);
+    new BenchOutput(spec).printReport(report);
     return meetsTargets(report) ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
@@ -133,11 +132,5 @@ final class FormationBench implements Callable<Integer> {
         && soon.maxMetres() < TARGET_MAX
         && late.maxMetres() < TARGET_MAX_LATE
         && report.tracking().endMetres() < TARGET_TRACKING;
-  }
-
-  private static void requireBetween(Arguments arguments, String option, double value, int most) {
-    if (!(value >= 0 && value <= most)) {
-      throw arguments.invalid("%s %s: it must be from 0 to %d".formatted(option, value, most));
-    }
   }
 }

@@ -55,7 +55,8 @@ import picocli.CommandLine.Spec;
       "",
       "Prints JSON: solved, firstMs (until the first plan, median), sumOfCosts (steps",
       "until each robot stays at its goal, all robots together), lowerBound (the same",
-      "if each robot were alone). Exits 1 if there is no plan."
+      "if each robot were alone), elapsedMs (until the planner truly ended, which has",
+      "limitMs for it), leavesOut (what is not measured). Exits 1 if there is no plan."
     })
 final class MapfBench implements Callable<Integer> {
   private static final int MAX_ROBOTS = 20_000;
@@ -108,12 +109,16 @@ final class MapfBench implements Callable<Integer> {
    * @param firstMs until the first plan, milliseconds, the median of the repeats
    * @param sumOfCosts steps until each robot stays at its goal, summed
    * @param lowerBound the same, were each robot alone
+   * @param elapsedMs until the planner truly ended, milliseconds
+   * @param limitMs until it should have ended, milliseconds
    */
   record Report(
       boolean solved,
       @Nullable Double firstMs,
       @Nullable Long sumOfCosts,
-      @Nullable Long lowerBound) {}
+      @Nullable Long lowerBound,
+      double elapsedMs,
+      int limitMs) {}
 
   @Override
   public Integer call() throws IOException {
@@ -128,7 +133,7 @@ final class MapfBench implements Callable<Integer> {
     Report report =
         measure(
             grid, instance(new RoadGraph(grid), arguments.readScenarios(scen, grid), arguments));
-    new CommandOutput(spec).printJson(report);
+    new BenchOutput(spec).printReport(report);
     return report.solved() ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 
@@ -169,16 +174,25 @@ final class MapfBench implements Callable<Integer> {
     firstPlans(instance, Integer.MAX_VALUE, Math.min(limitMs, WARM_UP_MS));
     List<Double> firsts = firstPlans(instance, repeat - 1, limitMs);
     Deadline deadline = Deadline.in(Duration.ofMillis(limitMs), System::nanoTime);
-    return switch (solve(instance, deadline, firsts, () -> {})) {
+    long begin = System.nanoTime();
+    MapfResult result = solve(instance, deadline, firsts, () -> {});
+    double elapsedMs = millisSince(begin);
+    return switch (result) {
       case Unsolved unsolved -> {
         printError("not solved: " + reason(unsolved));
-        yield new Report(false, null, null, null);
+        yield new Report(false, null, null, null, elapsedMs, limitMs);
       }
       case Solved(MapfPlan found, long lowerBound) -> {
         List<Violation> violations = check(grid, instance, found);
         violations.forEach(violation -> printError(violation.toString()));
         write(found);
-        yield new Report(violations.isEmpty(), median(firsts), found.sumOfCosts(), lowerBound);
+        yield new Report(
+            violations.isEmpty(),
+            median(firsts),
+            found.sumOfCosts(),
+            lowerBound,
+            elapsedMs,
+            limitMs);
       }
     };
   }

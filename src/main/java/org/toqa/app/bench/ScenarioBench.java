@@ -85,7 +85,7 @@ final class ScenarioBench implements Callable<Integer> {
       Files.writeString(
           lengths, run.lengths().mapToObj(ScenarioBench::text).collect(joining("\n", "", "\n")));
     }
-    output.printJson(report);
+    new BenchOutput(spec).printReport(report);
     return report.mismatches() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 

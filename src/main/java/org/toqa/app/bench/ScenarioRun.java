@@ -138,7 +138,7 @@ final class ScenarioRun {
   private Optional<String> mismatchMessage(Scenario query, @Nullable Path path) {
     double optimal = query.optimal();
     if (path == null) {
-      return Optional.of("No way was found; the file knows one of %s.".formatted(optimal));
+      return Optional.of("No path was found; the file knows one of %s.".formatted(optimal));
     }
     double over = path.cost() - optimal;
     boolean mayBeLonger = moves == MoveSet.HEADING;

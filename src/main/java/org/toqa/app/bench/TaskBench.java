@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
-import org.toqa.app.command.CommandOutput;
 import org.toqa.app.config.Setting;
 import org.toqa.app.server.ServerOperation;
 import picocli.CommandLine.Command;
@@ -76,7 +75,7 @@ final class TaskBench implements Callable<Integer> {
       double[] millis = apiClients.submit(tasks.value());
       Duration took = Duration.ofNanos(System.nanoTime() - begun);
       TaskReport report = TaskReport.of(millis, warmUp, took, clients, apiClients.taskNames());
-      new CommandOutput(spec).printJson(report);
+      new BenchOutput(spec).printReport(report);
       return report.lost() == 0 && report.twice() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
     }
   }

@@ -142,7 +142,7 @@ final class TrafficBench implements Callable<Integer> {
       report =
           trafficRun(grid, new TraceListener(lines, writer), arguments).run(steps, Deadline.none());
     }
-    new CommandOutput(spec).printJson(report);
+    new BenchOutput(spec).printReport(report);
     return report.collisions() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
   }
 

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
-import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.OptionalMapOption;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Setting;
@@ -109,7 +108,7 @@ final class WebBench implements Callable<Integer> {
               streams.events(),
               reading.pace(),
               reading.cores());
-      new CommandOutput(spec).printJson(report);
+      new BenchOutput(spec).printReport(report);
       return report.failed() == 0 ? ExitCode.OK : ExitCode.SOFTWARE;
     }
   }

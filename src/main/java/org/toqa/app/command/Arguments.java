@@ -115,4 +115,15 @@ public record Arguments(CommandSpec spec) {
       throw invalid("%s %d: it must be from %d to %d".formatted(option, value, least, most));
     }
   }
+
+  /**
+   * The same for a number that need not be whole.
+   *
+   * @throws ParameterException it is out of the range
+   */
+  public void requireDecimalBetween(String option, double value, int least, int most) {
+    if (!(value >= least && value <= most)) {
+      throw invalid("%s %s: it must be from %d to %d".formatted(option, value, least, most));
+    }
+  }
 }

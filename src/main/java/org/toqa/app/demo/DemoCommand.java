@@ -17,6 +17,7 @@ import org.toqa.app.config.ConfigurationException;
 import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
 import org.toqa.app.server.FleetServer;
+import org.toqa.app.server.FleetServer.BodyObservation;
 import org.toqa.app.server.ServerOperation;
 import org.toqa.app.server.WebappFolder;
 import picocli.CommandLine.Command;
@@ -63,18 +64,37 @@ public final class DemoCommand implements Callable<Integer> {
       description = "Write the results of the demo tasks to FILE, as JSON.")
   private @Nullable Path report;
 
+  @Option(
+      names = "--bodies",
+      paramLabel = "FILE",
+      description =
+          "Write where the simulated robots and the loads of groups really are to FILE, 50 times"
+              + " per simulated second, as JSON lines.")
+  private @Nullable Path bodies;
+
   @Override
   public Integer call() throws Exception {
     checkRobots();
-    checkReport();
+    checkWritable("--report", report);
+    checkWritable("--bodies", bodies);
     checkFirmware();
     Path webapp = WebappFolder.path();
     try (StopSignal stop = new StopSignal();
         TemporaryFolder data = TemporaryFolder.create("toqa-demo")) {
       Configuration configuration =
           Configuration.of(WebappFolder.shippedMap(), List.of(settings(data.path())));
-      ServerOperation show = this::runDemo;
+      ServerOperation show = this::runRecorded;
       return show.runWith(configuration, webapp, stop);
+    }
+  }
+
+  private int runRecorded(FleetServer toqa, URI address, StopSignal stop) throws Exception {
+    if (bodies == null) {
+      return runDemo(toqa, address, stop);
+    }
+    try (BodyRecorder recorder = BodyRecorder.create(bodies);
+        BodyObservation _ = toqa.observeBodies(recorder::write)) {
+      return runDemo(toqa, address, stop);
     }
   }
 
@@ -131,14 +151,15 @@ public final class DemoCommand implements Callable<Integer> {
     }
   }
 
-  private void checkReport() throws ConfigurationException {
-    if (report == null) {
+  private static void checkWritable(String option, @Nullable Path file)
+      throws ConfigurationException {
+    if (file == null) {
       return;
     }
-    Path folder = report.toAbsolutePath().getParent();
-    if (folder == null || !Files.isWritable(folder) || Files.isDirectory(report)) {
+    Path folder = file.toAbsolutePath().getParent();
+    if (folder == null || !Files.isWritable(folder) || Files.isDirectory(file)) {
       throw new ConfigurationException(
-          "--report \"" + report + "\": it must be a file in a folder that can be written.");
+          option + " \"" + file + "\": it must be a file in a folder that can be written.");
     }
   }
 }

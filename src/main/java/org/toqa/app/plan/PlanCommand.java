@@ -136,7 +136,7 @@ public final class PlanCommand implements Callable<Integer> {
           case GOAL_BLOCKED -> "the goal" + obstacleMessage(none.where(), to, walls);
           case NO_PATH -> "obstacles part the goal from the start";
         };
-    return "There is no way (%s): %s.".formatted(none.reason(), why);
+    return "There is no path (%s): %s.".formatted(none.reason(), why);
   }
 
   private static String obstacleMessage(Cell cell, PlaceArgument spot, OccupancyGrid walls) {

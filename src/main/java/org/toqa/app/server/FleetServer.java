@@ -8,6 +8,8 @@ import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.function.BiConsumer;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.accounts.AccountStore;
@@ -27,6 +29,8 @@ import org.toqa.grid.FloorReader;
 import org.toqa.link.TcpRobotLinkFactory;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
+import org.toqa.sim.Body;
+import org.toqa.sim.Participant;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.VirtualClock;
 import org.toqa.store.Database;
@@ -59,20 +63,25 @@ public final class FleetServer implements AutoCloseable {
   private static final Duration SCHEDULE_PERIOD = Duration.ofSeconds(1);
 
   private final Configuration configuration;
-  private final InstantSource fleetClock;
+  private final VirtualClock fleetClock;
   private final Services services;
+
+  /** Null: no robots are simulated. */
+  private final @Nullable TrueBodies bodies;
 
   /** What is to be closed, the last one first. */
   private final Deque<AutoCloseable> parts;
 
   private FleetServer(
       Configuration configuration,
-      InstantSource fleetTime,
+      VirtualClock fleetTime,
       Services services,
+      @Nullable TrueBodies bodies,
       Deque<AutoCloseable> parts) {
     this.configuration = configuration;
     this.fleetClock = fleetTime;
     this.services = services;
+    this.bodies = bodies;
     this.parts = parts;
   }
 
@@ -176,7 +185,9 @@ public final class FleetServer implements AutoCloseable {
             wallClock,
             Authenticator.of(accounts, passwords, wallClock),
             new IdempotentSubmitter(fleet, store));
-    return new FleetServer(configuration, clock, services, parts);
+    TrueBodies bodies =
+        simulated == null ? null : new TrueBodies(simulated, fleet.snapshots()::latest);
+    return new FleetServer(configuration, clock, services, bodies, parts);
   }
 
   private static Database openDatabase(Configuration.DatabaseSettings settings) throws IOException {
@@ -206,6 +217,29 @@ public final class FleetServer implements AutoCloseable {
   /** Simulated time, which may pass faster than real time; without simulated robots, real time. */
   public InstantSource fleetClock() {
     return fleetClock;
+  }
+
+  /**
+   * From now on the observer is told at every step of the simulated world what is really where.
+   *
+   * @param observer called by the world's thread with its time, since its start
+   * @return what ends it
+   * @throws IllegalStateException no robots are simulated
+   */
+  public BodyObservation observeBodies(BiConsumer<Duration, List<Body>> observer) {
+    TrueBodies observed = bodies;
+    if (observed == null) {
+      throw new IllegalStateException("No robots are simulated.");
+    }
+    Participant participant = nanos -> observer.accept(Duration.ofNanos(nanos), observed.all());
+    fleetClock.add(participant, VirtualClock.STEP);
+    return () -> fleetClock.remove(participant);
+  }
+
+  /** Somebody is told where bodies are, until this is closed. */
+  public interface BodyObservation extends AutoCloseable {
+    @Override
+    void close();
   }
 
   public Fleet fleet() {

@@ -18,9 +18,6 @@ record Formation(Shape shape, Pose load, LoadSize size, FormationFootprint group
   /** Metres that a follower may be off its place. */
   static final double TOLERANCE = 0.05;
 
-  /** What is taken for a load whose size nobody said. */
-  static final LoadSize DEFAULT_LOAD_SIZE = new LoadSize(0.3, 0.3);
-
   /**
    * Where each robot is to pick the load up; all face alike.
    *

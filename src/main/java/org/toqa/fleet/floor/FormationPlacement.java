@@ -57,7 +57,7 @@ final class FormationPlacement {
    */
   Optional<Formation> find(
       Vec2 object, Vec2 goal, int robots, @Nullable LoadSize requestedSize, double radius) {
-    LoadSize size = requestedSize == null ? Formation.DEFAULT_LOAD_SIZE : requestedSize;
+    LoadSize size = requestedSize == null ? LoadSize.DEFAULT : requestedSize;
     Shape ideal = Shape.around(robots, size.length(), size.width(), radius);
     for (int quarter = 0; quarter < QUARTERS; quarter++) {
       Pose load = new Pose(object.x(), object.y(), quarter * Math.PI / 2);

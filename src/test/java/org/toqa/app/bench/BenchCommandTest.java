@@ -1,6 +1,7 @@
 package org.toqa.app.bench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -9,6 +10,7 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -69,9 +71,43 @@ class BenchCommandTest {
     assertEquals(12, json.path("lowerBound").intValue()); // 4 + 6 + 2
     assertTrue(json.path("sumOfCosts").intValue() >= 12);
     assertTrue(json.path("firstMs").isNumber());
+    assertEquals(200, json.path("limitMs").intValue());
+    assertTrue(json.path("leavesOut").size() > 0, json::toString);
     List<String> plan = Files.readAllLines(file("plan"));
     assertEquals("0,0 4,0 0,2", plan.getFirst());
     assertEquals("4,0 0,2 0,0", plan.getLast());
+  }
+
+  /** No plan is as short as if each robot were alone: it is improved until the limit. */
+  @Test
+  void mapfSaysWhenItTrulyEnded() throws IOException {
+    Files.writeString(file("small.map"), MAP.replace(".@.@.", "@@.@@"));
+    Files.writeString(
+        file("small.scen"),
+        """
+        version 1
+        0	small.map	5	3	0	0	4	0	4
+        0	small.map	5	3	4	0	0	0	4
+        """);
+
+    long begin = System.nanoTime();
+    assertEquals(0, run("mapf " + MAPF + " --robots 2 --repeat 1 --limit-ms 300"));
+    double took = (System.nanoTime() - begin) / 1e6;
+
+    JsonNode json = JsonMapper.shared().readTree(out.toString());
+    assertTrue(
+        json.path("sumOfCosts").intValue() > json.path("lowerBound").intValue(), json::toString);
+    double elapsed = json.path("elapsedMs").doubleValue();
+    assertTrue(elapsed >= 300 && elapsed <= took, () -> json + " of " + took + " ms");
+  }
+
+  @Test
+  void everyBenchSaysWhatItLeavesOut() {
+    Set<String> benches = new CommandLine(new BenchCommand()).getSubcommands().keySet();
+    assertEquals(LeftOut.values().length, benches.size());
+    for (String bench : benches) {
+      assertFalse(LeftOut.of(bench).sentences().isEmpty(), bench);
+    }
   }
 
   @Test
@@ -124,7 +160,7 @@ class BenchCommandTest {
     assertEquals(2, json.path("solved").intValue());
     assertEquals(2, json.path("mismatches").intValue());
     assertTrue(err.toString().contains("query 1: The length is 4.0; the file has 3.9."));
-    assertTrue(err.toString().contains("query 3: No way was found"), err::toString);
+    assertTrue(err.toString().contains("query 3: No path was found"), err::toString);
     assertEquals(List.of("4.0", "0.0", "-1"), Files.readAllLines(file("lengths")));
   }
 
@@ -220,6 +256,8 @@ class BenchCommandTest {
           mapf --map small.map --scen small.scen --robots 14 --limit-ms 9 | --robots 14: it must be from 1 to 13
           mapf --map small.map --scen small.map --robots 1 --limit-ms 9 | expected 'version 1'
           mapf --map small.map --scen small.scen --robots 1     | --limit-ms
+          fleet --robots 2 --least-pace -1                      | --least-pace -1.0: it must be from 0 to 100
+          fleet --robots 2 --least-pace nan                     | --least-pace
           """)
   void aWrongArgumentIsOneSentenceAndExitTwo(String command, String words) throws IOException {
     Files.writeString(file("bad.tasks"), "0,0 4,0\n1,1 0,0\n");

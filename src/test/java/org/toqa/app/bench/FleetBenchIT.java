@@ -26,7 +26,34 @@ class FleetBenchIT {
       assertTrue(json.get("pace").asDouble() > 0, json::toString);
       assertTrue(json.get("cores").asDouble() > 0, json::toString);
       assertTrue(json.get("metresDriven").asDouble() > 0, json::toString);
-      assertTrue(json.get("nearestMetres").asDouble() >= 0, json::toString);
+      assertTrue(json.get("nearestMetres").isNumber(), json::toString);
+      assertTrue(json.get("trueNearestMetres").asDouble() > 0, json::toString);
+      assertTrue(json.get("trueWallMetres").asDouble() > 0, json::toString);
+      // looked at 50 times a second of the simulated time
+      double simulated = json.get("seconds").asDouble() * json.get("pace").asDouble();
+      assertEquals(50 * simulated, json.get("trueSamples").asDouble(), 10, json::toString);
+      assertTrue(json.get("leavesOut").size() > 0, json::toString);
+    }
+  }
+
+  @Test
+  void paceThatIsTooSlowFails() throws Exception {
+    try (ToqaProcess bench =
+        ToqaProcess.toqa(
+            folder,
+            "bench",
+            "fleet",
+            "--robots",
+            "2",
+            "--warm-up",
+            "0",
+            "--seconds",
+            "1",
+            "--least-pace",
+            "90")) {
+      assertEquals(1, bench.exitCode());
+      String said = bench.err().toString();
+      assertTrue(said.contains("is below 90"), said);
     }
   }
 }

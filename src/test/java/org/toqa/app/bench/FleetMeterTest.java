@@ -2,8 +2,10 @@ package org.toqa.app.bench;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotCapabilities;
@@ -12,17 +14,62 @@ import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
 import org.toqa.mission.TransportTask;
 import org.toqa.motion.DriveSpeeds;
+import org.toqa.sim.Body;
+import org.toqa.sim.ClearanceJudge;
 import org.toqa.testbed.Hall;
 
 class FleetMeterTest {
   private static final Instant NOON = Instant.parse("2026-06-01T12:00:00Z");
   private static final TaskPlace PLACE = new TaskPlace(Vec2.ZERO, null);
 
-  private final FleetMeter meter = new FleetMeter(() -> NOON);
+  private final ClearanceJudge truth =
+      new ClearanceJudge(OccupancyGrid.parse("....", "....", "...."));
+  private final FleetMeter meter = new FleetMeter(() -> NOON, truth);
+
+  /** What robots say of themselves is far from each other and from walls: nobody asks them. */
+  @Test
+  void bodiesThatTouchFailWhateverRobotsReport() {
+    meter.observe(snapshot(List.of(robot("r1", 1, 1), robot("r2", 3, 1)), List.of()));
+    assertEquals(List.of("nothing was seen of where two robots really were"), failures(0));
+
+    judge(Body.disc("r1", new Vec2(1, 1), 0.1), Body.disc("r2", new Vec2(3, 1), 0.15));
+    assertEquals(List.of(), failures(0));
+    assertEquals(1.75, meter.report().trueNearestMetres()); // 2 m less 0.1 m and 0.15 m
+    // r2 is 1 m from the south
+    assertEquals(0.85, Objects.requireNonNull(meter.report().trueWallMetres()), 1e-12);
+    assertEquals(1, meter.report().trueSamples());
+
+    judge(Body.disc("r1", new Vec2(1, 1), 0.1), Body.disc("r2", new Vec2(1.2, 1), 0.15));
+    assertEquals(List.of("in truth, r2 was -0.0500 m from r1 at 0.00 s"), failures(0));
+    assertEquals(1.75, meter.report().nearestMetres(), 1e-12);
+  }
+
+  @Test
+  void bodyThatTouchesAWallFails() {
+    judge(Body.disc("r1", new Vec2(0.1, 1), 0.15), Body.disc("r2", new Vec2(2, 1), 0.15));
+    assertEquals(List.of("in truth, r1 was -0.0500 m from wall (-1,1) at 0.00 s"), failures(0));
+  }
+
+  @Test
+  void paceBelowTheLeastFails() {
+    judge(Body.disc("r1", new Vec2(1, 1), 0.1), Body.disc("r2", new Vec2(3, 1), 0.15));
+    // the fleet's clock stands still
+    assertEquals(List.of("the pace 0.0 is below 0.5"), failures(0.5));
+    assertEquals(List.of(), failures(0));
+  }
+
+  private void judge(Body... bodies) {
+    truth.judge(Duration.ZERO, List.of(bodies));
+  }
+
+  private List<String> failures(double leastPace) {
+    return FleetBench.failures(meter.report(), truth, leastPace);
+  }
 
   @Test
   void robotsThatOverlapAreBelowZeroApart() {

@@ -11,11 +11,15 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
@@ -30,14 +34,23 @@ final class DrivenFloor {
   static final double DIAMETER = 0.255;
   private static final double STEP = 0.1;
 
+  private static final Duration PLANNING_LIMIT = Duration.ofSeconds(2);
+
+  /** What planning is taken to last from one look at the time to the next, on every machine. */
+  private static final long NANOS_A_LOOK = 1_000;
+
   /** So near to its goal, metres, a robot has to come. */
   private static final double ARRIVED = 0.03;
+
+  private static final Pattern WAITING_FOR =
+      Pattern.compile("^Waiting for (r\\d+)( to leave the goal)?");
 
   final OccupancyGrid grid;
   final FloorTraffic traffic;
   final Map<String, Body> bodies = new TreeMap<>();
   final Set<String> lost = new TreeSet<>();
   private final SplittableRandom chance;
+  private final AtomicLong looks = new AtomicLong();
   Instant now = Instant.EPOCH;
 
   /** A robot as it really is. */
@@ -51,6 +64,9 @@ final class DrivenFloor {
     double inSegment;
     boolean isStuck;
     @Nullable Vec2 goal;
+
+    /** Metres a second; it cannot drive faster. */
+    double maxSpeed = Double.POSITIVE_INFINITY;
 
     /** Who drives with it. */
     @Nullable FormationFootprint group;
@@ -81,9 +97,11 @@ final class DrivenFloor {
     this.chance = new SplittableRandom(seed);
     this.traffic =
         new FloorTraffic(
-            grid,
-            new LacamJointPlanner(),
-            () -> Deadline.in(Duration.ofSeconds(2), System::nanoTime));
+            grid, new LacamJointPlanner(), () -> Deadline.in(PLANNING_LIMIT, this::planningNanos));
+  }
+
+  private long planningNanos() {
+    return looks.incrementAndGet() * NANOS_A_LOOK;
   }
 
   /** A floor drawn in text, cells of 0.3 m: '#' a wall, anything else free. */
@@ -117,6 +135,12 @@ final class DrivenFloor {
     bodies.put(robot, body);
     traffic.reportStanding(robot, body.pose, diameter, now);
     traffic.setMovable(robot, true);
+  }
+
+  /** It drives no faster than that from now on, metres a second. */
+  void setMaxSpeed(String robot, double maxSpeed) {
+    body(robot).maxSpeed = maxSpeed;
+    traffic.setSpeeds(robot, DriveSpeeds.DEFAULT.atMost(maxSpeed));
   }
 
   /** It leads a group from now on; its goals are where the load shall come. */
@@ -209,6 +233,15 @@ final class DrivenFloor {
 
   private void obey(DriveCommand decision) {
     Body body = body(decision.robot());
+    change(body, decision);
+    if (body.trajectory != null) {
+      require(
+          body.trajectory.segments().stream().allMatch(s -> s.v() < body.maxSpeed + 1e-9),
+          decision.robot() + " was told to drive faster than it can");
+    }
+  }
+
+  private static void change(Body body, DriveCommand decision) {
     switch (decision) {
       case DriveCommand.Begin begin -> {
         require(body.trajectory == null, decision.robot() + " was told to begin while it drives");
@@ -315,6 +348,30 @@ final class DrivenFloor {
   /** What a robot says that has not arrived. */
   String reason(String robot) {
     return String.valueOf(traffic.waitReason(robot));
+  }
+
+  /**
+   * Whether those that the robot waits for, and those that these wait for, end with one that cannot
+   * be told to go: it is lost, or stands at the goal of another. Robots that wait for each other do
+   * not.
+   */
+  boolean waitsForOneThatStays(String robot) {
+    Set<String> chain = new TreeSet<>();
+    String at = robot;
+    while (chain.add(at)) {
+      if (lost.contains(at)) {
+        return true;
+      }
+      Matcher waiting = WAITING_FOR.matcher(reason(at));
+      if (!waiting.find()) {
+        return false;
+      }
+      at = waiting.group(1);
+      if (isArrived(at) && waiting.group(2) != null) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** What each robot that has not arrived says. */

@@ -3,13 +3,17 @@ package org.toqa.traffic.floor;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.DriveSpeeds;
 
 /**
  * A floor, its robots and what happens to them, as text. After remarks ({@code #} and a blank) and
@@ -20,6 +24,7 @@ import org.toqa.grid.OccupancyGrid;
  * cell 0.3              metres along a drawn cell's side
  * fine 6                a drawn cell is 6 x 6 cells of the grid
  * size a 0.5            diameter, metres; 0.255 where nothing is said
+ * speed a 0.1           metres a second at most; 0.25 where nothing is said
  * a to 8,1              where it wants to go at the start
  * at 20 a to 3,1        ... and after 20 s
  * at 20 a stops         its wheels are stopped, nobody knows why
@@ -33,13 +38,16 @@ import org.toqa.grid.OccupancyGrid;
  * within 300            seconds
  * expect a arrives
  * expect b waits: Waiting for a
+ * cycle a b             at some time they wait for each other, and at the end no longer
  * </pre>
  */
 final class FloorScenario {
   private final List<String> rows = new ArrayList<>();
   private final Map<String, Double> sizes = new TreeMap<>();
+  private final Map<String, Double> speeds = new TreeMap<>();
   private final Map<Double, List<String[]>> events = new TreeMap<>();
   private final Map<String, String> expected = new LinkedHashMap<>();
+  private final Set<Set<String>> cyclesExpected = new HashSet<>();
   private double cell = 0.3;
   private int fine = 1;
   private double limit = 300;
@@ -58,6 +66,8 @@ final class FloorScenario {
       case "cell" -> cell = Double.parseDouble(words[1]);
       case "fine" -> fine = Integer.parseInt(words[1]);
       case "size" -> sizes.put(words[1], Double.parseDouble(words[2]));
+      case "speed" -> speeds.put(words[1], Double.parseDouble(words[2]));
+      case "cycle" -> cyclesExpected.add(Set.of(tail(words, 1)));
       case "within" -> limit = Double.parseDouble(words[1]);
       case "expect" -> expected.put(words[1], line.substring(line.indexOf(words[2])));
       case "at" -> happens(Double.parseDouble(words[1]), tail(words, 2));
@@ -94,14 +104,22 @@ final class FloorScenario {
         }
       }
     }
+    Set<Set<String>> cyclesSeen = new HashSet<>();
     List<Double> times = new ArrayList<>(events.keySet());
     for (int step = 0; step < limit * 10 && !(times.isEmpty() && isAsExpected(floor)); step++) {
       while (!times.isEmpty() && times.getFirst() <= step / 10.0) {
         events.getOrDefault(times.removeFirst(), List.of()).forEach(e -> happen(floor, e));
       }
       floor.step();
+      cyclesSeen.addAll(cycles(floor));
     }
     List<String> faults = new ArrayList<>();
+    if (!cyclesSeen.containsAll(cyclesExpected)) {
+      faults.add("of the cycles " + cyclesExpected + " there were only " + cyclesSeen);
+    }
+    if (!cyclesExpected.isEmpty() && !cycles(floor).isEmpty()) {
+      faults.add("at the end there still are " + cycles(floor));
+    }
     expected.forEach(
         (robot, what) -> {
           if (!isAsExpected(floor, robot, what)) {
@@ -109,6 +127,13 @@ final class FloorScenario {
           }
         });
     return faults;
+  }
+
+  private static Set<Set<String>> cycles(DrivenFloor floor) {
+    return floor.traffic.standstills().stream()
+        .filter(standstill -> standstill.kind() == Standstill.Kind.CYCLE_OF_WAITS)
+        .map(standstill -> Set.copyOf(standstill.robots()))
+        .collect(Collectors.toSet());
   }
 
   private boolean isAsExpected(DrivenFloor floor) {
@@ -145,6 +170,7 @@ final class FloorScenario {
 
   private void join(DrivenFloor floor, String robot, String place) {
     floor.putAt(robot, point(place), sizes.getOrDefault(robot, DrivenFloor.DIAMETER));
+    floor.setMaxSpeed(robot, speeds.getOrDefault(robot, DriveSpeeds.DEFAULT.forward()));
   }
 
   private OccupancyGrid grid() {

@@ -1,14 +1,17 @@
 package org.toqa.traffic.floor;
 
-import java.util.function.LongConsumer;
+import java.util.function.LongPredicate;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
+import org.toqa.testbed.Cases;
+import org.toqa.testbed.FuzzRun;
 
 /**
- * What {@link FloorTrafficPropertyTest} does on a few random floors, on a thousand of each kind.
+ * What {@link FloorTrafficPropertyTest} does on a few random floors, on more of each kind: {@code
+ * -Dtoqa.floors=1000}, the first of which is that of {@code -Dtoqa.seed}.
  */
 @Tag("full")
 class RandomFloorsIT {
@@ -34,8 +37,16 @@ class RandomFloorsIT {
     return floors(FloorTrafficPropertyTest::driveFromAnywhere);
   }
 
-  private static Stream<DynamicTest> floors(LongConsumer drive) {
-    return LongStream.rangeClosed(1, FLOORS)
-        .mapToObj(seed -> DynamicTest.dynamicTest("floor " + seed, () -> drive.accept(seed)));
+  /** The last one says whether there were enough. */
+  private static Stream<DynamicTest> floors(LongPredicate drive) {
+    Cases floors = new Cases("generated floors");
+    Stream<DynamicTest> driven =
+        LongStream.range(FuzzRun.SEED, FuzzRun.SEED + FLOORS)
+            .mapToObj(
+                seed ->
+                    DynamicTest.dynamicTest("floor " + seed, () -> floors.count(drive.test(seed))));
+    return Stream.concat(
+        driven,
+        Stream.of(DynamicTest.dynamicTest("floors with room", () -> floors.assertPossible(0.9))));
   }
 }

@@ -45,7 +45,7 @@ class AccessTest extends WebServerTest {
     }
 
     boolean endsSession() {
-      return path.equals("/logout") || path.equals("/api/v1/session") && method.equals("DELETE");
+      return path.equals("/logout") || (path.equals("/api/v1/session") && method.equals("DELETE"));
     }
   }
 
@@ -53,9 +53,7 @@ class AccessTest extends WebServerTest {
     return Files.readAllLines(RIGHTS).stream()
         .filter(line -> !line.isBlank() && !line.startsWith("#"))
         .map(line -> line.split(" +"))
-        .map(
-            word ->
-                new Right(word[0], word[1], word[2], word[3], word[4]))
+        .map(word -> new Right(word[0], word[1], word[2], word[3], word[4]))
         .toList();
   }
 
@@ -71,7 +69,10 @@ class AccessTest extends WebServerTest {
   void everyRouteIsForThoseOfTheTable(Right right) {
     assertEquals(
         List.of(right.ofAnonymous(), right.ofClerk(), right.ofManager()),
-        Stream.of(anonymous, clientFor(clerk, WebTestServer.CLERK, right), clientFor(manager, WebTestServer.MANAGER, right))
+        Stream.of(
+                anonymous,
+                clientFor(clerk, WebTestServer.CLERK, right),
+                clientFor(manager, WebTestServer.MANAGER, right))
             .map(client -> answer(client, right))
             .toList());
   }

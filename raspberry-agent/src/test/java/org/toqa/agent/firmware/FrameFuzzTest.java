@@ -63,6 +63,8 @@ class FrameFuzzTest {
       }
       assertEquals(List.of(), chassis.exchange(SLOWLY, nanos += TICK).faults());
     }
+    assertTrue(good > FuzzRun.INPUTS / 4, good + " good frames");
+    assertTrue(good < 3 * FuzzRun.INPUTS / 4, good + " good frames");
     FuzzRun.tell(
         "the frames of the microcontroller",
         FuzzRun.INPUTS,
@@ -87,6 +89,7 @@ class FrameFuzzTest {
     }
 
     assertEquals(sent, found);
+    assertTrue(found > FuzzRun.INPUTS / 4, found + " whole frames");
     FuzzRun.tell("a serial stream", FuzzRun.INPUTS, "%,d frames found".formatted(found), begin);
   }
 

@@ -152,6 +152,44 @@ class SimulatedFirmwareIT {
     }
   }
 
+  @Test
+  void hotMotorDriverStopsTheWheelsAndWaitsForAPerson() throws IOException {
+    try (Chassis chassis = chassis()) {
+      run(chassis, new Twist(0.25, 0, 0), SECOND);
+      Duration hot = probe.truth().now();
+      probe.change("heat on");
+      probe.advance(Duration.ofMillis(150));
+      Truth stopped = probe.truth();
+
+      assertTrue(stopped.moved().minus(hot).compareTo(BRAKE_LIMIT) <= 0, stopped.toString());
+      assertEquals("STOPPED: HEAT       ", stopped.text("lcd2"));
+      probe.change("heat off");
+      assertTrue(codes(run(chassis, new Twist(0.25, 0, 0), SECOND)).contains("STOP_HEAT"));
+      clear(chassis);
+      assertEquals(0.25, run(chassis, new Twist(0.25, 0, 0), SECOND).twist().vx(), 0.01);
+    }
+  }
+
+  /** A motor that starts pulls the voltage down for a moment, too. */
+  @Test
+  void batteryThatIsLowForASecondStopsTheWheelsAndADipDoesNot() throws IOException {
+    try (Chassis chassis = chassis()) {
+      run(chassis, new Twist(0.25, 0, 0), SECOND);
+      probe.change("battery 12000");
+      run(chassis, new Twist(0.25, 0, 0), SECOND / 2);
+      probe.change("battery 15000");
+      ChassisReading dipped = run(chassis, new Twist(0.25, 0, 0), 2 * SECOND);
+      assertEquals(List.of(), codes(dipped));
+      assertEquals(0.25, dipped.twist().vx(), 0.01);
+
+      probe.change("battery 12000");
+      ChassisReading low = run(chassis, new Twist(0.25, 0, 0), 3 * SECOND);
+      assertEquals(List.of("STOP_BATTERY"), codes(low));
+      assertTrue(low.isStanding());
+      assertEquals(0, low.battery(), 0.01);
+    }
+  }
+
   /** The firmware looks at its wheels, too, every 20 ms: its clock and the daemon's drift. */
   @Test
   void statusIsNewWhereverTheExchangesFallInTheFirmwaresPeriod() throws IOException {

@@ -1,0 +1,74 @@
+package org.toqa.app.bench;
+
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * What each bench does not measure: nobody shall take its numbers for more than they are. The names
+ * are those of the commands.
+ */
+enum LeftOut {
+  SCEN(
+      "Reading the map and the scenarios.",
+      "Fitting a path with arcs, and driving it.",
+      "Other robots: each query has the map to itself."),
+  TRAFFIC(
+      "The planner that drives a real floor: this is the one for steps on a grid.",
+      "Bodies and their sizes: a robot is a cell, and every step takes equally long.",
+      "Delays: no robot is ever late, lost or stopped.",
+      "Tasks, their allocation, and the links to robots."),
+  MAPF(
+      "Building the graph of the map, and reading files.",
+      "Robots that turn: each moves to any of four neighbours, or waits.",
+      "Driving: no robot is ever late, lost or stopped.",
+      "Checking and writing the plan."),
+  FLEET(
+      "Networks: robots and server are one process on one machine.",
+      "Groups: every load is light enough for one robot, and is no wider than it.",
+      "Obstacles that the map does not show, and faults of robots.",
+      "Browsers and other clients.",
+      "The time of warming up; what happened then is not judged."),
+  TASKS(
+      "Carrying the tasks out: they are accepted, stored and read back.",
+      "Networks: clients and server are one process on one machine.",
+      "Logging in, and the time of warming up.",
+      "Limits of requests: they are off."),
+  WEB(
+      "The leg from a robot to the server: poses count from when the server hears of them.",
+      "Drawing: no browser runs; all but a few clients only count the bytes of their events.",
+      "Networks: clients, robots and server are one process on one machine.",
+      "TLS, and limits of requests, which are off."),
+  DAEMON(
+      "A real chassis: the body is simulated within the daemon.",
+      "A Raspberry Pi: it is measured on this machine.",
+      "More than one follower."),
+  ALLOCATION(
+      "Traffic: each robot drives as if it were alone.",
+      "Charging, faults and robots that are lost.",
+      "Loads for several robots.",
+      "A measured consumption: joules follow from the model that the allocators optimise."),
+  FORMATION(
+      "The daemon's process, its timers and its links: messages are delayed, never lost.",
+      "Motors and controllers of real wheels.",
+      "The load: free says where robots were, by odometry, and knows nothing of it.",
+      "Other robots.");
+
+  @SuppressWarnings("ImmutableEnumChecker") // a copy
+  private final List<String> sentences;
+
+  LeftOut(String... sentences) {
+    this.sentences = List.of(sentences);
+  }
+
+  /**
+   * @param bench the name of its command
+   * @throws IllegalArgumentException nobody has said what it leaves out
+   */
+  static LeftOut of(String bench) {
+    return valueOf(bench.toUpperCase(Locale.ROOT));
+  }
+
+  List<String> sentences() {
+    return sentences;
+  }
+}

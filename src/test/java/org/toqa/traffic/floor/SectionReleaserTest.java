@@ -1,0 +1,74 @@
+package org.toqa.traffic.floor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.mapf.LacamJointPlanner;
+
+/** How far ahead of a robot that nobody hinders its path is released. */
+class SectionReleaserTest {
+  private static final int CELLS = 24;
+  private static final double SECONDS_AHEAD = 3;
+
+  /** In large cells two sections are much more than three seconds, in small ones much less. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.3, 1.0})
+  void aRobotHasTwoSectionsAndThreeSecondsAheadAndNotMuchMore(double cell) {
+    OccupancyGrid unit = OccupancyGrid.parse(".".repeat(CELLS));
+    OccupancyGrid grid = new OccupancyGrid(CELLS, 1, cell, Vec2.ZERO, unit.occupied());
+    FloorTraffic traffic = new FloorTraffic(grid, new LacamJointPlanner(), Deadline::none);
+    Instant now = Instant.EPOCH;
+    Vec2 at = grid.centre(new Cell(0, 0));
+    traffic.reportStanding("a", new Pose(at.x(), at.y(), 0), 0.255, now);
+    traffic.setMovable("a", true);
+    traffic.setGoal("a", grid.centre(new Cell(CELLS - 1, 0)), now);
+
+    DriveCommand.Begin begin =
+        assertInstanceOf(DriveCommand.Begin.class, traffic.decide(now).getFirst());
+    Trajectory trajectory = begin.trajectory();
+    int released = begin.released();
+    List<Integer> ahead = new ArrayList<>();
+    for (int completed = 0; completed < count(trajectory); completed++) {
+      now = now.plus(Duration.ofMillis(500));
+      traffic.reportProgress("a", trajectory.poseAfter(completed), completed, now);
+      for (DriveCommand command : traffic.decide(now)) {
+        released = assertInstanceOf(DriveCommand.Release.class, command).released();
+      }
+      ahead.add(released - completed);
+      if (released < count(trajectory)) {
+        double seconds = seconds(trajectory, completed, released);
+        assertTrue(released - completed >= 2, completed + ": " + ahead);
+        assertTrue(seconds >= SECONDS_AHEAD, completed + ": " + seconds + " s");
+        // one section less would be too little: what is over is no more than that
+        boolean isNeeded =
+            released - completed == 2
+                || seconds(trajectory, completed, released - 1) < SECONDS_AHEAD;
+        assertTrue(isNeeded, completed + ": " + seconds + " s in " + ahead);
+      }
+    }
+    assertEquals(count(trajectory), released);
+    assertTrue(ahead.getFirst() < count(trajectory), "all was released at once");
+  }
+
+  private static int count(Trajectory trajectory) {
+    return trajectory.segments().size();
+  }
+
+  private static double seconds(Trajectory trajectory, int from, int to) {
+    return trajectory.segments().subList(from, to).stream().mapToDouble(Segment::t).sum();
+  }
+}
