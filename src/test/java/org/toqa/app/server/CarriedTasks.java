@@ -43,7 +43,7 @@ final class CarriedTasks {
   }
 
   /** Gives the next task where the one before is done. */
-  private void goOn() {
+  void goOn() {
     JsonNode now = JSON.readTree(client.get("api/v1/tasks/" + task).body());
     String state = now.get("state").asString();
     assertTrue(!state.equals("FAILED") && !state.equals("CANCELLED"), now::toString);
@@ -55,7 +55,7 @@ final class CarriedTasks {
   }
 
   /** Waits for the task that is under way. */
-  void awaitDone() throws InterruptedException {
+  int awaitDone() throws InterruptedException {
     long end = System.nanoTime() + LIMIT_NANOS;
     int before = done;
     while (done == before) {
@@ -63,6 +63,20 @@ final class CarriedTasks {
       goOn();
       TimeUnit.MILLISECONDS.sleep(50);
     }
+    return done;
+  }
+
+  /**
+   * Another task is not to be carried; where its load is on board already, it goes back, and where
+   * it is nearly done, it may end.
+   */
+  void cancel(long other) {
+    String path = "api/v1/tasks/" + other + "/cancel";
+    int status = client.postJson(path, "{}").statusCode();
+    if (status == 422) {
+      status = client.postJson(path, "{\"load\":\"back\"}").statusCode();
+    }
+    assertTrue(status == 200 || status == 409, path + " answered " + status);
   }
 
   /** The one that is under way. */

@@ -63,10 +63,12 @@ final class FormCases {
             and(ORDER, Map.of("when", "weekly", "weekday", "MONDAY", "time", "08:00")),
             refused("weekday", "time", "zone")),
         FormCase.of(
-            "tasks/{heldTask}",
+            "tasks/{held}",
             "/tasks/{id}/priority",
             Map.of("priority", "10"),
             Map.of("priority", REFUSED, "version", CONFLICT)),
+        FormCase.of(
+            "tasks/{held}", "/tasks/{id}/cancel", Map.of(), Map.of("load", REFUSED)),
         FormCase.of("map", "/fleet/pause", Map.of(), Map.of("back", TAKEN)),
         FormCase.of("schedules", "/schedules/{id}/delete", Map.of(), Map.of("version", CONFLICT)),
         FormCase.of(
@@ -74,11 +76,6 @@ final class FormCases {
             "/robots",
             Map.of("name", "Spare", "host", "127.0.0.1", "port", "9", "maxLoad", "5"),
             refused("name", "host", "port", "maxLoad", "parking", "code")),
-        FormCase.of(
-            "robots/Absent",
-            "/robots/{name}/change",
-            Map.of("host", "127.0.0.2", "maxLoad", "6"),
-            and(refused("host", "port", "maxLoad", "parking"), Map.of("version", CONFLICT))),
         FormCase.of(
                 "robots/Absent",
                 "/robots/{name}/pair",
@@ -91,6 +88,11 @@ final class FormCases {
                 Map.of("x", "1", "y", "1", "heading", "0"),
                 refused("x", "y", "heading"))
             .answeredWith(422),
+        FormCase.of(
+            "robots/Absent",
+            "/robots/{name}/change",
+            Map.of("host", "127.0.0.2", "maxLoad", "6"),
+            and(refused("host", "port", "maxLoad", "parking"), Map.of("version", CONFLICT))),
         FormCase.of(
             "users",
             "/users",

@@ -1,7 +1,5 @@
 package org.toqa.app.server;
 
-import static org.junit.jupiter.api.Assertions.assertFalse;
-
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -26,6 +24,7 @@ final class Markup {
 
   private final List<Element> elements = new ArrayList<>();
   private final StringBuilder text = new StringBuilder();
+  private final StringBuilder scripts = new StringBuilder();
 
   /** A start tag. */
   record Element(String name, Map<String, String> attributes, int textBefore) {
@@ -52,7 +51,7 @@ final class Markup {
       } else if (token.group(2) != null) {
         markup.add(token.group(2), token.group(3));
         if (token.group(2).equalsIgnoreCase("script")) {
-          end = endOfScript(page, end);
+          end = markup.endOfScript(page, end);
         }
       }
     }
@@ -60,11 +59,11 @@ final class Markup {
     return markup;
   }
 
-  private static int endOfScript(String page, int from) {
+  /** Scripts are files of their own; what stands in the page itself is nobody's who wrote it. */
+  private int endOfScript(String page, int from) {
     int end = page.toLowerCase(Locale.ROOT).indexOf("</script", from);
-    assertFalse(
-        page.substring(from, end).contains(Attack.MARK), "A script has what somebody typed.");
-    return end;
+    scripts.append(page.substring(from, end < 0 ? page.length() : end).strip());
+    return end < 0 ? page.length() : end;
   }
 
   private void add(String name, String attributes) {
@@ -106,28 +105,32 @@ final class Markup {
     return text.toString();
   }
 
-  /** Nothing that an attacker typed has become a part of the page itself. */
-  void assertHarmless(String where) {
+  /** What an attacker typed that has become a part of the page itself. */
+  List<String> faults() {
+    List<String> faults = new ArrayList<>();
     for (Element element : elements) {
-      assertFalse(element.name().contains(Attack.MARK), where + " has an element " + element);
+      if (element.name().contains(Attack.MARK)) {
+        faults.add(" has an element of an attacker: " + element);
+      }
       element
           .attributes()
           .forEach(
               (name, value) -> {
                 boolean isAddress = List.of("href", "src", "action").contains(name);
                 String start = value.strip().toLowerCase(Locale.ROOT);
-                assertFalse(
-                    name.contains(Attack.MARK)
-                        || (name.startsWith("on") && name.length() > 2)
-                        || isAddress
-                            && (start.startsWith("javascript:")
-                                || start.startsWith("//")
-                                || start.startsWith("data:")),
-                    where + " has an attribute of an attacker: " + element);
+                if (name.contains(Attack.MARK)
+                    || (name.startsWith("on") && name.length() > 2)
+                    || isAddress
+                        && (start.startsWith("javascript:")
+                            || start.startsWith("//")
+                            || start.startsWith("data:"))) {
+                  faults.add(" has an attribute of an attacker: " + element);
+                }
               });
     }
-    assertFalse(text().contains(Attack.EVALUATED), where + " evaluates what was typed");
-    assertFalse(text().contains("Exception"), where + " shows a stack trace");
-    assertFalse(text().contains("root:x:"), where + " shows a file");
+    if (!scripts.isEmpty()) {
+      faults.add(" has a script in it: " + scripts);
+    }
+    return faults;
   }
 }

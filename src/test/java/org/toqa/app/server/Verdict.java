@@ -5,6 +5,12 @@ enum Verdict {
   /** A sentence says what it must be. */
   REFUSED,
 
+  /** It is no number, or no "true" or "false", where an address must have one. */
+  UNREADABLE,
+
+  /** There is no floor of that name. */
+  NOT_FOUND,
+
   /** Nobody is known by that name and password. */
   UNKNOWN_USER,
 
@@ -30,6 +36,8 @@ enum Verdict {
   int status(Attack attack, int good) {
     return switch (this) {
       case REFUSED -> 422;
+      case UNREADABLE -> 400;
+      case NOT_FOUND -> 404;
       case UNKNOWN_USER -> 401;
       case CONFLICT -> 409;
       case GONE -> 410;

@@ -25,6 +25,7 @@ import org.toqa.app.config.Setting;
 import org.toqa.app.server.OrderCases.OrderCase;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
+import org.toqa.web.route.Route;
 import org.toqa.web.route.Routes;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -35,75 +36,35 @@ import tools.jackson.databind.node.ObjectNode;
  * Every word of every order of the API is given every attack, with all else as it should be, while
  * the fleet carries tasks.
  */
-class OrderAttacksTest {
+final class OrderAttacks {
   private static final JsonMapper JSON = JsonMapper.shared();
 
-  /** Whose own account is changed, which ends what this user has logged in elsewhere. */
-  private static final String OWN = "Olga";
+  private final AttackRun run;
+  private final AttackedServer server;
 
-  @TempDir private Path data;
-
-  private final Map<String, String> places = new LinkedHashMap<>();
-  private final List<String> faults = new ArrayList<>();
-  private AttackedServer server;
-  private TestClient manager;
-  private CarriedTasks tasks;
-  private int sent;
-
-  @BeforeEach
-  void start() throws Exception {
-    Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.put(Setting.MAIL_HOST, "127.0.0.1");
-    settings.put(Setting.MAIL_FROM, "toqa@example.org");
-    settings.put(Setting.SITE, "https://toqa.example.org");
-    server = AttackedServer.start(data, settings);
-    manager = server.signedIn(AttackedServer.MANAGER);
-    tasks = new CarriedTasks(manager, Attack.FORMULA.text());
-    server.addUser(OWN);
-    places.put("own", String.valueOf(server.userId(OWN)));
-    places.put("clerk", String.valueOf(server.userId(AttackedServer.CLERK)));
-    places.put("name", "Absent");
-    String robot = "{\"name\":\"Absent\",\"host\":\"127.0.0.1\",\"port\":9,\"maxLoad\":5}";
-    assertEquals(201, manager.postJson("api/v1/robots", robot).statusCode());
-    String held =
-        """
-        {"name":"Held","load":2,"start":{"station":"Store A"},"goal":{"station":"Store B"}}
-        """;
-    String task = manager.postJson("api/v1/tasks", held).body();
-    places.put("held", JSON.readTree(task).get("id").asString());
-    assertEquals(200, manager.send(hold()).statusCode());
+  OrderAttacks(AttackRun run) {
+    this.run = run;
+    this.server = run.server();
   }
 
-  private HttpRequest hold() {
-    return manager
-        .request("api/v1/tasks/" + places.get("held") + "/hold")
-        .header("X-CSRF-Token", manager.csrf())
-        .POST(BodyPublishers.noBody())
-        .build();
-  }
-
-  @AfterEach
-  void stop() throws Exception {
-    server.close();
-  }
-
-  @Test
-  void whatIsSaidIsTextInEveryWordOfEveryOrder() throws Exception {
+  void attack() throws Exception {
+    run.holdTask();
     String token = logIn(server.stranger(), AttackedServer.MANAGER);
     for (OrderCase order : OrderCases.all()) {
+    long t0 = System.nanoTime();
       for (String word : order.attacked().keySet()) {
         for (Attack attack : Attack.values()) {
           send(order, word, attack, token);
         }
-        tasks.goOn();
+        run.tasks().goOn();
       }
       send(order, null, null, token);
+    System.err.println("TIME " + (System.nanoTime() - t0) / 1000000 + " " + order.attacked().size() + " " + order.path());
     }
-    assertEquals("", String.join("\n", faults));
-    assertTrue(sent > 800, "only " + sent + " attacks");
-    tasks.awaitDone();
     for (String list : List.of("tasks", "schedules", "robots", "users", "history")) {
-      assertEquals(200, manager.get("api/v1/" + list).statusCode(), list);
+      HttpResponse<String> answer = run.manager().get("api/v1/" + list);
+      run.expectStatus(200, answer, list);
+      run.check(list, answer);
     }
   }
 
@@ -125,18 +86,17 @@ class OrderAttacksTest {
   private void send(
       OrderCase order, @Nullable String word, @Nullable Attack attack, String managerToken)
       throws Exception {
-    sent++;
-    places.put("n", String.valueOf(sent));
+    run.next();
     boolean asksForPassword = order.path().startsWith("users/{own}/");
     boolean isAnonymous =
         List.of("session", "forgotten-password", "reset-password").contains(order.path());
     if (order.path().equals("session")) {
-      server.addUser("guest" + sent);
+      run.addGuest();
     }
     if (order.body().contains("{secret}")) {
-      places.put("secret", newSecret());
+      run.createSecret();
     }
-    JsonNode body = JSON.readTree(filled(order.body()));
+    JsonNode body = JSON.readTree(run.filled(order.body()));
     String where = order.method() + " " + order.path() + " good";
     int expected = order.good();
     if (word != null && attack != null) {
@@ -145,46 +105,24 @@ class OrderAttacksTest {
       expected = order.attacked().getOrDefault(word, Verdict.REFUSED).status(attack, expected);
     }
     try (TestClient client = server.stranger()) {
-      String token = asksForPassword ? logIn(client, OWN) : managerToken;
+      String token = asksForPassword ? logIn(client, AttackRun.OWN) : managerToken;
       HttpRequest.Builder request =
-          request(client, order.method(), filled(order.path()), JSON.writeValueAsString(body));
+          request(client, order.method(), run.filled(order.path()), JSON.writeValueAsString(body));
       if (!isAnonymous) {
         request.header("Authorization", "Bearer " + token);
       }
       String before = server.stored();
-      HttpResponse<String> answer = server.observed(client.send(request.build()));
-      if (answer.statusCode() != expected) {
-        faults.add(where + " answered " + answer.statusCode() + ", not " + expected);
-      }
-      assertHarmless(where, answer);
-      if (expected >= 400) {
-        assertEquals(before, server.stored(), where + " is refused and stored all the same");
+      HttpResponse<String> answer = client.send(request.build());
+      run.expectStatus(expected, answer, where);
+      run.check(where, answer);
+      if (answer.statusCode() >= 400) {
+        run.expect(before.equals(server.stored()), where + " is refused and stored all the same");
       } else if (order.path().equals("tasks")) {
         JsonNode task = JSON.readTree(answer.body());
         assertEquals(body.get("name").asString().strip(), task.get("name").asString(), where);
-        tasks.cancel(task.get("id").asLong());
+        run.tasks().cancel(task.get("id").asLong());
       }
     }
-  }
-
-  private static void assertHarmless(String where, HttpResponse<String> answer) {
-    assertTrue(answer.statusCode() < 500, where + " answered " + answer.statusCode());
-    String type = answer.headers().firstValue("Content-Type").orElse("application/json");
-    assertTrue(type.contains("json"), where + " answers with " + type);
-    assertTrue(
-        answer.headers().allValues("Set-Cookie").stream().noneMatch(c -> c.contains(Attack.MARK)),
-        where);
-    assertTrue(!answer.body().contains(Attack.EVALUATED), where + " evaluates what was said");
-    assertTrue(!answer.body().contains("Exception"), where + " shows a stack trace");
-    if (!answer.body().isEmpty()) {
-      JSON.readTree(answer.body());
-    }
-  }
-
-  private String newSecret() {
-    HttpResponse<String> answer =
-        manager.postJson("api/v1/users/" + places.get("clerk") + "/reset-link", "");
-    return server.observed(answer).body().replaceFirst("(?s).*secret=([^\"]+)\".*", "$1");
   }
 
   /** Puts a word there, also where the order had none. */
@@ -199,16 +137,8 @@ class OrderAttacksTest {
     }
   }
 
-  private String filled(String template) {
-    String text = template;
-    for (Map.Entry<String, String> place : places.entrySet()) {
-      text = text.replace("{" + place.getKey() + "}", place.getValue());
-    }
-    return text;
-  }
-
-  @Test
-  void everyWordOfEveryOrderIsAttacked() {
+  /** The words that are attacked, by route. */
+  static Map<String, Set<String>> attacked() {
     Map<String, Set<String>> attacked = new TreeMap<>();
     for (OrderCase order : OrderCases.all()) {
       String path =
@@ -220,30 +150,24 @@ class OrderAttacksTest {
           .computeIfAbsent(order.method() + " " + path, route -> new TreeSet<>())
           .addAll(order.attacked().keySet());
     }
+    return attacked;
+  }
+
+  /** The words of all orders, by route, as the document of the API says. */
+  static Map<String, Set<String>> described(AttackRun run) {
     Map<String, Set<String>> described = new TreeMap<>();
-    JsonNode document = JSON.readTree(manager.get("api/v1/openapi.json").body());
-    document
-        .get("paths")
-        .properties()
-        .forEach(
-            path ->
-                path.getValue()
-                    .properties()
-                    .forEach(
-                        operation -> {
-                          JsonNode schema =
-                              operation
-                                  .getValue()
-                                  .at("/requestBody/content/application~1json/schema");
-                          Set<String> words = new TreeSet<>();
-                          addWords(document, schema, "", words);
-                          if (!words.isEmpty()) {
-                            described.put(
-                                operation.getKey().toUpperCase(Locale.ROOT) + " " + path.getKey(),
-                                words);
-                          }
-                        }));
-    assertEquals(described, attacked);
+    JsonNode document = JSON.readTree(run.manager().get("api/v1/openapi.json").body());
+    for (Route route : Routes.all()) {
+      Set<String> words = new TreeSet<>();
+      JsonNode operation =
+          document.path("paths").path(route.path()).path(route.method().toLowerCase(Locale.ROOT));
+      JsonNode schema = operation.at("/requestBody/content/application~1json/schema");
+      addWords(document, schema, "", words);
+      if (route.isApi() && !words.isEmpty()) {
+        described.put(route.method() + " " + route.path(), words);
+      }
+    }
+    return described;
   }
 
   /** Adds the pointers of all words that the schema describes. */
