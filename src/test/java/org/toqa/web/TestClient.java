@@ -96,10 +96,19 @@ public final class TestClient implements AutoCloseable {
 
   /** The same with another method. */
   public HttpResponse<String> sendJson(String method, String path, String body) {
+    return sendJson(method, path, body, csrf());
+  }
+
+  /**
+   * The same for who has the session's token already.
+   *
+   * @param csrf the token
+   */
+  public HttpResponse<String> sendJson(String method, String path, String body, String csrf) {
     return send(
         request(path)
             .header("Content-Type", "application/json")
-            .header("X-CSRF-Token", csrf())
+            .header("X-CSRF-Token", csrf)
             .method(method, BodyPublishers.ofString(body))
             .build());
   }

@@ -27,10 +27,13 @@ class AttacksTest {
     run = new AttackRun(data);
   }
 
+  /** Whatever was sent, the fleet still carries, and no secret is in the log. */
   @AfterAll
   void stop() throws Exception {
-    Tally.add("attack strings", run.tried());
-    run.close();
+    try (AttackRun ended = run) {
+      ended.tasks().awaitDone();
+      Tally.add("attack strings", ended.tried());
+    }
   }
 
   @Test

@@ -16,6 +16,7 @@ final class CarriedTasks {
 
   private final TestClient client;
   private final String name;
+  private final String csrf;
   private long task;
   private int done;
 
@@ -25,6 +26,7 @@ final class CarriedTasks {
   CarriedTasks(TestClient client, String name) {
     this.client = client;
     this.name = name;
+    this.csrf = client.csrf();
     order();
   }
 
@@ -37,7 +39,7 @@ final class CarriedTasks {
                 .put("priority", 50)
                 .set("start", JSON.createObjectNode().put("station", "Goods-in 1"))
                 .set("goal", JSON.createObjectNode().put("station", "Mill")));
-    HttpResponse<String> answer = client.postJson("api/v1/tasks", order);
+    HttpResponse<String> answer = client.sendJson("POST", "api/v1/tasks", order, csrf);
     assertEquals(201, answer.statusCode(), answer.body());
     task = JSON.readTree(answer.body()).get("id").asLong();
   }
@@ -72,9 +74,9 @@ final class CarriedTasks {
    */
   void cancel(long other) {
     String path = "api/v1/tasks/" + other + "/cancel";
-    int status = client.postJson(path, "{}").statusCode();
+    int status = client.sendJson("POST", path, "{}", csrf).statusCode();
     if (status == 422) {
-      status = client.postJson(path, "{\"load\":\"back\"}").statusCode();
+      status = client.sendJson("POST", path, "{\"load\":\"back\"}", csrf).statusCode();
     }
     assertTrue(status == 200 || status == 409, path + " answered " + status);
   }

@@ -1,17 +1,12 @@
 package org.toqa.app.server;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.icegreen.greenmail.util.GreenMail;
-import com.icegreen.greenmail.util.ServerSetup;
 import java.net.URI;
 import java.net.URLEncoder;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -21,16 +16,9 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import org.toqa.app.config.Setting;
 import org.toqa.web.TestClient;
 import org.toqa.web.route.Routes;
 
@@ -50,6 +38,7 @@ final class FormAttacks {
           "/fleet/resume",
           "/schedules/{id}/resume",
           "/robots/{name}/in-service",
+          "/robots/{name}/home",
           "/robots/{name}/resume",
           "/floors/{floor}/resume");
 
@@ -114,7 +103,6 @@ final class FormAttacks {
   }
 
   private void attack(FormCase form) throws Exception {
-    long t0 = System.nanoTime();
     for (String field : form.attacked().keySet()) {
       for (Attack attack : Attack.values()) {
         send(form, field, attack);
@@ -122,7 +110,6 @@ final class FormAttacks {
       run.tasks().goOn();
     }
     send(form, null, null);
-    System.err.println("TIME " + (System.nanoTime() - t0) / 1000000 + " " + form.attacked().size() + " " + form.page() + form.route());
   }
 
   private void send(FormCase form, @Nullable String field, @Nullable Attack attack)
@@ -130,10 +117,7 @@ final class FormAttacks {
     run.next();
     boolean isAnonymous = FormCases.ofStrangers().contains(form);
     boolean asksForPassword = form.page().equals("users/{own}");
-    TestClient client =
-        isAnonymous
-            ? server.stranger()
-            : asksForPassword ? server.signedIn(AttackRun.OWN) : manager;
+    TestClient client = isAnonymous ? server.stranger() : asksForPassword ? run.own() : manager;
     if (form.page().isEmpty()) {
       run.addGuest();
     }
@@ -168,7 +152,7 @@ final class FormAttacks {
       check("/fleet/resume back " + attack, resumed);
       run.expectStatus(303, resumed, "/fleet/resume back " + attack);
     }
-    if (client != manager) {
+    if (isAnonymous) {
       client.close();
     }
   }

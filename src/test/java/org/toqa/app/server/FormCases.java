@@ -67,8 +67,7 @@ final class FormCases {
             "/tasks/{id}/priority",
             Map.of("priority", "10"),
             Map.of("priority", REFUSED, "version", CONFLICT)),
-        FormCase.of(
-            "tasks/{held}", "/tasks/{id}/cancel", Map.of(), Map.of("load", REFUSED)),
+        FormCase.of("tasks/{held}", "/tasks/{id}/cancel", Map.of(), Map.of("load", REFUSED)),
         FormCase.of("map", "/fleet/pause", Map.of(), Map.of("back", TAKEN)),
         FormCase.of("schedules", "/schedules/{id}/delete", Map.of(), Map.of("version", CONFLICT)),
         FormCase.of(

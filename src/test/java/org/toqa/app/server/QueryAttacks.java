@@ -97,13 +97,16 @@ final class QueryAttacks {
     return attack == Attack.VERY_LONG ? 400 : verdict.status(attack, 200);
   }
 
-  private void send(
-      TestClient client, String path, String parameter, Attack attack, int expected) {
+  private void send(TestClient client, String path, String parameter, Attack attack, int expected) {
     run.next();
     String where = path + "?" + parameter + " " + attack;
     HttpResponse<String> answer =
         client.get(
-            path + "?" + parameter + "=" + URLEncoder.encode(attack.text(), StandardCharsets.UTF_8));
+            path
+                + "?"
+                + parameter
+                + "="
+                + URLEncoder.encode(attack.text(), StandardCharsets.UTF_8));
     run.expectStatus(expected, answer, where);
     run.check(where, answer);
   }
