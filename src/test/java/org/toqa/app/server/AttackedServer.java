@@ -187,7 +187,7 @@ final class AttackedServer implements AutoCloseable {
 
   /** Lets all threads end, and then looks at what was logged. */
   @Override
-  public void close() throws Exception {
+  public void close() throws IOException, SQLException {
     try (log) {
       database.close();
       site.close();
