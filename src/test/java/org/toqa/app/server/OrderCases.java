@@ -16,7 +16,8 @@ import org.toqa.web.WebTestServer;
 final class OrderCases {
   private static final String TASK =
       """
-      {"name":"Box","load":2,"start":{"station":"Goods-in 1"},"goal":{"station":"Mill"}}""";
+      {"name":"Box","load":2,"start":{"station":"Goods-in 1"},"goal":{"station":"Mill"}}\
+      """;
 
   /**
    * An order as it should be, and what becomes of an attack in each of its words.
