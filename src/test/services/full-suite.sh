@@ -142,6 +142,7 @@ generated floors
 runs with crashes
 possible carries
 crashes between two events of a task
+attack strings
 requests by Schemathesis
 fuzz inputs of the server
 fuzz inputs of the daemon
