@@ -30,7 +30,6 @@ import org.toqa.wording.Sentence;
  */
 class HistoryInBrowserTest extends PagesInBrowser {
 
-
   @Override
   List<RobotView> robots() {
     return List.of(

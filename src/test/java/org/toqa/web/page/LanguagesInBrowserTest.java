@@ -52,7 +52,11 @@ class LanguagesInBrowserTest extends PagesInBrowser {
     page().navigate(server.root() + "tasks/new");
     page().getByLabel("اسم المهمة").fill("صندوق براغٍ (2)");
     page().getByLabel("الحمولة (كغم)").fill("٢٫٥");
-    clickMap(page(), page().locator("#map"), 1.05, 5.25); // the station Dock A, on the left as on every map
+    clickMap(
+        page(),
+        page().locator("#map"),
+        1.05,
+        5.25); // the station Dock A, on the left as on every map
     assertThat(page().locator("#startStation")).hasValue("Dock A");
     page().locator("#goalX").fill("٩");
     page().locator("#goalY").fill("٤٫٥");

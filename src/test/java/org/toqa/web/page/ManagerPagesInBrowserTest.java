@@ -106,9 +106,7 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     page.getByLabel("Name").fill("Eve");
     page.getByLabel("Password", new Page.GetByLabelOptions().setExact(true))
         .fill("a sentence of my own");
-    click(
-        page.getByRole(AriaRole.BUTTON)
-            .filter(new Locator.FilterOptions().setHasText("Log in")));
+    click(page.getByRole(AriaRole.BUTTON).filter(new Locator.FilterOptions().setHasText("Log in")));
     assertThat(page.locator("#age")).containsText("Live");
   }
 

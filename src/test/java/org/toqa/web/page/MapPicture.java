@@ -19,7 +19,7 @@ final class MapPicture {
 
   private static final int ALIKE = 8; // of 255
   private static final double NEAR = 2.5; // pixels
-  private static final double PATIENCE_MS = 20_000;
+  private static final double PATIENCE_MS = 60_000;
 
   private final Page page;
   private final Locator map;
@@ -90,7 +90,10 @@ final class MapPicture {
     // The line around it covers half of its width on each side.
     return right < 0
         ? null
-        : new Seen((left + right + 1) / 2.0, (top + bottom + 1) / 2.0, right - left + 2.5,
+        : new Seen(
+            (left + right + 1) / 2.0,
+            (top + bottom + 1) / 2.0,
+            right - left + 2.5,
             bottom - top + 2.5);
   }
 
@@ -106,8 +109,7 @@ final class MapPicture {
   private void await(Predicate<@Nullable Seen> condition, String what) {
     try {
       page.waitForCondition(
-          () -> condition.test(load()),
-          new Page.WaitForConditionOptions().setTimeout(PATIENCE_MS));
+          () -> condition.test(load()), new Page.WaitForConditionOptions().setTimeout(PATIENCE_MS));
     } catch (TimeoutError e) {
       throw new AssertionError("not seen: " + what + ", but: " + load(), e);
     }

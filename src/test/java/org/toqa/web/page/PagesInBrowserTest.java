@@ -159,7 +159,10 @@ class PagesInBrowserTest extends PagesInBrowser {
   private void addTasks() {
     try (TestClient clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK)) {
       for (String task :
-          List.of("Box <b class=raw>of</b> bolts (2)", "Pallet of gear wheels for line 4", "منصة تروس للخط 4")) {
+          List.of(
+              "Box <b class=raw>of</b> bolts (2)",
+              "Pallet of gear wheels for line 4",
+              "منصة تروس للخط 4")) {
         clerk.post(
             "tasks/new",
             Map.of(
@@ -184,8 +187,7 @@ class PagesInBrowserTest extends PagesInBrowser {
     String role = form.locator("[name=role]").inputValue();
     form.locator("[name=disabled]").check();
     try (TestClient other = TestClient.signedIn(server.root(), WebTestServer.MANAGER)) {
-      other.post(
-          "users/1/change", Map.of("role", role.equals("MANAGER") ? "CLERK" : "MANAGER"));
+      other.post("users/1/change", Map.of("role", role.equals("MANAGER") ? "CLERK" : "MANAGER"));
     }
     form.locator("button").click();
     assertThat(page.locator("#role-help")).isVisible();

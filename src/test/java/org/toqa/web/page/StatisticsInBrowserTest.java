@@ -69,14 +69,11 @@ class StatisticsInBrowserTest extends PagesInBrowser {
         .hasValue("2026-11-19");
     assertThat(page.locator(".figure").first()).hasText("4");
     Download download =
-        page
-            .waitForDownload(
-                () ->
-                    page
-                        .getByRole(
-                            AriaRole.BUTTON,
-                            new Page.GetByRoleOptions().setName("Robot utilisation"))
-                        .click());
+        page.waitForDownload(
+            () ->
+                page.getByRole(
+                        AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Robot utilisation"))
+                    .click());
     assertEquals("toqa-robots-2026-11-19-to-2026-11-21.csv", download.suggestedFilename());
     assertEquals(3, Files.readAllLines(download.path()).size());
   }
@@ -86,8 +83,7 @@ class StatisticsInBrowserTest extends PagesInBrowser {
     WorkHistory.in(server).addHour(Instant.parse("2026-11-20T12:00:00Z"));
     Page page = loggedIn(WebTestServer.CLERK, DESK, DAYS + "&zone=UTC");
 
-    page
-        .getByRole(AriaRole.LINK, new Page.GetByRoleOptions().setName("Robot failed during a task"))
+    page.getByRole(AriaRole.LINK, new Page.GetByRoleOptions().setName("Robot failed during a task"))
         .click();
 
     assertThat(page.locator("tbody th")).hasText(new String[] {"Something failed"});
@@ -95,7 +91,8 @@ class StatisticsInBrowserTest extends PagesInBrowser {
 
   @Test
   void whatCannotBeIsSaidAtItsField() {
-    Page page = loggedIn(WebTestServer.CLERK, DESK, "statistics?from=2026-11-21&to=2026-11-20&zone=UTC");
+    Page page =
+        loggedIn(WebTestServer.CLERK, DESK, "statistics?from=2026-11-21&to=2026-11-20&zone=UTC");
 
     assertThat(page.getByLabel("To", new Page.GetByLabelOptions().setExact(true)))
         .hasAttribute("aria-invalid", "true");
