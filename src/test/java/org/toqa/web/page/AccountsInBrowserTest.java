@@ -3,6 +3,7 @@ package org.toqa.web.page;
 import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
 import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.AriaRole;
@@ -63,7 +64,7 @@ class AccountsInBrowserTest extends PagesInBrowser {
     assertEquals("grace@example.org", mail.to());
     assertEquals("Toqa: reset your password", mail.subject());
     Matcher link = LINK.matcher(mail.text());
-    assertEquals(true, link.find(), mail.text());
+    assertTrue(link.find(), mail.text());
     page.navigate(server.root() + link.group(1));
     assertThat(page.locator("main")).containsText("Choose a new password for the user Grace.");
     page.getByLabel("New password").fill("grace");

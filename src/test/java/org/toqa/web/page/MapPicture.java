@@ -125,7 +125,7 @@ final class MapPicture {
 
   private static boolean isLoad(int colour) {
     for (int shift : new int[] {0, 8, 16}) {
-      if (Math.abs((colour >> shift & 0xff) - (LOAD >> shift & 0xff)) > ALIKE) {
+      if (Math.abs(((colour >> shift) & 0xff) - ((LOAD >> shift) & 0xff)) > ALIKE) {
         return false;
       }
     }

@@ -2,6 +2,8 @@ package org.toqa.web.page;
 
 import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
@@ -62,12 +64,12 @@ class OrdersInBrowserTest extends PagesInBrowser {
 
     click(button(page, "Hold"));
     assertThat(held).isVisible();
-    assertEquals(true, server.fleet().task(1).orElseThrow().held());
+    assertTrue(server.fleet().task(1).orElseThrow().held());
 
     click(button(page, "Resume"));
     assertThat(held).hasCount(0);
     assertThat(button(page, "Hold")).isVisible();
-    assertEquals(false, server.fleet().task(1).orElseThrow().held());
+    assertFalse(server.fleet().task(1).orElseThrow().held());
   }
 
   /** No other page has it. */
