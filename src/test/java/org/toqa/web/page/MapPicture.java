@@ -27,7 +27,8 @@ final class MapPicture {
   MapPicture(Page page) {
     this.page = page;
     map = page.locator("#map");
-    page.waitForFunction("document.querySelector('#map').width > 300");
+    page.waitForCondition(
+        () -> ((Number) page.evaluate("document.querySelector('#map').width")).intValue() > 300);
   }
 
   /** What has the colour of loads: its middle and its size, pixels of the canvas. */

@@ -180,7 +180,7 @@ abstract class PagesInBrowser extends BrowserTest {
    * Clicks where the floor of 12 m x 6 m, fitted into the canvas with its margin, has the point.
    */
   static void clickMap(Page page, Locator map, double x, double y) {
-    page.waitForFunction("document.querySelector('#map').width > 300");
+    await(page, "document.querySelector('#map').width > 300");
     double width = map.boundingBox().width;
     double height = map.boundingBox().height;
     double scale = Math.min((width - 32) / 12, (height - 32) / 6);
