@@ -115,7 +115,9 @@ public final class WebTestServer implements AutoCloseable {
 
   /** Somebody with the password of all. */
   public void addUser(String name, @Nullable String email, Role role) {
-    accounts.add(name, email, PASSWORD_HASH, role, EventRecord.SYSTEM).orElseThrow();
+    if (accounts.add(name, email, PASSWORD_HASH, role, EventRecord.SYSTEM).isEmpty()) {
+      throw new IllegalStateException(name + " is there already");
+    }
   }
 
   /** For the next test of a class: nothing has happened yet; users and their sessions stay. */

@@ -95,8 +95,6 @@ class LiveInBrowserTest extends BrowserTest {
   }
 
   private void awaitBoth(long version) {
-    await(
-        page(),
-        "!!(window.whole[%1$d] && window.together[%1$d])".formatted(version));
+    await(page(), "!!(window.whole[%1$d] && window.together[%1$d])".formatted(version));
   }
 }
