@@ -70,7 +70,7 @@ public abstract class BrowserTest {
 
   /**
    * Waits until an expression is true in the page. It is evaluated from here each time: the policy
-   * of our pages forbids that they do it by themselves, as Playwright's own waiting would have them.
+   * of our pages forbids that they do it by themselves, as by Playwright's waiting.
    */
   protected static void await(Page page, String expression) {
     page.waitForCondition(() -> Boolean.TRUE.equals(page.evaluate(expression)));
