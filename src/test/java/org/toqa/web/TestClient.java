@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Somebody with a browser's manners: keeps cookies, sends forms with their token. */
 public final class TestClient implements AutoCloseable {
-  private static final Duration LIMIT = Duration.ofSeconds(20);
+  private static final Duration LIMIT = Duration.ofSeconds(60);
   private static final Pattern CSRF = Pattern.compile("name=\"_csrf\" value=\"([^\"]+)\"");
 
   private final URI root;

@@ -19,6 +19,7 @@ import org.apache.catalina.startup.Tomcat;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
+import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.PasswordHasher;
@@ -45,6 +46,10 @@ public final class WebTestServer implements AutoCloseable {
 
   /** Argon2id takes its time; once is enough. */
   private static final PasswordHasher PASSWORDS = new PasswordHasher();
+
+  /** Tables of what a fleet has done. */
+  private static final List<String> WORK =
+      List.of("robot_use", "tracks", "events", "drives", "schedules", "tasks", "robots");
 
   private static final RequestLimit NO_LIMIT = new RequestLimit(0, Ticker.systemTicker());
 
@@ -74,13 +79,13 @@ public final class WebTestServer implements AutoCloseable {
    */
   public static WebTestServer startForBrowser()
       throws IOException, LifecycleException, SQLException {
+    return Boolean.getBoolean("toqa.browser.mysql") ? startOnMySql() : start();
+  }
+
+  /** The same, on the MySQL of {@code -Dtoqa.mysql.url}. */
+  public static WebTestServer startOnMySql() throws IOException, LifecycleException, SQLException {
     return withUsers(
-        new WebTestServer(
-            0,
-            Boolean.getBoolean("toqa.browser.mysql")
-                ? Database.open(RealMySql.newDatabase(), "", "")
-                : inMemory(),
-            NO_LIMIT));
+        new WebTestServer(0, Database.open(RealMySql.newDatabase(), "", ""), NO_LIMIT));
   }
 
   /**
@@ -98,9 +103,29 @@ public final class WebTestServer implements AutoCloseable {
   }
 
   private static WebTestServer withUsers(WebTestServer server) {
-    server.accounts.add(CLERK, PASSWORD_HASH, Role.CLERK, EventRecord.SYSTEM);
-    server.accounts.add(MANAGER, PASSWORD_HASH, Role.MANAGER, EventRecord.SYSTEM);
+    server.addUser(CLERK, null, Role.CLERK);
+    server.addUser(MANAGER, null, Role.MANAGER);
     return server;
+  }
+
+  /** Somebody with the password of all. */
+  public void addUser(String name, @Nullable String email, Role role) {
+    if (accounts.add(name, email, PASSWORD_HASH, role, EventRecord.SYSTEM).isEmpty()) {
+      throw new IllegalStateException(name + " is there already");
+    }
+  }
+
+  /** For the next test of a class: nothing has happened yet; users and their sessions stay. */
+  public void forgetWork() {
+    fleet.forgetAll();
+    database
+        .jdbi()
+        .useHandle(handle -> WORK.forEach(table -> handle.execute("delete from " + table)));
+  }
+
+  /** Nobody is logged in any more. */
+  public void endSessions() {
+    database.jdbi().useHandle(handle -> handle.execute("delete from sessions"));
   }
 
   /**
