@@ -77,14 +77,18 @@ final class ActiveHold {
       JsonNode task = site.server.await(path, t -> true);
       assertTrue(task.get("held").asBoolean(), () -> "not on hold any more: " + task);
       assertTrue(
-          state(task).compareTo(state) <= 0, () -> "went on from " + state + ", though held: " + task);
+          state(task).compareTo(state) <= 0,
+          () -> "went on from " + state + ", though held: " + task);
       mustStand.retainAll(robotsAtWork(task)); // one that was silent may have been replaced
     } else {
       assertTrue(isTold(), () -> path + " is not on hold any more");
     }
     for (String robot : mustStand) {
       assertEquals(
-          0, site.truth().metresFrom(robot, places.get(robot)), STILL, robot + " moved, though held");
+          0,
+          site.truth().metresFrom(robot, places.get(robot)),
+          STILL,
+          robot + " moved, though held");
     }
   }
 

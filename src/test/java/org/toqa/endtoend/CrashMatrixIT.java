@@ -43,6 +43,9 @@ class CrashMatrixIT {
   @TempDir private static Path folder;
   private static CrashTestbed testbed;
 
+  /** Whether a run has failed at it, and left there what it left. */
+  private static boolean isSpoilt;
+
   /** What was done in all runs, by kind. */
   private static final Map<String, Long> counts = new TreeMap<>();
 
@@ -87,11 +90,17 @@ class CrashMatrixIT {
   private static void replaceTestbed(int seed) throws Exception {
     testbed.close();
     testbed = newTestbed(seed);
+    isSpoilt = false;
   }
 
   private void run(CrashPlan plan) throws Exception {
+    if (isSpoilt) {
+      replaceTestbed(plan.seed());
+    }
+    isSpoilt = true;
     CrashRun run = new CrashRun(testbed, plan);
     run.run();
+    isSpoilt = false;
     counts.merge("runs with crashes", 1L, Long::sum);
     run.counts().forEach((kind, count) -> counts.merge(kind + " among crashes", count, Long::sum));
   }

@@ -62,8 +62,10 @@ final class CrashRun {
       Optional<ActiveHold> hold = begin(step.before());
       TimeUnit.MILLISECONDS.sleep(step.fault().delayMillis());
       if (imported == null) {
-        imported = site.server.api().replyToTable(
-            "tasks/import", plan.imported().table(table, LINES_OF_IMPORT), table);
+        imported =
+            site.server
+                .api()
+                .replyToTable("tasks/import", plan.imported().table(table, LINES_OF_IMPORT), table);
         TimeUnit.MILLISECONDS.sleep(step.fault().millisIntoImport());
       }
       step.fault().inject(site);
@@ -102,8 +104,7 @@ final class CrashRun {
     String name = name(work);
     long id = site.server.api().post("tasks", work.order(name)).get("id").asLong();
     ledger.addTask(name, id);
-    List<String> until =
-        List.of("QUEUED", "TO_OBJECT", "CARRYING").subList(work.number() % 3, 3);
+    List<String> until = List.of("QUEUED", "TO_OBJECT", "CARRYING").subList(work.number() % 3, 3);
     site.server.await("tasks/" + id, task -> until.contains(task.get("state").asString()));
     return Optional.of(ActiveHold.ofTask(site, id));
   }
@@ -247,8 +248,7 @@ final class CrashRun {
   }
 
   private boolean isStuckWithoutReason(JsonNode task) {
-    List<String> robots =
-        task.get("robots").valueStream().map(JsonNode::asString).toList();
+    List<String> robots = task.get("robots").valueStream().map(JsonNode::asString).toList();
     return task.get("waitingFor").isNull()
         && task.get("needs").isNull()
         && site.truth().haveStood(robots.isEmpty() ? site.robots() : robots, STEPS_UNTIL_STUCK);

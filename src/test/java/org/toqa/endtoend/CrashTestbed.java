@@ -26,7 +26,6 @@ final class CrashTestbed implements AutoCloseable {
       chargers: [{x: 19.35, y: 4.05}, {x: 19.35, y: 3.15}]
       """;
 
-
   /** Lives in the server's process. */
   private static final String SIMULATED = "r1";
 
@@ -94,7 +93,8 @@ final class CrashTestbed implements AutoCloseable {
     server.await(
         "robots",
         robots ->
-            robots.valueStream()
+            robots
+                .valueStream()
                 .map(robot -> robot.get("state").asString())
                 .noneMatch(List.of("LOST", "CONNECTING")::contains));
   }

