@@ -24,7 +24,7 @@ import org.toqa.testbed.Tally;
  * Server, daemons, database and links are cut or frozen at random moments while robots carry, alone
  * and together, and charge, and while people order, import, schedule, cancel and hold. Every task
  * that was accepted ends DONE once, or CANCELLED where that was accepted; what was refused is never
- * done; what is held stands still; no two bodies touch.
+ * done; what is held really stands still.
  *
  * <p>{@code -Dtoqa.crashes=200} for so many runs, {@code -Dtoqa.seed=17} to begin with another
  * seed: the same seed gives the same plan.

@@ -1,31 +1,26 @@
 package org.toqa.endtoend;
 
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import org.toqa.agent.chassis.SimulatedBodyFile;
 import org.toqa.agent.chassis.SimulatedBodyFile.Reading;
-import org.toqa.sim.Body;
-import org.toqa.sim.ClearanceJudge;
-import org.toqa.sim.ClearanceJudge.Clearance;
 
 /**
- * Where the bodies of a {@link CrashTestbed} really are, whoever simulates them, and whether two of
- * them ever touched. It reads their files about every millisecond.
+ * Where the bodies of a {@link CrashTestbed} really are, whoever simulates them, how long they have
+ * stood there, and whether they were charged. It reads their files about every millisecond.
  */
 final class SiteTruth implements AutoCloseable {
-  private static final double RADIUS = 0.1275; // metres, of a robot
   private static final double STILL = 0.002; // metres
 
   /** Of 20 ms or less: as long as a robot that was told to stop may still roll. */
@@ -39,10 +34,8 @@ final class SiteTruth implements AutoCloseable {
   private final Map<String, SimulatedBodyFile> files = new LinkedHashMap<>();
   private final Map<String, Standing> standings = new ConcurrentHashMap<>();
   private final Map<String, Double> lowest = new ConcurrentHashMap<>();
-  private final ClearanceJudge judge = new ClearanceJudge(null);
-  private final long start = System.nanoTime();
   private final Thread reader;
-  private volatile int charges;
+  private final AtomicInteger charges = new AtomicInteger();
   private volatile boolean closed;
 
   /** That a robot has not moved since then. */
@@ -70,16 +63,7 @@ final class SiteTruth implements AutoCloseable {
 
   private void watch() {
     while (!closed) {
-      List<Body> bodies = new ArrayList<>();
-      files.forEach(
-          (robot, file) ->
-              file.read()
-                  .ifPresent(
-                      now -> {
-                        add(robot, now);
-                        bodies.add(Body.disc(robot, now.truePose().position(), RADIUS));
-                      }));
-      judge.judge(Duration.ofNanos(System.nanoTime() - start), bodies);
+      files.forEach((robot, file) -> file.read().ifPresent(now -> add(robot, now)));
       LockSupport.parkNanos(1_000_000);
     }
   }
@@ -89,13 +73,13 @@ final class SiteTruth implements AutoCloseable {
     double low = lowest.merge(robot, now.battery(), Math::min);
     if (now.battery() > low + CHARGED) {
       lowest.put(robot, now.battery());
-      charges++;
+      charges.incrementAndGet();
     }
   }
 
   /** How often a battery was filled up by two percent. */
   int charges() {
-    return charges;
+    return charges.get();
   }
 
   /** Where the robots are when all of them have stood for a few seconds of their own time. */
@@ -128,12 +112,6 @@ final class SiteTruth implements AutoCloseable {
   /** Metres that it is now from where it was then. */
   double metresFrom(String robot, Reading then) {
     return standing(robot).last().truePose().distanceTo(then.truePose());
-  }
-
-  /** No two robots have touched since it was made. */
-  void assertClear() {
-    Clearance bodies = judge.betweenBodies().orElseThrow();
-    assertFalse(bodies.isTouch(), bodies::toString);
   }
 
   @Override
