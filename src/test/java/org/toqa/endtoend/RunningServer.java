@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.toqa.testbed.ApiClient;
+import org.toqa.testbed.ApiClient.Reply;
 import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 
@@ -123,6 +124,19 @@ final class RunningServer implements AutoCloseable {
       if (System.nanoTime() > end) {
         throw new AssertionError(
             path + " still says " + answer + " while the robots are " + api.get("robots"));
+      }
+      TimeUnit.MILLISECONDS.sleep(50);
+    }
+  }
+
+  /** Commands until it is accepted, also while its database comes back. */
+  void awaitAccepted(String path) throws Exception {
+    long end = System.nanoTime() + TIMEOUT.toNanos();
+    for (Reply reply = api.replyTo(path, Map.of());
+        !reply.isAccepted();
+        reply = api.replyTo(path, Map.of())) {
+      if (!reply.isUnavailable() || System.nanoTime() > end) {
+        throw new AssertionError(path + ": " + reply);
       }
       TimeUnit.MILLISECONDS.sleep(50);
     }

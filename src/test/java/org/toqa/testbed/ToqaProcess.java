@@ -117,6 +117,22 @@ public final class ToqaProcess implements AutoCloseable {
     process.destroyForcibly().waitFor();
   }
 
+  /** Lets it do nothing, and answer nothing, until {@link #thaw}; its connections stay open. */
+  public void freeze() throws IOException, InterruptedException {
+    signal("STOP");
+  }
+
+  public void thaw() throws IOException, InterruptedException {
+    signal("CONT");
+  }
+
+  private void signal(String name) throws IOException, InterruptedException {
+    int code = new ProcessBuilder("kill", "-" + name, String.valueOf(pid())).start().waitFor();
+    if (code != 0) {
+      throw new IOException("kill -" + name + " ended with " + code);
+    }
+  }
+
   @Override
   public void close() {
     process.destroyForcibly();
