@@ -39,10 +39,10 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   /** Whether what agents do is looked at: neither while they are made, nor while they end. */
   private volatile boolean isWatching;
 
-  /** What agents did while it was, and how often they waited for anything; by the thread alone. */
-  private volatile long agentTurns;
+  /** What agents did while it was, and how often they waited for anything. */
+  private final AtomicLong agentTurns = new AtomicLong();
 
-  private volatile long agentWaits;
+  private final AtomicLong agentWaits = new AtomicLong();
 
   /** Guarded by this: what was handed in and is not done. */
   private long open;
@@ -104,8 +104,8 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
     try {
       work.run();
     } finally {
-      agentWaits += waits() - before;
-      agentTurns++;
+      agentWaits.addAndGet(waits() - before);
+      agentTurns.incrementAndGet();
     }
   }
 
@@ -127,7 +127,7 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
    */
   void assertAgentsNeverWaited() {
     assertTrue(
-        agentWaits <= agentTurns / TURNS_TO_A_WAIT,
+        agentWaits.get() <= agentTurns.get() / TURNS_TO_A_WAIT,
         () -> "agents waited " + agentWaits + " times in " + agentTurns + " turns");
   }
 

@@ -174,7 +174,7 @@ final class FormAttacks {
           case "key" -> fields.put("idempotencyKey", attack.text());
           default -> row.put(place, attack.text());
         }
-        boolean isTaken = place.equals("key") || place.equals("name") && attack.isNameWithin(100);
+        boolean isTaken = place.equals("key") || (place.equals("name") && attack.isNameWithin(100));
         String before = server.stored();
         HttpResponse<String> answer =
             manager.postFile("tasks/import", fields, "tasks.csv", table(row));

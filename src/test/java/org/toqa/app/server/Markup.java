@@ -120,10 +120,10 @@ final class Markup {
                 String start = value.strip().toLowerCase(Locale.ROOT);
                 if (name.contains(Attack.MARK)
                     || (name.startsWith("on") && name.length() > 2)
-                    || isAddress
+                    || (isAddress
                         && (start.startsWith("javascript:")
                             || start.startsWith("//")
-                            || start.startsWith("data:"))) {
+                            || start.startsWith("data:")))) {
                   faults.add(" has an attribute of an attacker: " + element);
                 }
               });
