@@ -67,7 +67,7 @@ final class ActiveHold {
   }
 
   private static void assertAccepted(CrashTestbed site, String path) throws Exception {
-    site.server.awaitAccepted(path);
+    site.server.awaitAccepted(path, Map.of());
   }
 
   /** Whether nothing has moved, and it is still told. */
@@ -113,7 +113,7 @@ final class ActiveHold {
   }
 
   void resume() throws Exception {
-    site.server.awaitAccepted(path + "/resume");
+    site.server.awaitAccepted(path + "/resume", Map.of());
   }
 
   private static TaskState state(JsonNode task) {

@@ -129,12 +129,14 @@ final class RunningServer implements AutoCloseable {
     }
   }
 
-  /** Commands until it is accepted, also while its database comes back. */
-  void awaitAccepted(String path) throws Exception {
+  /** Commands until it is accepted, also while its database comes back; what it answers. */
+  JsonNode awaitAccepted(String path, Map<String, Object> order) throws Exception {
     long end = System.nanoTime() + TIMEOUT.toNanos();
-    for (Reply reply = api.replyTo(path, Map.of());
-        !reply.isAccepted();
-        reply = api.replyTo(path, Map.of())) {
+    while (true) {
+      Reply reply = api.replyTo(path, order);
+      if (reply.isAccepted()) {
+        return reply.body();
+      }
       if (!reply.isUnavailable() || System.nanoTime() > end) {
         throw new AssertionError(path + ": " + reply);
       }

@@ -31,8 +31,17 @@ final class Accessibility {
     return faults(axe(page).withRules(COLOUR_RULES), name);
   }
 
-  /** No page has frames: none is to be opened to put their results together. */
+  /**
+   * When no colour changes any more. No page has frames: none is to be opened to put their results
+   * together.
+   */
   private static AxeBuilder axe(Page page) {
+    page.evaluate(
+        """
+        () => Promise.allSettled(document.getAnimations()
+            .filter((animation) => animation.effect.getComputedTiming().endTime < Infinity)
+            .map((animation) => animation.finished))
+        """);
     return new AxeBuilder(page).setLegacyMode(true);
   }
 
