@@ -18,9 +18,8 @@ public record Corridor(List<Pose> line) {
    *
    * @param along metres on the line to the point nearest to it
    * @param distance metres from there to the thing
-   * @param onLeft on which side
    */
-  public record Place(double along, double distance, boolean onLeft) {}
+  public record Place(double along, double distance) {}
 
   /**
    * @throws IllegalArgumentException if the line is empty
@@ -44,7 +43,7 @@ public record Corridor(List<Pose> line) {
   /** Where a point is, map frame; empty for what lies behind the robot. */
   public Optional<Place> place(Vec2 point) {
     Pose here = line.getFirst();
-    Place nearest = new Place(0, point.distanceTo(here.position()), isLeft(here, point));
+    Place nearest = new Place(0, point.distanceTo(here.position()));
     boolean isBehind = point.minus(here.position()).rotated(-here.theta()).x() < 0;
     double along = 0;
     for (int i = 1; i < line.size(); i++) {
@@ -55,14 +54,10 @@ public record Corridor(List<Pose> line) {
       if (distance < nearest.distance) {
         double fromStart = point.distanceTo(from.position());
         double part = Math.sqrt(Math.max(0, fromStart * fromStart - distance * distance));
-        nearest = new Place(along + Math.min(part, length), distance, isLeft(from, point));
+        nearest = new Place(along + Math.min(part, length), distance);
       }
       along += length;
     }
     return isBehind && nearest.along == 0 ? Optional.empty() : Optional.of(nearest);
-  }
-
-  private static boolean isLeft(Pose pose, Vec2 point) {
-    return point.minus(pose.position()).rotated(-pose.theta()).y() > 0;
   }
 }

@@ -26,9 +26,6 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
    */
   public static final double STOP_GAP = 0.18;
 
-  /** Metres: a gap narrower than the robot and the clearance by less than this is taken for one. */
-  private static final double PLAY = 0.01;
-
   public Passage {
     blocking = List.copyOf(blocking);
     beside = List.copyOf(beside);
@@ -54,9 +51,6 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
     List<Vec2> blocking = new ArrayList<>();
     List<Vec2> beside = new ArrayList<>();
     double blocked = Double.POSITIVE_INFINITY;
-    double narrowed = Double.POSITIVE_INFINITY;
-    double fromLeft = 0;
-    double fromRight = 0;
     for (Vec2 point : seen) {
       Optional<Place> place = corridor.place(point);
       // metres by which the robot would come too near
@@ -70,15 +64,7 @@ public record Passage(List<Vec2> blocking, List<Vec2> beside, double ahead) {
         blocked = Math.min(blocked, where.along());
       } else {
         beside.add(point);
-        narrowed = Math.min(narrowed, where.along());
-        fromLeft = Math.max(fromLeft, where.onLeft() ? intrusion : 0);
-        fromRight = Math.max(fromRight, where.onLeft() ? 0 : intrusion);
       }
-    }
-    if (fromLeft > 0 && fromRight > 0 && fromLeft + fromRight > 2 * CLEARANCE + PLAY) {
-      blocking.addAll(beside);
-      beside.clear();
-      blocked = Math.min(blocked, narrowed);
     }
     return new Passage(blocking, beside, Math.max(0, blocked - radius));
   }

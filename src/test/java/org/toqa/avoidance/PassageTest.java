@@ -31,21 +31,20 @@ class PassageTest {
   }
 
   @Test
-  void whatReachesInALittleIsPassed() {
-    Vec2 thing = new Vec2(2, 1.195); // 0.005 m into the robot's width
+  void whatIsALittleTooNearIsPassed() {
+    Vec2 thing = new Vec2(2, 1.205); // 0.005 m beside the robot's width
 
     assertEquals(new Passage(List.of(), List.of(thing), INFINITE), through(thing));
   }
 
   @Test
-  void whatReachesInFromBothSidesIsPassedOnlyWhereTheRobotFits() {
-    Vec2 left = new Vec2(2, 1.195); // 0.015 m too near
-    Vec2 right = new Vec2(2.1, 0.801); // 0.011 m
-    Vec2 nearer = new Vec2(2.1, 0.808); // 0.018 m
+  void whatIsTooNearOnBothSidesIsPassedOnlyWhereTheRobotFits() {
+    Vec2 left = new Vec2(2, 1.202); // 0.008 m too near
+    Vec2 right = new Vec2(2.1, 0.799); // 0.009 m
+    Vec2 within = new Vec2(2.1, 0.801); // 0.011 m, and within the robot's width
 
     assertEquals(new Passage(List.of(), List.of(left, right), INFINITE), through(left, right));
-    assertEquals(
-        new Passage(List.of(left, nearer), List.of(), 0.8), rounded(through(left, nearer)));
+    assertEquals(new Passage(List.of(within), List.of(left), 0.9), rounded(through(left, within)));
   }
 
   @Test
