@@ -90,6 +90,7 @@ class ClockJumpIT {
         "LD_PRELOAD=" + library,
         "FAKETIME_TIMESTAMP_FILE=" + clock,
         "FAKETIME_CACHE_DURATION=1",
+        "FAKETIME_DISABLE_SHM=1",
         "FAKETIME_DONT_FAKE_MONOTONIC=1",
         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
         "-Xmx64m",
