@@ -354,17 +354,18 @@ final class SingleRobotPlanner {
             () -> fitter.fit(robot, robot.releasedEnd(), exact, side * narrow, passingPlaces),
             () -> fitter.fit(robot, robot.releasedEnd(), exact, narrow, passingPlaces),
             () -> fitter.fit(robot, robot.releasedEnd(), stopping(exact), narrow, passingPlaces));
-    return firstOf(fits, isAcceptable.and(sections -> isRoomy(robot, sections)))
-        .or(() -> firstOf(fits, isAcceptable));
-  }
-
-  private static Optional<List<Section>> firstOf(
-      List<Supplier<List<Section>>> fits, Predicate<List<Section>> isAcceptable) {
-    return fits.stream()
-        .map(Supplier::get)
-        .filter(sections -> !sections.isEmpty())
-        .filter(isAcceptable)
-        .findFirst();
+    List<Section> tight = List.of();
+    for (Supplier<List<Section>> fit : fits) {
+      List<Section> sections = fit.get();
+      if (sections.isEmpty() || !isAcceptable.test(sections)) {
+        continue;
+      }
+      if (isRoomy(robot, sections)) {
+        return Optional.of(sections);
+      }
+      tight = tight.isEmpty() ? sections : tight;
+    }
+    return tight.isEmpty() ? Optional.empty() : Optional.of(tight);
   }
 
   /** Whether a robot that is a little beside its path touches no wall and no obstacle either. */
