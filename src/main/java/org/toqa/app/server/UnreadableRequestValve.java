@@ -6,14 +6,17 @@ import org.apache.catalina.connector.Request;
 import org.apache.catalina.connector.Response;
 import org.apache.catalina.valves.ErrorReportValve;
 import org.jspecify.annotations.Nullable;
+import org.toqa.web.access.SecurityHeadersFilter;
 
 /**
  * Answers what never reaches the web application, such as an address that is too long: in one
  * sentence, without what the container would tell of itself.
  */
 final class UnreadableRequestValve extends ErrorReportValve {
-  private static final String SENTENCE =
+  private static final String UNREADABLE =
       "This request cannot be read: its address or its headers are too long, or it is not HTTP.\n";
+
+  private static final String NOT_NOW = "The server cannot answer now. Try again in a minute.\n";
 
   @Override
   protected void report(Request request, Response response, @Nullable Throwable throwable) {
@@ -24,13 +27,12 @@ final class UnreadableRequestValve extends ErrorReportValve {
     }
     response.setContentType("text/plain");
     response.setCharacterEncoding("UTF-8");
-    response.setHeader("Content-Security-Policy", "default-src 'self'; frame-ancestors 'none'");
-    response.setHeader("X-Content-Type-Options", "nosniff");
+    SecurityHeadersFilter.setHeaders(response, request.isSecure());
     response.setHeader("Cache-Control", "no-store");
     try {
       Writer writer = response.getReporter();
       if (writer != null) {
-        writer.write(SENTENCE);
+        writer.write(response.getStatus() < 500 ? UNREADABLE : NOT_NOW);
         response.finishResponse();
       }
     } catch (IOException e) {

@@ -17,17 +17,22 @@ public final class SecurityHeadersFilter extends HttpFilter {
   protected void doFilter(
       HttpServletRequest request, HttpServletResponse response, FilterChain chain)
       throws IOException, ServletException {
+    setHeaders(response, request.isSecure());
+    response.setHeader(
+        "Cache-Control", request.getServletPath().startsWith("/assets/") ? "no-cache" : "no-store");
+    chain.doFilter(request, response);
+  }
+
+  /** Those of every answer, also of one that no filter is asked for. */
+  public static void setHeaders(HttpServletResponse response, boolean isSecure) {
     response.setHeader("Content-Security-Policy", CONTENT_SECURITY_POLICY);
     response.setHeader("X-Content-Type-Options", "nosniff");
     response.setHeader("X-Frame-Options", "DENY");
     response.setHeader("Referrer-Policy", "same-origin");
     response.setHeader("Cross-Origin-Opener-Policy", "same-origin");
     response.setHeader("Cross-Origin-Resource-Policy", "same-origin");
-    if (request.isSecure()) {
+    if (isSecure) {
       response.setHeader("Strict-Transport-Security", "max-age=31536000");
     }
-    response.setHeader(
-        "Cache-Control", request.getServletPath().startsWith("/assets/") ? "no-cache" : "no-store");
-    chain.doFilter(request, response);
   }
 }
