@@ -53,6 +53,22 @@ public final class FormationFootprint {
     }
   }
 
+  private FormationFootprint(Shape shape, List<Part> parts) {
+    this.shape = shape;
+    this.parts.addAll(parts);
+  }
+
+  /**
+   * The same with larger robots and a larger load.
+   *
+   * @param metres more than their radii; below 0: less
+   */
+  FormationFootprint widened(double metres) {
+    return new FormationFootprint(
+        shape,
+        parts.stream().map(part -> new Part(part.offset(), part.radius() + metres)).toList());
+  }
+
   public Shape shape() {
     return shape;
   }
@@ -60,6 +76,11 @@ public final class FormationFootprint {
   /** Metres from the leader to the farthest point. */
   double radius() {
     return parts.stream().mapToDouble(p -> p.offset().norm() + p.radius()).max().orElseThrow();
+  }
+
+  /** Of the smallest of its discs, metres. */
+  double smallestRadius() {
+    return parts.stream().mapToDouble(Part::radius).min().orElseThrow();
   }
 
   /** Where its robots and its load are while it is stopped. */

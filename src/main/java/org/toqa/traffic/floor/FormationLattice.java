@@ -1,5 +1,6 @@
 package org.toqa.traffic.floor;
 
+import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
@@ -59,6 +60,21 @@ record FormationLattice(double step, Vec2 firstPoint, int columns, int rows) {
    */
   int state(int column, int row, int heading) {
     return 8 * (row * columns + column) + heading;
+  }
+
+  /** The state of a leader that stands at a pose exactly, map frame; -1: none. */
+  int stateAt(Pose pose) {
+    int column = (int) Math.rint((pose.x() - firstPoint.x()) / step);
+    int row = (int) Math.rint((pose.y() - firstPoint.y()) / step);
+    if (column < 0 || row < 0 || column >= columns || row >= rows) {
+      return -1;
+    }
+    int state = state(column, row, Heading.nearest(pose.theta()).ordinal());
+    Pose there = pose(state);
+    boolean isThere =
+        there.distanceTo(pose) < ROUNDING
+            && Math.abs(Angles.difference(there.theta(), pose.theta())) < ROUNDING;
+    return isThere ? state : -1;
   }
 
   /** Where the leader stands in a state, map frame. */

@@ -3,6 +3,8 @@ package org.toqa.traffic.floor;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
+import org.toqa.formation.Shape;
 import org.toqa.formation.TrajectoryRules;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
@@ -50,25 +52,33 @@ final class FormationPlanner {
   }
 
   /**
-   * The shortest path on which the formation meets none of these cells.
+   * The shortest path on which the formation meets nothing.
    *
    * @param goal where the load is carried, metres, map frame
+   * @param solid walls and obstacles
+   * @param claimed cells that others have or will need
    */
   Optional<List<Section>> path(
-      TrafficRobot robot, FormationFootprint formation, Vec2 goal, BitSet blocked) {
+      TrafficRobot robot, FormationFootprint formation, Vec2 goal, BitSet solid, BitSet claimed) {
     Pose start = robot.releasedEnd();
-    TrajectoryRules rules = new TrajectoryRules(formation.shape(), robot.speeds().forward());
+    return Stream.of(FormationClearance.MARGIN, FormationClearance.LEAST_MARGIN)
+        .map(margin -> new FormationClearance(grid, formation, start, solid, claimed, margin))
+        .flatMap(clearance -> path(robot, formation.shape(), start, goal, clearance).stream())
+        .findFirst();
+  }
+
+  private Optional<List<Section>> path(
+      TrafficRobot robot, Shape shape, Pose start, Vec2 goal, FormationClearance clearance) {
+    TrajectoryRules rules = new TrajectoryRules(shape, robot.speeds().forward());
     SegmentFitter arcs =
         new SegmentFitter(robot.speeds(), rules.cornerLength(FormationLattice.EIGHTH));
-    return new FormationSearch(grid, formation, start, goal, blocked, arcs)
-        .waypoints()
-        .map(waypoints -> rules.slowed(arcs.fit(start, waypoints)))
+    return new FormationSearch(grid, shape, clearance, start, goal, robot.speeds(), arcs)
+        .trajectory()
+        .map(rules::slowed)
         .filter(trajectory -> rules.firstBreach(trajectory).isEmpty())
+        .filter(clearance::isKeptOn)
         .map(trajectory -> sections(robot, trajectory))
-        .filter(
-            sections ->
-                !sections.isEmpty()
-                    && sections.stream().noneMatch(s -> s.cells().intersects(blocked)));
+        .filter(sections -> !sections.isEmpty());
   }
 
   private List<Section> sections(TrafficRobot robot, Trajectory trajectory) {

@@ -7,54 +7,59 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.toqa.geometry.Angles;
+import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.DriveSpeeds;
+import org.toqa.motion.DubinsCurve;
 import org.toqa.motion.Segment;
 import org.toqa.motion.SegmentFitter;
-import org.toqa.planning.Heading;
+import org.toqa.motion.Trajectory;
 import org.toqa.planning.OpenList;
 
 /**
  * Looks for the path that a formation can be led along: A* for the leader over the points of a
  * lattice and eight headings. A move is a step along the heading, or a corner of 45 degrees with as
  * much of a leg before and behind it as an arc of the smallest radius needs, so that no path has a
- * tighter one; it is open where the whole formation, with a margin, meets nothing on it. The first
- * leg leads from where the leader faces onto the lattice.
+ * tighter one; it is open where the whole formation, with a margin, meets nothing on it. From
+ * beside the lattice a curve leads onto it.
  *
  * <p>The cost is that of a search over eight states a point. One object is for one search.
  */
 final class FormationSearch {
-  /** Kept from walls while a path is looked for, metres. */
-  private static final double MARGIN = 0.02;
+  /** The curve onto the lattice is no longer, metres. */
+  private static final double LONGEST_ENTRY = 1.2;
 
-  /** The path onto the lattice is no longer, metres. */
-  private static final double LONGEST_ENTRY = 1.5;
+  /** Radians that it turns in all. */
+  private static final double SHARPEST_ENTRY = 0.75 * Math.PI;
 
-  /** So far beside the lattice, metres, a parallel path onto it may begin. */
-  private static final double MAX_ASIDE = 0.06;
-
-  /** Radians; below it two directions are parallel. */
-  private static final double PARALLEL = 0.01;
+  /** So many curvatures to each side are tried to a goal that is near. */
+  private static final int ARCS_TO_GOAL = 8;
 
   private static final double ROUNDING = FormationLattice.ROUNDING;
   private static final double EIGHTH = FormationLattice.EIGHTH;
 
   private final OccupancyGrid grid;
   private final FormationLattice lattice;
-  private final FormationFootprint formation;
+  private final Shape shape;
+  private final FormationClearance clearance;
   private final Pose start;
   private final Vec2 goal;
-  private final BitSet blocked;
+  private final DriveSpeeds speeds;
   private final SegmentFitter arcs;
   private final double radius;
   private final double[] lengths;
   private final int[] parents;
   private final byte[] open;
-  private final Map<Integer, List<Vec2>> entries = new HashMap<>();
+  private final byte[] openSteps;
+
+  /** Metres. */
+  private final double spacing;
+
+  private final Map<Integer, DubinsCurve> entries = new HashMap<>();
   private final OpenList openList = new OpenList();
 
   /** States that have been reached and not expanded since. */
@@ -63,33 +68,37 @@ final class FormationSearch {
   /**
    * @param start of the leader, map frame
    * @param goal where the load is carried, metres, map frame
-   * @param blocked cells that the formation may not meet
+   * @param speeds at which the leader drives
    * @param arcs fits the path's corners
    */
   FormationSearch(
       OccupancyGrid grid,
-      FormationFootprint formation,
+      Shape shape,
+      FormationClearance clearance,
       Pose start,
       Vec2 goal,
-      BitSet blocked,
+      DriveSpeeds speeds,
       SegmentFitter arcs) {
     this.grid = grid;
     this.lattice = FormationLattice.of(grid);
-    this.formation = formation;
+    this.shape = shape;
+    this.clearance = clearance;
     this.start = start;
     this.goal = goal;
-    this.blocked = blocked;
+    this.speeds = speeds;
     this.arcs = arcs;
-    this.radius = formation.shape().smallestRadius();
+    this.radius = shape.smallestRadius();
     this.lengths = new double[lattice.stateCount()];
     this.parents = new int[lengths.length];
     this.open = new byte[lengths.length];
+    this.openSteps = new byte[lengths.length];
+    this.spacing = clearance.spacing();
     Arrays.fill(lengths, Double.POSITIVE_INFINITY);
     Arrays.fill(parents, -1);
   }
 
-  /** Where the path bends and ends. */
-  Optional<List<Waypoint>> waypoints() {
+  /** The path, if there is one. */
+  Optional<Trajectory> trajectory() {
     enter();
     while (!openList.isEmpty()) {
       int state = openList.pop();
@@ -97,28 +106,48 @@ final class FormationSearch {
         continue;
       }
       reached.clear(state);
-      if (isGoal(state)) {
-        return Optional.of(waypointsTo(state));
+      if (isGoal(lattice.pose(state))) {
+        return Optional.of(trajectoryTo(state));
       }
       expand(state);
+    }
+    return arcToGoal();
+  }
+
+  /** One arc, to a goal so near that there is no room to get onto the lattice before it. */
+  private Optional<Trajectory> arcToGoal() {
+    for (int i = 0; i <= ARCS_TO_GOAL; i++) {
+      for (int side = -1; side <= 1; side += 2) {
+        double curvature = side * i / (ARCS_TO_GOAL * radius);
+        for (double length = spacing; length < LONGEST_ENTRY; length += spacing) {
+          double v = Math.min(speeds.forward(), speeds.arcRate() / Math.abs(curvature));
+          Segment arc = new Segment(v, v * curvature, length / v);
+          Trajectory trajectory = new Trajectory(start, List.of(arc));
+          if (isGoal(trajectory.end()) && clearance.isKeptOnEntry(trajectory)) {
+            return Optional.of(trajectory);
+          }
+        }
+      }
     }
     return Optional.empty();
   }
 
-  private boolean isGoal(int state) {
-    return metresToGoal(state) < FormationLattice.goalTolerance(grid);
+  private boolean isGoal(Pose leader) {
+    return metresToGoal(leader) < FormationLattice.goalTolerance(grid);
   }
 
-  private double metresToGoal(int state) {
-    return formation.shape().loadAt(lattice.pose(state)).position().distanceTo(goal);
+  private double metresToGoal(Pose leader) {
+    return shape.loadAt(leader).position().distanceTo(goal);
   }
 
   private void expand(int state) {
     int heading = state & 7;
-    advance(state, heading, 1, heading, 0);
+    int ahead = lattice.neighbour(state, heading);
+    if (ahead >= 0 && isStepOpen(state)) {
+      reach(ahead, state, lengths[state] + lattice.length(heading));
+    }
     for (int turn = -1; turn <= 1; turn += 2) {
-      int next = heading + turn & 7;
-      advance(state, heading, legs(heading), next, legs(next));
+      turn(state, heading, heading + turn & 7);
     }
   }
 
@@ -132,40 +161,44 @@ final class FormationSearch {
     return radius * Math.tan(Math.abs(angle) / 2);
   }
 
-  /** Steps along one heading, and then some along the next. */
-  private void advance(int state, int heading, int count, int then, int countThen) {
-    int at = state;
-    for (int i = 1; i <= count; i++) {
-      at = lattice.neighbour(at, heading);
-      boolean isInArc = countThen > 0 && i == count;
-      if (at < 0 || (!isInArc && !isOpen(at))) {
-        return;
-      }
-    }
-    for (int i = 1; i <= countThen; i++) {
-      at = lattice.neighbour((at & ~7) | then, then);
-      if (at < 0 || !isOpen(at)) {
-        return;
-      }
-    }
-    if (countThen > 0 && !isArcOpen(state, heading, count, then)) {
+  /** Steps along one heading, a corner, and steps along the next. */
+  private void turn(int state, int heading, int next) {
+    int end = ahead(ahead(state, heading), next);
+    if (end < 0 || !isOpen(end)) {
       return;
     }
-    double length =
-        lengths[state] + count * lattice.length(heading) + countThen * lattice.length(then);
-    reach(at, state, length);
+    double before = legs(heading) * lattice.length(heading);
+    double after = legs(next) * lattice.length(next);
+    double angle = (next - heading + 12 & 7) == 5 ? EIGHTH : -EIGHTH;
+    double tangent = tangent(EIGHTH);
+    Pose from = lattice.pose(state);
+    Pose arc = from.compose(new Pose(before - tangent, 0, 0));
+    Pose leg = arc.advanced(new Twist(radius * EIGHTH, 0, angle), 1);
+    if (isOpenAlong(from, before - tangent, 0)
+        && isOpenAlong(arc, radius * EIGHTH, angle)
+        && isOpenAlong(leg, after - tangent, 0)) {
+      reach(end, state, lengths[state] + before + after);
+    }
   }
 
-  private boolean isArcOpen(int state, int heading, int count, int then) {
-    double tangent = tangent(EIGHTH);
-    double before = count * lattice.length(heading) - tangent;
-    Pose pose = lattice.pose(state).compose(new Pose(before, 0, 0));
-    double turn = (then - heading + 12 & 7) == 5 ? EIGHTH : -EIGHTH;
-    int pieces = Math.max(3, (int) Math.ceil(radius * EIGHTH / lattice.step()));
+  /** The legs of a corner on from a state, in a heading; -1: outside. */
+  private int ahead(int state, int heading) {
+    int at = state < 0 ? state : (state & ~7) | heading;
+    for (int i = legs(heading); i > 0 && at >= 0; i--) {
+      at = lattice.neighbour(at, heading);
+    }
+    return at;
+  }
+
+  /** Whether the leader can be led from there so many metres, round so many radians. */
+  private boolean isOpenAlong(Pose from, double length, double angle) {
+    double farthest = length + Math.abs(angle) * shape.reach(); // that any robot drives
+    int pieces = Math.max(1, (int) Math.ceil(farthest / spacing));
+    Twist piece = new Twist(length / pieces, 0, angle / pieces);
+    Pose pose = from;
     for (int i = 0; i < pieces; i++) {
-      double angle = turn / pieces;
-      pose = pose.advanced(new Twist(radius * Math.abs(angle), 0, angle), 1);
-      if (!formation.isClearOf(grid, pose, MARGIN, blocked)) {
+      pose = pose.advanced(piece, 1);
+      if (!clearance.isKeptAt(pose)) {
         return false;
       }
     }
@@ -177,87 +210,77 @@ final class FormationSearch {
       lengths[state] = length;
       parents[state] = from;
       reached.set(state);
-      openList.push(state, length + metresToGoal(state));
+      openList.push(state, length + metresToGoal(lattice.pose(state)));
     }
   }
 
   private boolean isOpen(int state) {
     if (open[state] == 0) {
-      open[state] =
-          (byte) (formation.isClearOf(grid, lattice.pose(state), MARGIN, blocked) ? 1 : 2);
+      open[state] = (byte) (clearance.isKeptAt(lattice.pose(state)) ? 1 : 2);
     }
     return open[state] == 1;
   }
 
-  /** The paths onto the lattice: straight ahead, one corner, and straight again. */
+  private boolean isStepOpen(int state) {
+    if (openSteps[state] == 0) {
+      boolean isOpen = isOpenAlong(lattice.pose(state), lattice.length(state & 7), 0);
+      openSteps[state] = (byte) (isOpen ? 1 : 2);
+    }
+    return openSteps[state] == 1;
+  }
+
+  /** Where it is if that is on the lattice, else all over the lattice round it. */
   private void enter() {
-    int nearest = Heading.nearest(start.theta()).ordinal();
+    int there = lattice.stateAt(start);
+    if (there >= 0) {
+      if (isOpen(there)) {
+        reach(there, -1, 0);
+      }
+      return;
+    }
     lattice.forEachPointAround(
         start.position(),
         LONGEST_ENTRY,
         (column, row) -> {
-          for (int turn = -1; turn <= 1; turn++) {
-            enter(lattice.state(column, row, nearest + turn & 7));
+          for (int heading = 0; heading < 8; heading++) {
+            enter(lattice.state(column, row, heading));
           }
         });
   }
 
-  /** By the path to the first point of the lattice from which the rest is moves on it. */
   private void enter(int state) {
-    Pose to = lattice.pose(state);
-    Pose seen = start.relative(to);
-    double angle = Angles.difference(start.theta(), to.theta());
-    double leg = lattice.length(state & 7) - ROUNDING;
-    if (Math.abs(angle) < PARALLEL) {
-      boolean isAhead =
-          Math.abs(seen.y()) < ROUNDING
-              && Math.abs(angle) < ROUNDING
-              && seen.x() > -ROUNDING
-              && seen.x() < leg;
-      if (isAhead) {
-        enter(state, List.of(to.position()));
-      } else if (Math.abs(seen.y()) < MAX_ASIDE
-          && seen.x() > 4 * lattice.step()
-          && seen.x() < 4 * lattice.step() + leg) {
-        Vec2 bend = start.compose(new Pose(seen.x() / 2, 0, 0)).position();
-        enter(state, List.of(bend, to.position()));
-      }
+    if (!isOpen(state)) {
       return;
     }
-    // start + s forward = to - u heading
-    double u = seen.y() / Math.sin(angle);
-    double s = seen.x() - u * Math.cos(angle);
-    double least = tangent(angle) - ROUNDING;
-    if (s >= least && u >= least && u < least + leg) {
-      enter(state, List.of(start.compose(new Pose(s, 0, 0)).position(), to.position()));
-    }
-  }
-
-  private void enter(int state, List<Vec2> entry) {
-    double length = 0;
-    Vec2 from = start.position();
-    for (Vec2 to : entry) {
-      length += from.distanceTo(to);
-      from = to;
-    }
-    if (length < LONGEST_ENTRY && length < lengths[state] && isOpen(state) && isOpen(entry)) {
-      reach(state, -1, length);
-      entries.put(state, entry);
-    }
-  }
-
-  private boolean isOpen(List<Vec2> entry) {
-    Pose pose = start;
-    for (Segment segment : arcs.fit(start, bends(entry)).segments()) {
-      if (formation.sweptCells(grid, pose, segment).intersects(blocked)) {
-        return false;
+    for (DubinsCurve curve : DubinsCurve.between(start, lattice.pose(state), radius)) {
+      double length = curve.length();
+      if (length < LONGEST_ENTRY
+          && curve.turning() < SHARPEST_ENTRY
+          && length < lengths[state]
+          && clearance.isKeptOnEntry(new Trajectory(start, curve.segments(speeds)))) {
+        reach(state, -1, length);
+        entries.put(state, curve);
       }
-      pose = pose.advanced(segment.twist(), segment.t());
     }
-    return true;
   }
 
-  private List<Waypoint> waypointsTo(int goalState) {
+  private Trajectory trajectoryTo(int goalState) {
+    List<Segment> segments = new ArrayList<>();
+    List<Waypoint> waypoints = new ArrayList<>();
+    int first = waypointsTo(goalState, waypoints);
+    DubinsCurve entry = entries.get(first);
+    if (entry != null) {
+      segments.addAll(entry.segments(speeds));
+    }
+    segments.addAll(arcs.fit(lattice.pose(first), waypoints).segments());
+    return new Trajectory(start, segments);
+  }
+
+  /**
+   * @param waypoints where the bends and the end are added
+   * @return the state where the path is on the lattice
+   */
+  private int waypointsTo(int goalState, List<Waypoint> waypoints) {
     List<Vec2> points = new ArrayList<>();
     int state = goalState;
     while (parents[state] >= 0) {
@@ -273,14 +296,14 @@ final class FormationSearch {
       }
       state = previous;
     }
-    points.addAll(entries.getOrDefault(state, List.of()).reversed());
-    return bends(points.reversed());
+    waypoints.addAll(bends(lattice.pose(state).position(), points.reversed()));
+    return state;
   }
 
   /** Without the points that lie on a straight. */
-  private List<Waypoint> bends(List<Vec2> points) {
+  private static List<Waypoint> bends(Vec2 start, List<Vec2> points) {
     List<Waypoint> waypoints = new ArrayList<>();
-    Vec2 from = start.position();
+    Vec2 from = start;
     for (int i = 0; i < points.size(); i++) {
       Vec2 here = points.get(i);
       boolean isLast = i == points.size() - 1;

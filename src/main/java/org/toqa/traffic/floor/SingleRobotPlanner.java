@@ -56,7 +56,7 @@ final class SingleRobotPlanner {
     }
     FormationFootprint formation = robot.formation();
     if (formation != null) {
-      return formationPath(robot, formation, freeSpace.blocked());
+      return formationPath(robot, formation, new BitSet());
     }
     OccupancyGrid free =
         freeSpace.freeCells(robot.radius(), new BitSet(), List.of(), robot.releasedCell());
@@ -99,20 +99,17 @@ final class SingleRobotPlanner {
       return Optional.empty();
     }
     if (formation != null) {
-      BitSet blocked = (BitSet) freeSpace.blocked().clone();
-      blocked.or(claimed);
-      return formationPath(robot, formation, blocked);
+      return formationPath(robot, formation, claimed);
     }
     return pathAmong(robot, others, claimed, (free, start) -> goal);
   }
 
-  /** What it touches already it may leave. */
   private Optional<List<Section>> formationPath(
-      TrafficRobot robot, FormationFootprint formation, BitSet cells) {
-    BitSet blocked = (BitSet) cells.clone();
-    robot.cellsAt(robot.releasedEnd()).forEach(blocked::clear);
+      TrafficRobot robot, FormationFootprint formation, BitSet claimed) {
     Vec2 goal = robot.goal();
-    return goal == null ? Optional.empty() : formationPlanner.path(robot, formation, goal, blocked);
+    return goal == null
+        ? Optional.empty()
+        : formationPlanner.path(robot, formation, goal, freeSpace.blocked(), claimed);
   }
 
   /**

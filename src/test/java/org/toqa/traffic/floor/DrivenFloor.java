@@ -180,6 +180,31 @@ final class DrivenFloor {
     traffic.setMovable(robot, true);
   }
 
+  /**
+   * It brakes in the middle of what it was told and forgets it, as when its program was killed, and
+   * has come to stand beside it as far as the walls let it.
+   *
+   * @param metres beside it, at most
+   * @param radians askew, at most
+   */
+  void stopBesidePath(String robot, double metres, double radians) {
+    Body body = body(robot);
+    body.trajectory = null;
+    Pose onPath = body.pose;
+    for (int tries = 0; tries < 20; tries++) {
+      body.pose =
+          onPath.compose(
+              new Pose(
+                  chance.nextDouble(-metres, metres),
+                  chance.nextDouble(-metres, metres),
+                  chance.nextDouble(-radians, radians)));
+      if (body.discs().stream().allMatch(this::isOffTheWalls)) {
+        return;
+      }
+    }
+    body.pose = onPath;
+  }
+
   boolean isAt(String robot, Cell cell) {
     Body body = body(robot);
     return body.trajectory == null && body.pose.position().distanceTo(grid.centre(cell)) < 1e-3;
@@ -246,7 +271,7 @@ final class DrivenFloor {
       case DriveCommand.Begin begin -> {
         require(body.trajectory == null, decision.robot() + " was told to begin while it drives");
         require(
-            begin.trajectory().start().distanceTo(body.pose) < 1e-6,
+            begin.trajectory().start().distanceTo(body.pose) < (body.group == null ? 1e-6 : 0.01),
             decision.robot() + " was told to begin elsewhere");
         body.trajectory = begin.trajectory();
         body.released = begin.released();

@@ -1,0 +1,132 @@
+package org.toqa.traffic.floor;
+
+import java.util.BitSet;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.Disc;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/**
+ * What a formation keeps clear of on one path. It may have been stopped anywhere, a little beside
+ * where it should be: what it touches already it comes no nearer to until it is on the lattice, and
+ * cells of others that it touches it may leave.
+ */
+final class FormationClearance {
+  /** Kept from walls while a path is looked for, metres. */
+  static final double MARGIN = 0.02;
+
+  /** The same round the start, where it may need all the room that there is. */
+  static final double LEAST_MARGIN = 0.005;
+
+  /** Metres from the start. */
+  private static final double AROUND_START = 1.5;
+
+  /** Metres; what it would have to be deeper in is no wall: something was seen under it. */
+  private static final double DEEPEST = 0.08;
+
+  /** Metres. */
+  private static final double ROUNDING = 1e-3;
+
+  private final OccupancyGrid grid;
+  private final FormationFootprint formation;
+
+  /** With the margin that it keeps where it enters the lattice. */
+  private final FormationFootprint entering;
+
+  /** What of it must nowhere touch anything. */
+  private final FormationFootprint touching;
+
+  /** Walls and obstacles. */
+  private final BitSet solid;
+
+  /** Cells of others. */
+  private final BitSet claimed;
+
+  private final BitSet all;
+  private final Pose start;
+  private final double marginAtStart;
+
+  /**
+   * @param start of the leader, map frame
+   * @param blocked walls and obstacles
+   * @param claimedByOthers cells that others have or will need
+   * @param marginAtStart kept from walls round the start, metres
+   */
+  FormationClearance(
+      OccupancyGrid grid,
+      FormationFootprint formation,
+      Pose start,
+      BitSet blocked,
+      BitSet claimedByOthers,
+      double marginAtStart) {
+    this.grid = grid;
+    this.formation = formation;
+    this.start = start;
+    this.marginAtStart = marginAtStart;
+    this.solid = (BitSet) blocked.clone();
+    this.claimed = (BitSet) claimedByOthers.clone();
+    formation.cellsAt(grid, start).forEach(claimed::clear);
+    double kept = marginAtStart - lack(start);
+    this.entering = formation.widened(kept);
+    this.touching = formation.widened(Math.min(0, kept));
+    this.all = (BitSet) solid.clone();
+    all.or(claimed);
+  }
+
+  /** So much of the margin it lacks where it is, metres; what it is deep in is solid no more. */
+  private double lack(Pose start) {
+    double lack = 0;
+    for (PlacedDisc disc : formation.discs(start)) {
+      double reach = disc.radius() + marginAtStart;
+      BitSet touched = new BitSet();
+      SweptCells.at(grid, disc.centre(), reach).addTo(touched);
+      touched.and(solid);
+      for (int i = touched.nextSetBit(0); i >= 0; i = touched.nextSetBit(i + 1)) {
+        double gap = Disc.distanceToCell(grid, disc.centre(), grid.cell(i));
+        if (disc.radius() - gap > DEEPEST) {
+          solid.clear(i);
+        } else {
+          lack = Math.max(lack, reach - gap + ROUNDING);
+        }
+      }
+    }
+    return lack;
+  }
+
+  /** Whether it can be there on its way, with a margin. */
+  boolean isKeptAt(Pose leader) {
+    boolean isAroundStart = leader.distanceTo(start) < AROUND_START;
+    return formation.isClearOf(grid, leader, isAroundStart ? marginAtStart : MARGIN, all);
+  }
+
+  /**
+   * How far apart it may be looked at, metres, so that the margin covers what is between: a disc of
+   * radius r bulges by d * d / (8 r) beyond two of them that are d apart.
+   */
+  double spacing() {
+    return Math.sqrt(8 * formation.smallestRadius() * marginAtStart);
+  }
+
+  /** Whether it can be led along that from where it is, and comes no nearer than it is. */
+  boolean isKeptOnEntry(Trajectory trajectory) {
+    return isOff(entering, trajectory);
+  }
+
+  /** Whether it touches nothing on that, which begins where it is. */
+  boolean isKeptOn(Trajectory trajectory) {
+    return isOff(touching, trajectory);
+  }
+
+  private boolean isOff(FormationFootprint footprint, Trajectory trajectory) {
+    Pose pose = trajectory.start();
+    for (Segment segment : trajectory.segments()) {
+      if (footprint.sweptCells(grid, pose, segment).intersects(solid)
+          || formation.sweptCells(grid, pose, segment).intersects(claimed)) {
+        return false;
+      }
+      pose = pose.advanced(segment.twist(), segment.t());
+    }
+    return true;
+  }
+}
