@@ -115,7 +115,7 @@ final class LiveMapPage implements AutoCloseable {
         String name = robot.path("name").asString();
         Pose pose = PoseLatencies.poseOf(robot);
         Pose before = pose == null ? null : lastPoses.put(name, pose);
-        if (before != null && !before.equals(pose)) {
+        if (pose != null && before != null && !before.equals(pose)) {
           reports.find(name, pose).ifPresent(reported -> drawn.add(reported, shown));
         }
       }

@@ -48,7 +48,7 @@ final class PoseLatencies {
 
     private void receivePose(String name, @Nullable Pose pose, Instant serverHeard, Instant now) {
       Pose before = pose == null ? null : lastPoses.put(name, pose);
-      if (before == null || before.equals(pose)) {
+      if (pose == null || before == null || before.equals(pose)) {
         return;
       }
       Optional<Instant> reported = reports.find(name, pose);
