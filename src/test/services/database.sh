@@ -12,9 +12,10 @@ start_database() {
   find_database
   database_folder=$(mktemp -d)
   log=$database_folder/log
-  say "starting $brand"
+  say "starting $("${brand}_server" --version | sed 's/.* Ver \([^ ]*\).*/'"$brand"' \1/')"
   "initialise_$brand" >"$log" 2>&1 || database_failed
-  for port in 13307 13317 13327 13337 13347; do
+  for _ in 1 2 3 4 5; do
+    port=$(free_port)
     "run_$brand" >"$log" 2>&1 &
     database_server=$!
     if database_answers; then
@@ -23,6 +24,11 @@ start_database() {
     fi
   done
   database_failed
+}
+
+# A port of this machine that nobody has now; MySQL takes none of its own choice.
+free_port() {
+  python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'
 }
 
 # Sets brand; what it names is unpacked.

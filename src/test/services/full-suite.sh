@@ -106,6 +106,7 @@ finish() {
   stop_database
   remove_networks
   [ -z "${folder:-}" ] || rm -rf "$folder"
+  [ -z "${memory:-}" ] || rm -rf "$memory"
 }
 trap finish EXIT
 trap 'exit 129' HUP
@@ -141,6 +142,7 @@ generated floors
 runs with crashes
 possible carries
 crashes between two events of a task
+attack strings
 requests by Schemathesis
 fuzz inputs of the server
 fuzz inputs of the daemon
@@ -174,6 +176,7 @@ say "the $tier, from seed $seed: ${size}"
 folder=$(mktemp -d)
 TMPDIR=$folder
 export TMPDIR
+memory=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d)
 say "testing the firmware"
 make -s -C firmware test sim
 schemathesis
@@ -185,7 +188,7 @@ mkdir -p target
 # A session of its own, so that all of it can be ended.
 # shellcheck disable=SC2086 # the size is words
 setsid ./mvnw -B -ntp verify -Pfull -Dtoqa.full=true -Dtoqa.seed="$seed" $size \
-  -Dtoqa.run=$$ -Dtest.folder="$folder" \
+  -Dtoqa.run=$$ -Dtest.folder="$folder" -Dtoqa.memory="$memory" \
   -Dtoqa.mysql.url="$database_url" -Dtoqa.schemathesis="$fuzzer" &
 maven=$!
 status=0

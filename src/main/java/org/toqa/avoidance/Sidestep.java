@@ -13,9 +13,9 @@ public final class Sidestep {
 
   /**
    * Metres: on the shipped map robots of 0.255 m drive in cells of 0.30 m, and what is beside that
-   * cell is another's.
+   * cell is a wall or another's. Half of that room is left for how exactly they drive.
    */
-  public static final double MAX_OFFSET = 0.02;
+  public static final double MAX_OFFSET = 0.01;
 
   /** Metres to the point of the path that pulls. */
   private static final double LOOKAHEAD = 0.30;

@@ -88,10 +88,22 @@ public final class SimulatedFleet implements AutoCloseable {
    * @throws IllegalArgumentException if there is no such robot
    */
   public int port(String robot) {
+    return daemon(robot).port();
+  }
+
+  /**
+   * Whether something that the robot has received waits for its next tick.
+   *
+   * @throws IllegalArgumentException if there is no such robot
+   */
+  public boolean hasPendingMessages(String robot) {
+    return daemon(robot).hasPendingMessages();
+  }
+
+  private Daemon daemon(String robot) {
     return robots.stream()
         .map(SimulatedDaemon::daemon)
         .filter(daemon -> daemon.robot().equals(robot))
-        .mapToInt(Daemon::port)
         .findFirst()
         .orElseThrow(() -> new IllegalArgumentException("There is no robot " + robot + "."));
   }

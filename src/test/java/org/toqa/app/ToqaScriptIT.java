@@ -47,24 +47,15 @@ class ToqaScriptIT {
     }
   }
 
+  /** Of the script, of each program, and what a program reads first; all else: CommandLineTest. */
   static Stream<Arguments> wrongArguments() {
     return Stream.of(
         Arguments.of(List.of(), "a command is missing"),
         Arguments.of(List.of("fly"), "there is no command \"fly\""),
         Arguments.of(List.of("server", "--prot", "80"), "the nearest is --port"),
         Arguments.of(List.of("server", "--port", "http"), "a whole number from 0 to 65535"),
-        Arguments.of(List.of("server", "--port"), "'--port'"),
         Arguments.of(List.of("server", "--config", "nowhere.yaml"), "there is no such file"),
-        Arguments.of(List.of("server", "now"), "\"now\" is not known"),
         Arguments.of(List.of("demo", "--speed", "0"), "from 0.1 to 100"),
-        Arguments.of(List.of("demo", "--robots", "9"), "--robots \"9\": it must be"),
-        Arguments.of(List.of("demo", "--robots", "six"), "'six'"),
-        Arguments.of(List.of("demo", "--report", "no/such/folder"), "that can be written"),
-        Arguments.of(List.of("demo", "--bodies", "no/such/folder"), "that can be written"),
-        Arguments.of(List.of("plan", "--map", "nowhere.yaml"), "--from"),
-        Arguments.of(List.of("bench", "swim"), "\"swim\" is not known"),
-        Arguments.of(
-            List.of("bench", "fleet", "--robots", "1"), "--robots 1: it must be from 2 to 500"),
         Arguments.of(List.of("agent", "--confg", "x"), "--config"),
         Arguments.of(List.of("test", "me"), "\"me\" is not known"));
   }

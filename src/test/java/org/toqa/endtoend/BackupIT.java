@@ -9,8 +9,11 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** A server is put back to a backup, as docs/operations.md says, while its robot has gone on. */
+@Execution(ExecutionMode.CONCURRENT)
 class BackupIT {
   @TempDir private Path folder;
 
@@ -18,7 +21,7 @@ class BackupIT {
   void theFolderOfAServerThatIsStoppedHoldsAll() throws Exception {
     Path data = folder.resolve("data");
     Path backup = folder.resolve("data.backup");
-    try (RunningServer server = new RunningServer(folder, "--simulate", "1", "--speed", "20")) {
+    try (RunningServer server = new RunningServer(folder, "--simulate", "1", "--speed", "60")) {
       BackupScenario work = BackupScenario.start(server);
       server.stop();
       copyFolder(data, backup);
@@ -37,7 +40,7 @@ class BackupIT {
   void aRobotThatIsAheadOfTheRestoredServerIsUsedAgain() throws Exception {
     Path data = folder.resolve("data");
     Path backup = Files.createDirectory(folder.resolve("backup"));
-    try (RunningServer server = new RunningServer(folder, "--simulate", "1", "--speed", "20")) {
+    try (RunningServer server = new RunningServer(folder, "--simulate", "1", "--speed", "60")) {
       long first = server.addTask("in the backup", "Workbench 1", "Packing 1");
       server.awaitState(first, "DONE");
       server.kill();

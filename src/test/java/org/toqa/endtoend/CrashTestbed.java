@@ -16,22 +16,44 @@ import org.toqa.testbed.RealMySql;
  * their own. All of it can be killed, and each connection be cut.
  */
 final class CrashTestbed implements AutoCloseable {
-  private static final double SPEED = 20;
+  private static final double SPEED = 40;
+
+  /** Low: each must charge after a task or two, for a minute. */
+  private static final String BATTERY =
+      """
+      battery: 0.22
+      noise: 0.002
+      chargers: [{x: 19.35, y: 4.05}, {x: 19.35, y: 3.15}]
+      """;
+
+  /** Lives in the server's process. */
+  private static final String SIMULATED = "r1";
 
   final FaultyTcpProxy database;
   final List<RunningAgent> agents;
   final Map<String, FaultyTcpProxy> links = new LinkedHashMap<>();
   final RunningServer server;
+  private final SiteTruth truth;
 
   CrashTestbed(Path folder) throws Exception {
     String url = RealMySql.newDatabase();
     database = FaultyTcpProxy.toDatabase(url);
     Path config = folder.resolve("server.yaml");
-    Files.writeString(config, "database:\n  url: \"%s\"\n".formatted(database.through(url)));
+    Files.writeString(
+        config,
+        """
+        database:
+          url: "%s"
+        charging:
+          below: 20
+          until: 23
+        simulateBatteries: 22
+        """
+            .formatted(database.through(url)));
     agents =
         List.of(
-            new RunningAgent(folder, "carl", 7.95, 3.15, SPEED),
-            new RunningAgent(folder, "dora", 15.15, 1.05, SPEED));
+            new RunningAgent(folder, "carl", 7.95, 3.15, SPEED, BATTERY),
+            new RunningAgent(folder, "dora", 15.15, 1.05, SPEED, BATTERY));
     server =
         new RunningServer(
             folder,
@@ -51,6 +73,30 @@ final class CrashTestbed implements AutoCloseable {
               Map.of("name", agent.name(), "host", "127.0.0.1", "port", link.port(), "maxLoad", 5));
     }
     server.await("robots", robots -> robots.size() == 3);
+    Map<String, Path> bodies = new LinkedHashMap<>();
+    bodies.put(SIMULATED, folder.resolve("data/robots/" + SIMULATED));
+    agents.forEach(agent -> bodies.put(agent.name(), agent.data()));
+    truth = new SiteTruth(bodies);
+  }
+
+  /** Their names. */
+  List<String> robots() {
+    return Stream.concat(Stream.of(SIMULATED), agents.stream().map(RunningAgent::name)).toList();
+  }
+
+  SiteTruth truth() {
+    return truth;
+  }
+
+  /** Until all robots are heard. */
+  void awaitRobots() throws Exception {
+    server.await(
+        "robots",
+        robots ->
+            robots
+                .valueStream()
+                .map(robot -> robot.get("state").asString())
+                .noneMatch(List.of("LOST", "CONNECTING")::contains));
   }
 
   void restoreConnections() {
@@ -71,6 +117,7 @@ final class CrashTestbed implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
+    truth.close();
     server.close();
     agents.forEach(RunningAgent::close);
     for (FaultyTcpProxy cable :

@@ -49,7 +49,7 @@ class CrossingIT extends BrowserTest {
                 "--robots",
                 String.valueOf(ROBOTS),
                 "--speed",
-                "4",
+                "10",
                 "--port",
                 "0",
                 "--bodies",
@@ -74,6 +74,7 @@ class CrossingIT extends BrowserTest {
         done.get(LIMIT, TimeUnit.SECONDS);
         RecordedBodies seen = RecordedBodies.read(bodies);
         seen.assertClear(ROBOTS);
+        DemoIT.assertDone(api.get("tasks"));
         assertFalse(seen.crossings().isEmpty());
       }
     }

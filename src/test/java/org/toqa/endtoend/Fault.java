@@ -1,8 +1,10 @@
 package org.toqa.endtoend;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.random.RandomGenerator;
 import java.util.stream.Stream;
 import org.toqa.testbed.FaultyTcpProxy;
@@ -12,10 +14,16 @@ import org.toqa.testbed.FaultyTcpProxy;
  *
  * @param delayMillis milliseconds from the one before
  * @param durationMillis milliseconds until it is mended
+ * @param bytes after so many a connection is cut
  */
-record Fault(Kind kind, int victim, int delayMillis, int durationMillis) {
-  private static final int MAX_DELAY_MS = 3_000;
-  private static final int MAX_DURATION_MS = 3_000;
+record Fault(Kind kind, int victim, int delayMillis, int durationMillis, int bytes) {
+  private static final int MAX_DELAY_MS = 1_000;
+  private static final int MAX_DURATION_MS = 1_500;
+
+  /** As much as an import of a few tasks takes. */
+  private static final int MAX_BYTES = 15_000;
+
+  private static final int MAX_IMPORT_MS = 60;
 
   enum Kind {
     SERVER_KILLED,
@@ -25,8 +33,13 @@ record Fault(Kind kind, int victim, int delayMillis, int durationMillis) {
     DATABASE_SILENT,
     SERVER_KILLED_WHILE_DATABASE_SILENT,
     LINK_CUT,
-    LINK_SILENT
+    LINK_SILENT,
+    AGENT_FROZEN,
+    SERVER_RESTARTED_WHILE_AGENTS_FROZEN
   }
+
+  private static final Set<Kind> SERVER_IS_DEAD =
+      EnumSet.of(Kind.SERVER_KILLED, Kind.ALL_KILLED, Kind.SERVER_KILLED_WHILE_DATABASE_SILENT);
 
   /** One, two or three of them. */
   static List<Fault> random(RandomGenerator random) {
@@ -37,9 +50,15 @@ record Fault(Kind kind, int victim, int delayMillis, int durationMillis) {
               Kind.values()[random.nextInt(Kind.values().length)],
               random.nextInt(2),
               random.nextInt(MAX_DELAY_MS),
-              random.nextInt(MAX_DURATION_MS)));
+              random.nextInt(MAX_DURATION_MS),
+              random.nextInt(MAX_BYTES)));
     }
     return cuts;
+  }
+
+  /** How long after an import has begun; a cut that counts the import's bytes comes first. */
+  int millisIntoImport() {
+    return kind == Kind.DATABASE_CUT ? 0 : bytes % MAX_IMPORT_MS;
   }
 
   /** Begins it. */
@@ -51,10 +70,17 @@ record Fault(Kind kind, int victim, int delayMillis, int durationMillis) {
         agent(site).kill();
         site.server.kill();
       }
-      case DATABASE_CUT -> site.database.cut();
+      case DATABASE_CUT -> site.database.cutAfter(bytes);
       case DATABASE_SILENT, SERVER_KILLED_WHILE_DATABASE_SILENT -> site.database.silence();
       case LINK_CUT -> link(site).cut();
       case LINK_SILENT -> link(site).silence();
+      case AGENT_FROZEN -> agent(site).freeze();
+      case SERVER_RESTARTED_WHILE_AGENTS_FROZEN -> {
+        for (RunningAgent agent : site.agents) {
+          agent.freeze();
+        }
+        site.server.killAndRestart();
+      }
     }
   }
 
@@ -64,10 +90,18 @@ record Fault(Kind kind, int victim, int delayMillis, int durationMillis) {
       site.server.kill();
     }
     site.restoreConnections();
+    if (kind == Kind.AGENT_FROZEN) {
+      agent(site).thaw();
+    }
+    if (kind == Kind.SERVER_RESTARTED_WHILE_AGENTS_FROZEN) {
+      for (RunningAgent agent : site.agents) {
+        agent.thaw();
+      }
+    }
     if (Stream.of(Kind.AGENT_KILLED, Kind.ALL_KILLED).anyMatch(kind::equals)) {
       agent(site).start();
     }
-    if (kind.name().contains("SERVER") || kind == Kind.ALL_KILLED) {
+    if (SERVER_IS_DEAD.contains(kind)) {
       site.server.start();
     }
   }
@@ -82,7 +116,7 @@ record Fault(Kind kind, int victim, int delayMillis, int durationMillis) {
 
   @Override
   public String toString() {
-    String whose = kind.name().matches("AGENT.*|ALL.*|LINK.*") ? " of robot " + victim : "";
+    String whose = kind.name().matches("AGENT_.*|ALL.*|LINK.*") ? " of robot " + victim : "";
     return "%s%s after %d ms for %d ms"
         .formatted(kind.name().toLowerCase(Locale.ROOT), whose, delayMillis, durationMillis);
   }

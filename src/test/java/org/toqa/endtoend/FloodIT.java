@@ -30,7 +30,7 @@ class FloodIT {
     AtomicBoolean isOver = new AtomicBoolean();
     try (RunningServer server =
             new RunningServer(
-                folder, "--config", config.toString(), "--simulate", "3", "--speed", "10");
+                folder, "--config", config.toString(), "--simulate", "3", "--speed", "30");
         ExecutorService clients = Executors.newFixedThreadPool(CLIENTS)) {
       List<Future<Long>> refused = new ArrayList<>();
       for (int i = 0; i < CLIENTS; i++) {

@@ -27,6 +27,14 @@ final class RunningAgent implements AutoCloseable {
    * @param speed how many times faster than real time it lives
    */
   RunningAgent(Path folder, String name, double x, double y, double speed) throws Exception {
+    this(folder, name, x, y, speed, "");
+  }
+
+  /**
+   * @param chassis more lines of YAML about its body
+   */
+  RunningAgent(Path folder, String name, double x, double y, double speed, String chassis)
+      throws Exception {
     this.name = name;
     this.home = Files.createDirectories(folder.resolve(name));
     this.config =
@@ -38,7 +46,8 @@ final class RunningAgent implements AutoCloseable {
           start: {x: %s, y: %s, heading: 0}
           speed: %s
         """
-            .formatted(name, x, y, speed);
+                .formatted(name, x, y, speed)
+            + chassis.indent(2);
     start();
   }
 
@@ -51,6 +60,19 @@ final class RunningAgent implements AutoCloseable {
 
   String name() {
     return name;
+  }
+
+  /** Where its daemon keeps what it must not forget, and its body. */
+  Path data() {
+    return home.resolve("data");
+  }
+
+  void freeze() throws IOException, InterruptedException {
+    Objects.requireNonNull(process).freeze();
+  }
+
+  void thaw() throws IOException, InterruptedException {
+    Objects.requireNonNull(process).thaw();
   }
 
   int port() {

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.toqa.testbed.ApiClient;
+import org.toqa.testbed.ApiClient.Reply;
 import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 
@@ -17,7 +18,7 @@ import tools.jackson.databind.JsonNode;
 final class RunningServer implements AutoCloseable {
   static final String MANAGER = "boss";
   static final String PASSWORD = "boss-of-robots";
-  private static final Duration TIMEOUT = Duration.ofMinutes(3);
+  private static final Duration TIMEOUT = Duration.ofMinutes(10);
 
   private final Path folder;
   private final String[] arguments;
@@ -123,6 +124,21 @@ final class RunningServer implements AutoCloseable {
       if (System.nanoTime() > end) {
         throw new AssertionError(
             path + " still says " + answer + " while the robots are " + api.get("robots"));
+      }
+      TimeUnit.MILLISECONDS.sleep(50);
+    }
+  }
+
+  /** Commands until it is accepted, also while its database comes back; what it answers. */
+  JsonNode awaitAccepted(String path, Map<String, Object> order) throws Exception {
+    long end = System.nanoTime() + TIMEOUT.toNanos();
+    while (true) {
+      Reply reply = api.replyTo(path, order);
+      if (reply.isAccepted()) {
+        return reply.body();
+      }
+      if (!reply.isUnavailable() || System.nanoTime() > end) {
+        throw new AssertionError(path + ": " + reply);
       }
       TimeUnit.MILLISECONDS.sleep(50);
     }

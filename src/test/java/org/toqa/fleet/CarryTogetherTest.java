@@ -25,7 +25,7 @@ import org.toqa.sim.SimulatedFloor;
  * body meets another one or a wall is judged by {@link LiveFloor}, where they really are.
  */
 class CarryTogetherTest {
-  private static final double SPEED = 6;
+  private static final double SPEED = 200;
   private static final double SIZE = 0.3;
 
   /** Cells of 0.3 m: a hall of 12 m x 4.2 m. */

@@ -157,6 +157,7 @@ public final class FleetStage implements AutoCloseable {
   }
 
   private void step() throws InterruptedException {
+    runtime.setWatching(true);
     now = now.plus(STEP);
     for (ScriptedRobot robot : robots.values()) {
       robot.step();
@@ -164,6 +165,7 @@ public final class FleetStage implements AutoCloseable {
     }
     fleet.tick(now);
     runtime.awaitQuiescence();
+    runtime.setWatching(false);
     digest = 31 * digest + fleet.snapshots().latest().toString().hashCode();
   }
 
@@ -171,10 +173,12 @@ public final class FleetStage implements AutoCloseable {
     return digest;
   }
 
+  /** Whatever a test is about: no agent has waited for anything. */
   @Override
   public void close() {
     fleet.close();
     database.close();
     runtime.close();
+    runtime.assertAgentsNeverWaited();
   }
 }

@@ -164,7 +164,7 @@ final class LiveFloor {
 
   private void step() throws InterruptedException {
     long hangs = System.nanoTime() + HANGS_AFTER.toNanos();
-    while (!clock.isReady() || !links.areSettled()) {
+    while (!clock.isReady() || !links.areSettled(robots::hasPendingMessages)) {
       if (System.nanoTime() > hangs) {
         fail("The world does not go on: " + links);
       }

@@ -28,7 +28,7 @@ import org.toqa.sim.SimulatedFloor;
 /** A real daemon finds something on its path that nobody has told it of. */
 @Timeout(200)
 class ObstacleOnThePathTest {
-  private static final double SPEED = 10;
+  private static final double SPEED = 200;
   private static final double SIZE = 0.3;
   private static final double ROBOT = 0.255 / 2;
 

@@ -1,5 +1,9 @@
 package org.toqa.fleet;
 
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.List;
@@ -25,9 +29,20 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   /** What computing is taken to last, so that its limits are the same on every machine. */
   private static final long NANOS_A_LOOK = 1_000;
 
+  private static final long TURNS_TO_A_WAIT = 100;
+  private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
   private final BlockingQueue<Runnable> work = new LinkedBlockingQueue<>();
   private final AtomicLong looks = new AtomicLong();
   private final Thread thread = Thread.ofPlatform().daemon().name("fleet").start(this::run);
+
+  /** Whether what agents do is looked at: neither while they are made, nor while they end. */
+  private volatile boolean isWatching;
+
+  /** What agents did while it was, and how often they waited for anything. */
+  private final AtomicLong agentTurns = new AtomicLong();
+
+  private final AtomicLong agentWaits = new AtomicLong();
 
   /** Guarded by this: what was handed in and is not done. */
   private long open;
@@ -76,7 +91,44 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
 
   @Override
   public Optional<Executor> agentExecutor() {
-    return Optional.of(this::add);
+    return Optional.of(work -> add(() -> runAgent(work)));
+  }
+
+  /** Time is not measured: a wait is one on a machine of any speed. */
+  private void runAgent(Runnable work) {
+    if (!isWatching) {
+      work.run();
+      return;
+    }
+    long before = waits();
+    try {
+      work.run();
+    } finally {
+      agentWaits.addAndGet(waits() - before);
+      agentTurns.incrementAndGet();
+    }
+  }
+
+  /**
+   * From now on agents may wait for nothing, or, where they are made or end, again for something.
+   */
+  void setWatching(boolean isWatched) {
+    isWatching = isWatched;
+  }
+
+  /** How often this thread has slept or waited for another one. */
+  private static long waits() {
+    return THREADS.getThreadInfo(Thread.currentThread().threadId()).getWaitedCount();
+  }
+
+  /**
+   * No agent sleeps, or waits for a file, a database or an answer, in what it does again and again.
+   * Another thread that logs at the same moment may hold one up, in one turn of a hundred.
+   */
+  void assertAgentsNeverWaited() {
+    assertTrue(
+        agentWaits.get() <= agentTurns.get() / TURNS_TO_A_WAIT,
+        () -> "agents waited " + agentWaits + " times in " + agentTurns + " turns");
   }
 
   @Override

@@ -2,8 +2,10 @@ package org.toqa.fleet;
 
 import java.time.InstantSource;
 import java.util.Map;
-import java.util.TreeMap;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
 import org.toqa.link.PairingResult;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
@@ -19,15 +21,12 @@ import org.toqa.link.trust.PairingCode;
 import org.toqa.wording.Sentence;
 
 /**
- * Links that know how far behind the world they are. A world that waits until they are settled is
- * never ahead of them by more than the longest time between two reports, however slow the machine.
+ * Links that know how far behind the world they are. In a world that waits until they are settled
+ * no command and no report is later than a step, however slow the machine.
  */
 final class SteppedLinks implements RobotLinkFactory {
-  /** Reports come every 200 ms. */
-  private static final long OLDEST_REPORT_MILLIS = 400;
-
-  /** A daemon answers in the tick after the one in which a command came. */
-  private static final long OLDEST_COMMAND_MILLIS = 200;
+  /** Reports come every 200 ms; a step after that the next one is there. */
+  private static final long OLDEST_REPORT_MILLIS = 220;
 
   private final RobotLinkFactory real;
   private final InstantSource clock;
@@ -41,10 +40,19 @@ final class SteppedLinks implements RobotLinkFactory {
     this.clock = clock;
   }
 
-  /** Whether every robot that is connected was heard of late, and has answered all commands. */
-  boolean areSettled() {
+  /**
+   * Whether every robot that is connected was heard of late, and has answered all commands, or will
+   * in its next tick.
+   *
+   * @param hasPendingMessages whether something that the robot has received waits for that
+   */
+  boolean areSettled(Predicate<String> hasPendingMessages) {
     long now = clock.millis();
-    return traffic.values().stream().allMatch(link -> link.isSettled(now));
+    return traffic.entrySet().stream()
+        .allMatch(
+            link ->
+                link.getValue().isHeard(now)
+                    && (link.getValue().isAnswered() || hasPendingMessages.test(link.getKey())));
   }
 
   @Override
@@ -80,7 +88,7 @@ final class SteppedLinks implements RobotLinkFactory {
   /** What was sent and not answered, and when the robot was last heard. */
   private final class Traffic implements RobotLink.Listener {
     private final RobotLink.Listener listener;
-    private final Map<Long, Long> unanswered = new TreeMap<>();
+    private final Set<Long> unanswered = new TreeSet<>();
     private boolean connected;
     private long heard;
 
@@ -88,16 +96,17 @@ final class SteppedLinks implements RobotLinkFactory {
       this.listener = listener;
     }
 
-    synchronized boolean isSettled(long now) {
-      return !connected
-          || (now - heard <= OLDEST_REPORT_MILLIS
-              && unanswered.values().stream()
-                  .allMatch(sent -> now - sent <= OLDEST_COMMAND_MILLIS));
+    synchronized boolean isHeard(long now) {
+      return !connected || now - heard <= OLDEST_REPORT_MILLIS;
+    }
+
+    synchronized boolean isAnswered() {
+      return unanswered.isEmpty();
     }
 
     synchronized void note(ServerMessage message) {
       if (connected && message instanceof Command command) {
-        unanswered.put(command.seq(), clock.millis());
+        unanswered.add(command.seq());
       }
     }
 

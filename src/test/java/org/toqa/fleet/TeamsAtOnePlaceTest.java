@@ -13,7 +13,7 @@ import org.toqa.sim.SimulatedFloor;
 
 /** One team comes for its load to where another is about to leave with its own. */
 class TeamsAtOnePlaceTest {
-  private static final double SPEED = 15;
+  private static final double SPEED = 200;
 
   @TempDir private Path folder;
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.sim.SimulatedRobot;
 import org.toqa.web.TestClient;
 import tools.jackson.databind.JsonNode;
 
@@ -26,11 +27,14 @@ class FormToWheelsTest {
   @Test
   void aTaskOfTheFormIsDrivenByTheWheelsToItsStartAndThenToItsGoal() throws Exception {
     Pose start = new Pose(RoadWorld.PARKING.x(), RoadWorld.PARKING.y(), 0);
+    Pose beside = new Pose(14.25, 1.05, 0); // P2
     RoadWorld.walk(
         folder,
-        start,
+        List.of(
+            new SimulatedRobot(RoadWorld.ROBOT, start, 5, 1),
+            new SimulatedRobot("r2", beside, 1, 1)),
         road -> {
-          road.api().awaitSnapshot(FormToWheelsTest::isIdle);
+          road.api().awaitSnapshot(FormToWheelsTest::areIdle);
           assertTrue(
               road.track().stream().allMatch(p -> p.distanceTo(start) < 0.001),
               "nobody asked it to drive");
@@ -43,9 +47,12 @@ class FormToWheelsTest {
         });
   }
 
-  private static boolean isIdle(JsonNode snapshot) {
-    return snapshot.get("robots").size() == 1
-        && snapshot.get("robots").get(0).get("state").asString().equals("IDLE");
+  private static boolean areIdle(JsonNode snapshot) {
+    return snapshot.get("robots").size() == 2
+        && snapshot
+            .get("robots")
+            .valueStream()
+            .allMatch(robot -> robot.get("state").asString().equals("IDLE"));
   }
 
   private static void submitForm(RoadWorld road) {

@@ -1,28 +1,35 @@
 package org.toqa.road;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
+import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.time.Instant;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.LockSupport;
-import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Configuration;
 import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
+import org.toqa.app.server.FleetServer;
 import org.toqa.app.server.ServerOperation;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
+import org.toqa.grid.Place;
+import org.toqa.sim.Body;
+import org.toqa.sim.ClearanceJudge;
+import org.toqa.sim.ClearanceJudge.Clearance;
+import org.toqa.sim.Participant;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.SimulatedFloor;
 import org.toqa.sim.SimulatedRobot;
@@ -31,8 +38,9 @@ import org.toqa.testbed.ApiClient;
 import org.toqa.web.WebTestServer;
 
 /**
- * A whole server over HTTP, and one robot that it does not know to be simulated: its real daemon
- * behind a TCP port, over wheels that turn in a world of their own. The world tells what is true.
+ * A whole server over HTTP, and robots that it does not know to be simulated: their real daemons
+ * behind TCP ports, over wheels that turn. Server and wheels live by one clock, which waits for
+ * whoever is slow; the world tells what is true.
  */
 final class RoadWorld {
   static final String ROBOT = "r1";
@@ -42,16 +50,21 @@ final class RoadWorld {
 
   private static final Path MAP = Path.of("maps", "lab.yaml");
   private static final Path WEBAPP = Path.of("target", "webapp").toAbsolutePath();
+  private static final double SPEED = 10;
 
-  /** Of the world's time, which a slow machine slows. */
-  private static final Duration LIMIT = Duration.ofMinutes(2);
+  /** Of the world's time. */
+  private static final Duration LIMIT = Duration.ofMinutes(3);
 
+  private static final Duration TRACK_PERIOD = Duration.ofMillis(100);
   private static final long LOOK_AGAIN_NANOS = 5_000_000;
 
+  private final FleetServer toqa;
   private final URI address;
   private final ApiClient api;
   private final VirtualClock clock;
-  private final List<Pose> track;
+  private final SimulatedFleet robots;
+  private final List<Pose> track = new CopyOnWriteArrayList<>();
+  private final ClearanceJudge truth;
 
   /** What a test does on the road. */
   @FunctionalInterface
@@ -59,39 +72,61 @@ final class RoadWorld {
     void walk(RoadWorld road) throws Exception;
   }
 
-  private RoadWorld(URI address, ApiClient api, VirtualClock clock, List<Pose> track) {
+  /** What is waited for. */
+  @FunctionalInterface
+  interface Condition {
+    boolean isSatisfied() throws Exception;
+  }
+
+  private RoadWorld(
+      FleetServer toqa, URI address, ApiClient api, SimulatedFleet robots, FloorMap lab) {
+    this.toqa = toqa;
     this.address = address;
     this.api = api;
-    this.clock = clock;
-    this.track = track;
+    this.clock = toqa.fleetClock();
+    this.robots = robots;
+    truth = new ClearanceJudge(lab.grid());
   }
 
   /**
-   * Starts robot and server, makes them known to each other, and walks.
+   * Starts robots and server, makes them known to each other, and walks. No body has touched
+   * another one or a wall meanwhile, where they really were.
    *
-   * @param start where the robot is at first
+   * @param bodies the first one is {@link #ROBOT}; each is at home at the parking point of its turn
    */
-  static void walk(Path folder, Pose start, Walk walk) throws Exception {
+  static void walk(Path folder, List<SimulatedRobot> bodies, Walk walk) throws Exception {
     FloorMap lab = FloorReader.read(MAP);
-    List<Pose> track = new CopyOnWriteArrayList<>();
-    try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 1);
-        SimulatedFleet robots =
-            SimulatedFleet.open(
-                folder.resolve("robots"),
-                List.of(new SimulatedRobot(ROBOT, start, 5, 1)),
-                SimulatedFloor.of(lab),
-                clock);
-        StopSignal stop = new StopSignal()) {
-      clock.add(nanos -> robots.truePose(ROBOT).ifPresent(track::add), Duration.ofMillis(100));
-      clock.start();
-      ServerOperation operation =
-          (toqa, address, _) -> {
-            try (ApiClient api = new ApiClient(address, MANAGER, WebTestServer.PASSWORD)) {
-              walk.walk(new RoadWorld(address, api, clock, track).with(robots.port(ROBOT)));
-            }
-            return 0;
-          };
+    ServerOperation operation =
+        (toqa, address, _) -> {
+          walk(toqa, address, folder, lab, bodies, walk);
+          return 0;
+        };
+    try (StopSignal stop = new StopSignal()) {
       assertEquals(0, operation.runWith(configuration(folder), WEBAPP, stop));
+    }
+  }
+
+  private static void walk(
+      FleetServer toqa,
+      URI address,
+      Path folder,
+      FloorMap lab,
+      List<SimulatedRobot> bodies,
+      Walk walk)
+      throws Exception {
+    VirtualClock clock = toqa.fleetClock();
+    try (ApiClient api = new ApiClient(address, MANAGER, WebTestServer.PASSWORD);
+        SimulatedFleet robots =
+            SimulatedFleet.open(folder.resolve("robots"), bodies, SimulatedFloor.of(lab), clock)) {
+      RoadWorld road = new RoadWorld(toqa, address, api, robots, lab);
+      Participant look = road::look;
+      clock.add(look, VirtualClock.STEP);
+      for (int i = 0; i < bodies.size(); i++) {
+        road.addRobot(bodies.get(i), lab.parking().get(i));
+      }
+      walk.walk(road);
+      clock.remove(look);
+      road.assertClear();
     }
   }
 
@@ -101,14 +136,65 @@ final class RoadWorld {
     options.put(Setting.DATA, folder.resolve("data").toString());
     options.put(Setting.MANAGER, MANAGER + ":" + WebTestServer.PASSWORD);
     options.put(Setting.LOG_LEVEL, "ERROR");
-    return Configuration.of(MAP, List.of(SettingSource.fromCommandLine(options)));
+    return faster(Configuration.of(MAP, List.of(SettingSource.fromCommandLine(options))));
   }
 
-  private RoadWorld with(int port) throws Exception {
+  /** What no setting allows: it does not know that its robots live as fast as its clock. */
+  private static Configuration faster(Configuration usual) {
+    return new Configuration(
+        usual.address(),
+        usual.port(),
+        usual.tls(),
+        usual.proxy(),
+        usual.requestsPerSecond(),
+        usual.data(),
+        usual.map(),
+        usual.database(),
+        usual.allocationPolicy(),
+        usual.simulatedRobots(),
+        usual.simulatedBatteries(),
+        usual.firmware(),
+        usual.reassignAfter(),
+        usual.charging(),
+        SPEED,
+        usual.trackRetention(),
+        usual.historyRetention(),
+        usual.firstManager(),
+        usual.mailServer(),
+        usual.plainLinks(),
+        usual.logLevel(),
+        usual.logFormat());
+  }
+
+  private void addRobot(SimulatedRobot body, Place parking)
+      throws IOException, InterruptedException {
     api.post(
         "robots",
-        Map.of("name", ROBOT, "host", "127.0.0.1", "port", port, "maxLoad", 5, "parking", "P1"));
-    return this;
+        Map.of(
+            "name", body.name(),
+            "host", "127.0.0.1",
+            "port", robots.port(body.name()),
+            "maxLoad", body.maxLoad(),
+            "parking", parking.name()));
+  }
+
+  private void look(long nanos) {
+    judge(Duration.ofNanos(nanos), robots.bodies());
+    if (nanos % TRACK_PERIOD.toNanos() == 0) {
+      robots.truePose(ROBOT).ifPresent(track::add);
+    }
+  }
+
+  /** Looks at bodies of whose places only the test knows, too. */
+  void judge(Duration at, List<Body> bodies) {
+    truth.judge(at, bodies);
+  }
+
+  private void assertClear() {
+    assertTrue(truth.samples() > 0);
+    truth.betweenBodies().ifPresent(nearest -> assertFalse(nearest.isTouch(), nearest::toString));
+    Clearance wall = truth.toWall().orElseThrow();
+    assertFalse(wall.isTouch(), wall::toString);
   }
 
   /** Of the pages, with a slash at its end. */
@@ -118,6 +204,16 @@ final class RoadWorld {
 
   ApiClient api() {
     return api;
+  }
+
+  /** The world's time. */
+  VirtualClock clock() {
+    return clock;
+  }
+
+  /** Of the newest snapshot that the fleet has made. */
+  long publishedVersion() {
+    return toqa.fleet().snapshots().latest().version();
   }
 
   /** Where the wheels have taken the robot, from the first on, every 0.1 s. */
@@ -138,12 +234,20 @@ final class RoadWorld {
   }
 
   /** Waits until it is so, while the world goes on. */
-  void await(String what, BooleanSupplier condition) {
+  void await(String what, Condition condition) throws Exception {
     long end = clock.nanos() + LIMIT.toNanos();
-    while (!condition.getAsBoolean()) {
+    while (!condition.isSatisfied()) {
       if (clock.nanos() > end) {
-        fail("Not " + what + "; the robot is at " + track.getLast());
+        fail("Not " + what + "; the fleet: " + api.get("robots") + api.get("tasks"));
       }
+      LockSupport.parkNanos(LOOK_AGAIN_NANOS);
+    }
+  }
+
+  /** Lets so much of the world's time pass. */
+  void pass(Duration time) {
+    long end = clock.nanos() + time.toNanos();
+    while (clock.nanos() < end) {
       LockSupport.parkNanos(LOOK_AGAIN_NANOS);
     }
   }

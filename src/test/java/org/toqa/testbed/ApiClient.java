@@ -48,16 +48,50 @@ public final class ApiClient implements AutoCloseable {
     return JSON.readTree(send(request(path).POST(body(body))));
   }
 
+  /**
+   * What the server answers, whatever it is.
+   *
+   * @param body an empty object where there is none
+   */
+  public record Reply(int status, JsonNode body) {
+    private static Reply of(HttpResponse<String> response) {
+      return new Reply(
+          response.statusCode(), JSON.readTree(response.body().isBlank() ? "{}" : response.body()));
+    }
+
+    public boolean isAccepted() {
+      return status < 300;
+    }
+
+    /** Whether it cannot do it now; of a command nobody knows then whether it was stored. */
+    public boolean isUnavailable() {
+      return status == UNAVAILABLE;
+    }
+  }
+
+  public Reply replyTo(String path, Object body) throws IOException, InterruptedException {
+    return Reply.of(answer(request(path).POST(body(body))));
+  }
+
+  /** Sends a table of tasks; the answer comes later, or fails with the connection. */
+  public CompletableFuture<Reply> replyToTable(String path, String table, String key) {
+    return http.sendAsync(tableRequest(path, table, key), HttpResponse.BodyHandlers.ofString())
+        .thenApply(Reply::of);
+  }
+
   /** Sends a table of tasks; the answer comes later, or fails with the connection. */
   public CompletableFuture<String> sendTable(String path, String table, String key) {
-    HttpRequest request =
-        request(path)
-            .header("Content-Type", "text/csv")
-            .header("Idempotency-Key", key)
-            .POST(HttpRequest.BodyPublishers.ofString(table))
-            .timeout(Duration.ofSeconds(30))
-            .build();
-    return http.sendAsync(request, HttpResponse.BodyHandlers.ofString()).thenApply(ApiClient::good);
+    return http.sendAsync(tableRequest(path, table, key), HttpResponse.BodyHandlers.ofString())
+        .thenApply(ApiClient::good);
+  }
+
+  private HttpRequest tableRequest(String path, String table, String key) {
+    return request(path)
+        .header("Content-Type", "text/csv")
+        .header("Idempotency-Key", key)
+        .POST(HttpRequest.BodyPublishers.ofString(table))
+        .timeout(Duration.ofSeconds(30))
+        .build();
   }
 
   /** How many there are of what is listed there. */
@@ -91,6 +125,7 @@ public final class ApiClient implements AutoCloseable {
           lines
               .filter(line -> line.startsWith("data: "))
               .map(line -> JSON.readTree(line.substring("data: ".length())))
+              .filter(data -> data.has("robots")) // else it says only that it is alive
               .anyMatch(condition);
       if (!isSatisfied) {
         throw new AssertionError("the live events ended");

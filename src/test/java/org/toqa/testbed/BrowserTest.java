@@ -18,14 +18,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestInstance;
 
-/** A test in a headless Chromium, with a fresh profile for each test method. */
+/**
+ * A test in a headless Chromium, with a fresh profile for each test method. One browser serves all
+ * classes of a process.
+ */
 @Tag("full")
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 public abstract class BrowserTest {
@@ -35,16 +37,16 @@ public abstract class BrowserTest {
   private static final List<String> NAMES =
       List.of("chromium", "chromium-browser", "google-chrome");
 
-  private @Nullable Playwright playwright;
-  private @Nullable Browser browser;
+  private static @Nullable Browser browser;
+
   private final List<BrowserContext> profiles = new ArrayList<>();
   private @Nullable Page page;
   private final List<String> complaints = new ArrayList<>();
 
-  /** The page of a test that needs but one. */
+  /** The page of a test that needs but one: the first that it opened. */
   protected final Page page() {
     if (page == null) {
-      page = openPage(new NewContextOptions());
+      return openPage(new NewContextOptions());
     }
     return page;
   }
@@ -54,6 +56,7 @@ public abstract class BrowserTest {
     BrowserContext profile = requireNonNull(browser).newContext(options);
     profiles.add(profile);
     Page opened = profile.newPage();
+    page = page == null ? opened : page;
     opened.setDefaultTimeout(PATIENCE_MS);
     opened.onPageError(complaints::add);
     opened.onConsoleMessage(
@@ -65,25 +68,39 @@ public abstract class BrowserTest {
     return opened;
   }
 
+  /**
+   * Waits until an expression is true in the page. It is evaluated from here each time: the policy
+   * of our pages forbids that they do it by themselves, as by Playwright's waiting.
+   */
+  protected static void await(Page page, String expression) {
+    page.waitForCondition(() -> Boolean.TRUE.equals(page.evaluate(expression)));
+  }
+
   /** Errors on the page's console, and of its scripts. */
   protected final List<String> complaints() {
     return complaints;
   }
 
   @BeforeAll
-  final void openBrowser() {
+  static void openBrowser() {
     PlaywrightAssertions.setDefaultAssertionTimeout(PATIENCE_MS);
+    if (browser == null || !browser.isConnected()) {
+      browser = startBrowser();
+    }
+  }
+
+  private static Browser startBrowser() {
     Map<String, String> environment = Map.of("PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD", "1");
-    playwright = Playwright.create(new CreateOptions().setEnv(environment));
-    browser =
-        playwright
-            .chromium()
-            .launch(
-                new LaunchOptions()
-                    .setExecutablePath(chromium())
-                    // As root, Chromium refuses to run in its sandbox.
-                    .setChromiumSandbox(!System.getProperty("user.name").equals("root"))
-                    .setArgs(List.of("--disable-gpu")));
+    Playwright playwright = Playwright.create(new CreateOptions().setEnv(environment));
+    Runtime.getRuntime().addShutdownHook(new Thread(playwright::close));
+    return playwright
+        .chromium()
+        .launch(
+            new LaunchOptions()
+                .setExecutablePath(chromium())
+                // As root, Chromium refuses to run in its sandbox.
+                .setChromiumSandbox(!System.getProperty("user.name").equals("root"))
+                .setArgs(List.of("--disable-gpu")));
   }
 
   @BeforeEach
@@ -96,13 +113,6 @@ public abstract class BrowserTest {
     profiles.forEach(BrowserContext::close);
     profiles.clear();
     page = null;
-  }
-
-  @AfterAll
-  final void closeBrowser() {
-    if (playwright != null) {
-      playwright.close();
-    }
   }
 
   private static Path chromium() {

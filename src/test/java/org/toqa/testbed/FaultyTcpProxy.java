@@ -26,6 +26,9 @@ public final class FaultyTcpProxy implements AutoCloseable {
   private final Condition changed = lock.newCondition();
   private State state = State.WHOLE;
 
+  /** It is cut with the first one that is beyond, in either direction. */
+  private long bytesUntilCut = Long.MAX_VALUE;
+
   /**
    * @param target the port of this machine that it leads to
    */
@@ -54,6 +57,16 @@ public final class FaultyTcpProxy implements AutoCloseable {
     become(State.CUT);
   }
 
+  /** Cuts it as soon as so many bytes more have gone through, both directions together. */
+  public void cutAfter(long bytes) {
+    lock.lock();
+    try {
+      bytesUntilCut = bytes;
+    } finally {
+      lock.unlock();
+    }
+  }
+
   public void silence() {
     become(State.SILENT);
   }
@@ -66,6 +79,7 @@ public final class FaultyTcpProxy implements AutoCloseable {
     lock.lock();
     try {
       state = next;
+      bytesUntilCut = Long.MAX_VALUE;
       changed.signalAll();
     } finally {
       lock.unlock();
@@ -106,7 +120,7 @@ public final class FaultyTcpProxy implements AutoCloseable {
       InputStream in = from.getInputStream();
       OutputStream out = to.getOutputStream();
       for (int size = in.read(buffer); size >= 0; size = in.read(buffer)) {
-        boolean whole = isCarried();
+        boolean whole = isCarried(size);
         out.write(buffer, 0, whole ? size : size / 2);
         if (!whole) {
           return;
@@ -129,11 +143,15 @@ public final class FaultyTcpProxy implements AutoCloseable {
   }
 
   /** Waits while it is silent. */
-  private boolean isCarried() throws InterruptedException {
+  private boolean isCarried(int bytes) throws InterruptedException {
     lock.lock();
     try {
       while (state == State.SILENT) {
         changed.await();
+      }
+      bytesUntilCut -= bytes;
+      if (bytesUntilCut < 0) {
+        become(State.CUT);
       }
       return state == State.WHOLE;
     } finally {

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
@@ -16,7 +17,14 @@ import java.util.stream.Stream;
 
 /** A command of the product in a process of its own, as a user starts it. */
 public final class ToqaProcess implements AutoCloseable {
-  private static final Duration LIMIT = Duration.ofSeconds(60);
+  /** When a process that does not end is given up; no answer of a test depends on it. */
+  private static final Duration LIMIT = Duration.ofMinutes(10);
+
+  /** Most commands of tests live for seconds, and are compiled for that. */
+  private static final String JAVA_OPTIONS = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC";
+
+  /** Where the WAR is unpacked once for all tests. */
+  private static final Path CACHE = Path.of("target/cache").toAbsolutePath();
 
   private final Process process;
   private final Output out;
@@ -37,7 +45,9 @@ public final class ToqaProcess implements AutoCloseable {
   public static ToqaProcess toqa(Path folder, Map<String, String> variables, String... arguments)
       throws IOException {
     String launcher = Path.of("toqa").toAbsolutePath().toString();
-    return start(folder, variables, prepend(List.of(launcher), arguments));
+    Map<String, String> all = new HashMap<>(variables);
+    all.put("TOQA_JAVA_OPTIONS", JAVA_OPTIONS);
+    return start(folder, CACHE, all, prepend(List.of(launcher), arguments));
   }
 
   /** A jar or WAR, run by this Java. */
@@ -49,14 +59,15 @@ public final class ToqaProcess implements AutoCloseable {
 
   /** Any command, with its caches under the folder. */
   public static ToqaProcess command(Path folder, String... command) throws IOException {
-    return start(folder, Map.of(), command);
+    return start(folder, folder.resolve("cache"), Map.of(), command);
   }
 
-  private static ToqaProcess start(Path folder, Map<String, String> variables, String... command)
+  private static ToqaProcess start(
+      Path folder, Path cache, Map<String, String> variables, String... command)
       throws IOException {
     ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
     builder.environment().putAll(variables);
-    builder.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
+    builder.environment().put("XDG_CACHE_HOME", cache.toString());
     return new ToqaProcess(builder.start());
   }
 
@@ -73,7 +84,7 @@ public final class ToqaProcess implements AutoCloseable {
     return exitCode(LIMIT);
   }
 
-  /** Waits for longer than other commands take. */
+  /** The same for a process that works for longer. */
   public int exitCode(Duration limit) throws InterruptedException {
     if (!process.waitFor(limit.toSeconds(), TimeUnit.SECONDS)) {
       throw new AssertionError("still running; it said: " + err.all());
@@ -106,6 +117,22 @@ public final class ToqaProcess implements AutoCloseable {
     process.destroyForcibly().waitFor();
   }
 
+  /** Lets it do nothing, and answer nothing, until {@link #thaw}; its connections stay open. */
+  public void freeze() throws IOException, InterruptedException {
+    signal("STOP");
+  }
+
+  public void thaw() throws IOException, InterruptedException {
+    signal("CONT");
+  }
+
+  private void signal(String name) throws IOException, InterruptedException {
+    int code = new ProcessBuilder("kill", "-" + name, String.valueOf(pid())).start().waitFor();
+    if (code != 0) {
+      throw new IOException("kill -" + name + " ended with " + code);
+    }
+  }
+
   @Override
   public void close() {
     process.destroyForcibly();
@@ -114,6 +141,7 @@ public final class ToqaProcess implements AutoCloseable {
   private static final class Output {
     private final List<String> lines = new ArrayList<>();
     private final Thread reader;
+    private boolean isAtEnd;
 
     Output(BufferedReader source) {
       // no virtual thread: reading a pipe holds its carrier, and a pipe that nobody reads fills up
@@ -125,11 +153,18 @@ public final class ToqaProcess implements AutoCloseable {
         source.lines().forEach(this::add);
       } catch (UncheckedIOException e) {
         // told to end from here, which closes the pipe: what it said last is not known
+      } finally {
+        end();
       }
     }
 
     private synchronized void add(String line) {
       lines.add(line);
+      notifyAll();
+    }
+
+    private synchronized void end() {
+      isAtEnd = true;
       notifyAll();
     }
 
@@ -155,7 +190,7 @@ public final class ToqaProcess implements AutoCloseable {
           }
         }
         long left = end - System.nanoTime();
-        if (left <= 0) {
+        if (left <= 0 || isAtEnd) {
           throw new AssertionError("no line with " + pattern + " in: " + lines);
         }
         TimeUnit.NANOSECONDS.timedWait(this, left);

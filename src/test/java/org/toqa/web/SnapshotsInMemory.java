@@ -73,6 +73,14 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
     }
   }
 
+  /** To be called with the lock. */
+  void forgetSnapshot() {
+    floors = List.of();
+    alerts = List.of();
+    pause = null;
+    publish(List.of());
+  }
+
   CompletionStage<Answer<Optional<Hold>>> setPause(@Nullable Hold next) {
     lock.lock();
     try {

@@ -49,6 +49,20 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
     silent = true;
   }
 
+  /** As before the first robot and the first task; only versions and the time go on. */
+  void forgetAll() {
+    lock.lock();
+    try {
+      tasks.clear();
+      keys.clear();
+      events.clear();
+      silent = false;
+      forgetSnapshot();
+    } finally {
+      lock.unlock();
+    }
+  }
+
   /** Publishes another state of a task and records it. */
   public void changeTask(long id, TaskState state, List<String> robots, String sentence) {
     lock.lock();

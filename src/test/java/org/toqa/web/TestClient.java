@@ -18,13 +18,15 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 
 /** Somebody with a browser's manners: keeps cookies, sends forms with their token. */
 public final class TestClient implements AutoCloseable {
-  private static final Duration LIMIT = Duration.ofSeconds(20);
+  private static final Duration LIMIT = Duration.ofSeconds(60);
   private static final Pattern CSRF = Pattern.compile("name=\"_csrf\" value=\"([^\"]+)\"");
 
   private final URI root;
+  private final @Nullable String address;
   private final HttpClient client =
       HttpClient.newBuilder()
           .cookieHandler(new CookieManager())
@@ -32,7 +34,15 @@ public final class TestClient implements AutoCloseable {
           .build();
 
   public TestClient(URI root) {
+    this(root, null);
+  }
+
+  /**
+   * @param address from which a proxy says that he asks; null: there is no proxy
+   */
+  public TestClient(URI root, @Nullable String address) {
     this.root = root;
+    this.address = address;
   }
 
   public static TestClient signedIn(URI root, String name) {
@@ -86,10 +96,19 @@ public final class TestClient implements AutoCloseable {
 
   /** The same with another method. */
   public HttpResponse<String> sendJson(String method, String path, String body) {
+    return sendJson(method, path, body, csrf());
+  }
+
+  /**
+   * The same for who has the session's token already.
+   *
+   * @param csrf the token
+   */
+  public HttpResponse<String> sendJson(String method, String path, String body, String csrf) {
     return send(
         request(path)
             .header("Content-Type", "application/json")
-            .header("X-CSRF-Token", csrf())
+            .header("X-CSRF-Token", csrf)
             .method(method, BodyPublishers.ofString(body))
             .build());
   }
@@ -123,7 +142,8 @@ public final class TestClient implements AutoCloseable {
   }
 
   public HttpRequest.Builder request(String path) {
-    return HttpRequest.newBuilder(root.resolve(path)).timeout(LIMIT);
+    HttpRequest.Builder request = HttpRequest.newBuilder(root.resolve(path)).timeout(LIMIT);
+    return address == null ? request : request.header("X-Forwarded-For", address);
   }
 
   public HttpResponse<String> send(HttpRequest request) {

@@ -16,6 +16,7 @@ import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
+import org.toqa.fleet.RobotView.Work;
 import org.toqa.fleet.ScheduleStore;
 import org.toqa.fleet.Schedules;
 import org.toqa.fleet.SnapshotFeed;
@@ -116,7 +117,14 @@ public final class TestFleet extends TasksInMemory {
 
   @Override
   public CompletionStage<Answer<RobotView>> holdRobot(String name, String user) {
-    return change(name, known -> standing(known, RobotState.HOLDING, known.telemetry().pose()));
+    return change(
+        name,
+        known -> {
+          RobotView still = standing(known, RobotState.HOLDING, known.telemetry().pose());
+          Work work = still.work();
+          return still.withWork(
+              new Work(work.task(), work.phase(), true, work.charger(), work.doing()));
+        });
   }
 
   @Override

@@ -1,7 +1,6 @@
 package org.toqa.web;
 
 import com.github.benmanes.caffeine.cache.Ticker;
-import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.URI;
@@ -15,15 +14,13 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.apache.catalina.LifecycleException;
 import org.apache.catalina.LifecycleState;
-import org.apache.catalina.WebResourceRoot;
 import org.apache.catalina.connector.Connector;
 import org.apache.catalina.core.StandardContext;
 import org.apache.catalina.startup.Tomcat;
-import org.apache.catalina.webresources.DirResourceSet;
-import org.apache.catalina.webresources.StandardRoot;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
+import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
 import org.toqa.accounts.PasswordHasher;
@@ -51,12 +48,16 @@ public final class WebTestServer implements AutoCloseable {
   /** Argon2id takes its time; once is enough. */
   private static final PasswordHasher PASSWORDS = new PasswordHasher();
 
+  /** Tables of what a fleet has done. */
+  private static final List<String> WORK =
+      List.of("robot_use", "tracks", "events", "drives", "schedules", "tasks", "robots");
+
   private static final RequestLimit NO_LIMIT = new RequestLimit(0, Ticker.systemTicker());
 
   private static final String PASSWORD_HASH = PASSWORDS.hash(PASSWORD);
 
-  /** Views are compiled once for all servers of this process. */
-  private static final Path COMPILED_VIEWS = temporaryFolder();
+  /** With the views as servlets, as the build has compiled them. */
+  private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
 
   private final TestFleet fleet;
   private final TestMailbox mailbox = new TestMailbox();
@@ -79,13 +80,13 @@ public final class WebTestServer implements AutoCloseable {
    */
   public static WebTestServer startForBrowser()
       throws IOException, LifecycleException, SQLException {
+    return Boolean.getBoolean("toqa.browser.mysql") ? startOnMySql() : start();
+  }
+
+  /** The same, on the MySQL of {@code -Dtoqa.mysql.url}. */
+  public static WebTestServer startOnMySql() throws IOException, LifecycleException, SQLException {
     return withUsers(
-        new WebTestServer(
-            0,
-            Boolean.getBoolean("toqa.browser.mysql")
-                ? Database.open(RealMySql.newDatabase(), "", "")
-                : inMemory(),
-            NO_LIMIT));
+        new WebTestServer(0, Database.open(RealMySql.newDatabase(), "", ""), NO_LIMIT));
   }
 
   /**
@@ -103,9 +104,29 @@ public final class WebTestServer implements AutoCloseable {
   }
 
   private static WebTestServer withUsers(WebTestServer server) {
-    server.accounts.add(CLERK, PASSWORD_HASH, Role.CLERK, EventRecord.SYSTEM);
-    server.accounts.add(MANAGER, PASSWORD_HASH, Role.MANAGER, EventRecord.SYSTEM);
+    server.addUser(CLERK, null, Role.CLERK);
+    server.addUser(MANAGER, null, Role.MANAGER);
     return server;
+  }
+
+  /** Somebody with the password of all. */
+  public void addUser(String name, @Nullable String email, Role role) {
+    if (accounts.add(name, email, PASSWORD_HASH, role, EventRecord.SYSTEM).isEmpty()) {
+      throw new IllegalStateException(name + " is there already");
+    }
+  }
+
+  /** For the next test of a class: nothing has happened yet; users and their sessions stay. */
+  public void forgetWork() {
+    fleet.forgetAll();
+    database
+        .jdbi()
+        .useHandle(handle -> WORK.forEach(table -> handle.execute("delete from " + table)));
+  }
+
+  /** Nobody is logged in any more. */
+  public void endSessions() {
+    database.jdbi().useHandle(handle -> handle.execute("delete from sessions"));
   }
 
   /**
@@ -166,21 +187,13 @@ public final class WebTestServer implements AutoCloseable {
     connector.setProperty("address", "127.0.0.1");
     connector.setProperty("useVirtualThreads", "true");
     tomcat.setConnector(connector);
-    StandardContext context =
-        (StandardContext) tomcat.addWebapp("", new File("src/main/webapp").getAbsolutePath());
+    StandardContext context = (StandardContext) tomcat.addWebapp("", WEBAPP.toString());
     context.setParentClassLoader(WebTestServer.class.getClassLoader());
-    context.setWorkDir(COMPILED_VIEWS.toString());
     StandardJarScanFilter filter = new StandardJarScanFilter();
     filter.setDefaultTldScan(false);
     filter.setDefaultPluggabilityScan(false);
     filter.setTldScan("jakarta.servlet.jsp.jstl-*.jar");
     ((StandardJarScanner) context.getJarScanner()).setJarScanFilter(filter);
-    WebResourceRoot root = new StandardRoot(context);
-    for (String library : List.of("/assets/pico", "/assets/chart", "/assets/swagger")) {
-      String folder = new File("target/webapp" + library).getAbsolutePath();
-      root.addPreResources(new DirResourceSet(root, library, folder, "/"));
-    }
-    context.setResources(root);
     context.addServletContainerInitializer(
         (classes, servletContext) -> servletContext.setAttribute(Services.ATTRIBUTE, services),
         null);
@@ -231,16 +244,6 @@ public final class WebTestServer implements AutoCloseable {
     tomcat.destroy();
     database.close();
     delete(baseDir);
-  }
-
-  private static Path temporaryFolder() {
-    try {
-      Path folder = Files.createTempDirectory("toqa-views");
-      Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(folder)));
-      return folder;
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 
   private static void delete(Path folder) {

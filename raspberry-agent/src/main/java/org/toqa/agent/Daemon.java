@@ -182,7 +182,7 @@ public final class Daemon implements AutoCloseable {
   }
 
   /** Whether something that was received waits for a tick. */
-  boolean hasPendingMessages() {
+  public boolean hasPendingMessages() {
     return connections.hasPendingMessages();
   }
 

@@ -222,7 +222,7 @@ public final class FleetServer implements AutoCloseable {
   }
 
   /** Simulated time, which may pass faster than real time; without simulated robots, real time. */
-  public InstantSource fleetClock() {
+  public VirtualClock fleetClock() {
     return fleetClock;
   }
 

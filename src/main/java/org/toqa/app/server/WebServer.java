@@ -10,6 +10,7 @@ import java.util.regex.Pattern;
 import org.apache.catalina.LifecycleException;
 import org.apache.catalina.connector.Connector;
 import org.apache.catalina.core.StandardContext;
+import org.apache.catalina.core.StandardHost;
 import org.apache.catalina.loader.WebappLoader;
 import org.apache.catalina.startup.Tomcat;
 import org.apache.catalina.valves.RemoteIpValve;
@@ -57,6 +58,7 @@ final class WebServer implements AutoCloseable {
     Tomcat tomcat = new Tomcat();
     tomcat.setBaseDir(Files.createDirectories(configuration.data().resolve("tomcat")).toString());
     tomcat.setConnector(connector(address, port, configuration.tls()));
+    answerUnreadableRequests(tomcat);
     trustProxy(tomcat, configuration.proxy());
     WebServer server = new WebServer(tomcat, context(tomcat, webapp), address);
     try {
@@ -96,6 +98,13 @@ final class WebServer implements AutoCloseable {
     connector.setProperty("SSLEnabled", "true");
     connector.setScheme("https");
     connector.setSecure(true);
+  }
+
+  private static void answerUnreadableRequests(Tomcat tomcat) {
+    StandardHost host = (StandardHost) tomcat.getHost();
+    UnreadableRequestValve valve = new UnreadableRequestValve();
+    host.getPipeline().addValve(valve);
+    host.setErrorReportValveClass(valve.getClass().getName());
   }
 
   /** Takes the caller's address, and whether its connection is encrypted, from the proxy. */

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -31,6 +30,9 @@ final class SingleRobotPlanner {
 
   /** So many lane cells from its goal a robot may go straight there, in any heading. */
   private static final int NEAR = 3;
+
+  /** Metres that a robot in a bend may be beside its path; one with that room is preferred. */
+  private static final double OFF_PATH = 0.02;
 
   private static final double ROUNDING = 1e-4;
 
@@ -347,14 +349,27 @@ final class SingleRobotPlanner {
     PassingPlaces passingPlaces =
         side == 1 ? new PassingPlaces.CellCentres(grid) : new PassingPlaces.Spaced(side * narrow);
     List<Waypoint> exact = side == 1 ? waypoints : endingAtGoal(robot, waypoints);
-    return Stream.<Supplier<List<Section>>>of(
+    List<Supplier<List<Section>>> fits =
+        List.of(
             () -> fitter.fit(robot, robot.releasedEnd(), exact, side * narrow, passingPlaces),
             () -> fitter.fit(robot, robot.releasedEnd(), exact, narrow, passingPlaces),
-            () -> fitter.fit(robot, robot.releasedEnd(), stopping(exact), narrow, passingPlaces))
+            () -> fitter.fit(robot, robot.releasedEnd(), stopping(exact), narrow, passingPlaces));
+    return firstOf(fits, isAcceptable.and(sections -> isRoomy(robot, sections)))
+        .or(() -> firstOf(fits, isAcceptable));
+  }
+
+  private static Optional<List<Section>> firstOf(
+      List<Supplier<List<Section>>> fits, Predicate<List<Section>> isAcceptable) {
+    return fits.stream()
         .map(Supplier::get)
         .filter(sections -> !sections.isEmpty())
         .filter(isAcceptable)
         .findFirst();
+  }
+
+  /** Whether a robot that is a little beside its path touches no wall and no obstacle either. */
+  private boolean isRoomy(TrafficRobot robot, List<Section> sections) {
+    return isClearOf(robot.releasedEnd(), sections, robot.radius() + OFF_PATH, freeSpace.blocked());
   }
 
   /** The same path, ending at its goal itself if it ends in the cell of that. */

@@ -7,6 +7,12 @@ import java.io.IOException;
 import java.net.URI;
 import java.net.http.HttpResponse;
 import java.nio.file.Path;
+import java.sql.Connection;
+import java.sql.DriverManager;
+import java.sql.ResultSet;
+import java.sql.SQLException;
+import java.sql.Statement;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -24,13 +30,17 @@ import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 
 /**
- * The whole server with simulated robots. At its end all that was logged is searched for all
- * secrets that were used.
+ * The whole server with simulated robots, which attackers reach by way of a proxy, each from an
+ * address of his own. At its end all that was logged is searched for all secrets that were used.
  */
 final class AttackedServer implements AutoCloseable {
   static final String MANAGER = WebTestServer.MANAGER;
 
+  /** Somebody else, whose account and password managers change. */
   static final String CLERK = WebTestServer.CLERK;
+
+  /** Of a robot that is nowhere: 26 letters and digits, as a robot shows them. */
+  static final String PAIRING_CODE = "ABCD-EFGH-JKLM-NPQR-STUVW-XYZ23";
 
   private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
 
@@ -39,17 +49,38 @@ final class AttackedServer implements AutoCloseable {
           "name=\"_csrf\" value=\"([^\"]+)|class=\"secret\"[^>]*>([^<]*)"
               + "|\"(?:token|secret|link)\":\"([^\"]+)");
 
+  /** What people order; what robots do meanwhile is in other columns and tables. */
+  private static final List<String> STORED =
+      List.of(
+          "select id, name, email, password_hash, role, disabled from users",
+          "select id, user_id, kind, name from sessions",
+          "select user_id, secret_hash from password_resets",
+          "select name, host, port, max_load, parking, fingerprint, out_of_service, held, removed"
+              + " from robots",
+          "select id, name, user_name, floor, load_kg, load_length, load_width, start_x, start_y,"
+              + " start_station, goal_x, goal_y, goal_station, priority, deadline, held from tasks",
+          "select id, name, user_name, floor, load_kg, priority, kind, first_at, every_s, weekdays,"
+              + " time_of_day, zone, until_at, paused from schedules",
+          "select floor from floor_holds",
+          "select id from fleet_pause");
+
   private final LogRecording log;
   private final WebServer web;
   private final FleetServer toqa;
   private final WebServer.RunningWebapp site;
+  private final Connection database;
+  private final String hash;
   private final Set<String> secrets = ConcurrentHashMap.newKeySet();
+  private int addresses;
 
-  private AttackedServer(Path data) throws IOException, ConfigurationException {
+  private AttackedServer(Path data, Map<Setting, @Nullable String> more)
+      throws IOException, ConfigurationException, SQLException {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
+    settings.putAll(more);
     settings.put(Setting.PORT, "0");
     settings.put(Setting.DATA, data.toString());
     settings.put(Setting.MANAGER, MANAGER + ":" + WebTestServer.PASSWORD);
+    settings.put(Setting.PROXY, "127.0.0.1");
     settings.put(Setting.REQUESTS_PER_SECOND, "0");
     settings.put(Setting.SIMULATE, "2");
     settings.put(Setting.SPEED, "10");
@@ -60,25 +91,57 @@ final class AttackedServer implements AutoCloseable {
     web = WebServer.bind(WEBAPP, configuration);
     toqa = FleetServer.start(configuration);
     site = web.open(toqa);
+    database = DriverManager.getConnection(configuration.database().url());
+    hash = toqa.services().passwordHasher().hash(WebTestServer.PASSWORD);
     secrets.add(WebTestServer.PASSWORD);
-    String hash = toqa.services().passwordHasher().hash(WebTestServer.PASSWORD);
-    toqa.services().accounts().add(CLERK, hash, Role.CLERK, MANAGER);
+    secrets.add(PAIRING_CODE);
+    secrets.add(PAIRING_CODE.replace("-", ""));
+    addUser(CLERK);
   }
 
   /**
    * @param data an empty folder
    */
-  static AttackedServer start(Path data) throws IOException, ConfigurationException {
-    return new AttackedServer(data);
+  static AttackedServer start(Path data) throws IOException, ConfigurationException, SQLException {
+    return new AttackedServer(data, Map.of());
+  }
+
+  /**
+   * @param data an empty folder
+   * @param more settings beside those that it needs itself
+   */
+  static AttackedServer start(Path data, Map<Setting, @Nullable String> more)
+      throws IOException, ConfigurationException, SQLException {
+    return new AttackedServer(data, more);
   }
 
   URI root() {
     return site.uri();
   }
 
-  /** Somebody who has logged in. */
+  /** The secret is used from now on. */
+  void addSecret(String secret) {
+    secrets.add(secret);
+  }
+
+  /** A clerk with the password of all. */
+  void addUser(String name) {
+    toqa.services().accounts().add(name, hash, Role.CLERK, MANAGER);
+  }
+
+  long userId(String name) {
+    return toqa.services().accounts().accountByName(name).orElseThrow().id();
+  }
+
+  /** Somebody at an address where nobody has failed yet. */
+  TestClient stranger() {
+    addresses++;
+    return new TestClient(root(), "10.0.%d.%d".formatted(addresses / 250, addresses % 250 + 1));
+  }
+
+  /** The same, logged in. */
   TestClient signedIn(String name) {
-    TestClient client = new TestClient(root());
+    TestClient client = stranger();
     observed(client.signIn(name));
     observed(client.get("map"));
     return client;
@@ -103,15 +166,35 @@ final class AttackedServer implements AutoCloseable {
     return answer;
   }
 
+  /** All that people have ordered, as it is stored now. */
+  String stored() throws SQLException {
+    List<List<@Nullable Object>> rows = new ArrayList<>();
+    try (Statement statement = database.createStatement()) {
+      for (String query : STORED) {
+        try (ResultSet found = statement.executeQuery(query + " order by 1")) {
+          while (found.next()) {
+            List<@Nullable Object> row = new ArrayList<>();
+            for (int i = 1; i <= found.getMetaData().getColumnCount(); i++) {
+              row.add(found.getObject(i));
+            }
+            rows.add(row);
+          }
+        }
+      }
+    }
+    return rows.toString();
+  }
+
   /** Lets all threads end, and then looks at what was logged. */
   @Override
-  public void close() throws IOException {
+  public void close() throws IOException, SQLException {
     try (log) {
+      database.close();
       site.close();
       toqa.close();
       web.close();
       assertTrue(log.lines().stream().anyMatch(line -> line.contains("The first manager is")));
-      assertTrue(secrets.size() > 2, "a password, a session, a form's token");
+      assertTrue(secrets.size() > 4, "few secrets were used");
       String text = log.text();
       for (String secret : secrets) {
         assertFalse(text.contains(secret), "The secret " + secret + " is in the log.");

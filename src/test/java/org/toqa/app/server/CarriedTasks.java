@@ -16,6 +16,7 @@ final class CarriedTasks {
 
   private final TestClient client;
   private final String name;
+  private final String csrf;
   private long task;
   private int done;
 
@@ -25,6 +26,7 @@ final class CarriedTasks {
   CarriedTasks(TestClient client, String name) {
     this.client = client;
     this.name = name;
+    this.csrf = client.csrf();
     order();
   }
 
@@ -37,13 +39,13 @@ final class CarriedTasks {
                 .put("priority", 50)
                 .set("start", JSON.createObjectNode().put("station", "Goods-in 1"))
                 .set("goal", JSON.createObjectNode().put("station", "Mill")));
-    HttpResponse<String> answer = client.postJson("api/v1/tasks", order);
+    HttpResponse<String> answer = client.sendJson("POST", "api/v1/tasks", order, csrf);
     assertEquals(201, answer.statusCode(), answer.body());
     task = JSON.readTree(answer.body()).get("id").asLong();
   }
 
   /** Gives the next task where the one before is done. */
-  private void goOn() {
+  void goOn() {
     JsonNode now = JSON.readTree(client.get("api/v1/tasks/" + task).body());
     String state = now.get("state").asString();
     assertTrue(!state.equals("FAILED") && !state.equals("CANCELLED"), now::toString);
@@ -55,7 +57,7 @@ final class CarriedTasks {
   }
 
   /** Waits for the task that is under way. */
-  void awaitDone() throws InterruptedException {
+  int awaitDone() throws InterruptedException {
     long end = System.nanoTime() + LIMIT_NANOS;
     int before = done;
     while (done == before) {
@@ -63,6 +65,20 @@ final class CarriedTasks {
       goOn();
       TimeUnit.MILLISECONDS.sleep(50);
     }
+    return done;
+  }
+
+  /**
+   * Another task is not to be carried; where its load is on board already, it goes back, and where
+   * it is nearly done, it may end.
+   */
+  void cancel(long other) {
+    String path = "api/v1/tasks/" + other + "/cancel";
+    int status = client.sendJson("POST", path, "{}", csrf).statusCode();
+    if (status == 422) {
+      status = client.sendJson("POST", path, "{\"load\":\"back\"}", csrf).statusCode();
+    }
+    assertTrue(status == 200 || status == 409, path + " answered " + status);
   }
 
   /** The one that is under way. */

@@ -95,8 +95,6 @@ class LiveInBrowserTest extends BrowserTest {
   }
 
   private void awaitBoth(long version) {
-    page()
-        .waitForFunction(
-            "version => window.whole[version] && window.together[version]", (double) version);
+    await(page(), "!!(window.whole[%1$d] && window.together[%1$d])".formatted(version));
   }
 }

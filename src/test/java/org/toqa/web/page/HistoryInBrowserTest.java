@@ -2,28 +2,24 @@ package org.toqa.web.page;
 
 import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.AriaRole;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
 import org.toqa.fleet.history.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
-import org.toqa.testbed.BrowserTest;
 import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Sentence;
@@ -32,29 +28,13 @@ import org.toqa.wording.Sentence;
  * What has happened, and where a robot was, in a real browser. Pictures go to {@code
  * target/screenshots}, to be looked at.
  */
-class HistoryInBrowserTest extends BrowserTest {
-  private static final Path PICTURES = Path.of("target/screenshots");
+class HistoryInBrowserTest extends PagesInBrowser {
 
-  private WebTestServer server;
-
-  @BeforeEach
-  void start() throws Exception {
-    server = WebTestServer.startForBrowser();
-    server
-        .fleet()
-        .setRobots(
-            Hall.robot("r1", RobotState.IDLE, new Pose(2, 1, 0), "127.0.0.1", 7275),
-            Hall.robot("r2", RobotState.IDLE, new Pose(4, 1, 0), "127.0.0.1", 7276));
-    page().navigate(server.root().toString());
-    page().getByLabel("Name").fill(WebTestServer.CLERK);
-    page().getByLabel("Password").fill(WebTestServer.PASSWORD);
-    page().locator("main button").click();
-    assertThat(page().locator("#map")).isVisible();
-  }
-
-  @AfterEach
-  void stop() throws Exception {
-    server.close();
+  @Override
+  List<RobotView> robots() {
+    return List.of(
+        Hall.robot("r1", RobotState.IDLE, new Pose(2, 1, 0), "127.0.0.1", 7275),
+        Hall.robot("r2", RobotState.IDLE, new Pose(4, 1, 0), "127.0.0.1", 7276));
   }
 
   @Test
@@ -82,7 +62,7 @@ class HistoryInBrowserTest extends BrowserTest {
     show();
     assertThat(sentences()).hasText(new String[] {"r1 is nearest"});
     assertThat(select("robot")).hasValue("r1");
-    picture("history-filtered");
+    picture(page(), "history-filtered");
     assertThat(page().locator("tbody a")).hasText(new String[] {"r1", "7"});
 
     select("robot").selectOption("");
@@ -109,7 +89,7 @@ class HistoryInBrowserTest extends BrowserTest {
     assertThat(sentences()).hasCount(0);
     assertThat(page().getByText("No matching events.")).isVisible();
     assertThat(page().getByLabel("From (UTC)")).hasValue("2027-01-01");
-    picture("history-empty");
+    picture(page(), "history-empty");
   }
 
   @Test
@@ -127,15 +107,15 @@ class HistoryInBrowserTest extends BrowserTest {
 
     assertThat(sentences()).hasCount(100);
     assertThat(sentences().first()).hasText("event 249");
-    assertThat(link("Newest")).hasCount(0);
-    link("Older").click();
+    assertThat(linkTo("Newest")).hasCount(0);
+    linkTo("Older").click();
     assertThat(sentences().first()).hasText("event 149");
-    link("Older").click();
+    linkTo("Older").click();
     assertThat(sentences()).hasCount(10); // 250 - 40 of r2 - two pages of 100
     assertThat(sentences().last()).hasText("event 40");
-    assertThat(link("Older")).hasCount(0);
-    picture("history-last-page");
-    link("Newest").click();
+    assertThat(linkTo("Older")).hasCount(0);
+    picture(page(), "history-last-page");
+    linkTo("Newest").click();
     assertThat(sentences().first()).hasText("event 249");
     assertThat(select("robot")).hasValue("r1");
   }
@@ -155,7 +135,7 @@ class HistoryInBrowserTest extends BrowserTest {
     assertThat(field).hasValue("seven");
     assertThat(page().getByText("Enter the number of a task or an event.")).isVisible();
     assertThat(sentences()).hasCount(0);
-    picture("history-refused");
+    picture(page(), "history-refused");
     field.fill("");
     show();
     assertThat(sentences()).hasCount(1);
@@ -171,7 +151,7 @@ class HistoryInBrowserTest extends BrowserTest {
           before=-1      | Enter the number of a task or an event.
           """)
   void aBadAddressIsSaidInASentence(String query, String sentence) {
-    page().navigate(server.root() + "history?" + query);
+    open("history?" + query);
 
     assertThat(page().locator("main")).containsText(sentence);
     assertThat(page().locator("h1")).hasText("History");
@@ -179,7 +159,7 @@ class HistoryInBrowserTest extends BrowserTest {
 
   @Test
   void theTrackOfARobotIsDrawnOnItsPage() {
-    page().navigate(server.root() + "robots/r1");
+    open("robots/r1");
     Locator none = page().getByText("No track for this time.");
     assertThat(none).isVisible();
     Object empty = canvas();
@@ -200,7 +180,7 @@ class HistoryInBrowserTest extends BrowserTest {
     assertThat(none).isHidden();
     page().waitForCondition(() -> !canvas().equals(empty));
     page().locator("#track").scrollIntoViewIfNeeded();
-    picture("robot-track");
+    picture(page(), "robot-track");
     page().navigate(server.root() + "robots/r2");
     assertThat(none).isVisible();
     assertEquals(List.of(), complaints());
@@ -214,17 +194,20 @@ class HistoryInBrowserTest extends BrowserTest {
             List.of(
                 event(0, "robot.held", null, "r1", "Max", "Max put r1 on hold"),
                 event(1, "robot.held", null, "r2", "Max", "Max put r2 on hold")));
-    page().setViewportSize(390, 844);
-    page().navigate(server.root() + "robots/r1");
-    link("Show history").click();
+    open("robots/r1");
+    click(linkTo("Show history"));
 
     assertThat(sentences()).hasText(new String[] {"Max put r1 on hold"});
-    picture("phone-history");
-    assertFalse((Boolean) page().evaluate("document.documentElement.scrollWidth > innerWidth"));
+    assertFits(page(), "history", PHONE);
+  }
+
+  /** Logged in. */
+  private void open(String path) {
+    loggedIn(WebTestServer.CLERK, DESK, path);
   }
 
   private void openHistory() {
-    page().navigate(server.root() + "history");
+    open("history");
   }
 
   private void show() {
@@ -241,17 +224,12 @@ class HistoryInBrowserTest extends BrowserTest {
     return page().locator("tbody th");
   }
 
-  private Locator link(String name) {
-    return page()
-        .getByRole(AriaRole.LINK, new Page.GetByRoleOptions().setName(name).setExact(true));
+  private Locator linkTo(String name) {
+    return page().getByRole(AriaRole.LINK, link(name));
   }
 
   private Object canvas() {
     return page().evaluate("document.querySelector('#track').toDataURL()");
-  }
-
-  private void picture(String name) {
-    page().screenshot(new Page.ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")));
   }
 
   private static EventRecord event(

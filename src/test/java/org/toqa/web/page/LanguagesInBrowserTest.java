@@ -2,26 +2,15 @@ package org.toqa.web.page;
 
 import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import com.microsoft.playwright.Page;
-import com.microsoft.playwright.Page.EmulateMediaOptions;
 import com.microsoft.playwright.Page.GetByRoleOptions;
-import com.microsoft.playwright.Page.ScreenshotOptions;
 import com.microsoft.playwright.options.AriaRole;
-import com.microsoft.playwright.options.ColorScheme;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.mission.TaskState;
-import org.toqa.testbed.BrowserTest;
-import org.toqa.testbed.Hall;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 import org.toqa.web.access.LanguagesTest;
@@ -30,28 +19,10 @@ import org.toqa.web.access.LanguagesTest;
  * The pages in Arabic, from right to left. Pictures of them go to {@code target/screenshots}, to be
  * looked at.
  */
-class LanguagesInBrowserTest extends BrowserTest {
-  private static final Path PICTURES = Path.of("target/screenshots");
-
-  private WebTestServer server;
-
-  @BeforeEach
-  void start() throws Exception {
-    server = WebTestServer.startForBrowser();
-    server.fleet().changeRobots(none -> PagesInBrowser.fleetAtWork());
-    page().setViewportSize(1280, 900);
-  }
-
-  @AfterEach
-  void stop() throws Exception {
-    server.close();
-    assertEquals(
-        List.of(),
-        complaints().stream().filter(c -> !c.startsWith("Failed to load resource")).toList());
-  }
-
+class LanguagesInBrowserTest extends PagesInBrowser {
   @Test
   void theLanguageIsChosenAtTheLoginAndStays() {
+    DESK.show(page());
     page().navigate(server.root().toString());
     assertThat(page().locator("html")).hasAttribute("dir", "ltr");
     page().getByText("العربية").click();
@@ -81,7 +52,7 @@ class LanguagesInBrowserTest extends BrowserTest {
     page().navigate(server.root() + "tasks/new");
     page().getByLabel("اسم المهمة").fill("صندوق براغٍ (2)");
     page().getByLabel("الحمولة (كغم)").fill("٢٫٥");
-    PagesInBrowser.clickMap(
+    clickMap(
         page(),
         page().locator("#map"),
         1.05,
@@ -93,7 +64,7 @@ class LanguagesInBrowserTest extends BrowserTest {
     assertThat(page().locator("#preview"))
         .containsText(Pattern.compile("عدد الروبوتات التي تحملها معًا: 2\\."));
     assertThat(page().locator("#preview")).containsText("المسافة المتوقعة للحمولة: 8.0 م.");
-    picture("ar-new-task-picked");
+    picture(page(), "ar-new-task-picked");
     page().getByRole(AriaRole.BUTTON, new GetByRoleOptions().setName("أنشئ المهمة")).click();
 
     assertThat(page().locator("h1")).hasText("صندوق براغٍ (2)");
@@ -125,55 +96,7 @@ class LanguagesInBrowserTest extends BrowserTest {
     assertEquals(
         List.of(), latin(page().locator(".sentence bdi:not([lang=en])").allTextContents()));
     assertThat(page().locator("#tasks")).containsText("في الانتظار");
-    picture("ar-map-question");
-  }
-
-  @ParameterizedTest
-  @CsvSource({
-    "1280, 900, LIGHT, ar-desktop",
-    "1280, 900, DARK, ar-dark",
-    "390, 844, LIGHT, ar-phone",
-    "390, 844, DARK, ar-phone-dark"
-  })
-  void everyArabicPageFitsItsScreen(int width, int height, ColorScheme scheme, String name) {
-    addTasks();
-    server.fleet().changeTask(2, TaskState.CARRYING, List.of("r1", "r2"), "r1 carries the load.");
-    server.fleet().changeTask(3, TaskState.DONE, List.of("r2"), "r2 has parked.");
-    server.fleet().changeFloor(Hall.crowdedFloor());
-    page().setViewportSize(width, height);
-    page().emulateMedia(new EmulateMediaOptions().setColorScheme(scheme));
-    arabic();
-    assertFits(name, "login");
-    logIn();
-    for (String path :
-        List.of(
-            "map",
-            "tasks",
-            "tasks/new",
-            "tasks/import",
-            "schedules",
-            "tasks/2",
-            "robots",
-            "robots/r5",
-            "users",
-            "users/2",
-            "statistics",
-            "history",
-            "nothing")) {
-      page().navigate(server.root() + path);
-      if (path.equals("map")) {
-        assertThat(page().locator("#age")).containsText("مباشر");
-        assertThat(page().locator("#robots li")).hasCount(6);
-      }
-      assertFits(name, path);
-    }
-    page().navigate(server.root() + "tasks/new");
-    page().locator("form.task button").click();
-    assertThat(page().locator("[aria-invalid=true]").first()).isVisible();
-    assertFits(name, "tasks-new-refused");
-    page().getByText("أوقف كل الروبوتات مؤقتًا").click();
-    assertThat(page().locator("#pause")).containsText("كل الروبوتات موقوفة مؤقتًا");
-    assertFits(name, "paused");
+    picture(page(), "ar-map-question");
   }
 
   /** Those that have Latin words, but names that are isolated. */
@@ -185,21 +108,14 @@ class LanguagesInBrowserTest extends BrowserTest {
   }
 
   private void arabic() {
+    DESK.show(page());
     page().navigate(server.root() + "language/ar");
     assertThat(page().locator("html")).hasAttribute("dir", "rtl");
   }
 
-  private void logIn() {
-    page().getByLabel("الاسم").fill(WebTestServer.MANAGER);
-    page().getByLabel("كلمة المرور").fill(WebTestServer.PASSWORD);
-    page().locator("main button").click();
-    assertThat(page().locator("#map")).isVisible();
-  }
-
   private void addTasks() {
     try (TestClient visitor = TestClient.signedIn(server.root(), WebTestServer.CLERK)) {
-      PagesInBrowser.addSchedules(visitor);
-      for (String task : List.of("Box of bolts (2)", "منصة تروس للخط 4", "Samples")) {
+      for (String task : List.of("Box of bolts (2)", "منصة تروس للخط 4")) {
         visitor.post(
             "tasks/new",
             Map.of(
@@ -212,17 +128,11 @@ class LanguagesInBrowserTest extends BrowserTest {
     }
   }
 
-  private void assertFits(String name, String path) {
-    picture(name + "-" + path.replace('/', '-'));
-    assertFalse(
-        (Boolean)
-            page().evaluate("document.documentElement.scrollWidth > innerWidth || scrollX !== 0"),
-        path + " is wider than the screen");
-  }
-
-  private void picture(String name) {
-    page()
-        .screenshot(
-            new ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")).setFullPage(true));
+  /** By words that a reader of Arabic sees. */
+  private void logIn() {
+    page().getByLabel("الاسم").fill(WebTestServer.MANAGER);
+    page().getByLabel("كلمة المرور").fill(WebTestServer.PASSWORD);
+    page().locator("main button").click();
+    assertThat(page().locator("#map")).isVisible();
   }
 }

@@ -8,7 +8,6 @@ import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.Route;
 import com.microsoft.playwright.options.AriaRole;
-import com.microsoft.playwright.options.ColorScheme;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
@@ -16,7 +15,8 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.accounts.Role;
 import org.toqa.fleet.FloorView;
 import org.toqa.grid.CellRuns;
 import org.toqa.web.TestClient;
@@ -26,8 +26,7 @@ import org.toqa.web.WebTestServer;
 class ManagerPagesInBrowserTest extends PagesInBrowser {
   @Test
   void aRobotIsTakenOutOfServiceOnItsPage() {
-    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
-    page.navigate(server.root() + "robots/r2");
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "robots/r2");
     page.getByText("Take out of service").click();
     assertThat(page.locator("#service")).containsText("make sure that the robot is not there");
     page.getByText("Confirm out of service").click();
@@ -51,102 +50,92 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator(".heading .state")).hasText("Idle");
   }
 
-  @ParameterizedTest
-  @CsvSource({"1280, 900, desktop", "390, 844, phone"})
-  void aManagerDisablesAUserAndIsNotDisabledHimself(int width, int height, String name) {
-    Page page = loggedIn(width, height, ColorScheme.LIGHT);
-    page.navigate(server.root() + "users");
-    page.getByRole(AriaRole.LINK, link("Clara")).click();
+  @Test
+  void aManagerDisablesAUserAndIsNotDisabledHimself() {
+    server.addUser("Dora", null, Role.CLERK);
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "users");
+    click(page.getByRole(AriaRole.LINK, link("Dora")));
     page.getByLabel("Disabled").check();
-    picture(page, name + "-users-change");
-    page.locator("main").getByText("Save", exactly()).last().click();
+    assertFits(page, "users-change", PHONE, DESK);
+    click(page.locator("main").getByText("Save", exactly()).last());
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("The user was changed.");
     assertThat(page.locator(".heading")).containsText("Clerk, disabled");
 
-    page.getByText("All users").click();
-    page.getByRole(AriaRole.LINK, link("Max")).click();
+    click(page.getByText("All users"));
+    click(page.getByRole(AriaRole.LINK, link("Max")));
     page.getByLabel("Disabled").check();
-    page.locator("main").getByText("Save", exactly()).last().click();
+    click(page.locator("main").getByText("Save", exactly()).last());
     assertThat(page.locator("main").getByRole(AriaRole.ALERT))
         .containsText("This is the last manager.");
-    picture(page, name + "-users-refused");
+    assertFits(page, "users-refused", PHONE, DESK);
   }
 
-  @ParameterizedTest
-  @CsvSource({"1280, 900, LIGHT, desktop", "1280, 900, DARK, dark", "390, 844, LIGHT, phone"})
-  void aManagerMakesATokenAndALinkAndEndsASession(
-      int width, int height, ColorScheme scheme, String name) {
-    Page page = loggedIn(width, height, scheme);
+  @Test
+  void aManagerMakesATokenAndALinkAndEndsASession() {
+    server.addUser("Eve", null, Role.CLERK);
+    endSessions();
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "map");
     TestClient.signedIn(server.root(), WebTestServer.MANAGER).close();
     page.navigate(server.root() + "users");
-    page.getByRole(AriaRole.LINK, link("Max")).click();
+    click(page.getByRole(AriaRole.LINK, link("Max")));
     page.getByLabel("Token name").fill("Night shift");
-    page.getByText("Create token").click();
+    click(page.getByText("Create token"));
     assertThat(page.locator(".secret")).hasText(Pattern.compile("[A-Za-z0-9_-]{43}"));
     assertThat(page.locator("tbody tr")).hasCount(3);
-    picture(page, name + "-user-token");
-    assertFits(page);
+    assertFits(page, "user-token", DARK, PHONE, DESK);
     Locator other =
         page.locator("tbody tr")
             .filter(new Locator.FilterOptions().setHasText("Browser").setHasNotText("current"));
-    other.getByText("End", exactly()).click();
+    click(other.getByText("End", exactly()));
     assertThat(page.locator("tbody tr")).hasCount(2);
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("The session has ended.");
 
-    page.getByText("All users").click();
-    assertThat(page.getByRole(AriaRole.LINK, link("Clara"))).isVisible();
-    picture(page, name + "-users");
-    page.getByRole(AriaRole.LINK, link("Clara")).click();
-    page.getByText("Create password link").click();
+    click(page.getByText("All users"));
+    assertThat(page.getByRole(AriaRole.LINK, link("Eve"))).isVisible();
+    assertFits(page, "users", DARK, PHONE, DESK);
+    click(page.getByRole(AriaRole.LINK, link("Eve")));
+    click(page.getByText("Create password link"));
     String reset = page.locator(".secret").textContent();
-    picture(page, name + "-user-link");
-    assertFits(page);
+    assertFits(page, "user-link", DARK, PHONE, DESK);
     page.context().clearCookies();
     page.navigate(server.root() + reset.substring(reset.indexOf("reset?")));
-    picture(page, name + "-reset");
+    assertFits(page, "reset", DARK, PHONE, DESK);
     page.getByLabel("New password").fill("a sentence of my own");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Reset password")).click();
+    click(page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Reset password")));
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("Your password was reset.");
-    page.getByLabel("Name").fill("Clara");
+    page.getByLabel("Name").fill("Eve");
     page.getByLabel("Password", new Page.GetByLabelOptions().setExact(true))
         .fill("a sentence of my own");
-    page.getByRole(AriaRole.BUTTON)
-        .filter(new Locator.FilterOptions().setHasText("Log in"))
-        .click();
+    click(page.getByRole(AriaRole.BUTTON).filter(new Locator.FilterOptions().setHasText("Log in")));
     assertThat(page.locator("#age")).containsText("Live");
   }
 
-  @ParameterizedTest
-  @CsvSource({"1280, 900, desktop", "390, 844, phone"})
-  void aManagerChangesARobotAndRemovesIt(int width, int height, String name) {
-    Page page = loggedIn(width, height, ColorScheme.LIGHT);
-    page.navigate(server.root() + "robots/r1");
+  @Test
+  void aManagerChangesARobotAndRemovesIt() {
+    Page page = loggedIn(WebTestServer.MANAGER, PHONE, "robots/r1");
     Locator form = page.locator("#change");
     form.getByLabel("Address").fill("not a host");
-    form.getByText("Save", exactly()).click();
+    click(form.getByText("Save", exactly()));
     assertThat(page.locator("#change-host-help")).isVisible();
     form.getByLabel("Address").fill("10.0.0.8");
-    form.getByText("Save", exactly()).click();
+    click(form.getByText("Save", exactly()));
     assertThat(page.locator("dl").first()).containsText("10.0.0.8:");
 
-    page.getByText("Take out of service").click();
-    page.locator("#service button.danger").click();
+    click(page.getByText("Take out of service"));
+    click(page.locator("#service button.danger"));
     assertThat(page.locator(".heading .state")).hasText("Out of service");
-    form.getByText("Remove robot").click();
+    click(form.getByText("Remove robot"));
     form.scrollIntoViewIfNeeded();
-    picture(page, name + "-robot-change");
-    assertFits(page);
-    form.getByText("Confirm removal").click();
+    assertFits(page, "robot-change", PHONE, DESK);
+    click(form.getByText("Confirm removal"));
     assertThat(page.getByRole(AriaRole.STATUS)).containsText("The robot was removed.");
     assertThat(page.locator("main")).not().containsText("r1");
   }
 
   @ParameterizedTest
-  @CsvSource({"1280, 900, en", "390, 844, en", "1280, 900, ar", "390, 844, ar"})
-  void whatAnotherManagerHasStoredMeanwhileStandsBesideTheEntries(
-      int width, int height, String language) {
-    Page page = loggedIn(width, height, ColorScheme.LIGHT);
-    page.navigate(server.root() + "language/" + language);
+  @ValueSource(strings = {"en", "ar"})
+  void whatAnotherManagerHasStoredMeanwhileStandsBesideTheEntries(String language) {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "language/" + language);
     page.navigate(server.root() + "robots/r2");
     Locator form = page.locator("#change");
     form.locator("#change-port").fill("7400");
@@ -156,22 +145,23 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
           Map.of("host", "10.0.0.9", "port", "7300", "maxLoad", "5", "parking", "P3");
       assertEquals(303, other.post("robots/r2/change", stored).statusCode());
     }
-    form.locator("button").first().click();
+    click(form.locator("button").first());
 
     assertThat(page.locator("main > [role=alert]")).isVisible();
-    assertThat(form.locator("#change-host-help")).containsText("10.0.0.9");
-    assertThat(form.locator("#change-port-help")).containsText("7300");
-    assertThat(form.locator("#parking-help")).containsText("P3");
-    assertThat(form.locator("#maxLoad-help")).hasCount(0);
-    assertThat(page.locator("#pair #port")).hasValue("7300");
-    assertThat(page.locator("#pair [aria-invalid]")).hasCount(0);
-    assertThat(form.locator("#change-port")).hasValue("7400");
-    assertThat(form.locator("#parking")).hasValue("P2");
-    picture(page, "robot-rivals-top-" + width + language);
-    form.scrollIntoViewIfNeeded();
-    picture(page, "robot-rivals-" + width + language);
-    assertFits(page);
-    form.locator("button").first().click();
+    for (Screen screen : List.of(PHONE, DESK)) {
+      screen.show(page);
+      assertThat(form.locator("#change-host-help")).containsText("10.0.0.9");
+      assertThat(form.locator("#change-port-help")).containsText("7300");
+      assertThat(form.locator("#parking-help")).containsText("P3");
+      assertThat(form.locator("#maxLoad-help")).hasCount(0);
+      assertThat(page.locator("#pair #port")).hasValue("7300");
+      assertThat(page.locator("#pair [aria-invalid]")).hasCount(0);
+      assertThat(form.locator("#change-port")).hasValue("7400");
+      assertThat(form.locator("#parking")).hasValue("P2");
+      form.scrollIntoViewIfNeeded();
+      assertFits(page, "robot-rivals-" + language, screen);
+    }
+    click(form.locator("button").first());
     assertThat(page.locator("main > [role=alert]")).hasCount(0);
     assertThat(page.locator("dl").first()).containsText(":7400");
     assertThat(page.locator("dl").first()).containsText("P2");
@@ -179,8 +169,7 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
 
   @Test
   void theApiIsTriedOutOnItsPage() {
-    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
-    page.navigate(server.root() + "api");
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "api");
     Locator pause =
         page.locator(".opblock-post")
             .filter(new Locator.FilterOptions().setHasText("/api/v1/fleet/pause"));
@@ -196,7 +185,7 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
 
   @Test
   void aPartThatComesAnewLeavesOpenWhatTheReaderOpened() {
-    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks");
     AtomicReference<@Nullable Route> refresh = new AtomicReference<>();
     page.route(
         server.root() + "robots/r1",

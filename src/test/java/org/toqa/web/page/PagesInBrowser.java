@@ -7,13 +7,17 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import com.microsoft.playwright.Browser;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
+import com.microsoft.playwright.options.AriaRole;
 import com.microsoft.playwright.options.ColorScheme;
+import com.microsoft.playwright.options.Cookie;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotState;
@@ -31,32 +35,93 @@ import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
-/** A fleet at work, a browser, and what its tests look at; scripts must not complain. */
+/**
+ * One server for the class, on which nothing has happened when a test begins, a browser, and what
+ * its tests look at; scripts must not complain.
+ */
 abstract class PagesInBrowser extends BrowserTest {
+  static final Screen DESK = new Screen(1280, 900, ColorScheme.LIGHT, "desktop");
+  static final Screen DARK = new Screen(1280, 900, ColorScheme.DARK, "dark");
+  static final Screen PHONE = new Screen(390, 844, ColorScheme.LIGHT, "phone");
+  static final Screen DARK_PHONE = new Screen(390, 844, ColorScheme.DARK, "phone-dark");
+
   private static final Path PICTURES = Path.of("target/screenshots");
 
   WebTestServer server;
 
+  /** Of those who have logged in, by their names. */
+  private final Map<String, List<Cookie>> sessions = new TreeMap<>();
+
+  record Screen(int width, int height, ColorScheme scheme, String name) {
+    /** The page is at once as it would be there from the beginning. */
+    void show(Page page) {
+      page.setViewportSize(width, height);
+      page.emulateMedia(new Page.EmulateMediaOptions().setColorScheme(scheme));
+    }
+  }
+
+  @BeforeAll
+  final void start() throws Exception {
+    server = startServer();
+  }
+
+  WebTestServer startServer() throws Exception {
+    return WebTestServer.startForBrowser();
+  }
+
   @BeforeEach
-  void start() throws Exception {
-    server = WebTestServer.startForBrowser();
-    server.fleet().changeRobots(none -> fleetAtWork());
+  final void begin() {
+    server.forgetWork();
+    server.fleet().changeRobots(none -> robots());
+  }
+
+  /** The fleet when a test begins. */
+  List<RobotView> robots() {
+    return fleetAtWork();
   }
 
   @AfterEach
-  void stop() throws Exception {
-    server.close();
+  final void nothingIsComplainedOf() {
     assertEquals(
         List.of(),
         complaints().stream().filter(c -> !c.startsWith("Failed to load resource")).toList());
   }
 
+  @AfterAll
+  final void stop() throws Exception {
+    server.close();
+  }
+
   static void assertFits(Page page) {
-    assertFalse((Boolean) page.evaluate("document.documentElement.scrollWidth > innerWidth"));
+    assertFalse(
+        (Boolean)
+            page.evaluate("document.documentElement.scrollWidth > innerWidth || scrollX !== 0"),
+        () -> page.url() + " is wider than the screen");
+  }
+
+  /** On each screen the page fits; a picture of it is taken. */
+  static void assertFits(Page page, String name, Screen... screens) {
+    for (Screen screen : screens) {
+      screen.show(page);
+      picture(page, screen.name() + "-" + name);
+      assertFits(page);
+    }
+  }
+
+  /** Clicks on the screen of a desk, after it has been seen that a phone's could be clicked too. */
+  static void click(Locator locator) {
+    PHONE.show(locator.page());
+    locator.click(new Locator.ClickOptions().setTrial(true));
+    DESK.show(locator.page());
+    locator.click();
   }
 
   static Page.GetByRoleOptions link(String name) {
     return new Page.GetByRoleOptions().setName(name).setExact(true);
+  }
+
+  static Locator button(Page page, String name) {
+    return page.getByRole(AriaRole.BUTTON, link(name));
   }
 
   static Locator.GetByTextOptions exactly() {
@@ -64,25 +129,58 @@ abstract class PagesInBrowser extends BrowserTest {
   }
 
   Page loggedIn(int width, int height, ColorScheme scheme) {
-    Page page =
-        openPage(
-            new Browser.NewContextOptions()
-                .setViewportSize(width, height)
-                .setColorScheme(scheme)
-                .setTimezoneId("America/Bogota"));
-    page.navigate(server.root().toString());
-    page.getByLabel("Name").fill(WebTestServer.MANAGER);
-    page.getByLabel("Password").fill(WebTestServer.PASSWORD);
+    return loggedIn(WebTestServer.MANAGER, new Screen(width, height, scheme, ""), "map");
+  }
+
+  /** A page of a user, at an address; only the first one of a class logs in by the form. */
+  Page loggedIn(String user, Screen screen, String path) {
+    return loggedIn(
+        user,
+        new Browser.NewContextOptions()
+            .setViewportSize(screen.width(), screen.height())
+            .setColorScheme(screen.scheme()),
+        path);
+  }
+
+  Page loggedIn(String user, Browser.NewContextOptions options, String path) {
+    Page page = openPage(options.setTimezoneId("America/Bogota"));
+    List<Cookie> session = sessions.get(user);
+    if (session == null) {
+      page.navigate(server.root().toString());
+      logIn(page, user);
+      sessions.put(user, page.context().cookies());
+      if (path.equals("map")) {
+        return page;
+      }
+    } else {
+      page.context().addCookies(session);
+    }
+    page.navigate(server.root() + path);
+    if (path.equals("map")) {
+      assertThat(page.locator("#map")).isVisible();
+    }
+    return page;
+  }
+
+  /** By the form, in whatever language. */
+  static void logIn(Page page, String user) {
+    page.locator("#name").fill(user);
+    page.locator("#password").fill(WebTestServer.PASSWORD);
     page.locator("main button").click();
     assertThat(page.locator("#map")).isVisible();
-    return page;
+  }
+
+  /** All users, also those of this class, must log in again. */
+  void endSessions() {
+    server.endSessions();
+    sessions.clear();
   }
 
   /**
    * Clicks where the floor of 12 m x 6 m, fitted into the canvas with its margin, has the point.
    */
   static void clickMap(Page page, Locator map, double x, double y) {
-    page.waitForFunction("document.querySelector('#map').width > 300");
+    await(page, "document.querySelector('#map').width > 300");
     double width = map.boundingBox().width;
     double height = map.boundingBox().height;
     double scale = Math.min((width - 32) / 12, (height - 32) / 6);

@@ -2,31 +2,25 @@ package org.toqa.web.page;
 
 import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.deque.html.axecore.playwright.AxeBuilder;
-import com.deque.html.axecore.results.Rule;
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.AriaRole;
-import com.microsoft.playwright.options.ColorScheme;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
 import org.toqa.fleet.history.TrackPoint;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
-import org.toqa.testbed.BrowserTest;
 import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
@@ -36,20 +30,18 @@ import org.toqa.wording.Sentence;
  * Going back in time on the map. In the minute before its end r1 drove from (2, 1) to (10, 1), r2
  * stood, and of r3 nothing is known. Pictures go to {@code target/screenshots}, to be looked at.
  */
-class ReplayInBrowserTest extends BrowserTest {
-  private static final Path PICTURES = Path.of("target/screenshots");
+class ReplayInBrowserTest extends PagesInBrowser {
 
-  private WebTestServer server;
+  @Override
+  List<RobotView> robots() {
+    return List.of(
+        Hall.robot("r1", RobotState.IDLE, new Pose(10, 1, 0), "127.0.0.1", 7275),
+        Hall.robot("r2", RobotState.IDLE, new Pose(4, 2, 0), "127.0.0.1", 7276),
+        Hall.robot("r3", RobotState.IDLE, new Pose(6, 3, 0), "127.0.0.1", 7277));
+  }
 
   @BeforeEach
-  void start() throws Exception {
-    server = WebTestServer.startForBrowser();
-    server
-        .fleet()
-        .setRobots(
-            Hall.robot("r1", RobotState.IDLE, new Pose(10, 1, 0), "127.0.0.1", 7275),
-            Hall.robot("r2", RobotState.IDLE, new Pose(4, 2, 0), "127.0.0.1", 7276),
-            Hall.robot("r3", RobotState.IDLE, new Pose(6, 3, 0), "127.0.0.1", 7277));
+  void drive() {
     for (String robot : List.of("r1", "r2")) {
       server
           .store()
@@ -83,14 +75,10 @@ class ReplayInBrowserTest extends BrowserTest {
                     Phrase.ROBOT_PUT_ON_HOLD.with("Max", "r1"))));
   }
 
-  @AfterEach
-  void stop() throws Exception {
-    server.close();
-  }
-
   @Test
   void aReaderGoesBackAndComesBack() {
-    openMap(1280, 900, ColorScheme.LIGHT);
+    openMap("map");
+    assertThat(page().locator("#robots li")).hasCount(3);
     lookBack();
     assertThat(page().getByText("You are viewing a replay, not live data.")).isVisible();
     assertThat(page().locator("#age")).hasText("Replay");
@@ -108,7 +96,7 @@ class ReplayInBrowserTest extends BrowserTest {
     assertThat(events()).hasText(new String[] {"r1 drives off"});
     Object then = canvas();
     assertNotEquals(end, then);
-    picture("replay");
+    picture(page(), "replay");
     server.fleet().changeRobots(robots -> robots.subList(1, 3));
     server.fleet().setAlert("The battery of the lamp is low.");
     assertThat(page().locator("#alerts")).containsText("The battery of the lamp is low.");
@@ -126,7 +114,8 @@ class ReplayInBrowserTest extends BrowserTest {
 
   @Test
   void itPlaysUpToNow() {
-    openMap(1280, 900, ColorScheme.LIGHT);
+    openMap("map");
+    assertThat(page().locator("#robots li")).hasCount(3);
     lookBack();
     button("−10 s").click();
     button("−10 s").click();
@@ -146,7 +135,8 @@ class ReplayInBrowserTest extends BrowserTest {
 
   @Test
   void theSliderIsReadAsATimeAndReachesAsFarAsIsChosen() {
-    openMap(1280, 900, ColorScheme.LIGHT);
+    openMap("map");
+    assertThat(page().locator("#robots li")).hasCount(3);
     lookBack();
     String atTheEnd = slider().getAttribute("aria-valuetext");
     assertEquals(page().locator("#replay-moment").textContent(), atTheEnd);
@@ -166,7 +156,8 @@ class ReplayInBrowserTest extends BrowserTest {
 
   @Test
   void whatCannotBeLoadedIsSaid() {
-    openMap(1280, 900, ColorScheme.LIGHT);
+    openMap("map");
+    assertThat(page().locator("#robots li")).hasCount(3);
     page().route("**/api/v1/tracks?*", route -> route.abort());
     button("Replay").click();
     Locator sentence = page().getByText("The replay could not be loaded.");
@@ -184,48 +175,31 @@ class ReplayInBrowserTest extends BrowserTest {
   }
 
   @ParameterizedTest
-  @CsvSource({
-    "en, LIGHT, 1280, 900",
-    "en, DARK, 1280, 900",
-    "en, LIGHT, 390, 844",
-    "ar, LIGHT, 1280, 900",
-    "ar, DARK, 390, 844"
-  })
-  void aReplayIsForEverybody(String language, ColorScheme scheme, int width, int height) {
-    page().navigate(server.root() + "language/" + language);
-    openMap(width, height, scheme);
-    page().locator("#replay-open").click();
+  @ValueSource(strings = {"en", "ar"})
+  void aReplayIsForEverybody(String language) {
+    openMap("language/" + language);
+    page().navigate(server.root() + "map");
+    assertThat(page().locator("#robots li")).hasCount(3);
+    click(page().locator("#replay-open"));
     assertThat(thenRobots()).hasCount(2);
     slider().press("PageDown");
-    page().locator("#replay-back").click();
+    click(page().locator("#replay-back"));
     assertThat(thenRobots()).hasCount(1);
     slider().press("End");
-    page().locator("#replay-back").click();
+    click(page().locator("#replay-back"));
     assertThat(thenRobots()).hasCount(2);
-    picture("replay-%s-%s-%d".formatted(language, scheme, width));
 
-    List<String> found =
-        new AxeBuilder(page())
-                .withTags(List.of("wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"))
-                .analyze()
-                .getViolations()
-                .stream()
-                .map(Rule::toString)
-                .toList();
-
-    assertEquals(List.of(), found);
-    assertFalse((Boolean) page().evaluate("document.documentElement.scrollWidth > innerWidth"));
+    assertFits(page(), "replay-" + language, DARK_PHONE, PHONE);
+    assertEquals(List.of(), Accessibility.faults(page(), "phone"));
+    assertFits(page(), "replay-" + language, DARK);
+    assertEquals(List.of(), Accessibility.faultsOfColours(page(), "dark"));
+    assertFits(page(), "replay-" + language, DESK);
+    assertEquals(List.of(), Accessibility.faults(page(), "desk"));
     assertTrue(complaints().isEmpty(), complaints()::toString);
   }
 
-  private void openMap(int width, int height, ColorScheme scheme) {
-    page().setViewportSize(width, height);
-    page().emulateMedia(new Page.EmulateMediaOptions().setColorScheme(scheme));
-    page().navigate(server.root().toString());
-    page().locator("#name").fill(WebTestServer.CLERK);
-    page().locator("#password").fill(WebTestServer.PASSWORD);
-    page().locator("main button").click();
-    assertThat(page().locator("#robots li")).hasCount(3);
+  private void openMap(String path) {
+    loggedIn(WebTestServer.CLERK, DESK, path);
   }
 
   private void lookBack() {
@@ -259,9 +233,5 @@ class ReplayInBrowserTest extends BrowserTest {
 
   private Object canvas() {
     return page().evaluate("document.querySelector('#map').toDataURL()");
-  }
-
-  private void picture(String name) {
-    page().screenshot(new Page.ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")));
   }
 }

@@ -5,22 +5,19 @@ import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertTha
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
 import com.microsoft.playwright.options.AriaRole;
-import com.microsoft.playwright.options.ColorScheme;
 import com.microsoft.playwright.options.FilePayload;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.toqa.mission.TaskState;
+import org.toqa.web.WebTestServer;
 
 /** Tasks are given, imported and scheduled in a real browser. */
 class TaskPagesInBrowserTest extends PagesInBrowser {
   @Test
   void aTaskIsAssignedByClickingOnTheMapAndSeenToTheEnd() {
-    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
-    page.navigate(server.root() + "tasks/new");
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks/new");
     page.getByLabel("Task name").fill("Box of bolts");
     page.getByLabel("Load (kg)").fill("2.5");
     page.getByLabel("Deadline").fill("2098-07-01T15:00");
@@ -49,12 +46,10 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("[aria-current=step]")).hasText("Done");
   }
 
-  @ParameterizedTest
-  @CsvSource({"desk, 1280, 900", "phone, 390, 844"})
-  void aTableIsImportedAfterItsBadLineIsMended(String name, int width, int height) {
-    Page page = loggedIn(width, height, ColorScheme.LIGHT);
-    page.navigate(server.root() + "tasks");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Import")).click();
+  @Test
+  void aTableIsImportedAfterItsBadLineIsMended() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks");
+    click(page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Import")));
     assertThat(page.locator("#zone-name")).hasText("America/Bogota");
     String header = "name;load;start;goal;deadline\n";
     String good = "Box of bolts;2,5;Dock A;Shelf 3;2098-07-01 15:00\n";
@@ -63,21 +58,19 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#faults tbody tr")).hasCount(2);
     assertThat(page.locator("#faults tbody tr").first())
         .containsText("Enter a number, such as 2.5");
-    picture(page, name + "-tasks-import-refused");
+    assertFits(page, "tasks-import-refused", PHONE, DESK);
 
     choose(page, header + good + "Box of nuts;1;Dock A;Shelf 3;\n");
 
     assertThat(page.locator(".notice.good")).hasText("2 tasks were imported.");
-    picture(page, name + "-tasks-imported");
-    page.getByRole(AriaRole.LINK, new Page.GetByRoleOptions().setName("Box of bolts")).click();
+    assertFits(page, "tasks-imported", PHONE, DESK);
+    click(page.getByRole(AriaRole.LINK, new Page.GetByRoleOptions().setName("Box of bolts")));
     assertThat(page.locator("time[datetime='2098-07-01T20:00:00Z']")).containsText("3:00");
   }
 
-  @ParameterizedTest
-  @CsvSource({"desk, 1280, 900", "phone, 390, 844"})
-  void aTaskIsScheduledForEveryWeekday(String name, int width, int height) {
-    Page page = loggedIn(width, height, ColorScheme.LIGHT);
-    page.navigate(server.root() + "tasks/new");
+  @Test
+  void aTaskIsScheduledForEveryWeekday() {
+    Page page = loggedIn(WebTestServer.MANAGER, PHONE, "tasks/new");
     page.getByLabel("Task name").fill("Morning tour");
     page.getByLabel("Load (kg)").fill("2.5");
     page.locator("#startStation").selectOption("Dock A");
@@ -87,20 +80,21 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("#first")).isHidden();
     page.getByLabel("Monday").check();
     page.getByLabel("Friday").check();
-    picture(page, name + "-schedule-form");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
+    assertFits(page, "schedule-form", DESK, PHONE);
+    click(page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")));
     assertThat(page.locator("#time-help")).containsText("Enter a time of day");
     assertThat(page.getByLabel("Monday")).isChecked();
     page.locator("#time").fill("08:00");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
+    click(page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")));
 
     assertThat(page.locator(".notice.good")).hasText("The schedule was added.");
     assertThat(page.locator("tbody tr")).containsText("America/Bogota");
-    picture(page, name + "-schedule-added");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Pause").setExact(true))
-        .click();
+    assertFits(page, "schedule-added", DESK, PHONE);
+    click(
+        page.getByRole(
+            AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Pause").setExact(true)));
     assertThat(page.locator("tbody tr")).containsText("Paused");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Delete")).click();
+    click(page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Delete")));
     assertThat(page.locator("tbody tr")).hasCount(0);
   }
 
@@ -108,6 +102,6 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
     page.getByLabel("CSV file")
         .setInputFiles(
             new FilePayload("tasks.csv", "text/csv", table.getBytes(StandardCharsets.UTF_8)));
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Import tasks")).click();
+    click(page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Import tasks")));
   }
 }

@@ -47,7 +47,7 @@ public final class SimulatorProbe implements AutoCloseable {
   }
 
   /** Changes the surroundings, such as {@code floor 2 gone}. */
-  void change(String order) throws IOException {
+  public void change(String order) throws IOException {
     send("S" + order + "\n");
     assertEquals("ok", answers.readLine());
   }

@@ -1,0 +1,47 @@
+package org.toqa.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What the server's commands say to arguments that they cannot take. */
+class CommandLineTest {
+  static Stream<Arguments> wrongArguments() {
+    return Stream.of(
+        Arguments.of(List.of("server", "--port"), "'--port'"),
+        Arguments.of(List.of("server", "now"), "\"now\" is not known"),
+        Arguments.of(List.of("demo", "--robots", "9"), "--robots \"9\": it must be"),
+        Arguments.of(List.of("demo", "--robots", "six"), "'six'"),
+        Arguments.of(List.of("demo", "--report", "no/such/folder"), "that can be written"),
+        Arguments.of(List.of("demo", "--bodies", "no/such/folder"), "that can be written"),
+        Arguments.of(List.of("plan", "--map", "nowhere.yaml"), "--from"),
+        Arguments.of(List.of("bench", "swim"), "\"swim\" is not known"),
+        Arguments.of(
+            List.of("bench", "fleet", "--robots", "1"), "--robots 1: it must be from 2 to 500"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("wrongArguments")
+  void aWrongArgumentGetsOneLineAndExitCodeTwo(List<String> arguments, String expected) {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+
+    int exitCode =
+        Main.commandLine()
+            .setOut(new PrintWriter(out, true))
+            .setErr(new PrintWriter(err, true))
+            .execute(arguments.toArray(String[]::new));
+
+    assertEquals(2, exitCode, err::toString);
+    assertEquals("", out.toString());
+    assertEquals(1, err.toString().lines().count(), err::toString);
+    assertTrue(err.toString().contains(expected), err::toString);
+  }
+}

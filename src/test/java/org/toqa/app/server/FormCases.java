@@ -1,0 +1,181 @@
+package org.toqa.app.server;
+
+import static org.toqa.app.server.Verdict.CONFLICT;
+import static org.toqa.app.server.Verdict.GONE;
+import static org.toqa.app.server.Verdict.NAME_OF_100;
+import static org.toqa.app.server.Verdict.NAME_OF_64;
+import static org.toqa.app.server.Verdict.PASSWORD;
+import static org.toqa.app.server.Verdict.REFUSED;
+import static org.toqa.app.server.Verdict.TAKEN;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.toqa.web.WebTestServer;
+
+/** All forms with something to fill in, by hand: that none is missing, their test looks after. */
+final class FormCases {
+  private static final String DAY = "2099-01-01T10:00";
+
+  private static final Map<String, String> ORDER =
+      Map.of("name", "Box", "load", "2", "startStation", "Goods-in 1", "goalStation", "Mill");
+
+  /** Those of users who are logged in. */
+  static List<FormCase> ofUsers() {
+    return List.of(
+        FormCase.of(
+            "tasks/new",
+            "/tasks/new",
+            and(ORDER, Map.of("length", "0.3", "width", "0.3", "deadline", DAY)),
+            and(
+                refused(
+                    "load",
+                    "floor",
+                    "startStation",
+                    "goalStation",
+                    "priority",
+                    "length",
+                    "width",
+                    "deadline",
+                    "zone",
+                    "when"),
+                Map.of("name", NAME_OF_100, "idempotencyKey", TAKEN))),
+        FormCase.of(
+            "tasks/new",
+            "/tasks/new",
+            Map.of(
+                "name", "Box", "load", "2", "startX", "1.95", "startY", "4.65", "goalX", "3.45",
+                "goalY", "9.45"),
+            refused("startX", "startY", "goalX", "goalY")),
+        FormCase.of(
+            "tasks/new",
+            "/tasks/new",
+            and(ORDER, Map.of("when", "every", "first", DAY, "everyMinutes", "60", "until", DAY)),
+            and(
+                refused("first", "everyMinutes", "until"),
+                Map.of("name", NAME_OF_100, "idempotencyKey", TAKEN))),
+        FormCase.of(
+            "tasks/new",
+            "/tasks/new",
+            and(ORDER, Map.of("when", "weekly", "weekday", "MONDAY", "time", "08:00")),
+            refused("weekday", "time", "zone")),
+        FormCase.of(
+            "tasks/{held}",
+            "/tasks/{id}/priority",
+            Map.of("priority", "10"),
+            Map.of("priority", REFUSED, "version", CONFLICT)),
+        FormCase.of("tasks/{held}", "/tasks/{id}/cancel", Map.of(), Map.of("load", REFUSED)),
+        FormCase.of("map", "/fleet/pause", Map.of(), Map.of("back", TAKEN)),
+        FormCase.of("schedules", "/schedules/{id}/delete", Map.of(), Map.of("version", CONFLICT)),
+        FormCase.of(
+            "robots",
+            "/robots",
+            Map.of("name", "Spare", "host", "127.0.0.1", "port", "9", "maxLoad", "5"),
+            refused("name", "host", "port", "maxLoad", "parking", "code")),
+        FormCase.of(
+                "robots/Absent",
+                "/robots/{name}/pair",
+                Map.of("host", "127.0.0.3", "code", AttackedServer.PAIRING_CODE),
+                and(refused("host", "port", "code"), Map.of("version", CONFLICT)))
+            .answeredWith(422),
+        FormCase.of(
+                "robots/Absent",
+                "/robots/{name}/locate",
+                Map.of("x", "1", "y", "1", "heading", "0"),
+                refused("x", "y", "heading"))
+            .answeredWith(422),
+        FormCase.of(
+            "robots/Absent",
+            "/robots/{name}/change",
+            Map.of("host", "127.0.0.2", "maxLoad", "6"),
+            and(refused("host", "port", "maxLoad", "parking"), Map.of("version", CONFLICT))),
+        FormCase.of(
+            "users",
+            "/users",
+            Map.of("name", "New{n}", "password", WebTestServer.PASSWORD),
+            and(refused("name", "email", "role"), Map.of("password", PASSWORD))),
+        FormCase.of(
+            "users/{clerk}",
+            "/users/{id}/change",
+            Map.of("role", "MANAGER"),
+            Map.of("role", REFUSED, "disabled", TAKEN, "version", CONFLICT)),
+        FormCase.of(
+            "users/{clerk}",
+            "/users/{id}/password",
+            Map.of("password", WebTestServer.PASSWORD),
+            Map.of("password", PASSWORD)),
+        FormCase.of(
+            "users/{clerk}",
+            "/users/{id}/email",
+            Map.of("email", "clara@example.org"),
+            Map.of("email", REFUSED, "version", CONFLICT)),
+        FormCase.of(
+            "users/{own}",
+            "/users/{id}/password",
+            Map.of("old", WebTestServer.PASSWORD, "password", WebTestServer.PASSWORD),
+            Map.of("old", REFUSED)),
+        FormCase.of(
+            "users/{own}",
+            "/users/{id}/email",
+            Map.of("email", "max@example.org", "password", WebTestServer.PASSWORD),
+            Map.of("password", REFUSED)),
+        FormCase.of(
+                "users/{own}",
+                "/users/{id}/tokens",
+                Map.of("tokenName", "for a program", "days", "30"),
+                Map.of("tokenName", NAME_OF_64, "days", REFUSED))
+            .answeredWith(200));
+  }
+
+  /** Those of people who are not logged in. */
+  static List<FormCase> ofStrangers() {
+    return List.of(
+        FormCase.of(
+            "",
+            "/",
+            Map.of("name", "guest{n}", "password", WebTestServer.PASSWORD),
+            Map.of("name", REFUSED, "password", REFUSED, "next", TAKEN)),
+        FormCase.of("forgotten", "/forgotten", Map.of("user", "nobody"), Map.of("user", TAKEN)),
+        FormCase.of(
+            "reset?secret={secret}",
+            "/reset",
+            Map.of("password", WebTestServer.PASSWORD),
+            Map.of("secret", GONE, "password", PASSWORD, "username", TAKEN)));
+  }
+
+  /** Those that ask for something and change nothing. */
+  static List<FormCase> ofQuestions() {
+    return List.of(
+        FormCase.of(
+                "tasks",
+                "/tasks",
+                Map.of(),
+                and(
+                    refused("state", "from", "until", "sort"),
+                    Map.of("robot", TAKEN, "text", TAKEN, "user", TAKEN)))
+            .answeredWith(200),
+        FormCase.of(
+                "history",
+                "/history",
+                Map.of(),
+                and(
+                    refused("task", "from", "until", "kind"),
+                    Map.of("robot", TAKEN, "user", TAKEN)))
+            .answeredWith(200),
+        FormCase.of("statistics", "/statistics", Map.of(), refused("from", "to", "zone"))
+            .answeredWith(200));
+  }
+
+  private FormCases() {}
+
+  private static Map<String, Verdict> refused(String... fields) {
+    return Arrays.stream(fields).collect(Collectors.toMap(field -> field, field -> REFUSED));
+  }
+
+  private static <T> Map<String, T> and(Map<String, T> first, Map<String, T> second) {
+    return Stream.of(first, second).collect(HashMap::new, HashMap::putAll, HashMap::putAll);
+  }
+}

@@ -1,0 +1,137 @@
+package org.toqa.app.server;
+
+import static org.toqa.app.server.Verdict.GONE;
+import static org.toqa.app.server.Verdict.NAME_OF_100;
+import static org.toqa.app.server.Verdict.NAME_OF_64;
+import static org.toqa.app.server.Verdict.PASSWORD;
+import static org.toqa.app.server.Verdict.REFUSED;
+import static org.toqa.app.server.Verdict.TAKEN;
+import static org.toqa.app.server.Verdict.UNKNOWN_USER;
+
+import java.util.List;
+import java.util.Map;
+import org.toqa.web.WebTestServer;
+
+/** All orders of the API that have words, by hand: that none is missing, their test looks after. */
+final class OrderCases {
+  private static final String TASK =
+      """
+      {"name":"Box","load":2,"start":{"station":"Goods-in 1"},"goal":{"station":"Mill"}}\
+      """;
+
+  /**
+   * An order as it should be, and what becomes of an attack in each of its words.
+   *
+   * @param path below {@code /api/v1/}; what is in braces is put in
+   * @param body JSON
+   * @param attacked what becomes of an attack, by JSON pointer
+   * @param good the status when nothing is wrong
+   */
+  record OrderCase(
+      String method, String path, String body, Map<String, Verdict> attacked, int good) {}
+
+  private OrderCases() {}
+
+  static List<OrderCase> all() {
+    return List.of(
+        post(
+            "session",
+            "{'name':'guest{n}','password':'{password}'}",
+            Map.of("/name", UNKNOWN_USER, "/password", UNKNOWN_USER),
+            200),
+        post("forgotten-password", "{'user':'nobody'}", Map.of("/user", TAKEN), 202),
+        post(
+            "reset-password",
+            "{'secret':'{secret}','password':'{password}'}",
+            Map.of("/secret", GONE, "/password", PASSWORD),
+            204),
+        post("tasks", TASK, task(""), 201),
+        post("tasks/preview", TASK, task(""), 200),
+        post("tasks/{held}/cancel", "{'load':null}", Map.of("/load", REFUSED), 200),
+        post("tasks/{held}/answer", "{'answer':'wait'}", Map.of("/answer", REFUSED), 409),
+        post(
+            "schedules",
+            "{'task':" + TASK + ",'at':'2099-01-01T10:00:00Z','until':'2099-01-02T10:00:00Z'}",
+            Map.of("/at", REFUSED, "/until", REFUSED),
+            201),
+        post(
+            "schedules",
+            "{'task':" + TASK + ",'from':'2099-01-01T10:00:00Z','everyMinutes':60}",
+            and(task("/task"), Map.of("/from", REFUSED)),
+            201),
+        post(
+            "schedules",
+            "{'task':" + TASK + ",'weekdays':['MONDAY'],'time':'08:00','zone':'UTC'}",
+            Map.of("/weekdays/0", REFUSED, "/time", REFUSED, "/zone", REFUSED),
+            201),
+        post(
+            "robots",
+            "{'name':'Spare{n}','host':'127.0.0.1','port':9,'maxLoad':5}",
+            Map.of("/name", REFUSED, "/host", REFUSED, "/parking", REFUSED, "/code", REFUSED),
+            201),
+        new OrderCase(
+            "PUT",
+            "robots/{name}",
+            json("{'host':'127.0.0.2','port':9,'maxLoad':6,'parking':null}"),
+            Map.of("/host", REFUSED, "/parking", REFUSED),
+            200),
+        post(
+            "robots/{name}/pair",
+            "{'host':'127.0.0.1','port':9,'code':'{code}'}",
+            Map.of("/host", REFUSED, "/code", REFUSED),
+            422),
+        post(
+            "users",
+            "{'name':'New{n}','password':'{password}'}",
+            Map.of("/name", REFUSED, "/password", PASSWORD, "/role", REFUSED, "/email", REFUSED),
+            201),
+        new OrderCase(
+            "PUT", "users/{clerk}", json("{'role':'CLERK'}"), Map.of("/role", REFUSED), 200),
+        post(
+            "users/{clerk}/password",
+            "{'password':'{password}'}",
+            Map.of("/password", PASSWORD),
+            204),
+        post("users/{clerk}/email", "{'email':null}", Map.of("/email", REFUSED), 204),
+        post(
+            "users/{own}/password",
+            "{'old':'{password}','password':'{password}'}",
+            Map.of("/old", REFUSED),
+            204),
+        post(
+            "users/{own}/email",
+            "{'email':'max@example.org','password':'{password}'}",
+            Map.of("/password", REFUSED),
+            204),
+        post(
+            "users/{own}/tokens",
+            "{'name':'for a program','days':30}",
+            Map.of("/name", NAME_OF_64),
+            201));
+  }
+
+  private static Map<String, Verdict> task(String at) {
+    return Map.of(
+        at + "/name", NAME_OF_100,
+        at + "/start/station", REFUSED,
+        at + "/goal/station", REFUSED,
+        at + "/floor", REFUSED,
+        at + "/deadline", REFUSED);
+  }
+
+  private static OrderCase post(String path, String body, Map<String, Verdict> attacked, int good) {
+    return new OrderCase("POST", path, json(body), attacked, good);
+  }
+
+  private static String json(String body) {
+    return body.replace('\'', '"')
+        .replace("{password}", WebTestServer.PASSWORD)
+        .replace("{code}", AttackedServer.PAIRING_CODE);
+  }
+
+  private static Map<String, Verdict> and(Map<String, Verdict> first, Map<String, Verdict> more) {
+    Map<String, Verdict> both = new java.util.HashMap<>(first);
+    both.putAll(more);
+    return both;
+  }
+}

@@ -1,0 +1,88 @@
+package org.toqa.web.page;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static java.util.Objects.requireNonNull;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.microsoft.playwright.Page;
+import com.microsoft.playwright.options.AriaRole;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.toqa.accounts.Role;
+import org.toqa.web.TestMailbox;
+import org.toqa.web.WebTestServer;
+
+/** How somebody comes to log in, in a real browser. */
+class AccountsInBrowserTest extends PagesInBrowser {
+  private static final Pattern LINK = Pattern.compile("https://toqa\\.example\\.org/(reset\\S+)");
+
+  @Test
+  void theFirstManagerIsMadeAtTheFirstStartAndAddsAClerk() throws Exception {
+    try (WebTestServer empty = WebTestServer.startEmpty(0)) {
+      Page page = page();
+      DESK.show(page);
+      page.navigate(empty.root().toString());
+      assertThat(page.locator("h1")).hasText("Create the first manager");
+      page.getByLabel("Name").fill("Ada");
+      page.getByLabel("Password").fill("short");
+      click(button(page, "Create manager"));
+      assertThat(page.locator("#password-help")).isVisible();
+      assertThat(page.getByLabel("Name")).hasValue("Ada");
+      page.getByLabel("Password").fill("a sentence to remember");
+      click(button(page, "Create manager"));
+
+      assertThat(page.locator("#age")).containsText("Live");
+      page.navigate(empty.root() + "users");
+      assertThat(page.locator("tbody tr")).hasCount(1);
+      assertThat(page.locator("tbody tr")).containsText("Ada");
+      assertThat(page.locator("tbody tr")).containsText("Manager");
+      click(button(page, "Log out"));
+      assertThat(page.locator("h1")).hasText("Log in");
+      page.navigate(empty.root() + "first-start");
+      assertThat(page.locator("h1")).hasText("Log in"); // there is but one first manager
+      page.getByLabel("Name").fill("Ada");
+      page.getByLabel("Password").fill("a sentence to remember");
+      click(button(page, "Log in"));
+      assertThat(page.locator("#age")).containsText("Live");
+    }
+  }
+
+  @Test
+  void aForgottenPasswordIsChosenAnewByTheLinkOfTheMail() throws Exception {
+    server.addUser("Grace", "grace@example.org", Role.CLERK);
+    Page page = page();
+    DESK.show(page);
+    page.navigate(server.root().toString());
+    click(page.getByText("Forgot your password?"));
+    page.getByLabel("Name or e-mail address").fill("grace@example.org");
+    click(button(page, "Send link"));
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("a link was sent to that address");
+
+    TestMailbox.Message mail = requireNonNull(server.mailbox().next(60), "no mail came");
+    assertEquals("grace@example.org", mail.to());
+    assertEquals("Toqa: reset your password", mail.subject());
+    Matcher link = LINK.matcher(mail.text());
+    assertTrue(link.find(), mail.text());
+    page.navigate(server.root() + link.group(1));
+    assertThat(page.locator("main")).containsText("Choose a new password for the user Grace.");
+    page.getByLabel("New password").fill("grace");
+    click(button(page, "Reset password"));
+    assertThat(page.locator("#password-help")).isVisible();
+    page.getByLabel("New password").fill("another sentence to remember");
+    click(button(page, "Reset password"));
+
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("Your password was reset.");
+    page.getByLabel("Name").fill("Grace");
+    page.locator("#password").fill(WebTestServer.PASSWORD);
+    click(button(page, "Log in"));
+    assertThat(page.getByRole(AriaRole.ALERT)).isVisible(); // the old one is not valid any more
+    page.getByLabel("Name").fill("Grace");
+    page.locator("#password").fill("another sentence to remember");
+    click(button(page, "Log in"));
+    assertThat(page.locator("#age")).containsText("Live");
+    page.navigate(server.root() + link.group(1));
+    assertThat(page.locator("main")).containsText("This link is no longer valid");
+  }
+}

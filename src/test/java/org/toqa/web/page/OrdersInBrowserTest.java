@@ -1,0 +1,103 @@
+package org.toqa.web.page;
+
+import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.microsoft.playwright.Locator;
+import com.microsoft.playwright.Page;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Pose;
+import org.toqa.mission.TaskState;
+import org.toqa.web.TestClient;
+import org.toqa.web.WebTestServer;
+
+/** What people order robots and tasks to do, in a real browser. */
+class OrdersInBrowserTest extends PagesInBrowser {
+  @Test
+  void aRobotIsHeldAndGoesOnAndIsSentHome() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "robots/r2");
+    Locator state = page.locator(".heading .state");
+    assertThat(state).hasText("Idle");
+
+    click(button(page, "Hold"));
+    assertThat(state).hasText("On hold");
+    assertEquals(RobotState.HOLDING, robot("r2").state());
+    assertThat(button(page, "Hold")).hasCount(0);
+
+    click(button(page, "Resume"));
+    assertThat(state).hasText("Idle");
+    assertEquals(RobotState.IDLE, robot("r2").state());
+
+    click(button(page, "Send home"));
+    assertThat(state).hasText("Driving");
+    assertEquals(RobotState.DRIVING, robot("r2").state());
+  }
+
+  @Test
+  void aClerkMayOrderNoRobot() {
+    Page page = loggedIn(WebTestServer.CLERK, DESK, "robots/r2");
+
+    assertThat(page.locator(".heading .state")).hasText("Idle");
+    for (String order : List.of("Hold", "Resume", "Send home")) {
+      assertThat(button(page, order)).hasCount(0);
+    }
+  }
+
+  @Test
+  void aTaskIsHeldAndGoesOn() {
+    try (TestClient clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK)) {
+      clerk.post(
+          "tasks/new",
+          Map.of("name", "x", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
+    }
+    server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
+    Page page = loggedIn(WebTestServer.CLERK, DESK, "tasks/1");
+    Locator held = page.locator("#live .notice").getByText("On hold", exactly());
+    assertThat(page.locator("[aria-current=step]")).hasText("Carrying");
+    assertThat(held).hasCount(0);
+
+    click(button(page, "Hold"));
+    assertThat(held).isVisible();
+    assertTrue(server.fleet().task(1).orElseThrow().held());
+
+    click(button(page, "Resume"));
+    assertThat(held).hasCount(0);
+    assertThat(button(page, "Hold")).isVisible();
+    assertFalse(server.fleet().task(1).orElseThrow().held());
+  }
+
+  /** No other page has it. */
+  @Test
+  void whereARobotStandsIsSaidOnThePageOfTheApi() {
+    assertEquals(RobotState.NOT_LOCALISED, robot("r4").state());
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "api");
+    Locator locate =
+        page.locator(".opblock-post")
+            .filter(new Locator.FilterOptions().setHasText("/api/v1/robots/{name}/locate"));
+    locate.locator(".opblock-summary-control").click();
+    locate.getByText("Try it out").click();
+    locate.locator(".parameters input").first().fill("r4");
+    locate.locator("textarea").fill("{\"x\": 9.3, \"y\": 2.5, \"theta\": 1}");
+    locate.getByText("Execute", exactly()).click();
+
+    assertThat(locate.locator(".live-responses-table tbody .response-col_status"))
+        .containsText("200");
+    assertEquals(new Pose(9.3, 2.5, 1), robot("r4").telemetry().pose());
+    assertEquals(RobotState.IDLE, robot("r4").state());
+    page.navigate(server.root() + "robots/r4");
+    assertThat(page.locator("[data-live-pose]")).containsText("9.30");
+  }
+
+  private RobotView robot(String name) {
+    return server.fleet().latest().robots().stream()
+        .filter(robot -> robot.name().equals(name))
+        .findFirst()
+        .orElseThrow();
+  }
+}
