@@ -19,18 +19,6 @@ import org.toqa.testbed.Needed;
 class LiveMapPageIT {
   private static final int DELAY = 200;
 
-  /** Busy for so many milliseconds with each event. */
-  private static final String PAGE =
-      """
-      <!doctype html>
-      <script>
-        new EventSource('/api/v1/events?changes=true').addEventListener('change', () => {
-          const end = performance.now() + %d;
-          while (performance.now() < end) {}
-        });
-      </script>
-      """;
-
   private Path chromium;
 
   @BeforeEach
@@ -58,18 +46,32 @@ class LiveMapPageIT {
 
   private record Measured(LatencySummary drawing, LatencySummary drawn, double longestFrame) {}
 
+  /** It is busy for so many milliseconds with each event. */
+  private static String page(int busyMillis) {
+    return """
+        <!doctype html>
+        <script>
+          new EventSource('/api/v1/events?changes=true').addEventListener('change', () => {
+            const end = performance.now() + %d;
+            while (performance.now() < end) {}
+          });
+        </script>
+        """
+        .formatted(busyMillis);
+  }
+
   private Measured measure(Duration late, int busyMillis) throws Exception {
     PoseReports reports = new PoseReports(InstantSource.system());
     try (StreamFixture server =
-            new StreamFixture(reports, Duration.ZERO, late, PAGE.formatted(busyMillis));
-        LiveMapPage page = LiveMapPage.open(chromium, server.root().resolve("map"), "t", reports)) {
-      page.reset();
-      while (page.drawn().count() < 10) {
+            new StreamFixture(reports, Duration.ZERO, late, page(busyMillis));
+        LiveMapPage map = LiveMapPage.open(chromium, server.root().resolve("map"), "t", reports)) {
+      map.reset();
+      while (map.drawn().count() < 10) {
         TimeUnit.MILLISECONDS.sleep(50);
-        page.collect();
+        map.collect();
       }
-      double longest = Arrays.stream(page.frameMillis()).max().orElseThrow();
-      return new Measured(page.drawing(), page.drawn(), longest);
+      double longest = Arrays.stream(map.frameMillis()).max().orElseThrow();
+      return new Measured(map.drawing(), map.drawn(), longest);
     }
   }
 }
