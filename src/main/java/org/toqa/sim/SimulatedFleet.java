@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.Daemon;
@@ -115,6 +116,18 @@ public final class SimulatedFleet implements AutoCloseable {
   /** The robots where they really are, but for those whose bodies are not simulated as a whole. */
   public List<Body> bodies() {
     return floor.bodies();
+  }
+
+  /**
+   * From now on the observer is told of each pose that a robot reports, before it is sent.
+   *
+   * @param observer called by the world's threads, with the robot's name; it does not wait
+   */
+  public void observeReports(BiConsumer<String, Pose> observer) {
+    for (SimulatedDaemon robot : robots) {
+      String name = robot.daemon().robot();
+      robot.daemon().setPoseListener(pose -> observer.accept(name, pose));
+    }
   }
 
   /** Takes the robots out of the world, the last one first, and ends their daemons. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -18,6 +19,7 @@ import org.toqa.agent.formation.FollowerConnector;
 import org.toqa.agent.formation.FormationBroadcasts;
 import org.toqa.agent.storage.DataFolder;
 import org.toqa.agent.storage.Journal;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Ack;
@@ -157,6 +159,14 @@ public final class Daemon implements AutoCloseable {
   /** The port that it listens on. */
   public int port() {
     return endpoint.port();
+  }
+
+  /**
+   * @param listener gets each pose that the server is told, before it is sent, in the thread that
+   *     ticks
+   */
+  public void setPoseListener(Consumer<Pose> listener) {
+    reporter.setPoseListener(listener);
   }
 
   /** The code that it shows for a server to pair with. */

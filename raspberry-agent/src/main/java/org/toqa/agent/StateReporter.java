@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Done;
 import org.toqa.link.message.AgentMessage.Fault;
@@ -24,6 +25,7 @@ final class StateReporter {
   private static final long DONE_INTERVAL_NANOS = 990_000_000;
 
   private final Consumer<AgentMessage> sender;
+  private volatile Consumer<Pose> poseListener = pose -> {};
   private @Nullable State lastState;
   private long lastStateNanos;
   private @Nullable PhaseEnd lastDone;
@@ -34,6 +36,13 @@ final class StateReporter {
    */
   StateReporter(Consumer<AgentMessage> sender) {
     this.sender = sender;
+  }
+
+  /**
+   * @param listener gets each pose before it is sent; it does not wait
+   */
+  void setPoseListener(Consumer<Pose> listener) {
+    poseListener = listener;
   }
 
   /**
@@ -66,6 +75,7 @@ final class StateReporter {
   }
 
   private void send(State state, long nanos) {
+    poseListener.accept(state.pose());
     sender.accept(state);
     lastState = state;
     lastStateNanos = nanos;

@@ -16,6 +16,8 @@ import picocli.CommandLine.Spec;
       FleetBench.class,
       TaskBench.class,
       WebBench.class,
+      SmoothnessBench.class,
+      StartupBench.class,
       DaemonBench.class,
       AllocationBench.class,
       FormationBench.class

@@ -34,10 +34,21 @@ enum LeftOut {
       "Logging in, and the time of warming up.",
       "Limits of requests: they are off."),
   WEB(
-      "The leg from a robot to the server: poses count from when the server hears of them.",
-      "Drawing: no browser runs; all but a few clients only count the bytes of their events.",
+      "The robot before its report: measuring and reckoning where it is, one tick of its daemon.",
+      "After a frame is drawn: putting it on a screen; and the glide of the map to the new pose.",
+      "More browsers than one: the others are programs that read and parse every event.",
       "Networks: clients, robots and server are one process on one machine.",
       "TLS, and limits of requests, which are off."),
+  SMOOTHNESS(
+      "A screen and a graphics card: Chromium has neither, and draws by the processor.",
+      "After a frame is drawn: putting it on a screen.",
+      "A machine for the browser alone: server, robots and Chromium share this one.",
+      "People who pan, zoom or follow a robot."),
+  STARTUP(
+      "Unpacking the WAR, but for the very first start on a machine.",
+      "MySQL: the database is H2, in an empty folder or with next to no data.",
+      "Simulated robots: none are made.",
+      "Building: ./toqa looks whether it must, before the process is started."),
   DAEMON(
       "A real chassis: the body is simulated within the daemon.",
       "A Raspberry Pi: it is measured on this machine.",

@@ -24,6 +24,7 @@ import org.toqa.fleet.history.TrackRecorder;
 import org.toqa.fleet.history.UtilisationRecorder;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.fleet.schedule.Scheduler;
+import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
 import org.toqa.link.TcpRobotLinkFactory;
@@ -60,6 +61,7 @@ import org.toqa.web.Services;
 public final class FleetServer implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(FleetServer.class);
   private static final Duration FLEET_TICK = Duration.ofMillis(100);
+  private static final String NONE_SIMULATED = "No robots are simulated.";
   private static final Duration SCHEDULE_PERIOD = Duration.ofSeconds(1);
 
   private final Configuration configuration;
@@ -69,6 +71,9 @@ public final class FleetServer implements AutoCloseable {
   /** Null: no robots are simulated. */
   private final @Nullable TrueBodies bodies;
 
+  /** Null with them. */
+  private final @Nullable SimulatedFleet simulated;
+
   /** What is to be closed, the last one first. */
   private final Deque<AutoCloseable> parts;
 
@@ -77,11 +82,13 @@ public final class FleetServer implements AutoCloseable {
       VirtualClock fleetTime,
       Services services,
       @Nullable TrueBodies bodies,
+      @Nullable SimulatedFleet simulated,
       Deque<AutoCloseable> parts) {
     this.configuration = configuration;
     this.fleetClock = fleetTime;
     this.services = services;
     this.bodies = bodies;
+    this.simulated = simulated;
     this.parts = parts;
   }
 
@@ -187,7 +194,7 @@ public final class FleetServer implements AutoCloseable {
             new IdempotentSubmitter(fleet, store));
     TrueBodies bodies =
         simulated == null ? null : new TrueBodies(simulated, fleet.snapshots()::latest);
-    return new FleetServer(configuration, clock, services, bodies, parts);
+    return new FleetServer(configuration, clock, services, bodies, simulated, parts);
   }
 
   private static Database openDatabase(Configuration.DatabaseSettings settings) throws IOException {
@@ -229,11 +236,26 @@ public final class FleetServer implements AutoCloseable {
   public BodyObservation observeBodies(BiConsumer<Duration, List<Body>> observer) {
     TrueBodies observed = bodies;
     if (observed == null) {
-      throw new IllegalStateException("No robots are simulated.");
+      throw new IllegalStateException(NONE_SIMULATED);
     }
     Participant participant = nanos -> observer.accept(Duration.ofNanos(nanos), observed.all());
     fleetClock.add(participant, VirtualClock.STEP);
     return () -> fleetClock.remove(participant);
+  }
+
+  /**
+   * From now on the observer is told of each pose that a simulated robot reports, before it is
+   * sent.
+   *
+   * @param observer called by the world's threads, with the robot's name; it does not wait
+   * @throws IllegalStateException no robots are simulated
+   */
+  public void observeReports(BiConsumer<String, Pose> observer) {
+    SimulatedFleet robots = simulated;
+    if (robots == null) {
+      throw new IllegalStateException(NONE_SIMULATED);
+    }
+    robots.observeReports(observer);
   }
 
   /** Somebody is told where bodies are, until this is closed. */

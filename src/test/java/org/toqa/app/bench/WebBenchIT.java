@@ -15,7 +15,7 @@ class WebBenchIT {
   @TempDir private Path folder;
 
   @Test
-  void pagesAndPosesAreMeasured() throws Exception {
+  void pagesAndTheWholeWayOfPosesAreMeasured() throws Exception {
     try (ToqaProcess bench =
         ToqaProcess.toqa(
             folder,
@@ -37,6 +37,24 @@ class WebBenchIT {
       assertTrue(json.get("pages").get("p99Ms").asDouble() > 0, json::toString);
       assertTrue(json.get("poses").get("count").asLong() > 10, json::toString);
       assertTrue(json.get("poses").get("p50Ms").asDouble() > 0, json::toString);
+      double heard = json.get("heard").get("p50Ms").asDouble();
+      double seen = json.get("seen").get("p50Ms").asDouble();
+      assertTrue(json.get("seen").get("count").asLong() > 10, json::toString);
+      assertEquals(json.get("seen").get("count"), json.get("heard").get("count"));
+      assertTrue(heard > 0 && heard <= seen, json::toString);
+      // one in a hundred may be from the first word of a new connection
+      assertTrue(
+          json.get("unmatched").asLong() * 100 <= json.get("seen").get("count").asLong(),
+          json::toString);
+      if (HeadlessChromium.find().isPresent()) {
+        double drawing = json.get("drawing").get("p50Ms").asDouble();
+        double drawn = json.get("drawn").get("p50Ms").asDouble();
+        assertTrue(json.get("drawn").get("count").asLong() > 10, json::toString);
+        assertTrue(drawn >= Math.max(heard, drawing), json::toString);
+      } else {
+        assertTrue(json.get("drawn").isNull(), json::toString);
+        assertTrue(bench.err().toString().contains(HeadlessChromium.MISSING), json::toString);
+      }
       assertTrue(json.get("eventsSeen").asLong() > 10, json::toString);
       assertEquals(0, json.get("failed").asInt());
     }
