@@ -7,12 +7,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.api.parallel.Execution;
 import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** A server is put back to a backup, as docs/operations.md says, while its robot has gone on. */
+@Tag("full")
 @Execution(ExecutionMode.CONCURRENT)
 class BackupIT {
   @TempDir private Path folder;

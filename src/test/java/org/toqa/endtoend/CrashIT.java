@@ -6,10 +6,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.LongStream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** {@code kill -9} of a server with simulated robots: no task is lost, none is done twice. */
+@Tag("full")
 class CrashIT {
   private static final List<String> STATIONS =
       List.of("Goods-in 1", "Mill", "Store A", "Assembly", "Packing 1");

@@ -21,6 +21,7 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -43,6 +44,7 @@ import org.toqa.store.JdbiScheduleStore;
 import org.toqa.wording.Sentence;
 
 /** The fleet over a real store, and a robot's daemon in a process of its own that is paired. */
+@Tag("full")
 @Timeout(120)
 class PairedFleetTest {
 

@@ -11,11 +11,13 @@ import java.time.Instant;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.testbed.ToqaProcess;
 
 /** The executable WAR, started by {@code java -jar}. */
+@Tag("full")
 class LauncherIT {
   @TempDir private Path folder;
 

@@ -14,6 +14,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -34,6 +35,7 @@ import org.toqa.motion.Segment;
 import org.toqa.testbed.LinkRecorder;
 
 /** A daemon in a process of its own that is paired, and what becomes of it. */
+@Tag("full")
 @Timeout(120)
 class PairedDaemonTest {
 

@@ -5,6 +5,8 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.ReadWriteLock;
+import java.util.concurrent.locks.ReentrantReadWriteLock;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import tools.jackson.databind.JsonNode;
@@ -19,6 +21,18 @@ final class PoseLatencies {
   private final LatencyHistogram streamed = new LatencyHistogram();
   private final LatencyHistogram seen = new LatencyHistogram();
   private final AtomicLong unmatched = new AtomicLong();
+
+  /** Shared by the watchers, who add all of a pose or nothing before a summary. */
+  private final ReadWriteLock lock = new ReentrantReadWriteLock();
+
+  /**
+   * @param heard from a robot's report until the server had heard it
+   * @param streamed from there until a watcher had it
+   * @param seen from a robot's report until a watcher had it
+   * @param unmatched how many poses were seen that no robot has reported
+   */
+  record Summary(
+      LatencySummary heard, LatencySummary streamed, LatencySummary seen, long unmatched) {}
 
   PoseLatencies(PoseReports reports) {
     this.reports = reports;
@@ -40,8 +54,13 @@ final class PoseLatencies {
         String heardAt = robot.path("lastSeen").asString("");
         if (!heardAt.isEmpty() && !heardAt.equals(lastHeard.put(name, heardAt))) {
           Instant serverHeard = Instant.parse(heardAt);
-          streamed.add(serverHeard, now);
-          receivePose(name, poseOf(robot), serverHeard, now);
+          lock.readLock().lock();
+          try {
+            streamed.add(serverHeard, now);
+            receivePose(name, poseOf(robot), serverHeard, now);
+          } finally {
+            lock.readLock().unlock();
+          }
         }
       }
     }
@@ -70,31 +89,26 @@ final class PoseLatencies {
         : null;
   }
 
-  /** From a robot's report until the server had heard it. */
-  LatencySummary heard() {
-    return heard.summary();
-  }
-
-  /** From there until a watcher had it. */
-  LatencySummary streamed() {
-    return streamed.summary();
-  }
-
-  /** From a robot's report until a watcher had it. */
-  LatencySummary seen() {
-    return seen.summary();
-  }
-
-  /** How many poses were seen that no robot has reported. */
-  long unmatched() {
-    return unmatched.get();
+  /** What was measured so far, all of it at the same moment. */
+  Summary summary() {
+    lock.writeLock().lock();
+    try {
+      return new Summary(heard.summary(), streamed.summary(), seen.summary(), unmatched.get());
+    } finally {
+      lock.writeLock().unlock();
+    }
   }
 
   /** Discards what was measured so far. */
   void reset() {
-    heard.reset();
-    streamed.reset();
-    seen.reset();
-    unmatched.set(0);
+    lock.writeLock().lock();
+    try {
+      heard.reset();
+      streamed.reset();
+      seen.reset();
+      unmatched.set(0);
+    } finally {
+      lock.writeLock().unlock();
+    }
   }
 }

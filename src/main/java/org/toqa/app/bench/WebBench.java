@@ -129,18 +129,19 @@ final class WebBench implements Callable<Integer> {
       ProcessMeter meter = new ProcessMeter(toqa.fleetClock());
       run(load, time.seconds(), map, stop);
       ProcessMeter.Reading reading = meter.read();
+      PoseLatencies.Summary poses = latencies.summary();
       Report report =
           new Report(
               robots.value(),
               browsers,
               LatencySummary.of(pages.latencyMillis()),
               pages.failed(),
-              latencies.heard(),
-              latencies.streamed(),
-              latencies.seen(),
+              poses.heard(),
+              poses.streamed(),
+              poses.seen(),
               map == null ? null : map.drawing(),
               map == null ? null : map.drawn(),
-              latencies.unmatched(),
+              poses.unmatched(),
               streams.events(),
               reading.pace(),
               reading.cores());

@@ -62,8 +62,7 @@ class LiveMapPageIT {
 
   private Measured measure(Duration late, int busyMillis) throws Exception {
     PoseReports reports = new PoseReports(InstantSource.system());
-    try (StreamFixture server =
-            new StreamFixture(reports, Duration.ZERO, late, page(busyMillis));
+    try (StreamFixture server = new StreamFixture(reports, Duration.ZERO, late, page(busyMillis));
         LiveMapPage map = LiveMapPage.open(chromium, server.root().resolve("map"), "t", reports)) {
       map.reset();
       while (map.drawn().count() < 10) {

@@ -29,10 +29,10 @@ class PoseLatenciesTest {
 
     see(1, Duration.ofMillis(30), Duration.ofMillis(100));
 
-    assertEquals(new LatencySummary(1, 30, 30, 30), latencies.heard());
-    assertEquals(new LatencySummary(1, 70, 70, 70), latencies.streamed()); // 100 - 30
-    assertEquals(new LatencySummary(1, 100, 100, 100), latencies.seen());
-    assertEquals(0, latencies.unmatched());
+    assertEquals(new LatencySummary(1, 30, 30, 30), latencies.summary().heard());
+    assertEquals(new LatencySummary(1, 70, 70, 70), latencies.summary().streamed()); // 100 - 30
+    assertEquals(new LatencySummary(1, 100, 100, 100), latencies.summary().seen());
+    assertEquals(0, latencies.summary().unmatched());
   }
 
   @Test
@@ -44,7 +44,7 @@ class PoseLatenciesTest {
 
     see(1, Duration.ofMillis(30), Duration.ofMillis(100));
 
-    assertEquals(500, latencies.seen().maxMs()); // 400 + 100
+    assertEquals(500, latencies.summary().seen().maxMs()); // 400 + 100
   }
 
   @Test
@@ -52,8 +52,8 @@ class PoseLatenciesTest {
     see(0, Duration.ZERO, Duration.ZERO);
     receive(7, now, now);
 
-    assertEquals(0, latencies.seen().count());
-    assertEquals(1, latencies.unmatched());
+    assertEquals(0, latencies.summary().seen().count());
+    assertEquals(1, latencies.summary().unmatched());
   }
 
   @Test
@@ -76,13 +76,15 @@ class PoseLatenciesTest {
     try (StreamFixture server = new StreamFixture(reported, link, stream, "");
         LiveStreamClients clients =
             LiveStreamClients.open(server.root(), "t", 3, measured, InstantSource.system())) {
-      while (measured.seen().count() < 15) {
+      while (measured.summary().seen().count() < 15) {
         TimeUnit.MILLISECONDS.sleep(10);
       }
       assertTrue(clients.events() >= 15, "all of them are counted");
-      assertEquals(0, measured.unmatched());
+      assertEquals(0, measured.summary().unmatched());
     }
-    return new LatencySummary[] {measured.heard(), measured.streamed(), measured.seen()};
+    return new LatencySummary[] {
+      measured.summary().heard(), measured.summary().streamed(), measured.summary().seen()
+    };
   }
 
   private void see(double x, Duration untilHeard, Duration untilSeen) {
