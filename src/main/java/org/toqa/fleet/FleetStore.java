@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
 import org.toqa.mission.Mission;
 import org.toqa.mission.Phase;
 import org.toqa.mission.TransportTask;
@@ -70,6 +71,18 @@ public interface FleetStore {
 
   /** Whether the robot is in service; a robot that was never taken out is. */
   void saveService(String robot, boolean inService, List<EventRecord> events);
+
+  /** Takes the robot out of service and forgets its place: a person said that it is gone. */
+  void saveGone(String robot, List<EventRecord> events);
+
+  /**
+   * The robot has stopped somewhere.
+   *
+   * @param pose map frame
+   * @param diameter of the disc that it fills, metres
+   * @param drive the number of its last drive, which has ended; 0: it had none
+   */
+  void savePlace(String robot, Pose pose, double diameter, long drive);
 
   void saveHold(String robot, boolean held, List<EventRecord> events);
 

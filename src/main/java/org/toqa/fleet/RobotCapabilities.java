@@ -14,6 +14,10 @@ public record RobotCapabilities(double footprint, DriveSpeeds speeds, double max
   public static final RobotCapabilities UNKNOWN =
       new RobotCapabilities(0.255, DriveSpeeds.DEFAULT, Double.MAX_VALUE);
 
+  public RobotCapabilities withFootprint(double diameter) {
+    return new RobotCapabilities(diameter, speeds, maxLoad);
+  }
+
   /** Kilograms that the robot may carry: no more than it says, and than a person entered. */
   public double allowedLoad(RobotRecord robot) {
     return Math.min(robot.maxLoad(), maxLoad);

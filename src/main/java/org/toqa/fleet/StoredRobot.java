@@ -1,13 +1,20 @@
 package org.toqa.fleet;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * What the store knows of a robot when the fleet starts.
  *
  * @param outOfService whether a person has taken it out of service
  * @param held whether a person has put it on hold
+ * @param place null where nothing is known of it, or a person said that it is not there any more
  */
 public record StoredRobot(
-    RobotRecord record, boolean outOfService, boolean held, ChargeRecord charge) {
+    RobotRecord record,
+    boolean outOfService,
+    boolean held,
+    ChargeRecord charge,
+    @Nullable LastPlace place) {
 
   public String name() {
     return record.name();

@@ -49,7 +49,11 @@ final class DatabaseTypes {
         Phase.class, (row, column, context) -> Phase.stored(row.getInt(column)));
     jdbi.registerArgument(argument(Trajectory.class, Types.VARCHAR, TrajectoryJson::write));
     jdbi.registerColumnMapper(
-        Trajectory.class, (row, column, context) -> TrajectoryJson.read(row.getString(column)));
+        Trajectory.class,
+        (row, column, context) -> {
+          String way = row.getString(column);
+          return way == null ? null : TrajectoryJson.read(way);
+        });
 
     register(jdbi, RobotRecord.class);
     register(jdbi, Hold.class);

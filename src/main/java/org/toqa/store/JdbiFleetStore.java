@@ -20,6 +20,7 @@ import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Pose;
 import org.toqa.mission.TransportTask;
 
 /** The fleet's store on H2 and on MySQL: robots, tasks, who executes what, drives and events. */
@@ -63,6 +64,21 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   @Override
   public void saveService(String robot, boolean inService, List<EventRecord> events) {
     change(h -> RobotTable.saveFlag(h, OUT_OF_SERVICE, robot, !inService), events);
+  }
+
+  @Override
+  public void saveGone(String robot, List<EventRecord> events) {
+    change(
+        h -> {
+          RobotTable.saveFlag(h, OUT_OF_SERVICE, robot, true);
+          RobotTable.forgetPlace(h, robot);
+        },
+        events);
+  }
+
+  @Override
+  public void savePlace(String robot, Pose pose, double diameter, long drive) {
+    sql.inTransaction(h -> RobotTable.savePlace(h, robot, pose, diameter, drive));
   }
 
   @Override

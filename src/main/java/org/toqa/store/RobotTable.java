@@ -1,17 +1,23 @@
 package org.toqa.store;
 
+import java.sql.Types;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.mapper.Nested;
+import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.LastPlace;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
+import org.toqa.geometry.Pose;
+import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
 
 /** The tables of robots and of their drives, within a transaction of somebody else. */
@@ -22,8 +28,12 @@ final class RobotTable {
     return h.createQuery(
             """
             select name, floor, host, port, max_load, parking, simulated, fingerprint,
-              out_of_service, held, worked_s, charger, charger_since
-            from robots where not removed order by id
+              out_of_service, held, worked_s, charger, charger_since,
+              p.x, p.y, p.theta, p.diameter,
+              case when p.robot_id is null or d.seq > p.drive then d.way end as since_driven
+            from robots r left join places p on p.robot_id = r.id
+              left join drives d on d.robot_id = r.id
+            where not removed order by id
             """)
         .mapTo(StoredRobotRow.class)
         .map(StoredRobotRow::toStoredRobot)
@@ -54,6 +64,7 @@ final class RobotTable {
             """)
         .bind("id", id(h, robot))
         .execute();
+    forgetPlace(h, robot);
   }
 
   static void saveFlag(Handle h, String column, String robot, boolean value) {
@@ -67,6 +78,8 @@ final class RobotTable {
    * A robot with all that is stored of it.
    *
    * @param workedS seconds
+   * @param x null: nobody knows, or a person said that it is not there any more
+   * @param sinceDriven null: nothing
    */
   record StoredRobotRow(
       @Nested RobotRecord robot,
@@ -74,13 +87,60 @@ final class RobotTable {
       boolean held,
       double workedS,
       @Nullable String charger,
-      @Nullable Instant chargerSince) {
+      @Nullable Instant chargerSince,
+      @Nullable Double x,
+      @Nullable Double y,
+      @Nullable Double theta,
+      @Nullable Double diameter,
+      @Nullable Trajectory sinceDriven) {
     StoredRobot toStoredRobot() {
       Turn turn = charger == null || chargerSince == null ? null : new Turn(charger, chargerSince);
       Duration worked = Duration.ofMillis(Math.round(1000 * workedS));
       return new StoredRobot(
-          robot, outOfService, held, new ChargeRecord(robot.name(), worked, turn));
+          robot, outOfService, held, new ChargeRecord(robot.name(), worked, turn), place());
     }
+
+    private @Nullable LastPlace place() {
+      double width = diameter == null ? RobotCapabilities.UNKNOWN.footprint() : diameter;
+      if (sinceDriven != null) {
+        return new LastPlace(width, sinceDriven);
+      }
+      return x == null || y == null || theta == null
+          ? null
+          : LastPlace.standing(new Pose(x, y, theta), width);
+    }
+  }
+
+  static int savePlace(Handle h, String robot, Pose pose, double diameter, long drive) {
+    return placeUpdate(h, robot, ":drive")
+        .bind("drive", drive)
+        .bind("x", pose.x())
+        .bind("y", pose.y())
+        .bind("theta", pose.theta())
+        .bind("diameter", diameter)
+        .execute();
+  }
+
+  /** Whatever it has driven until now counts no more. */
+  static void forgetPlace(Handle h, String robot) {
+    placeUpdate(h, robot, "(select last_seq from robots where id = :id)")
+        .bindNull("x", Types.DOUBLE)
+        .bindNull("y", Types.DOUBLE)
+        .bindNull("theta", Types.DOUBLE)
+        .bindNull("diameter", Types.DOUBLE)
+        .execute();
+  }
+
+  private static Update placeUpdate(Handle h, String robot, String drive) {
+    return h.createUpdate(
+            """
+            insert into places (robot_id, drive, x, y, theta, diameter)
+            values (:id, DRIVE, :x, :y, :theta, :diameter)
+            on duplicate key update drive = values(drive), x = values(x), y = values(y),
+              theta = values(theta), diameter = values(diameter)
+            """
+                .replace("DRIVE", drive))
+        .bind("id", id(h, robot));
   }
 
   static void saveCharge(Handle h, ChargeRecord record) {

@@ -45,8 +45,10 @@ final class ActiveHold {
     String path = "tasks/" + id;
     assertAccepted(site, path + "/hold");
     List<String> moving = robotsAtWork(site.server.await(path, task -> true));
+    awaitHeld(site, moving);
     site.truth().awaitStandstill(moving);
     JsonNode task = site.server.await(path, t -> true);
+    awaitHeld(site, robotsAtWork(task));
     Map<String, Reading> places = site.truth().awaitStandstill(robotsAtWork(task));
     return new ActiveHold(site, Work.Kind.TASK_HOLD, path, places, state(task));
   }
@@ -62,8 +64,16 @@ final class ActiveHold {
         };
     assertAccepted(site, path + (work.kind() == Work.Kind.PAUSE ? "/pause" : "/hold"));
     List<String> still = work.kind() == Work.Kind.ROBOT_HOLD ? List.of(robot) : site.robots();
+    awaitHeld(site, still);
     Map<String, Reading> places = site.truth().awaitStandstill(still);
     return new ActiveHold(site, work.kind(), path, places, TaskState.DONE);
+  }
+
+  /** One that only stands may have been told to drive just before, and runs faster than we do. */
+  private static void awaitHeld(CrashTestbed site, List<String> robots) throws Exception {
+    for (String robot : robots) {
+      site.server.await("robots/" + robot, r -> r.get("state").asString().equals("HOLDING"));
+    }
   }
 
   private static void assertAccepted(CrashTestbed site, String path) throws Exception {

@@ -1,6 +1,7 @@
 package org.toqa.store;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.time.Duration;
@@ -10,11 +11,13 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.LastPlace;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
@@ -47,6 +50,31 @@ class RobotStoreTest extends FleetDatabaseTest {
 
     assertEquals(Set.of("r1"), robots(StoredRobot::outOfService));
     assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
+  }
+
+  @Test
+  void whereARobotStoodComesBackUntilItDrivesOrIsSaidToBeGone() {
+    store.saveRobot(R1);
+    assertNull(place());
+
+    Pose pose = new Pose(1.5, 2.5, 0.25);
+    store.savePlace("r1", pose, 0.3, 0);
+    assertEquals(LastPlace.standing(pose, 0.3), place());
+
+    Trajectory way = new Trajectory(pose, List.of(new Segment(0.25, 0, 4)));
+    store.saveDrive("r1", new StoredDrive(7, null, Phase.NONE, way));
+    assertEquals(new LastPlace(0.3, way), place());
+
+    store.savePlace("r1", way.end(), 0.3, 7);
+    assertEquals(LastPlace.standing(way.end(), 0.3), place());
+
+    store.saveGone("r1", List.of());
+    assertNull(place());
+    assertEquals(Set.of("r1"), robots(StoredRobot::outOfService));
+  }
+
+  private @Nullable LastPlace place() {
+    return store.storedRobots().getFirst().place();
   }
 
   @Test

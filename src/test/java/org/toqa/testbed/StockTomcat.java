@@ -18,7 +18,7 @@ import java.util.stream.Stream;
  */
 public final class StockTomcat implements AutoCloseable {
   private static final Path SHIPPED = Path.of("target/stock-tomcat");
-  private static final Duration LIMIT = Duration.ofSeconds(60);
+  private static final Duration LIMIT = Duration.ofMinutes(5);
 
   /** As in {@code Starting ProtocolHandler ["http-nio-127.0.0.1-auto-1-41231"]}. */
   private static final Pattern PORT =

@@ -120,6 +120,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     }
     memory.robots().forEach(stored -> charging.recover(stored.charge()));
     memory.begunTasks().forEach(missions::recover);
+    memory.robots().forEach(robotEventHandler::recover);
   }
 
   @Override

@@ -83,8 +83,11 @@ record LastReport(
         localised, pose, battery, mode, role, moving, newDrive, newTask, errors, at);
   }
 
-  LastReport withoutPose() {
-    return new LastReport(localised, null, battery, mode, role, moving, drive, task, errors, at);
+  /**
+   * @param newPose null: nobody knows where it is
+   */
+  LastReport withPose(@Nullable Pose newPose) {
+    return new LastReport(localised, newPose, battery, mode, role, moving, drive, task, errors, at);
   }
 
   /** What readers see of it. */

@@ -194,7 +194,13 @@ final class OperatorCommandHandler {
             m.user(),
             servicePhrase(m, clears).with(m.user(), m.robot()));
     state.writer.tryOnce(
-        () -> state.store.saveService(m.robot(), m.inService(), List.of(event)),
+        () -> {
+          if (clears) {
+            state.store.saveGone(m.robot(), List.of(event));
+          } else {
+            state.store.saveService(m.robot(), m.inService(), List.of(event));
+          }
+        },
         () -> self.tell(new FloorMessage.ServiceStored(m, clears)),
         failure -> m.replyTo().tell(StatusReply.error(failure)));
   }

@@ -2,6 +2,7 @@ package org.toqa.fleet.floor;
 
 import java.time.Instant;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.LastPlace;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.robot.RobotEvent.CommandRejected;
 import org.toqa.geometry.Pose;
@@ -95,6 +96,12 @@ final class ReportedState {
     rejectedChange = null;
   }
 
+  /** Where it was when it was heard last, before this server began. */
+  void recover(LastPlace place) {
+    report = report.withPose(place.pose());
+    capabilities = capabilities.withFootprint(place.diameter());
+  }
+
   void setReport(AgentMessage.State state, Instant now) {
     contact = contact.heardAgain();
     report = LastReport.of(state, now);
@@ -125,7 +132,7 @@ final class ReportedState {
 
   /** A person has said that it is not there any more. */
   void forgetPose() {
-    report = report.withoutPose();
+    report = report.withPose(null);
   }
 
   void setAlert(@Nullable Sentence why) {

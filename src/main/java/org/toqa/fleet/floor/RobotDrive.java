@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.wording.Sentence;
 
@@ -17,6 +18,8 @@ final class RobotDrive {
   private DriveOrder order = new DriveOrder.None();
   private Instant notBefore = Instant.MIN;
   private @Nullable Sentence waitReason;
+  private long lastNumber;
+  private @Nullable Pose storedPlace;
 
   // --- where it shall drive ---------------------------------------------------------------------
 
@@ -69,6 +72,23 @@ final class RobotDrive {
     return notBefore.isAfter(now);
   }
 
+  // --- where it stopped
+  // ---------------------------------------------------------------------------
+
+  /** The number of the last drive that is known of, 0 without one. */
+  long lastNumber() {
+    return lastNumber;
+  }
+
+  /** Where it stood when that was last stored, map frame; null: since then it has driven. */
+  @Nullable Pose storedPlace() {
+    return storedPlace;
+  }
+
+  void setStoredPlace(Pose pose) {
+    storedPlace = pose;
+  }
+
   // --- what it was told -------------------------------------------------------------------------
 
   DriveOrder order() {
@@ -88,14 +108,18 @@ final class RobotDrive {
   /** The drive that it is being told has its number. */
   void setBegun(StoredDrive drive) {
     order = order.begun(drive);
+    lastNumber = drive.seq();
+    storedPlace = null;
   }
 
   /**
    * It is connected anew.
    *
    * @param drive the one that it has, if it is known here
+   * @param newLastNumber of the last drive that was stored for it
    */
-  void reconnect(Optional<StoredDrive> drive) {
+  void reconnect(Optional<StoredDrive> drive, long newLastNumber) {
+    lastNumber = newLastNumber;
     Vec2 leadsTo = order.knownGoal();
     order =
         drive

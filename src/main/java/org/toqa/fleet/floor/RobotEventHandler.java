@@ -7,6 +7,8 @@ import java.util.Optional;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.LastPlace;
+import org.toqa.fleet.StoredRobot;
 import org.toqa.fleet.robot.RobotEvent;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.geometry.Pose;
@@ -26,6 +28,9 @@ import org.toqa.wording.Sentence;
 final class RobotEventHandler {
   private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
   private static final Duration REFUSALS_INTERVAL = Duration.ofMinutes(5);
+
+  /** Metres; a robot that stands and drifts by less is where it was. */
+  private static final double SAME_PLACE = 0.02;
 
   /** The code by which a robot reports connections that it refused. */
   private static final String REFUSED = "REFUSED";
@@ -70,6 +75,35 @@ final class RobotEventHandler {
     }
   }
 
+  /** Until it is heard it stays where it was last known, and keeps all that it may drive. */
+  void recover(StoredRobot stored) {
+    FloorRobot robot = state.robots.get(stored.name());
+    LastPlace place = stored.place();
+    if (robot == null || place == null) {
+      return;
+    }
+    robot.reported.recover(place);
+    state.traffic.reportStanding(robot.name(), place.pose(), place.diameter(), state.now);
+    if (!place.sinceDriven().segments().isEmpty()) {
+      state
+          .formations
+          .carryingMission(robot.name())
+          .filter(mission -> Formations.leader(mission).equals(robot.name()))
+          .flatMap(state.formations::of)
+          .ifPresent(formation -> state.traffic.setFormation(robot.name(), formation.group()));
+      int segments = place.sinceDriven().segments().size();
+      state.traffic.adoptTrajectory(
+          robot.name(),
+          place.pose(),
+          place.diameter(),
+          place.sinceDriven(),
+          0,
+          segments,
+          state.now);
+    }
+    state.traffic.setMovable(robot.name(), false);
+  }
+
   /** The robot has another certificate or address: what was refused was the old one. */
   void forgetAlert(FloorRobot robot) {
     robot.reported.setAlert(null);
@@ -94,7 +128,7 @@ final class RobotEventHandler {
   private void connected(FloorRobot robot, Hello hello, Optional<StoredDrive> stored) {
     robot.reported.connected(hello, state.clock.instant());
     Optional<StoredDrive> drive = stored.filter(d -> d.seq() == hello.drive());
-    robot.drive.reconnect(drive);
+    robot.drive.reconnect(drive, stored.map(StoredDrive::seq).orElse(0L));
     if (!state.formations.isCoveredByLeader(robot.name())) {
       state.traffic.reportStanding(robot.name(), hello.pose(), hello.footprint(), state.now);
       state.traffic.setSpeeds(robot.name(), robot.reported.capabilities().speeds());
@@ -102,6 +136,9 @@ final class RobotEventHandler {
       if (drive.isPresent() && hello.role() != Role.FOLLOWER) {
         resumeDriveInTraffic(robot, drive.get(), hello.pose(), hello.segment(), hello.released());
       }
+    }
+    if (hello.drive() == 0) {
+      storePlace(robot, hello.pose());
     }
     if (hello.done() != null) {
       phaseEnded(robot, hello.done());
@@ -136,6 +173,7 @@ final class RobotEventHandler {
     } else if (!robot.drive.order().isPending() && !isBraking(robot)) {
       if (said.drive() == 0) {
         robot.drive.end();
+        storePlace(robot, said.pose());
       }
       state.traffic.reportStanding(
           robot.name(), said.pose(), robot.reported.footprint(), state.now);
@@ -148,6 +186,18 @@ final class RobotEventHandler {
               said.obstacles(),
               state.robots.keySet(),
               state.now));
+    }
+  }
+
+  /** So that who starts before the robot is heard again knows where it is. */
+  private void storePlace(FloorRobot robot, Pose pose) {
+    Pose stored = robot.drive.storedPlace();
+    if (stored == null || stored.distanceTo(pose) > SAME_PLACE) {
+      robot.drive.setStoredPlace(pose);
+      String name = robot.name();
+      double diameter = robot.reported.footprint();
+      long drive = robot.drive.lastNumber();
+      state.writer.write(() -> state.store.savePlace(name, pose, diameter, drive), () -> {});
     }
   }
 

@@ -73,12 +73,13 @@ public final class FloorTraffic {
   // --- what is so -------------------------------------------------------------------------------
 
   /**
-   * The robot is stopped at a pose and has no path; it may be new here.
+   * The robot is stopped at a pose and has no path; it may be new here, or elsewhere than it was.
    *
    * @param diameter of the disc that the robot fills, metres, above 0
    */
   public void reportStanding(String name, Pose pose, double diameter, Instant now) {
     OccupancyGrid grid = freeSpace.grid();
+    boolean isNew = !robots.containsKey(name);
     TrafficRobot robot =
         robots.computeIfAbsent(
             name, key -> new TrafficRobot(key, ++robotCount, grid, pose, diameter / 2, now));
@@ -86,8 +87,25 @@ public final class FloorTraffic {
     if (robot.drive.path() != null || !robot.cell().equals(grid.cellAt(pose.position()))) {
       trigger.markChanged();
     }
+    BitSet known = new BitSet();
+    if (!isNew) {
+      robot.addClaimedTo(known);
+    }
     robot.setPose(pose, diameter / 2);
     robot.stop();
+    freePathsThrough(robot, known);
+  }
+
+  /** Where nobody expected the robot, the others give up what is not released to them. */
+  private void freePathsThrough(TrafficRobot robot, BitSet known) {
+    BitSet unexpected = new BitSet();
+    robot.standingCells().addTo(unexpected);
+    unexpected.andNot(known);
+    if (!unexpected.isEmpty()) {
+      robots.values().stream()
+          .filter(other -> other != robot && other.drive.hasUnreleasedOn(unexpected))
+          .forEach(this::freeUnreleased);
+    }
   }
 
   /**

@@ -19,6 +19,7 @@ import java.util.stream.Stream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.LongRange;
+import net.jqwik.api.lifecycle.AfterProperty;
 import org.toqa.formation.Shape;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -133,7 +134,7 @@ class FormationFootprintPropertyTest {
     assertTrue(floor.areAllArrived(), () -> both + floor.reasons());
   }
 
-  // @AfterProperty
+  @AfterProperty
   void enoughCarriesWerePossible() {
     carries.assertPossible(0.2);
   }

@@ -1,0 +1,106 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.Cell;
+import org.toqa.grid.CellRuns;
+import org.toqa.mission.TaskState;
+
+/** What a server that starts knows of robots that it does not hear. */
+class FleetRestartTest extends HallFleetTest {
+  private static final double BODIES = 0.255; // metres from middle to middle where two touch
+
+  @Test
+  void aSilentRobotKeepsItsPlace() throws Exception {
+    reopenWith("r2", DOOR, null);
+    until(view -> robot(view, "r2").state() == RobotState.IDLE);
+    scriptedRobot("r2").loseConnection();
+
+    stage.restart();
+
+    until(view -> robot(view, "r2").telemetry().pose() != null);
+    assertEquals(RobotState.CONNECTING, robot(stage.fleet.snapshots().latest(), "r2").state());
+    assertEquals(Map.of("r2", cells(new Cell(4, 1))), silentRobotCells());
+    long task = submit("West", "East");
+    until(view -> waitReason(view, task).startsWith("Waiting for r2"));
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+    until(view -> task(view, task).state() == TaskState.DONE);
+
+    stage.restart();
+
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    assertNull(robot(stage.fleet.snapshots().latest(), "r2").telemetry().pose());
+    assertEquals(Map.of(), silentRobotCells());
+  }
+
+  @Test
+  void aRobotThatBrokeDownAtAStationIsNotDrivenInto() throws Exception {
+    reopenWith("r2", new Vec2(9.5, 2.5), null); // without parking: it stays at the station
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    long first = submit(IN_THE_MIDDLE, new TaskOrder.Where.Station("East"));
+    until(view -> task(view, first).state() == TaskState.DONE);
+    assertEquals(0, scriptedRobot("r2").position().distanceTo(new Vec2(8.5, 2.5)), 0.2);
+    scriptedRobot("r2").breakDown("SWITCH");
+    until(view -> robot(view, "r2").state() == RobotState.ERROR);
+    scriptedRobot("r2").loseConnection();
+
+    stage.restart();
+
+    long second = submit("West", "East");
+    until(
+        view -> {
+          assertApart("r1", "r2");
+          return task(view, second).state() == TaskState.CARRYING
+              && waitReason(view, second).startsWith("Waiting for r2");
+        });
+    scriptedRobot("r2").repair();
+    scriptedRobot("r2").speakAgain();
+    until(
+        view -> {
+          assertApart("r1", "r2");
+          return task(view, second).state() == TaskState.DONE;
+        });
+  }
+
+  @Test
+  void allThatASilentRobotMayDriveStaysReserved() throws Exception {
+    reopenWith("r2", new Vec2(14.5, 0.5), null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    long first = submit("West", "East");
+    untilCarryingOnTheWay(first);
+    scriptedRobot("r1").loseConnection();
+
+    stage.restart();
+
+    until(view -> robot(view, "r1").telemetry().pose() != null);
+    assertNotNull(silentRobotCells().get("r1"));
+    long second = submit(IN_THE_MIDDLE, new TaskOrder.Where.Station("West"));
+    until(
+        view -> {
+          assertApart("r1", "r2");
+          return waitReason(view, second).startsWith("Waiting for r1");
+        });
+    scriptedRobot("r1").speakAgain();
+    until(
+        view -> {
+          assertApart("r1", "r2");
+          return task(view, first).state() == TaskState.DONE
+              && task(view, second).state() == TaskState.DONE;
+        });
+  }
+
+  private Map<String, CellRuns> silentRobotCells() {
+    return stage.fleet.snapshots().latest().floors().getFirst().silentRobotCells();
+  }
+
+  private void assertApart(String one, String other) {
+    double apart = scriptedRobot(one).position().distanceTo(scriptedRobot(other).position());
+    assertTrue(apart > BODIES, () -> one + " and " + other + " are " + apart + " m apart");
+  }
+}
