@@ -40,6 +40,24 @@ class FleetRestartTest extends HallFleetTest {
   }
 
   @Test
+  void aRobotThatWasSaidToBeGoneAndIsHeardAgainHasItsPlaceAgain() throws Exception {
+    reopenWith("r2", DOOR, null);
+    until(view -> robot(view, "r2").state() == RobotState.IDLE);
+    scriptedRobot("r2").fallSilent();
+    until(view -> robot(view, "r2").state() == RobotState.LOST);
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+    until(view -> robot(view, "r2").telemetry().pose() == null);
+    scriptedRobot("r2").speakAgain();
+    until(view -> robot(view, "r2").telemetry().pose() != null);
+    scriptedRobot("r2").loseConnection();
+
+    stage.restart();
+
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    assertEquals(Map.of("r2", cells(new Cell(4, 1))), silentRobotCells());
+  }
+
+  @Test
   void aRobotThatBrokeDownAtAStationIsNotDrivenInto() throws Exception {
     reopenWith("r2", new Vec2(9.5, 2.5), null); // without parking: it stays at the station
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));

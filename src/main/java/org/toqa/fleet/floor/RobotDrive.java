@@ -80,12 +80,15 @@ final class RobotDrive {
     return lastNumber;
   }
 
-  /** Where it stood when that was last stored, map frame; null: since then it has driven. */
+  /** Where it stood when that was last stored, map frame; null: that is not known any more. */
   @Nullable Pose storedPlace() {
     return storedPlace;
   }
 
-  void setStoredPlace(Pose pose) {
+  /**
+   * @param pose null: it is to be stored again
+   */
+  void setStoredPlace(@Nullable Pose pose) {
     storedPlace = pose;
   }
 

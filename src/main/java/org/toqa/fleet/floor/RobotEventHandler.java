@@ -113,6 +113,7 @@ final class RobotEventHandler {
   void forgetPose(FloorRobot robot) {
     robot.reported.forgetPose();
     robot.drive.settle();
+    robot.drive.setStoredPlace(null);
   }
 
   /** A robot that comes back with a task that it has no more is sent {@code cancel} first. */
