@@ -112,8 +112,7 @@ final class RobotTable {
   }
 
   static int savePlace(Handle h, String robot, Pose pose, double diameter, long drive) {
-    return placeUpdate(h, robot, ":drive")
-        .bind("drive", drive)
+    return placeUpdate(h, robot, drive)
         .bind("x", pose.x())
         .bind("y", pose.y())
         .bind("theta", pose.theta())
@@ -123,7 +122,12 @@ final class RobotTable {
 
   /** Whatever it has driven until now counts no more. */
   static void forgetPlace(Handle h, String robot) {
-    placeUpdate(h, robot, "(select last_seq from robots where id = :id)")
+    long lastDrive =
+        h.createQuery("select last_seq from robots where id = :id")
+            .bind("id", id(h, robot))
+            .mapTo(Long.class)
+            .one();
+    placeUpdate(h, robot, lastDrive)
         .bindNull("x", Types.DOUBLE)
         .bindNull("y", Types.DOUBLE)
         .bindNull("theta", Types.DOUBLE)
@@ -131,16 +135,16 @@ final class RobotTable {
         .execute();
   }
 
-  private static Update placeUpdate(Handle h, String robot, String drive) {
+  private static Update placeUpdate(Handle h, String robot, long drive) {
     return h.createUpdate(
             """
             insert into places (robot_id, drive, x, y, theta, diameter)
-            values (:id, DRIVE, :x, :y, :theta, :diameter)
+            values (:id, :drive, :x, :y, :theta, :diameter)
             on duplicate key update drive = values(drive), x = values(x), y = values(y),
               theta = values(theta), diameter = values(diameter)
-            """
-                .replace("DRIVE", drive))
-        .bind("id", id(h, robot));
+            """)
+        .bind("id", id(h, robot))
+        .bind("drive", drive);
   }
 
   static void saveCharge(Handle h, ChargeRecord record) {
