@@ -232,10 +232,8 @@ final class FormationSearch {
   /** Where it is if that is on the lattice, else all over the lattice round it. */
   private void enter() {
     int there = lattice.stateAt(start);
-    if (there >= 0) {
-      if (isOpen(there)) {
-        reach(there, -1, 0);
-      }
+    if (there >= 0 && isOpen(there)) {
+      reach(there, -1, 0);
       return;
     }
     lattice.forEachPointAround(
