@@ -3,14 +3,10 @@ package org.toqa.app.bench;
 import java.net.URI;
 import java.nio.file.Path;
 import java.time.InstantSource;
-import java.util.EnumMap;
-import java.util.Map;
 import java.util.concurrent.Callable;
-import org.jspecify.annotations.Nullable;
 import org.toqa.app.command.Arguments;
 import org.toqa.app.command.OptionalMapOption;
 import org.toqa.app.command.StopSignal;
-import org.toqa.app.config.Setting;
 import org.toqa.app.server.FleetServer;
 import org.toqa.app.server.ServerOperation;
 import picocli.CommandLine.Command;
@@ -62,7 +58,7 @@ final class SmoothnessBench implements Callable<Integer> {
     BenchUser user = BenchUser.create();
     ServerOperation measurement =
         (toqa, address, stop) -> measure(toqa, address, user, chromium, stop);
-    return measurement.runIsolated(settings(user));
+    return measurement.runIsolated(user.settings(robots, map));
   }
 
   private int measure(FleetServer toqa, URI address, BenchUser user, Path chromium, StopSignal stop)
@@ -89,13 +85,5 @@ final class SmoothnessBench implements Callable<Integer> {
                   reading.pace()));
       return ExitCode.OK;
     }
-  }
-
-  private Map<Setting, @Nullable String> settings(BenchUser user) {
-    Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.put(Setting.SIMULATE, String.valueOf(robots.value()));
-    settings.put(Setting.MAP, map.file());
-    settings.put(Setting.MANAGER, user.setting());
-    return settings;
   }
 }

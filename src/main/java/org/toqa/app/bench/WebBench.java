@@ -4,8 +4,6 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Path;
 import java.time.InstantSource;
-import java.util.EnumMap;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -13,7 +11,6 @@ import org.toqa.app.command.Arguments;
 import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.OptionalMapOption;
 import org.toqa.app.command.StopSignal;
-import org.toqa.app.config.Setting;
 import org.toqa.app.server.FleetServer;
 import org.toqa.app.server.ServerOperation;
 import picocli.CommandLine.Command;
@@ -103,7 +100,7 @@ final class WebBench implements Callable<Integer> {
     time.check(arguments);
     BenchUser user = BenchUser.create();
     ServerOperation measurement = (toqa, address, stop) -> measure(toqa, address, user, stop);
-    return measurement.runIsolated(settings(user));
+    return measurement.runIsolated(user.settings(robots, map));
   }
 
   private int measure(FleetServer toqa, URI address, BenchUser user, StopSignal stop)
@@ -173,13 +170,5 @@ final class WebBench implements Callable<Integer> {
         map.collect();
       }
     }
-  }
-
-  private Map<Setting, @Nullable String> settings(BenchUser user) {
-    Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.put(Setting.SIMULATE, String.valueOf(robots.value()));
-    settings.put(Setting.MAP, map.file());
-    settings.put(Setting.MANAGER, user.setting());
-    return settings;
   }
 }
