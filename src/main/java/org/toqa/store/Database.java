@@ -4,11 +4,13 @@ import com.zaxxer.hikari.HikariConfig;
 import com.zaxxer.hikari.HikariDataSource;
 import com.zaxxer.hikari.metrics.micrometer.MicrometerMetricsTrackerFactory;
 import io.micrometer.core.instrument.MeterRegistry;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import javax.sql.DataSource;
 import org.flywaydb.core.Flyway;
 import org.jdbi.v3.core.Jdbi;
+import org.jspecify.annotations.Nullable;
 
 /** The database: a pool of connections, migrated to the newest {@code sql/}. */
 public final class Database implements AutoCloseable {
@@ -17,6 +19,7 @@ public final class Database implements AutoCloseable {
   private static final int IDENTITY_CACHE = 1000;
 
   private static final String MYSQL = "jdbc:mysql:";
+  private static final String H2_FILE = "jdbc:h2:file:";
 
   /** A database that does not answer for so long is away; what was asked is tried again. */
   private static final Duration SOCKET_TIMEOUT = Duration.ofSeconds(8);
@@ -26,13 +29,21 @@ public final class Database implements AutoCloseable {
   private static final String H2_OPTIONS =
       ";MODE=MySQL;DATABASE_TO_LOWER=TRUE;CASE_INSENSITIVE_IDENTIFIERS=TRUE";
 
+  /** Without WRITE_DELAY=0 a killed process loses rows that it had committed. */
+  private static final String H2_FILE_OPTIONS =
+      H2_OPTIONS + ";WRITE_DELAY=0;RETENTION_TIME=" + H2Compactor.RETENTION.toMillis();
+
   private final HikariDataSource pool;
   private final Jdbi jdbi;
 
-  private Database(HikariDataSource pool) {
+  /** Null where the database is not a file of this process. */
+  private final @Nullable H2Compactor compactor;
+
+  private Database(HikariDataSource pool, boolean isOwnFile) {
     this.pool = pool;
     this.jdbi = Jdbi.create((DataSource) pool);
     DatabaseTypes.register(jdbi);
+    this.compactor = isOwnFile ? new H2Compactor(jdbi) : null;
   }
 
   /**
@@ -59,7 +70,7 @@ public final class Database implements AutoCloseable {
       config.addDataSourceProperty("connectTimeout", milliseconds(CONNECT_TIMEOUT));
       config.addDataSourceProperty("socketTimeout", milliseconds(SOCKET_TIMEOUT));
     }
-    return new Database(new HikariDataSource(config));
+    return new Database(new HikariDataSource(config), url.startsWith(H2_FILE));
   }
 
   /**
@@ -100,6 +111,15 @@ public final class Database implements AutoCloseable {
     return String.valueOf(limit.toMillis());
   }
 
+  /**
+   * The JDBC URL of an H2 database in a file.
+   *
+   * @param file without its ending {@code .mv.db}
+   */
+  public static String fileUrl(Path file) {
+    return H2_FILE + file + H2_FILE_OPTIONS;
+  }
+
   /** An H2 database that lives as long as it is open. */
   public static Database inMemory(String name) {
     return open("jdbc:h2:mem:" + name + H2_OPTIONS + ";DB_CLOSE_DELAY=-1", "toqa", "");
@@ -125,6 +145,9 @@ public final class Database implements AutoCloseable {
 
   @Override
   public void close() {
+    if (compactor != null) {
+      compactor.close();
+    }
     pool.close();
   }
 }

@@ -25,6 +25,7 @@ import org.toqa.app.config.ValueRange.Decimal;
 import org.toqa.app.config.ValueRange.WholeNumber;
 import org.toqa.app.config.ValueRange.WholeNumbers;
 import org.toqa.fleet.ChargingRules;
+import org.toqa.store.Database;
 
 /**
  * Reads a configuration and checks every value.
@@ -229,14 +230,7 @@ record ConfigurationReader(List<SettingSource> layers) {
   private DatabaseSettings database(Path data) throws ConfigurationException {
     String url = text(Setting.DATABASE_URL);
     if (url.isEmpty()) {
-      // Without WRITE_DELAY=0 a killed process loses rows that it had committed.
-      return new DatabaseSettings(
-          "jdbc:h2:file:"
-              + data.resolve("toqa")
-              + ";MODE=MySQL;DATABASE_TO_LOWER=TRUE;CASE_INSENSITIVE_IDENTIFIERS=TRUE"
-              + ";WRITE_DELAY=0",
-          null,
-          null);
+      return new DatabaseSettings(Database.fileUrl(data.resolve("toqa")), null, null);
     }
     if (!url.startsWith("jdbc:mysql:") && !url.startsWith("jdbc:h2:")) {
       throw outOfRange(Setting.DATABASE_URL);

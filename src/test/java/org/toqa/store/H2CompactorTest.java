@@ -1,0 +1,58 @@
+package org.toqa.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.geometry.Pose;
+import org.toqa.mission.Phase;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/** The file of the embedded database, with the settings that the server has. */
+class H2CompactorTest {
+  private static final int COMMITS = 1000;
+
+  /** More than three times of what is in it; without compaction it is twenty times as large. */
+  private static final long LARGEST_FILE = 1_500_000;
+
+  @TempDir private Path folder;
+
+  @Test
+  @Timeout(120)
+  void fileIsNotMuchLargerThanWhatIsInIt() throws Exception {
+    Path file = folder.resolve("toqa.mv.db");
+    try (Database database = open()) {
+      JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+      store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 1, 5, null, true, null));
+      for (int i = 1; i <= COMMITS; i++) {
+        store.saveDrive("r1", drive(i));
+      }
+      while (Files.size(file) > LARGEST_FILE) {
+        Thread.sleep(100);
+      }
+      assertEquals(drive(COMMITS), store.drive("r1").orElseThrow());
+    }
+    try (Database database = open()) {
+      JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+      assertEquals(drive(COMMITS), store.drive("r1").orElseThrow());
+    }
+  }
+
+  private Database open() {
+    return Database.open(Database.fileUrl(folder.resolve("toqa")), "", "");
+  }
+
+  private static StoredDrive drive(long seq) {
+    Segment segment = new Segment(0.25, 0, seq);
+    List<Segment> segments = Collections.nCopies(200, segment);
+    return new StoredDrive(seq, null, Phase.NONE, new Trajectory(new Pose(0, 0, 0), segments));
+  }
+}
