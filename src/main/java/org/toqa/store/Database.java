@@ -19,19 +19,11 @@ public final class Database implements AutoCloseable {
   private static final int IDENTITY_CACHE = 1000;
 
   private static final String MYSQL = "jdbc:mysql:";
-  private static final String H2_FILE = "jdbc:h2:file:";
 
   /** A database that does not answer for so long is away; what was asked is tried again. */
   private static final Duration SOCKET_TIMEOUT = Duration.ofSeconds(8);
 
   private static final Duration CONNECT_TIMEOUT = Duration.ofSeconds(3);
-
-  private static final String H2_OPTIONS =
-      ";MODE=MySQL;DATABASE_TO_LOWER=TRUE;CASE_INSENSITIVE_IDENTIFIERS=TRUE";
-
-  /** Without WRITE_DELAY=0 a killed process loses rows that it had committed. */
-  private static final String H2_FILE_OPTIONS =
-      H2_OPTIONS + ";WRITE_DELAY=0;RETENTION_TIME=" + H2Compactor.RETENTION.toMillis();
 
   private final HikariDataSource pool;
   private final Jdbi jdbi;
@@ -47,10 +39,11 @@ public final class Database implements AutoCloseable {
   }
 
   /**
-   * @param url JDBC
+   * @param database its JDBC URL; what that of an H2 database does not say is as Toqa needs it
    * @param user empty: the one in the URL, if any
    */
-  public static Database open(String url, String user, String password) {
+  public static Database open(String database, String user, String password) {
+    String url = H2Url.isH2(database) ? H2Url.withSettings(database) : database;
     try (HikariDataSource migrationPool = new HikariDataSource(config(url, user, password))) {
       Flyway.configure(Database.class.getClassLoader())
           .dataSource(migrationPool)
@@ -70,7 +63,7 @@ public final class Database implements AutoCloseable {
       config.addDataSourceProperty("connectTimeout", milliseconds(CONNECT_TIMEOUT));
       config.addDataSourceProperty("socketTimeout", milliseconds(SOCKET_TIMEOUT));
     }
-    return new Database(new HikariDataSource(config), url.startsWith(H2_FILE));
+    return new Database(new HikariDataSource(config), H2Url.isOwnFile(url));
   }
 
   /**
@@ -117,12 +110,12 @@ public final class Database implements AutoCloseable {
    * @param file without its ending {@code .mv.db}
    */
   public static String fileUrl(Path file) {
-    return H2_FILE + file + H2_FILE_OPTIONS;
+    return H2Url.ofFile(file);
   }
 
   /** An H2 database that lives as long as it is open. */
   public static Database inMemory(String name) {
-    return open("jdbc:h2:mem:" + name + H2_OPTIONS + ";DB_CLOSE_DELAY=-1", "toqa", "");
+    return open(H2Url.inMemory(name), "toqa", "");
   }
 
   /** The innermost cause, which is the database's own word, in one line. */

@@ -63,9 +63,17 @@ final class H2Compactor implements AutoCloseable {
       h.execute("checkpoint sync");
       file.compact(LEAST_FILL_RATE, MOST_BYTES_MOVED);
     } else if (idleIntervals == IDLE_INTERVALS) {
-      file.compactFile(LONGEST_CLOSING_UP);
+      closeUp(file);
     }
     lastVersion = file.getCurrentVersion(); // moving is a change too
+  }
+
+  /** Freed parts go only as something is written: a number that nobody else uses. */
+  private static void closeUp(MVStore file) {
+    file.compactFile(LONGEST_CLOSING_UP); // sets the retention time to 0
+    file.setStoreVersion(1 - file.getStoreVersion());
+    file.commit();
+    file.setRetentionTime((int) RETENTION.toMillis());
   }
 
   private static MVStore file(Handle h) throws SQLException {
