@@ -19,7 +19,7 @@ import org.toqa.fleet.RobotRecord;
  */
 @Tag("full")
 class H2KilledTest {
-  private static final int RUNS = 25;
+  private static final int RUNS = 10;
 
   @TempDir private Path folder;
 
