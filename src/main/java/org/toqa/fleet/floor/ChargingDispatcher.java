@@ -240,7 +240,8 @@ final class ChargingDispatcher {
     Double battery = robot.reported.battery();
     if (!isThere || battery == null) {
       state.chargers.robotLeft(robot.name());
-    } else if (battery >= rules.until()) {
+    } else if (battery >= rules.until()
+        || (battery >= rules.untilWhileOthersWait() && queues.isAwaitedByOthers(robot, point))) {
       finishCharging(robot, point, battery);
     } else if (battery + ChargerWatch.MIN_RISE < rules.until()) {
       watchBattery(robot, point, battery);

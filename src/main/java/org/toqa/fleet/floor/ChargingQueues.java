@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.geometry.Pose;
@@ -18,6 +19,9 @@ final class ChargingQueues {
 
   /** Assumed of a robot that has not said what its battery has. */
   private static final double UNKNOWN_BATTERY = 0.5;
+
+  /** Of five percent each. */
+  private static final int BATTERY_STEPS = 20;
 
   private final FloorState state;
   private final ChargingRules rules;
@@ -62,14 +66,29 @@ final class ChargingQueues {
 
   /** The robots that come before it at the point, the first one first. */
   List<FloorRobot> robotsAhead(FloorRobot robot, Place point) {
+    return queue(point).takeWhile(other -> other != robot).toList();
+  }
+
+  /** Whether another one waits for the point that the robot is at. */
+  boolean isAwaitedByOthers(FloorRobot robot, Place point) {
+    return queue(point).anyMatch(other -> other != robot && !isAt(other, point));
+  }
+
+  /** Who is there stays; then who is nearest to empty, and of those alike who came first. */
+  private Stream<FloorRobot> queue(Place point) {
     return state.robots.values().stream()
         .filter(other -> hasTurnAt(other, point) && (other.isFit() || isAt(other, point)))
         .sorted(
             Comparator.comparing((FloorRobot r) -> !isAt(r, point))
+                .thenComparing(ChargingQueues::batteryStep)
                 .thenComparing(r -> r.charging.turn().map(Turn::since).orElseThrow())
-                .thenComparing(FloorRobot::name))
-        .takeWhile(other -> other != robot)
-        .toList();
+                .thenComparing(FloorRobot::name));
+  }
+
+  /** Batteries that differ by less are alike, so that two do not change places all the time. */
+  private static long batteryStep(FloorRobot robot) {
+    double battery = Objects.requireNonNullElse(robot.reported.battery(), UNKNOWN_BATTERY);
+    return Math.round(battery * BATTERY_STEPS);
   }
 
   private static boolean hasTurnAt(FloorRobot robot, Place point) {
