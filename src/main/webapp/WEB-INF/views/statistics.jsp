@@ -30,6 +30,7 @@
   </form>
   <c:forTokens items="period,from,to,zone" delims="," var="name"><c:if test="${not empty errors[name]}"><p id="error-${name}" class="notice bad" role="alert"><c:out value="${errors[name]}"/></p></c:if></c:forTokens>
   <c:if test="${not empty period}">
+    <c:forEach items="${floorViews}" var="floor"><c:if test="${not empty floor.chargerShortage}"><p class="notice bad"><t:said sentence="${floor.chargerShortage.text}"/></p></c:if></c:forEach>
     <div class="figures">
       <c:forTokens items="ordered,done,failed,cancelled" delims="," var="name"><article><p class="faint"><fmt:message key="statistics.column.${name}"/></p><p class="figure"><fmt:formatNumber value="${total[name]}"/></p></article></c:forTokens>
       <c:forTokens items="delivery,waiting,completion" delims="," var="name">

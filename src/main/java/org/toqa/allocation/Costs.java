@@ -21,9 +21,6 @@ final class Costs {
   /** A robot that is too strong by a kilogram is worth this detour, metres. */
   private static final double DETOUR_PER_SPARE_KILOGRAM = 0.25;
 
-  /** A share of the battery that is left to a robot for detours when it gets to a charger. */
-  private static final double RESERVE = 0.05;
-
   /** Metres per second: a robot that is slower by half is worth a detour as long as its path. */
   private static final double USUAL_SPEED = 0.25;
 
@@ -126,7 +123,7 @@ final class Costs {
         Energy.joules(approach, 0)
             + Energy.joules(carried, task.load())
             + Energy.joules(paths.toCharger, 0);
-    if (!chargers.isEmpty() && used > (charge - RESERVE) * Energy.BATTERY_JOULES) {
+    if (!chargers.isEmpty() && used > (charge - Energy.RESERVE) * Energy.BATTERY_JOULES) {
       return Cost.impossible(approach, Impediment.BATTERY);
     }
     double spare = robot.maxLoad() - task.load();

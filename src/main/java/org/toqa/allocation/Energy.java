@@ -5,6 +5,9 @@ public final class Energy {
   /** What a full battery holds, joules: 4 cells of 3.7 V and 2 Ah (Tanta, "Robot"). */
   public static final double BATTERY_JOULES = 4 * 3.7 * 2 * 3600;
 
+  /** The share of a battery that is left to a robot for detours when it gets to a charger. */
+  public static final double RESERVE = 0.05;
+
   /** It lasts 80 minutes at 0.25 m/s: 1200 m. */
   private static final double JOULES_PER_METRE = BATTERY_JOULES / 1200;
 

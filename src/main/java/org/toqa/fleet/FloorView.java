@@ -15,6 +15,7 @@ import org.toqa.wording.Sentence;
  * @param obstacles where robots have seen something that the map does not show
  * @param silentRobotCells by name, the robots that are not heard of, with the cells that stay
  *     reserved for each
+ * @param chargerShortage null: the charging points are enough, as far as is known
  */
 public record FloorView(
     String name,
@@ -22,7 +23,8 @@ public record FloorView(
     CellRuns obstacles,
     Map<String, CellRuns> silentRobotCells,
     List<StandstillView> standstills,
-    List<FaultyCharger> faultyChargers) {
+    List<FaultyCharger> faultyChargers,
+    @Nullable ChargerShortage chargerShortage) {
 
   public FloorView {
     silentRobotCells = Map.copyOf(silentRobotCells);
@@ -36,6 +38,14 @@ public record FloorView(
    * @param where metres, map frame
    */
   public record FaultyCharger(String name, Vec2 where, Instant since, Sentence text) {}
+
+  /**
+   * Robots wait to charge.
+   *
+   * @param chargers how many charging points there are
+   * @param needed how many would do
+   */
+  public record ChargerShortage(int chargers, int needed, Sentence text) {}
 
   /**
    * Robots that do not get on.

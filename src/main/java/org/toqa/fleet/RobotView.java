@@ -15,7 +15,8 @@ import org.toqa.wording.Sentence;
  *
  * @param record as it is stored: its name, its floor, and what a person entered of it
  * @param path the rest of its path; {@link RemainingPath#NONE} when it is stopped
- * @param alert why it and the server do not trust each other; null: nothing is wrong
+ * @param alert why a person must look at it beside its errors: it and the server do not trust each
+ *     other, or it cannot reach a charging point; null: nothing is wrong
  */
 public record RobotView(
     RobotRecord record,

@@ -1,5 +1,5 @@
 import {updateLinkList} from '../shared/link-list.js';
-import {chargerEntry, refusalOf, robotEntry, standstillEntry, taskEntry} from './entries.js';
+import {chargerEntry, chargerShortageEntry, refusalOf, robotEntry, standstillEntry, taskEntry} from './entries.js';
 
 /** What needs attention, the most urgent first. */
 const URGENCY = ['ERROR', 'question', 'standstill', 'LOST', 'NOT_LOCALISED', 'charger', 'alert'];
@@ -10,6 +10,7 @@ export function updateAttentionList(section, {floors, tasks, robots}) {
   const entries = [
     ...floors.flatMap(({standstills}) => standstills.map((one) => ranked('standstill', standstillEntry(one)))),
     ...floors.flatMap(({faultyChargers}) => faultyChargers.map((one) => ranked('charger', chargerEntry(one)))),
+    ...floors.filter(({chargerShortage}) => chargerShortage).map((floor) => ranked('charger', chargerShortageEntry(floor))),
     ...tasks.filter(({needs}) => needs).map((task) => ranked('question', taskEntry(task))),
     ...robots
       .filter(needsAttention)

@@ -51,6 +51,15 @@ export function chargerEntry({name, since, text: sentence}) {
   });
 }
 
+export function chargerShortageEntry({floor, chargerShortage}) {
+  return alertEntry({
+    key: `chargers of ${floor}`,
+    href: 'history?kind=robot.waits-for-charger',
+    title: text('map.chargers'),
+    sentence: chargerShortage.text,
+  });
+}
+
 function alertEntry(entry) {
   return {state: 'ERROR', letter: '!', side: '', ...entry};
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.RobotCapabilities;
@@ -76,7 +77,8 @@ public final class Hall {
                 "C1",
                 new Vec2(10.95, 5.25),
                 START,
-                Phrase.CHARGER_IS_FAULTY.with("C1", "r2", Phrase.MINUTES.with(10)))));
+                Phrase.CHARGER_IS_FAULTY.with("C1", "r2", Phrase.MINUTES.with(10)))),
+        new ChargerShortage(2, 4, Phrase.TOO_FEW_CHARGERS.with(4.6, 2, 4)));
   }
 
   /** 12 m x 6 m in cells of 0.3 m, walls around and one wall with a passage. */

@@ -3,6 +3,7 @@ package org.toqa.fleet.floor;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
@@ -12,6 +13,7 @@ import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Place;
@@ -39,6 +41,7 @@ final class ChargingDispatcher {
   private final FloorMissions missions;
   private final ChargingRules rules;
   private final ChargingQueues queues;
+  private final ChargerDemand demand = new ChargerDemand();
   private final ActorRef<FloorMessage> self;
   private Instant lastUpdate;
 
@@ -78,6 +81,32 @@ final class ChargingDispatcher {
         continueTurn(robot, turn.get());
       }
     }
+    updateDemand(passed);
+  }
+
+  private void updateDemand(Duration passed) {
+    int charging = 0;
+    int waiting = 0;
+    int other = 0;
+    for (FloorRobot robot : state.robots.values()) {
+      boolean isActive = robot.isFit() || robot.charging.isCharging();
+      if (isActive && !robot.charging.hasTurn()) {
+        other++;
+      } else if (isActive && robot.charging.isAwaitingTurn()) {
+        waiting++;
+      } else if (isActive) {
+        charging++;
+      }
+    }
+    demand.observe(charging, waiting, other, passed, state.now);
+    ChargerShortage shortage =
+        demand.shortage(state.floor.charging().size(), charging + waiting + other).orElse(null);
+    state.changed |= !Objects.equals(needed(shortage), needed(state.chargerShortage));
+    state.chargerShortage = shortage;
+  }
+
+  private static @Nullable Integer needed(@Nullable ChargerShortage shortage) {
+    return shortage == null ? null : shortage.needed();
   }
 
   /** No task suits what these robots have left, though they are free. */
@@ -127,12 +156,25 @@ final class ChargingDispatcher {
     };
   }
 
+  /** Whether the battery lasts to the nearest charging point to which there is a path. */
+  private boolean isInReach(FloorRobot robot, double battery) {
+    return joulesToCharger(robot) < battery * Energy.BATTERY_JOULES;
+  }
+
+  /** Joules; 0 where it is not known. */
+  private double joulesToCharger(FloorRobot robot) {
+    Pose pose = robot.reported.pose();
+    double metres = pose == null ? 0 : queues.metresToCharger(robot, pose.position());
+    return Double.isFinite(metres) ? Energy.joules(metres, 0) : 0;
+  }
+
   private static Phase phase(Mission mission, FloorRobot robot) {
     return mission.assignedRobot(robot.name()).map(AssignedRobot::phase).orElse(Phase.NONE);
   }
 
   private @Nullable Sentence dueReason(FloorRobot robot, double battery) {
-    if (battery < rules.below()) {
+    if (battery < rules.below()
+        || (battery - Energy.RESERVE) * Energy.BATTERY_JOULES < joulesToCharger(robot)) {
       return Phrase.BATTERY_HAS.with(percent(battery));
     }
     Duration worked = robot.charging.workedSinceCharge();
@@ -164,7 +206,7 @@ final class ChargingDispatcher {
   private void begin(FloorRobot robot, Sentence why) {
     Optional<Place> point = queues.soonest(robot).map(ChargingQueues.Choice::point);
     if (point.isEmpty()) {
-      setStatus(robot, Phrase.NO_WAY_TO_CHARGER.with());
+      askForHelp(robot, Phrase.NO_WAY_TO_CHARGER.with());
       return;
     }
     takeTurn(robot, point.get(), why);
@@ -226,7 +268,10 @@ final class ChargingDispatcher {
 
   private void continueTurn(FloorRobot robot, Place point) {
     boolean isThere = queues.isAt(robot, point) && robot.isStanding();
-    if (!isThere) {
+    Double battery = robot.reported.battery();
+    if (!isThere && battery != null && !isInReach(robot, battery)) {
+      askForHelp(robot, Phrase.CANNOT_REACH_CHARGER.with(percent(battery), point.name()));
+    } else if (!isThere) {
       setStatus(robot, Phrase.DRIVES_TO_CHARGER.with(point.name()));
     } else if (!robot.charging.isCharging()) {
       setStatus(robot, Phrase.CHARGES_AT.with(point.name()));
@@ -236,8 +281,8 @@ final class ChargingDispatcher {
       }
     }
     robot.charging.setCharging(isThere);
+    robot.charging.setAwaitingTurn(false);
     robot.drive.setGoal(DriveGoal.toCharger(point.position()));
-    Double battery = robot.reported.battery();
     if (!isThere || battery == null) {
       state.chargers.robotLeft(robot.name());
     } else if (battery >= rules.until()
@@ -268,6 +313,7 @@ final class ChargingDispatcher {
 
   private void waitForTurn(FloorRobot robot, Place point, List<FloorRobot> ahead) {
     robot.charging.setCharging(false);
+    robot.charging.setAwaitingTurn(true);
     robot.drive.dropGoalWithoutTask(); // it may drive home meanwhile
     setStatus(robot, Phrase.AWAITS_CHARGER.with(chargerSentence(point, ahead)));
     if (!robot.isFit()) {
@@ -325,7 +371,11 @@ final class ChargingDispatcher {
   }
 
   private void setStatus(FloorRobot robot, @Nullable Sentence sentence) {
-    state.changed |= robot.charging.setStatus(sentence);
+    state.changed |= robot.charging.setStatus(sentence, false);
+  }
+
+  private void askForHelp(FloorRobot robot, Sentence sentence) {
+    state.changed |= robot.charging.setStatus(sentence, true);
   }
 
   private static long percent(double battery) {

@@ -110,9 +110,10 @@ final class ChargingQueues {
         : metres(robot, point.position()) / robot.reported.capabilities().speeds().forward();
   }
 
+  /** Of a robot for which another waits. */
   private double chargeSeconds(FloorRobot robot) {
     double battery = Objects.requireNonNullElse(robot.reported.battery(), UNKNOWN_BATTERY);
-    return Math.max(0, rules.until() - battery) * rules.toFull().toSeconds();
+    return Math.max(0, rules.untilWhileOthersWait() - battery) * rules.toFull().toSeconds();
   }
 
   private double metres(FloorRobot robot, Vec2 place) {

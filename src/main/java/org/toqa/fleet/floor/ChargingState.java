@@ -15,6 +15,8 @@ final class ChargingState {
   private @Nullable Turn turn;
   private boolean turnStored;
   private boolean charging;
+  private boolean awaitingTurn;
+  private boolean helpNeeded;
   private @Nullable Sentence status;
   private @Nullable Long taskBeyondBattery;
 
@@ -35,6 +37,16 @@ final class ChargingState {
   /** Whether it is at its charging point and is the first one there. */
   boolean isCharging() {
     return charging;
+  }
+
+  /** Whether others come before it at its charging point. */
+  boolean isAwaitingTurn() {
+    return awaitingTurn;
+  }
+
+  /** Why a person must help, for it cannot reach a charging point; null: nobody must. */
+  @Nullable Sentence alert() {
+    return helpNeeded ? status : null;
   }
 
   /** What it does about charging; null: nothing. */
@@ -100,6 +112,10 @@ final class ChargingState {
     charging = charges;
   }
 
+  void setAwaitingTurn(boolean waits) {
+    awaitingTurn = waits;
+  }
+
   /** It is charged: its work counts from now. */
   void resetWork() {
     workedSinceCharge = Duration.ZERO;
@@ -110,15 +126,19 @@ final class ChargingState {
     turn = null;
     turnStored = false;
     charging = false;
+    awaitingTurn = false;
+    helpNeeded = false;
     status = null;
   }
 
   /**
+   * @param needsHelp whether a person must help
    * @return whether that is new
    */
-  boolean setStatus(@Nullable Sentence sentence) {
+  boolean setStatus(@Nullable Sentence sentence, boolean needsHelp) {
     boolean isNew = !Objects.equals(status, sentence);
     status = sentence;
+    helpNeeded = needsHelp;
     return isNew;
   }
 }

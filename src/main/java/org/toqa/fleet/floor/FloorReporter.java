@@ -47,7 +47,7 @@ final class FloorReporter {
     state.robots.values().stream()
         .filter(state::hasReservedCells)
         .forEach(r -> kept.put(r.name(), CellRuns.of(state.traffic.allocatedCells(r.name()))));
-    return watch.view(state.hold, kept, state.chargers.faultyChargers());
+    return watch.view(state.hold, kept, state.chargers.faultyChargers(), state.chargerShortage);
   }
 
   RobotView view(FloorRobot robot) {

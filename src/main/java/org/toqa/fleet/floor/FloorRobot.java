@@ -156,7 +156,7 @@ final class FloorRobot {
             activity(work)),
         reported.report().telemetry(),
         path,
-        reported.alert());
+        reported.alert() == null ? charging.alert() : reported.alert());
   }
 
   private Sentence activity(@Nullable DriveGoal work) {

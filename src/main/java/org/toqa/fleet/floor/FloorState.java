@@ -12,6 +12,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.floor.FloorWatch.HistoryLine;
@@ -42,6 +43,9 @@ public final class FloorState {
 
   /** By an operator, of all its robots; null: they may drive. */
   @Nullable Hold hold;
+
+  /** Null: the charging points are enough, as far as is known. */
+  @Nullable ChargerShortage chargerShortage;
 
   /** Of the time that ticks bring. */
   Instant now;

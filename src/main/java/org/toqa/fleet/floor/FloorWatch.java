@@ -10,6 +10,7 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.Hold;
@@ -118,14 +119,18 @@ final class FloorWatch {
    * @param kept as in {@link FloorView}
    */
   FloorView view(
-      @Nullable Hold hold, Map<String, CellRuns> kept, List<FaultyCharger> faultyChargers) {
+      @Nullable Hold hold,
+      Map<String, CellRuns> kept,
+      List<FaultyCharger> faultyChargers,
+      @Nullable ChargerShortage chargerShortage) {
     return new FloorView(
         floor.name(),
         hold,
         CellRuns.of(obstacles.cells()),
         kept,
         standstills.lasting(),
-        faultyChargers);
+        faultyChargers,
+        chargerShortage);
   }
 
   private Sentence sentence(Obstacle obstacle) {

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.geometry.Vec2;
@@ -20,7 +21,8 @@ record FloorJson(
     List<Integer> obstacles,
     List<KeptJson> kept,
     List<StandstillJson> standstills,
-    List<FaultyCharger> faultyChargers) {
+    List<FaultyCharger> faultyChargers,
+    @Nullable ChargerShortage chargerShortage) {
 
   /** Cells that stay reserved for a lost robot. */
   record KeptJson(String robot, List<Integer> cells) {}
@@ -40,6 +42,7 @@ record FloorJson(
             .map(e -> new KeptJson(e.getKey(), e.getValue().runs()))
             .toList(),
         view.standstills().stream().map(StandstillJson::of).toList(),
-        view.faultyChargers());
+        view.faultyChargers(),
+        view.chargerShortage());
   }
 }

@@ -35,6 +35,7 @@ public final class StatisticsPage extends PageHandler {
     request.setAttribute("firstDay", day.format(period.from()));
     request.setAttribute("lastDay", day.format(period.to()));
     request.setAttribute("total", figures.total());
+    request.setAttribute("floorViews", services(request).fleet().snapshots().latest().floors());
     StatisticsCharts charts = new StatisticsCharts(figures, locale);
     request.setAttribute("series", charts.series());
     request.setAttribute("utilisation", charts.utilisation());

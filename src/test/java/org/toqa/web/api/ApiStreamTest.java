@@ -38,6 +38,7 @@ class ApiStreamTest extends ApiTestServer {
       JsonNode charger = floor.get("faultyChargers").get(0);
       assertEquals("C1", charger.get("name").stringValue());
       assertEquals(10.95, charger.get("where").get("x").doubleValue());
+      assertEquals(4, floor.get("chargerShortage").get("needed").intValue());
     }
   }
 

@@ -42,7 +42,8 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
                 CellRuns.NONE,
                 Map.of("r2", new CellRuns(List.of(687, 1))),
                 List.of(),
-                List.of()));
+                List.of(),
+                null));
     page.getByText("Release its place").click();
     assertThat(page.getByText("Confirm release")).isVisible();
     picture(page, "robot-out-of-service");

@@ -86,7 +86,8 @@ class MapInBrowserTest extends PagesInBrowser {
     Object crowded = pictureOf(page);
     server
         .fleet()
-        .changeFloor(new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of()));
+        .changeFloor(
+            new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), null));
 
     page.waitForCondition(() -> !pictureOf(page).equals(crowded));
     assertThat(page.locator("#attention")).not().containsText("Standstill");
@@ -133,7 +134,8 @@ class MapInBrowserTest extends PagesInBrowser {
   void aFloorIsPutOnHoldOnTheMap() {
     server
         .fleet()
-        .changeFloor(new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of()));
+        .changeFloor(
+            new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), null));
     for (int width : List.of(1280, 390)) {
       Page page = loggedIn(width, 900, ColorScheme.LIGHT);
       assertThat(page.locator("#floors")).containsText("Floor hall");

@@ -14,6 +14,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
 import org.toqa.web.WorkHistory;
 
@@ -54,6 +55,15 @@ class StatisticsInBrowserTest extends PagesInBrowser {
     page.getByRole(AriaRole.LINK, new Page.GetByRoleOptions().setName("30 days")).click();
     assertThat(page.locator("[aria-current=page]").last()).hasText("30 days");
     assertTrue(page.url().contains("zone="), page.url());
+  }
+
+  @Test
+  void aFloorWithTooFewChargersIsNamed() {
+    server.fleet().changeFloor(Hall.crowdedFloor());
+    Page page = loggedIn(WebTestServer.CLERK, DESK, "statistics");
+    assertThat(page.locator("main .notice")).containsText("4 would do");
+    page.navigate(server.root() + "map");
+    assertThat(page.locator("#attention")).containsText("4 would do");
   }
 
   @Test
