@@ -156,6 +156,40 @@ public final class FleetStage implements AutoCloseable {
     return true;
   }
 
+  /** Lets that much time go on, whatever happens. */
+  void pass(Duration time) throws InterruptedException {
+    runtime.awaitQuiescence();
+    for (Instant end = now.plus(time); now.isBefore(end); ) {
+      step();
+    }
+  }
+
+  /**
+   * Lets that much time go on in which robots speak, and the server hears of it afterwards.
+   *
+   * @param atEnd happens before that
+   */
+  void holdUp(Duration time, Runnable atEnd) throws InterruptedException {
+    runtime.runWhileHeldUp(
+        () -> {
+          for (Instant end = now.plus(time); now.isBefore(end); ) {
+            now = now.plus(STEP);
+            robots.values().forEach(ScriptedRobot::step);
+            fleet.tick(now);
+          }
+          atEnd.run();
+        });
+  }
+
+  /**
+   * A store that says nothing to some agents, until this is said of others.
+   *
+   * @param agents "manager", "floor-hall", "r1"
+   */
+  void stopStoreFor(Predicate<String> agents) {
+    runtime.stopWriters(writer -> agents.test(writer.substring("store-".length())));
+  }
+
   private void step() throws InterruptedException {
     runtime.setWatching(true);
     now = now.plus(STEP);

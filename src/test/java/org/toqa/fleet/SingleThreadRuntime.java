@@ -6,17 +6,20 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.time.Duration;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.AbstractExecutorService;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Predicate;
 
 /**
  * All that a fleet does on one thread, in the order in which it came up: the same events bring the
@@ -46,6 +49,13 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
 
   /** Guarded by this: what was handed in and is not done. */
   private long open;
+
+  /** Guarded by this: the writers whose turns do not come, and the turns that they wait for. */
+  private Predicate<String> isStoppedWriter = name -> false;
+
+  private final List<WriterTurn> stoppedTurns = new ArrayList<>();
+
+  private record WriterTurn(String writer, Runnable turn) {}
 
   private void run() {
     try {
@@ -131,9 +141,48 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
         () -> "agents waited " + agentWaits + " times in " + agentTurns + " turns");
   }
 
+  /**
+   * A store that says nothing to some: what they write is stored when they are no longer among
+   * them.
+   *
+   * @param writers of the names of serial executors
+   */
+  synchronized void stopWriters(Predicate<String> writers) {
+    isStoppedWriter = writers;
+    List<WriterTurn> turns = List.copyOf(stoppedTurns);
+    stoppedTurns.clear();
+    turns.forEach(turn -> addWriterTurn(turn.writer(), turn.turn()));
+  }
+
+  private synchronized void addWriterTurn(String writer, Runnable turn) {
+    if (isStoppedWriter.test(writer)) {
+      stoppedTurns.add(new WriterTurn(writer, turn));
+    } else {
+      add(turn);
+    }
+  }
+
+  /** Lets something happen before which nothing more is done, however much comes up. */
+  void runWhileHeldUp(Runnable work) throws InterruptedException {
+    awaitQuiescence();
+    CountDownLatch isOver = new CountDownLatch(1);
+    add(() -> awaitEnd(isOver));
+    work.run();
+    isOver.countDown();
+    awaitQuiescence();
+  }
+
+  private static void awaitEnd(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
   @Override
   public ExecutorService serialExecutor(String name) {
-    return new SerialExecutor();
+    return new SerialExecutor(name);
   }
 
   @Override
@@ -153,8 +202,13 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
 
   /** One writer's turn among all others. It is closed on the fleet's thread, by its agent. */
   private final class SerialExecutor extends AbstractExecutorService {
+    private final String name;
     private final Queue<Runnable> waiting = new ArrayDeque<>();
     private boolean shut;
+
+    SerialExecutor(String name) {
+      this.name = name;
+    }
 
     @Override
     public synchronized void execute(Runnable change) {
@@ -162,7 +216,7 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
         throw new RejectedExecutionException("It is closed.");
       }
       waiting.add(change);
-      add(this::runNext);
+      addWriterTurn(name, this::runNext);
     }
 
     private boolean runNext() {

@@ -140,6 +140,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.SetPause m -> holds.setPause(m.pause());
       case FloorMessage.HoldFloor m -> holds.setFloorHold(m.hold());
       case FloorMessage.HoldRobot m -> operatorCommands.holdRobot(m);
+      case FloorMessage.ResumeStored m -> operatorCommands.resumeStored(m);
       case FloorMessage.SendHome m -> operatorCommands.sendHome(m);
       case FloorMessage.LocateRobot m -> operatorCommands.locateRobot(m);
       case FloorMessage.SetInService m -> operatorCommands.setInService(m);

@@ -119,6 +119,7 @@ final class FloorMissions {
   void recover(OpenTask open) {
     Mission mission = open.mission();
     state.missions.put(mission, open.changedAt());
+    state.missions.setStored(mission);
     for (AssignedRobot c : mission.assignedRobots()) {
       FloorRobot robot = state.robots.get(c.robot());
       if (c.isDriving() && robot != null && !mission.isStopping()) {
@@ -170,6 +171,7 @@ final class FloorMissions {
   }
 
   void stepStored(Mission.Step step) {
+    state.missions.setStored(step.mission());
     step.commands().forEach(command -> carryOut(step, command));
     Mission mission = step.mission();
     if (mission.state() == TaskState.QUEUED

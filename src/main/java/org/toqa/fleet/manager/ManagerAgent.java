@@ -206,11 +206,11 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         fleet.changed = true;
       }
       case ManagerMessage.PauseEnded m -> {
-        holdCommands.pauseEnded();
+        holdCommands.pauseEnded(m.number());
         fleet.changed = true;
       }
       case ManagerMessage.HoldFloor m -> holdCommands.setFloorHold(m);
-      case ManagerMessage.FloorHoldEnded m -> holdCommands.floorHoldEnded(m.floor());
+      case ManagerMessage.FloorHoldEnded m -> holdCommands.floorHoldEnded(m);
       case ManagerMessage.FromFloor m -> handle(m.event());
       case ManagerMessage.AllocationDecided m -> rounds.allocationDecided(m);
       case ManagerMessage.DeadlinesChecked m -> lateTasks.deadlinesChecked(m);

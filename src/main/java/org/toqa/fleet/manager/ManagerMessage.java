@@ -148,8 +148,12 @@ public sealed interface ManagerMessage {
   record SetPause(boolean pause, String user, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
       implements ManagerMessage {}
 
-  /** That they go on is safe. */
-  record PauseEnded() implements ManagerMessage {}
+  /**
+   * That they go on is safe.
+   *
+   * @param number of the resume
+   */
+  record PauseEnded(long number) implements ManagerMessage {}
 
   /** A person puts a floor's robots on hold, or lets them go on. */
   record HoldFloor(
@@ -159,8 +163,12 @@ public sealed interface ManagerMessage {
       ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
       implements ManagerMessage {}
 
-  /** That the floor's robots go on is safe. */
-  record FloorHoldEnded(String floor) implements ManagerMessage {}
+  /**
+   * That the floor's robots go on is safe.
+   *
+   * @param number of the resume
+   */
+  record FloorHoldEnded(String floor, long number) implements ManagerMessage {}
 
   /** What a floor tells. */
   record FromFloor(FloorEvent event) implements ManagerMessage {}
