@@ -118,7 +118,7 @@ class RobotAgentTest {
   @Test
   void aHoldOvertakesAnExtendThatIsBeingStored() throws Exception {
     tell(drive(1L));
-    runtime.stopWriters(name -> true);
+    runtime.stop(name -> true);
     tell(new RobotMessage.Extend(1, List.of(METRE, METRE), 2, true));
     tell(new RobotMessage.Release(3));
     assertKinds("Drive");
@@ -127,7 +127,7 @@ class RobotAgentTest {
 
     assertKinds("Drive", "Hold");
     assertTrue(robot.isHeld());
-    runtime.stopWriters(name -> false);
+    runtime.stop(name -> false);
     runtime.awaitQuiescence();
     assertKinds("Drive", "Hold", "Extend", "Release");
   }
@@ -135,7 +135,7 @@ class RobotAgentTest {
   @Test
   void aResumeGoesOutAtOnceToo() throws Exception {
     tell(drive(1L));
-    runtime.stopWriters(name -> true);
+    runtime.stop(name -> true);
     tell(new RobotMessage.Hold(true));
     tell(new RobotMessage.Extend(1, List.of(METRE, METRE), 2, true));
 
@@ -147,14 +147,14 @@ class RobotAgentTest {
   @Test
   void aCancelOvertakesWhatIsBeingStoredAndThatIsDropped() throws Exception {
     tell(drive(1L));
-    runtime.stopWriters(name -> true);
+    runtime.stop(name -> true);
     tell(new RobotMessage.Extend(1, List.of(METRE, METRE), 2, true));
     tell(new RobotMessage.Release(3));
 
     tell(new RobotMessage.Cancel(1L));
 
     assertFalse(robot.isDriving());
-    runtime.stopWriters(name -> false);
+    runtime.stop(name -> false);
     tell(drive(2L));
     assertKinds("Drive", "Cancel", "Drive");
     assertTrue(robot.isDriving());
@@ -162,7 +162,7 @@ class RobotAgentTest {
 
   @Test
   void aDriveThatAHoldHasOvertakenIsStoredAgainUnderAHigherNumber() throws Exception {
-    runtime.stopWriters(name -> true);
+    runtime.stop(name -> true);
     tell(drive(1L));
     tell(new RobotMessage.Extend(1, List.of(METRE, METRE), 2, true));
 
@@ -172,7 +172,7 @@ class RobotAgentTest {
     for (int i = 0; i < 30; i++) {
       tick(); // pings do not overtake it as well
     }
-    runtime.stopWriters(name -> false);
+    runtime.stop(name -> false);
     runtime.awaitQuiescence();
     assertKinds("Hold", "Drive", "Extend");
     long hold = robot.obeyed().get(0).seq();
@@ -186,14 +186,14 @@ class RobotAgentTest {
 
   @Test
   void aDriveThatIsBeingStoredIsCancelledBeforeItIsSent() throws Exception {
-    runtime.stopWriters(name -> true);
+    runtime.stop(name -> true);
     tell(drive(1L));
     long number = lastBegun().drive().seq();
 
     tell(new RobotMessage.Cancel(1L));
 
     assertEquals(new RobotEvent.DriveWithdrawn("r1", number), told.getLast());
-    runtime.stopWriters(name -> false);
+    runtime.stop(name -> false);
     runtime.awaitQuiescence();
     assertKinds("Cancel");
     assertFalse(robot.isDriving());

@@ -37,6 +37,7 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
 
   private final BlockingQueue<Runnable> work = new LinkedBlockingQueue<>();
   private final AtomicLong looks = new AtomicLong();
+  private final AtomicLong passed = new AtomicLong();
   private final Thread thread = Thread.ofPlatform().daemon().name("fleet").start(this::run);
 
   /** Whether what agents do is looked at: neither while they are made, nor while they end. */
@@ -50,12 +51,12 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   /** Guarded by this: what was handed in and is not done. */
   private long open;
 
-  /** Guarded by this: the writers whose turns do not come, and the turns that they wait for. */
-  private Predicate<String> isStoppedWriter = name -> false;
+  /** Guarded by this: the executors whose turns do not come, and the turns that wait for that. */
+  private Predicate<String> isStopped = name -> false;
 
-  private final List<WriterTurn> stoppedTurns = new ArrayList<>();
+  private final List<Turn> stoppedTurns = new ArrayList<>();
 
-  private record WriterTurn(String writer, Runnable turn) {}
+  private record Turn(String name, Runnable turn) {}
 
   private void run() {
     try {
@@ -142,21 +143,21 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   }
 
   /**
-   * A store that says nothing to some: what they write is stored when they are no longer among
-   * them.
+   * What some do beside the agents takes long, as with a store that does not answer: it is done
+   * when they are no longer among them.
    *
-   * @param writers of the names of serial executors
+   * @param executors by their names
    */
-  synchronized void stopWriters(Predicate<String> writers) {
-    isStoppedWriter = writers;
-    List<WriterTurn> turns = List.copyOf(stoppedTurns);
+  synchronized void stop(Predicate<String> executors) {
+    isStopped = executors;
+    List<Turn> turns = List.copyOf(stoppedTurns);
     stoppedTurns.clear();
-    turns.forEach(turn -> addWriterTurn(turn.writer(), turn.turn()));
+    turns.forEach(turn -> addTurn(turn.name(), turn.turn()));
   }
 
-  private synchronized void addWriterTurn(String writer, Runnable turn) {
-    if (isStoppedWriter.test(writer)) {
-      stoppedTurns.add(new WriterTurn(writer, turn));
+  private synchronized void addTurn(String name, Runnable turn) {
+    if (isStopped.test(name)) {
+      stoppedTurns.add(new Turn(name, turn));
     } else {
       add(turn);
     }
@@ -187,12 +188,17 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
 
   @Override
   public Executor threadPerTaskExecutor(String name) {
-    return this::add;
+    return work -> addTurn(name, work);
   }
 
   @Override
   public long nanoTime() {
-    return looks.incrementAndGet() * NANOS_A_LOOK;
+    return looks.incrementAndGet() * NANOS_A_LOOK + passed.get();
+  }
+
+  /** Lets that much time of {@link #nanoTime} pass. */
+  void advance(Duration time) {
+    passed.addAndGet(time.toNanos());
   }
 
   @Override
@@ -216,7 +222,7 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
         throw new RejectedExecutionException("It is closed.");
       }
       waiting.add(change);
-      addWriterTurn(name, this::runNext);
+      addTurn(name, this::runNext);
     }
 
     private boolean runNext() {

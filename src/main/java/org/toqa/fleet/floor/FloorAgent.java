@@ -153,7 +153,13 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.RemoveRobot m -> operatorCommands.removeRobot(m);
       case FloorMessage.RobotRemoved m -> robotRemoved(m);
       case FloorMessage.FromRobot m -> robotEventHandler.handle(m.event());
-      case FloorMessage.Tick m -> tick(m.now());
+      case FloorMessage.Tick m -> {
+        try {
+          tick(m.now());
+        } finally { // or there would never be another tick
+          manager.tell(new FloorEvent.Ticked(state.floor.name()));
+        }
+      }
     }
     return this;
   }
@@ -207,7 +213,6 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     if (state.changed) {
       reports.send();
     }
-    manager.tell(new FloorEvent.Ticked(state.floor.name()));
   }
 
   private Behavior<FloorMessage> stopped() {

@@ -190,6 +190,10 @@ final class FloorMissions {
       manager.tell(new FloorEvent.TaskUnknown(m.task(), m.command(), m.replyTo()));
       return;
     }
+    if (known.get().isOutdated(m.command())) {
+      m.replyTo().tell(StatusReply.success(new Answer.Outdated<>()));
+      return;
+    }
     Optional<Objection> objection = known.get().objectionTo(m.command());
     if (objection.isPresent()) {
       m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));
