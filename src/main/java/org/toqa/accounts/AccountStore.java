@@ -17,6 +17,8 @@ public interface AccountStore {
   enum ChangeResult {
     DONE,
     NO_SUCH_ACCOUNT,
+    /** Refused: it was changed since it was read. */
+    OUTDATED,
     /** Refused: nobody would be left to manage the others. */
     LAST_MANAGER
   }
@@ -63,13 +65,19 @@ public interface AccountStore {
    */
   Optional<Account> addFirstManager(String name, String passwordHash);
 
+  default ChangeResult update(long id, Role role, boolean disabled, String by) {
+    return update(id, role, disabled, null, by);
+  }
+
   /**
    * Changes what the user may do; it holds from his next request on. A name stays: tasks and
    * history go by it.
    *
+   * @param seen the account as it was read: another role, address or right to sign in than that is
+   *     not overwritten; null: whatever it is
    * @param by who does it
    */
-  ChangeResult update(long id, Role role, boolean disabled, String by);
+  ChangeResult update(long id, Role role, boolean disabled, @Nullable Account seen, String by);
 
   /**
    * Removes the account, unless the last manager would be gone.
@@ -92,8 +100,8 @@ public interface AccountStore {
    * Changes where a link goes when the password is forgotten, and ends the link that is out.
    *
    * @param email null: nowhere
+   * @param seen as of {@link #update}
    * @param by who does it
-   * @return false when there is no such user
    */
-  boolean changeEmail(long id, @Nullable String email, String by);
+  ChangeResult changeEmail(long id, @Nullable String email, @Nullable Account seen, String by);
 }

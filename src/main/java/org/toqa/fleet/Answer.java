@@ -23,6 +23,9 @@ public sealed interface Answer<T> {
    */
   record Conflict<T>(Sentence sentence, @Nullable Question needs) implements Answer<T> {}
 
+  /** It was changed since the caller read it; nothing was done. */
+  record Outdated<T>() implements Answer<T> {}
+
   /** Nothing of that name or number exists. */
   record Unknown<T>(Sentence sentence) implements Answer<T> {}
 
@@ -36,6 +39,7 @@ public sealed interface Answer<T> {
       case Accepted<T> accepted -> throw new IllegalStateException("Accepted: " + accepted);
       case Rejected<T>(String field, Sentence sentence) -> new Rejected<>(field, sentence);
       case Conflict<T>(Sentence sentence, Question needs) -> new Conflict<>(sentence, needs);
+      case Outdated<T>() -> new Outdated<>();
       case Unknown<T>(Sentence sentence) -> new Unknown<>(sentence);
     };
   }

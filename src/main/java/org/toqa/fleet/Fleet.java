@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletionStage;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.MissionEvent;
@@ -40,6 +41,13 @@ public interface Fleet {
    */
   CompletionStage<BatchAnswer> submitAll(List<TaskOrder> orders, String user, List<UUID> keys);
 
+  /**
+   * Whether tasks with this key are being stored, or withdrawn again after their submission failed:
+   * whether there will be one, nobody knows yet. While it is so no task that is found by the key
+   * can be relied on, and nothing more is accepted with it.
+   */
+  boolean isSubmissionPending(UUID key);
+
   /** What {@link #submitAll} would say against these orders; nothing is stored. */
   CompletionStage<List<BatchAnswer.Rejection>> rejections(List<TaskOrder> orders, String user);
 
@@ -54,7 +62,17 @@ public interface Fleet {
    */
   CompletionStage<Answer<RobotView>> pairRobot(String robot, PairingOrder order, String user);
 
-  CompletionStage<Answer<RobotView>> changeRobot(String robot, RobotChange change, String user);
+  default CompletionStage<Answer<RobotView>> changeRobot(
+      String robot, RobotChange change, String user) {
+    return changeRobot(robot, change, null, user);
+  }
+
+  /**
+   * @param seen what the user has seen of the robot: if it is not so any more, the change is
+   *     outdated; null: whatever it is
+   */
+  CompletionStage<Answer<RobotView>> changeRobot(
+      String robot, RobotChange change, @Nullable RobotChange seen, String user);
 
   /**
    * A person removes a robot that is out of service. The history keeps it, and adding a robot of

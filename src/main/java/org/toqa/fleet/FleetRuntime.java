@@ -45,6 +45,6 @@ public interface FleetRuntime {
   /** Does things beside each other, each on a thread of its own. */
   Executor threadPerTaskExecutor(String name);
 
-  /** Nanoseconds, for limits of computing. */
+  /** Nanoseconds, for limits of computing and of answers. */
   long nanoTime();
 }

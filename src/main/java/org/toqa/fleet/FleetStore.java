@@ -60,8 +60,20 @@ public interface FleetStore {
   /** Does nothing but throw when the store does not answer. */
   void checkAvailable();
 
-  /** Adds the robot, or gives the robot of that name another address. */
-  void saveRobot(RobotRecord robot);
+  default void saveRobot(RobotRecord robot) {
+    saveRobot(robot, List.of());
+  }
+
+  /** Adds the robot, or replaces the robot of that name, also a removed one. */
+  void saveRobot(RobotRecord robot, List<EventRecord> events);
+
+  /**
+   * Changes a robot that is stored and not removed.
+   *
+   * @param before what the change was made of
+   * @return false when the robot is not so any more; nothing has changed then
+   */
+  boolean updateRobot(RobotRecord before, RobotRecord after, List<EventRecord> events);
 
   /**
    * Forgets where the robot is and what it was at, but not which tasks it carried out. {@link

@@ -43,6 +43,11 @@ public record RobotRecord(
         fingerprint);
   }
 
+  /** What a change can change of it, as it is. */
+  public RobotChange toChange() {
+    return new RobotChange(host, port, maxLoad, parking);
+  }
+
   public RobotRecord withFingerprint(Fingerprint paired) {
     return new RobotRecord(name, floor, host, port, maxLoad, parking, simulated, paired);
   }

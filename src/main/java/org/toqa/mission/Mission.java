@@ -118,6 +118,13 @@ public record Mission(
         && trouble == null;
   }
 
+  /** Whether the user has seen another state than this one, and does not know it. */
+  public boolean isOutdated(MissionEvent.OperatorCommand command) {
+    return command instanceof MissionEvent.Prioritise(String _, int _, Integer seen)
+        && seen != null
+        && seen != task.priority();
+  }
+
   public Optional<Objection> objectionTo(MissionEvent.OperatorCommand command) {
     return OperatorCommandRules.objection(this, command);
   }

@@ -75,8 +75,14 @@ public sealed interface MissionEvent {
 
   /**
    * @param priority higher is served first; 0 is usual
+   * @param seen the priority that the user has seen: another one than that is not changed; null:
+   *     whatever it is
    */
-  record Prioritise(String user, int priority) implements OperatorCommand {}
+  record Prioritise(String user, int priority, @Nullable Integer seen) implements OperatorCommand {
+    public Prioritise(String user, int priority) {
+      this(user, priority, null);
+    }
+  }
 
   record Answer(String user, Reply reply) implements OperatorCommand {}
 }

@@ -4,8 +4,10 @@ import java.sql.SQLIntegrityConstraintViolationException;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.time.temporal.ChronoUnit;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.jdbi.v3.core.Handle;
@@ -145,7 +147,8 @@ public final class JdbiAccountStore implements AccountStore {
   }
 
   @Override
-  public synchronized ChangeResult update(long id, Role role, boolean disabled, String by) {
+  public synchronized ChangeResult update(
+      long id, Role role, boolean disabled, @Nullable Account seen, String by) {
     return sql.inTransaction(
         handle -> {
           Optional<Account> found = find(handle, id);
@@ -156,8 +159,13 @@ public final class JdbiAccountStore implements AccountStore {
           if ((disabled || role != Role.MANAGER) && isLastManager(handle, old)) {
             return ChangeResult.LAST_MANAGER;
           }
-          handle.execute(
-              "update users set role = ?, disabled = ? where id = ?", role.name(), disabled, id);
+          if (!AccountTable.updateUnchanged(
+              handle,
+              seen == null ? old : seen,
+              "role = :role, disabled = :disabled",
+              Map.of("role", role.name(), "disabled", disabled))) {
+            return ChangeResult.OUTDATED;
+          }
           if (role != old.role() || disabled != old.disabled()) {
             recordEvent(
                 handle, EventKind.USER_CHANGED, by, changeSentence(old, role, disabled, by));
@@ -195,23 +203,28 @@ public final class JdbiAccountStore implements AccountStore {
   }
 
   @Override
-  public boolean changeEmail(long id, @Nullable String email, String by) {
+  public ChangeResult changeEmail(
+      long id, @Nullable String email, @Nullable Account seen, String by) {
     return sql.inTransaction(
         handle -> {
           Optional<Account> found = find(handle, id);
-          found
-              .filter(old -> !Objects.equals(old.email(), email))
-              .ifPresent(
-                  old -> {
-                    handle.execute("update users set email = ? where id = ?", email, id);
-                    handle.execute("delete from password_resets where user_id = ?", id);
-                    recordEvent(
-                        handle,
-                        EventKind.USER_CHANGED,
-                        by,
-                        Phrase.EMAIL_CHANGED.with(by, old.name()));
-                  });
-          return found.isPresent();
+          if (found.isEmpty()) {
+            return ChangeResult.NO_SUCH_ACCOUNT;
+          }
+          Account old = found.get();
+          if (!AccountTable.updateUnchanged(
+              handle,
+              seen == null ? old : seen,
+              "email = :email",
+              Collections.singletonMap("email", email))) {
+            return ChangeResult.OUTDATED;
+          }
+          if (!Objects.equals(old.email(), email)) {
+            handle.execute("delete from password_resets where user_id = ?", id);
+            recordEvent(
+                handle, EventKind.USER_CHANGED, by, Phrase.EMAIL_CHANGED.with(by, old.name()));
+          }
+          return ChangeResult.DONE;
         });
   }
 

@@ -52,8 +52,20 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
-  public void saveRobot(RobotRecord robot) {
-    sql.withHandle(h -> RobotTable.save(h, robot));
+  public void saveRobot(RobotRecord robot, List<EventRecord> events) {
+    change(h -> RobotTable.save(h, robot), events);
+  }
+
+  @Override
+  public boolean updateRobot(RobotRecord before, RobotRecord after, List<EventRecord> events) {
+    return sql.inTransaction(
+        h -> {
+          boolean isUpdated = RobotTable.update(h, before, after);
+          if (isUpdated) {
+            EventTable.addMissing(h, events);
+          }
+          return isUpdated;
+        });
   }
 
   @Override

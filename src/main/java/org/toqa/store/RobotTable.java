@@ -17,6 +17,7 @@ import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
+import org.toqa.link.trust.Fingerprint;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
 
@@ -53,6 +54,26 @@ final class RobotTable {
             """)
         .bindMethods(robot)
         .execute();
+  }
+
+  /** Whether it was as it was before, and is changed. */
+  static boolean update(Handle h, RobotRecord before, RobotRecord after) {
+    String parking = before.parking();
+    Fingerprint fingerprint = before.fingerprint();
+    return h.createUpdate(
+                """
+                update robots set host = :host, port = :port, max_load = :maxLoad, parking = :parking,
+                  fingerprint = :fingerprint
+                where name = :name and not removed and host = :before.host and port = :before.port
+                  and max_load = :before.maxLoad and coalesce(parking, '') = :beforeParking
+                  and coalesce(fingerprint, '') = :beforeFingerprint
+                """)
+            .bindMethods(after)
+            .bindMethods("before", before)
+            .bind("beforeParking", parking == null ? "" : parking)
+            .bind("beforeFingerprint", fingerprint == null ? "" : fingerprint.hex())
+            .execute()
+        == 1;
   }
 
   static void remove(Handle h, String robot) {

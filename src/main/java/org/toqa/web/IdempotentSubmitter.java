@@ -15,6 +15,7 @@ import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
+import org.toqa.persistence.StoreException;
 
 /**
  * Submits tasks to the fleet, each of them once: an order that comes again with its key gets the
@@ -43,6 +44,7 @@ public final class IdempotentSubmitter {
     Lock lock = locks[Math.floorMod(key.hashCode(), STRIPES)];
     lock.lock();
     try {
+      requireDecided(List.of(key));
       Optional<TaskView> before = archive.taskByKey(key);
       if (before.isEmpty()) {
         return new KeyedAnswer.Answered<>(
@@ -78,6 +80,7 @@ public final class IdempotentSubmitter {
     Lock lock = locks[Math.floorMod(key.hashCode(), STRIPES)];
     lock.lock();
     try {
+      requireDecided(keys);
       if (archive.taskByKey(keys.getFirst()).isEmpty()) {
         return new BatchOutcome.Answered(
             FleetAnswers.await(
@@ -91,6 +94,16 @@ public final class IdempotentSubmitter {
           : new BatchOutcome.KeyReused();
     } finally {
       lock.unlock();
+    }
+  }
+
+  /**
+   * @throws StoreException while it is not known what becomes of an earlier order with such a key;
+   *     under the key's lock no other one begins meanwhile
+   */
+  private void requireDecided(List<UUID> keys) {
+    if (keys.stream().anyMatch(fleet::isSubmissionPending)) {
+      throw new StoreException("What was ordered with this key before is being withdrawn.", null);
     }
   }
 

@@ -56,6 +56,27 @@ class FleetQueueTest extends HallFleetTest {
   }
 
   @Test
+  void aPriorityThatAnotherHasChangedSinceItWasSeenIsNotChanged() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    long task = submit(order(1));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Prioritise("Clara", 10, 0)));
+
+    assertInstanceOf(
+        Answer.Outdated.class,
+        answer(stage.fleet.commandTask(task, new MissionEvent.Prioritise("Max", 5, 0))));
+
+    assertEquals(10, stage.store.task(task).orElseThrow().task().priority());
+    accepted(stage.fleet.putInService("r1", "Max"));
+    until(view -> !task(view, task).robots().isEmpty());
+    assertInstanceOf(
+        Answer.Outdated.class,
+        answer(stage.fleet.commandTask(task, new MissionEvent.Prioritise("Max", 5, 0))));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Prioritise("Max", 5, 10)));
+    assertEquals(5, stage.store.task(task).orElseThrow().task().priority());
+  }
+
+  @Test
   void ofALongQueueTheFirstOnesAreShownAndAllAreCounted() throws Exception {
     until(view -> robot(view, "r1").state() == RobotState.IDLE);
     accepted(stage.fleet.takeOutOfService("r1", "Max"));

@@ -110,6 +110,23 @@ class FleetServiceTest extends HallFleetTest {
   }
 
   @Test
+  void aRobotThatAnotherHasChangedSinceItWasSeenIsNotChanged() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    RobotChange seen = robot(stage.fleet.snapshots().latest(), "r1").record().toChange();
+    RobotChange weaker = new RobotChange("127.0.0.1", 1, 3, "P1");
+    accepted(stage.fleet.changeRobot("r1", weaker, seen, "Max"));
+
+    assertInstanceOf(
+        Answer.Outdated.class,
+        answer(
+            stage.fleet.changeRobot("r1", new RobotChange("127.0.0.1", 1, 5, null), seen, "Boss")));
+
+    until(view -> robot(view, "r1").record().toChange().equals(weaker));
+    assertEquals(weaker, stage.store.robots().getFirst().toChange());
+    assertEquals(List.of("Max changed r1"), history("robot.changed"));
+  }
+
+  @Test
   void aRobotOutOfServiceGetsNoTask() throws Exception {
     reopenWith("r2", EAST, "P2");
     until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));

@@ -39,6 +39,7 @@ public final class FleetStage implements AutoCloseable {
   private static final Duration LIMIT = Duration.ofMinutes(10);
 
   private static final double MAX_LOAD = 5;
+  private static final String STORE = "store-";
 
   private final FloorMap floor;
   private final ChargingRules charging;
@@ -50,6 +51,7 @@ public final class FleetStage implements AutoCloseable {
   public final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
   Instant now = Instant.parse("2026-11-21T08:00:00Z");
   public AgentFleet fleet;
+  private volatile @Nullable Fingerprint pairingFingerprint;
 
   /** Of all pictures that there were, one after the other: the same run has the same one. */
   private int digest;
@@ -65,7 +67,7 @@ public final class FleetStage implements AutoCloseable {
   /**
    * @param tamper what is put between each server and the store
    */
-  FleetStage(
+  public FleetStage(
       FloorMap floor,
       ChargingRules charging,
       Allocator allocator,
@@ -107,12 +109,17 @@ public final class FleetStage implements AutoCloseable {
         new RobotLinkFactory() {
           @Override
           public RobotLink open(RobotAddress address, RobotLink.Listener listener) {
-            return scriptedRobot(address.robot()).link(listener);
+            return robots
+                .computeIfAbsent(address.robot(), name -> new ScriptedRobot(name, new Vec2(0, 0)))
+                .link(listener);
           }
 
           @Override
           public PairingResult pair(String robot, String host, int port, PairingCode code) {
-            return new PairingResult.Unreachable(Sentence.verbatim("Scripted robots do not pair."));
+            Fingerprint shown = pairingFingerprint;
+            return shown == null
+                ? new PairingResult.Unreachable(Sentence.verbatim("The robot does not answer."))
+                : new PairingResult.Paired(shown);
           }
         };
     AgentFleet opened =
@@ -138,7 +145,7 @@ public final class FleetStage implements AutoCloseable {
   }
 
   /** Until all that followed from what happened is done; the clock does not advance meanwhile. */
-  void awaitQuiescence() throws InterruptedException {
+  public void awaitQuiescence() throws InterruptedException {
     runtime.awaitQuiescence();
   }
 
@@ -154,6 +161,59 @@ public final class FleetStage implements AutoCloseable {
       step();
     }
     return true;
+  }
+
+  /** Lets that much time go on, whatever happens. */
+  void pass(Duration time) throws InterruptedException {
+    runtime.awaitQuiescence();
+    for (Instant end = now.plus(time); now.isBefore(end); ) {
+      step();
+    }
+  }
+
+  /**
+   * Lets that much time go on in which robots speak, and the server hears of it afterwards.
+   *
+   * @param atEnd happens before that
+   */
+  void holdUp(Duration time, Runnable atEnd) throws InterruptedException {
+    runtime.runWhileHeldUp(
+        () -> {
+          for (Instant end = now.plus(time); now.isBefore(end); ) {
+            now = now.plus(STEP);
+            robots.values().forEach(ScriptedRobot::step);
+            fleet.tick(now);
+          }
+          atEnd.run();
+        });
+  }
+
+  /**
+   * A store that says nothing to some agents, until this is said of others.
+   *
+   * @param agents "manager", "floor-hall", "r1"
+   */
+  public void stopStoreFor(Predicate<String> agents) {
+    runtime.stop(name -> name.startsWith(STORE) && agents.test(name.substring(STORE.length())));
+  }
+
+  /** Robots that take their time to pair, or no longer. */
+  void stopPairing(boolean stops) {
+    runtime.stop(name -> stops && name.startsWith("pairing-"));
+  }
+
+  /** The certificates that robots show when they pair; without one they cannot be reached. */
+  void setPairingFingerprint(Fingerprint fingerprint) {
+    pairingFingerprint = fingerprint;
+  }
+
+  /** Lets the time pass in which callers wait for answers. */
+  public void passAnswerTime(Duration time) {
+    runtime.advance(time);
+  }
+
+  void runWhileHeldUp(Runnable work) throws InterruptedException {
+    runtime.runWhileHeldUp(work);
   }
 
   private void step() throws InterruptedException {

@@ -6,17 +6,20 @@ import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.time.Duration;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.AbstractExecutorService;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Predicate;
 
 /**
  * All that a fleet does on one thread, in the order in which it came up: the same events bring the
@@ -34,6 +37,7 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
 
   private final BlockingQueue<Runnable> work = new LinkedBlockingQueue<>();
   private final AtomicLong looks = new AtomicLong();
+  private final AtomicLong passed = new AtomicLong();
   private final Thread thread = Thread.ofPlatform().daemon().name("fleet").start(this::run);
 
   /** Whether what agents do is looked at: neither while they are made, nor while they end. */
@@ -46,6 +50,13 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
 
   /** Guarded by this: what was handed in and is not done. */
   private long open;
+
+  /** Guarded by this: the executors whose turns do not come, and the turns that wait for that. */
+  private Predicate<String> isStopped = name -> false;
+
+  private final List<Turn> stoppedTurns = new ArrayList<>();
+
+  private record Turn(String name, Runnable turn) {}
 
   private void run() {
     try {
@@ -131,19 +142,63 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
         () -> "agents waited " + agentWaits + " times in " + agentTurns + " turns");
   }
 
+  /**
+   * What some do beside the agents takes long, as with a store that does not answer: it is done
+   * when they are no longer among them.
+   *
+   * @param executors by their names
+   */
+  synchronized void stop(Predicate<String> executors) {
+    isStopped = executors;
+    List<Turn> turns = List.copyOf(stoppedTurns);
+    stoppedTurns.clear();
+    turns.forEach(turn -> addTurn(turn.name(), turn.turn()));
+  }
+
+  private synchronized void addTurn(String name, Runnable turn) {
+    if (isStopped.test(name)) {
+      stoppedTurns.add(new Turn(name, turn));
+    } else {
+      add(turn);
+    }
+  }
+
+  /** Lets something happen before which nothing more is done, however much comes up. */
+  void runWhileHeldUp(Runnable work) throws InterruptedException {
+    awaitQuiescence();
+    CountDownLatch isOver = new CountDownLatch(1);
+    add(() -> awaitEnd(isOver));
+    work.run();
+    isOver.countDown();
+    awaitQuiescence();
+  }
+
+  private static void awaitEnd(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
   @Override
   public ExecutorService serialExecutor(String name) {
-    return new SerialExecutor();
+    return new SerialExecutor(name);
   }
 
   @Override
   public Executor threadPerTaskExecutor(String name) {
-    return this::add;
+    return work -> addTurn(name, work);
   }
 
   @Override
   public long nanoTime() {
-    return looks.incrementAndGet() * NANOS_A_LOOK;
+    return looks.incrementAndGet() * NANOS_A_LOOK + passed.get();
+  }
+
+  /** Lets that much time of {@link #nanoTime} pass. */
+  void advance(Duration time) {
+    passed.addAndGet(time.toNanos());
   }
 
   @Override
@@ -153,8 +208,13 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
 
   /** One writer's turn among all others. It is closed on the fleet's thread, by its agent. */
   private final class SerialExecutor extends AbstractExecutorService {
+    private final String name;
     private final Queue<Runnable> waiting = new ArrayDeque<>();
     private boolean shut;
+
+    SerialExecutor(String name) {
+      this.name = name;
+    }
 
     @Override
     public synchronized void execute(Runnable change) {
@@ -162,7 +222,7 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
         throw new RejectedExecutionException("It is closed.");
       }
       waiting.add(change);
-      add(this::runNext);
+      addTurn(name, this::runNext);
     }
 
     private boolean runNext() {

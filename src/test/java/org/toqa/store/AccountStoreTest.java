@@ -2,7 +2,10 @@ package org.toqa.store;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.toqa.accounts.AccountStore.ChangeResult.DONE;
+import static org.toqa.accounts.AccountStore.ChangeResult.OUTDATED;
 
 import java.time.Duration;
 import java.time.Instant;
@@ -200,11 +203,31 @@ class AccountStoreTest {
     Account ada = ada();
     String link = resets.issue(ada, Duration.ofHours(1), "ada");
 
-    assertTrue(accounts.changeEmail(ada.id(), "ada@example.org", "ada"));
+    assertEquals(DONE, accounts.changeEmail(ada.id(), "ada@example.org", null, "ada"));
     assertEquals(Optional.empty(), resets.account(link));
     assertEquals("ada@example.org", accounts.account(ada.id()).orElseThrow().email());
-    assertTrue(accounts.changeEmail(ada.id(), null, "boss"));
-    assertFalse(accounts.changeEmail(ada.id() + 1, null, "boss"));
+    assertEquals(DONE, accounts.changeEmail(ada.id(), null, null, "boss"));
+    assertEquals(
+        AccountStore.ChangeResult.NO_SUCH_ACCOUNT,
+        accounts.changeEmail(ada.id() + 1, null, null, "boss"));
+  }
+
+  @Test
+  void whatAnotherHasChangedSinceItWasReadIsNotOverwritten() {
+    Account read = ada();
+    assertEquals(DONE, accounts.update(read.id(), Role.CLERK, true, read, "boss"));
+
+    assertEquals(OUTDATED, accounts.update(read.id(), Role.MANAGER, false, read, "max"));
+    assertEquals(OUTDATED, accounts.changeEmail(read.id(), "ada@example.org", read, "max"));
+
+    Account disabled = accounts.account(read.id()).orElseThrow();
+    assertTrue(disabled.disabled());
+    assertEquals(Role.CLERK, disabled.role());
+    assertNull(disabled.email());
+    assertEquals(DONE, accounts.changeEmail(read.id(), "ada@example.org", disabled, "boss"));
+    assertEquals(OUTDATED, accounts.update(read.id(), Role.CLERK, false, disabled, "max"));
+    Account now = accounts.account(read.id()).orElseThrow();
+    assertEquals(DONE, accounts.update(read.id(), Role.CLERK, false, now, "boss"));
   }
 
   private Account ada() {

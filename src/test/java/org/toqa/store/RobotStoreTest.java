@@ -1,10 +1,13 @@
 package org.toqa.store;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -15,16 +18,21 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.fleet.EventKind;
+import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.LastPlace;
+import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
 import org.toqa.geometry.Pose;
+import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
+import org.toqa.wording.Sentence;
 
 /** What every database must do for robots; here H2, in {@code MySqlRobotStoreTest} MySQL. */
 class RobotStoreTest extends FleetDatabaseTest {
@@ -50,6 +58,36 @@ class RobotStoreTest extends FleetDatabaseTest {
 
     assertEquals(Set.of("r1"), robots(StoredRobot::outOfService));
     assertThrows(StoreException.class, () -> store.saveService("nobody", false, List.of()));
+  }
+
+  @Test
+  void aRobotIsChangedOnlyFromWhatItWas() {
+    store.saveRobot(R1);
+    RobotRecord weaker = R1.withChange(new RobotChange(R1.host(), R1.port(), 2, null));
+    assertTrue(store.updateRobot(R1, weaker, List.of()));
+    Fingerprint shown = new Fingerprint("a".repeat(64));
+    EventRecord event =
+        new EventRecord(
+            Instant.EPOCH, EventKind.ROBOT_PAIRED, null, "r1", "boss", Sentence.verbatim("paired"));
+
+    assertFalse(store.updateRobot(R1, R1.withFingerprint(shown), List.of(event)));
+
+    assertEquals(List.of(weaker), store.robots());
+    assertEquals(0, events());
+    assertTrue(store.updateRobot(weaker, weaker.withFingerprint(shown), List.of(event)));
+    assertEquals(List.of(weaker.withFingerprint(shown)), store.robots());
+    assertEquals(1, events());
+    assertTrue(store.updateRobot(weaker.withFingerprint(shown), R1, List.of()));
+    assertEquals(List.of(R1), store.robots());
+    store.removeRobot("r1", List.of());
+    assertFalse(store.updateRobot(R1, weaker, List.of()));
+    assertEquals(List.of(), store.robots());
+  }
+
+  private int events() {
+    return database
+        .jdbi()
+        .withHandle(h -> h.createQuery("select count(*) from events").mapTo(Integer.class).one());
   }
 
   @Test

@@ -94,6 +94,11 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
   }
 
   @Override
+  public boolean isSubmissionPending(UUID key) {
+    return false;
+  }
+
+  @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
     if (silent) {
       return CompletableFuture.failedFuture(new StoreException("no store", null));

@@ -60,7 +60,7 @@ public final class TestFleet extends TasksInMemory {
 
   @Override
   public CompletionStage<Answer<RobotView>> changeRobot(
-      String name, RobotChange change, String user) {
+      String name, RobotChange change, @Nullable RobotChange seen, String user) {
     RobotRecord changed = Hall.record(name, change.host(), change.port()).withChange(change);
     return change(name, known -> known.withRecord(changed));
   }

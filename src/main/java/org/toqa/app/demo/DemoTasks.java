@@ -105,6 +105,7 @@ final class DemoTasks {
             throw new IllegalStateException(order.name() + ": " + sentence);
         case Answer.Conflict<TaskView>(Sentence sentence, Question needs) ->
             throw new IllegalStateException(order.name() + ": " + sentence);
+        case Answer.Outdated<TaskView>() -> throw new IllegalStateException(order.name());
         case Answer.Unknown<TaskView>(Sentence sentence) ->
             throw new IllegalStateException(order.name() + ": " + sentence);
       }

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.Role;
@@ -45,7 +46,8 @@ final class DriveDispatcher {
     boolean isOnOtherDrive = !robot.isStanding() && (goal == null || !robot.isDrivingTo(goal));
     boolean isStray =
         (isOnOtherDrive && !(robot.settings.isInService() && isSteppingAside(robot)))
-            || updateObstructed(robot);
+            || updateObstructed(robot)
+            || isDriveUnwanted(robot);
     if (isStray) {
       cancelUnwantedDrive(robot);
     }
@@ -121,6 +123,19 @@ final class DriveDispatcher {
             .isEmpty();
   }
 
+  /** Whether it drives for a task that needs it no more; what follows is being stored. */
+  private boolean isDriveUnwanted(FloorRobot robot) {
+    Long task = robot.drive.order().storedDrive().map(StoredDrive::task).orElse(null);
+    return task != null
+        && state
+            .missions
+            .get(task)
+            .filter(mission -> !mission.isStopping())
+            .flatMap(mission -> mission.assignedRobot(robot.name()))
+            .filter(assigned -> !assigned.unassigned())
+            .isEmpty();
+  }
+
   /** A leader that is stopped and would begin. */
   private boolean isAwaitingFollowers(FloorRobot robot) {
     return robot.isStanding()
@@ -141,7 +156,16 @@ final class DriveDispatcher {
       state.traffic.setGoal(robot.name(), null, state.now);
       state.traffic.setMovable(robot.name(), false);
     }
-    if (hasEndedPhase(robot.name(), mission) || isWaiting || robot.hold.isHeld()) {
+    boolean isPickUpStored =
+        state
+            .missions
+            .storedMissionOf(robot.name())
+            .filter(stored -> stored.id() == mission.id() && stored.state() == mission.state())
+            .isPresent();
+    if (hasEndedPhase(robot.name(), mission)
+        || isWaiting
+        || robot.hold.isHeld()
+        || !isPickUpStored) {
       return;
     }
     if (robot.isStanding() && robot.isFit()) {

@@ -140,6 +140,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.SetPause m -> holds.setPause(m.pause());
       case FloorMessage.HoldFloor m -> holds.setFloorHold(m.hold());
       case FloorMessage.HoldRobot m -> operatorCommands.holdRobot(m);
+      case FloorMessage.ResumeStored m -> operatorCommands.resumeStored(m);
       case FloorMessage.SendHome m -> operatorCommands.sendHome(m);
       case FloorMessage.LocateRobot m -> operatorCommands.locateRobot(m);
       case FloorMessage.SetInService m -> operatorCommands.setInService(m);
@@ -152,7 +153,13 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.RemoveRobot m -> operatorCommands.removeRobot(m);
       case FloorMessage.RobotRemoved m -> robotRemoved(m);
       case FloorMessage.FromRobot m -> robotEventHandler.handle(m.event());
-      case FloorMessage.Tick m -> tick(m.now());
+      case FloorMessage.Tick m -> {
+        try {
+          tick(m.now());
+        } finally { // or there would never be another tick
+          manager.tell(new FloorEvent.Ticked(state.floor.name()));
+        }
+      }
     }
     return this;
   }
@@ -206,7 +213,6 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     if (state.changed) {
       reports.send();
     }
-    manager.tell(new FloorEvent.Ticked(state.floor.name()));
   }
 
   private Behavior<FloorMessage> stopped() {

@@ -59,6 +59,13 @@ public sealed interface FloorMessage {
       String robot, boolean hold, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}
 
+  /**
+   * That the robot may go on is safe.
+   *
+   * @param resume number of the resume
+   */
+  record ResumeStored(HoldRobot command, long resume) implements FloorMessage {}
+
   /** A person sends an idle robot to its parking point. */
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements FloorMessage {}

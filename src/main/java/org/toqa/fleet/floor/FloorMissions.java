@@ -119,6 +119,7 @@ final class FloorMissions {
   void recover(OpenTask open) {
     Mission mission = open.mission();
     state.missions.put(mission, open.changedAt());
+    state.missions.setStored(mission);
     for (AssignedRobot c : mission.assignedRobots()) {
       FloorRobot robot = state.robots.get(c.robot());
       if (c.isDriving() && robot != null && !mission.isStopping()) {
@@ -170,6 +171,7 @@ final class FloorMissions {
   }
 
   void stepStored(Mission.Step step) {
+    state.missions.setStored(step.mission());
     step.commands().forEach(command -> carryOut(step, command));
     Mission mission = step.mission();
     if (mission.state() == TaskState.QUEUED
@@ -186,6 +188,10 @@ final class FloorMissions {
     if (known.isEmpty()) {
       reports.send();
       manager.tell(new FloorEvent.TaskUnknown(m.task(), m.command(), m.replyTo()));
+      return;
+    }
+    if (known.get().isOutdated(m.command())) {
+      m.replyTo().tell(StatusReply.success(new Answer.Outdated<>()));
       return;
     }
     Optional<Objection> objection = known.get().objectionTo(m.command());

@@ -70,7 +70,11 @@ final class HoldDispatcher {
     if (robot.settings.isHeld()) {
       return Phrase.HELD_BY_A_PERSON.with();
     }
-    return state.missions.missionOf(robot.name()).map(this::holdReason).orElse(null);
+    // a hold is obeyed before it is stored, and a resume after it
+    Sentence asked = state.missions.missionOf(robot.name()).map(this::holdReason).orElse(null);
+    return asked != null
+        ? asked
+        : state.missions.storedMissionOf(robot.name()).map(this::holdReason).orElse(null);
   }
 
   private @Nullable Sentence holdReason(Mission mission) {

@@ -8,14 +8,18 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.toqa.mission.Mission;
+import org.toqa.mission.TaskState;
 
 /**
- * A floor's missions that have not ended, and those that ended since they were last told of.
- * Confined to the floor's agent.
+ * A floor's missions that have not ended, those that ended since they were last told of, and what
+ * of all that is stored. Confined to the floor's agent.
  */
 final class OpenMissions {
   private final Map<Long, DatedMission> open = new LinkedHashMap<>();
   private final List<DatedMission> ended = new ArrayList<>();
+
+  /** As they are in the store; those with robots only. */
+  private final Map<Long, Mission> stored = new LinkedHashMap<>();
 
   /** A mission, and when it last changed. */
   record DatedMission(Mission mission, Instant changedAt) {}
@@ -26,6 +30,15 @@ final class OpenMissions {
       ended.add(new DatedMission(mission, at));
     } else {
       open.put(mission.id(), new DatedMission(mission, at));
+    }
+  }
+
+  /** The mission is so in the store. */
+  void setStored(Mission mission) {
+    if (mission.state().isEnded() || mission.state() == TaskState.QUEUED) {
+      stored.remove(mission.id());
+    } else {
+      stored.put(mission.id(), mission);
     }
   }
 
@@ -41,8 +54,17 @@ final class OpenMissions {
   Optional<Mission> missionOf(String robot) {
     return open.values().stream()
         .map(DatedMission::mission)
-        .filter(m -> m.assignedRobot(robot).filter(c -> !c.unassigned()).isPresent())
+        .filter(m -> isWorking(robot, m))
         .findFirst();
+  }
+
+  /** The mission that the robot works for, as it is in the store; what starts goes by this one. */
+  Optional<Mission> storedMissionOf(String robot) {
+    return stored.values().stream().filter(m -> isWorking(robot, m)).findFirst();
+  }
+
+  private static boolean isWorking(String robot, Mission mission) {
+    return mission.assignedRobot(robot).filter(c -> !c.unassigned()).isPresent();
   }
 
   Collection<DatedMission> all() {

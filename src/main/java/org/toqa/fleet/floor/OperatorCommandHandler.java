@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.PendingResume;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.robot.RobotMessage;
 import org.toqa.wording.Phrase;
@@ -126,15 +127,38 @@ final class OperatorCommandHandler {
       m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
       return;
     }
-    List<EventRecord> events =
-        robot.settings.isHeld() == m.hold() ? List.of() : List.of(holdEvent(m));
-    robot.settings.setHeld(m.hold());
-    holds.updateHold(robot);
+    PendingResume resume = robot.settings.resume;
+    boolean isAsked = m.hold() == (robot.settings.isHeld() && !resume.isPending());
+    List<EventRecord> events = isAsked ? List.of() : List.of(holdEvent(m));
+    if (m.hold()) {
+      resume.cancel();
+      robot.settings.setHeld(true);
+      holds.updateHold(robot);
+      reports.send();
+      RobotView view = reports.view(robot);
+      state.writer.write(
+          () -> state.store.saveHold(m.robot(), true, events),
+          () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+    } else {
+      long number = resume.begin();
+      state.writer.write(
+          () -> state.store.saveHold(m.robot(), false, events),
+          () -> self.tell(new FloorMessage.ResumeStored(m, number)));
+    }
+  }
+
+  void resumeStored(FloorMessage.ResumeStored m) {
+    FloorRobot robot = state.robots.get(m.command().robot());
+    if (robot == null) {
+      m.command().replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.command().robot())));
+      return;
+    }
+    if (robot.settings.resume.complete(m.resume())) {
+      robot.settings.setHeld(false);
+      holds.updateHold(robot);
+    }
     reports.send();
-    RobotView view = reports.view(robot);
-    state.writer.write(
-        () -> state.store.saveHold(m.robot(), m.hold(), events),
-        () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+    m.command().replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));
   }
 
   private EventRecord holdEvent(FloorMessage.HoldRobot m) {

@@ -70,6 +70,7 @@ final class RobotEventHandler {
       case RobotEvent.StateReported m -> stateReported(robot, m.state());
       case RobotEvent.PhaseEnded m -> phaseEnded(robot, m.end());
       case RobotEvent.DriveBegun m -> driveBegun(robot, m.drive());
+      case RobotEvent.DriveWithdrawn m -> driveWithdrawn(robot, m.drive());
       case RobotEvent.DriveAccepted m -> driveAccepted(robot, m.drive());
       case RobotEvent.CommandRejected m -> commandRejected(robot, m);
     }
@@ -257,6 +258,22 @@ final class RobotEventHandler {
     robot.drive.setBegun(drive);
     if (drive.task() != null) {
       missions.applyEvent(drive.task(), new MissionEvent.DriveStarted(robot.name(), drive.phase()));
+    }
+  }
+
+  /** It was cancelled in time: the robot has what it had before, and stands where it does. */
+  private void driveWithdrawn(FloorRobot robot, long drive) {
+    if (!robot.drive.order().isOf(drive)) {
+      return;
+    }
+    Pose pose = robot.reported.pose();
+    if (robot.reported.drive() != 0) {
+      robot.drive.settle();
+    } else {
+      robot.drive.end();
+      if (pose != null) {
+        state.traffic.reportStanding(robot.name(), pose, robot.reported.footprint(), state.now);
+      }
     }
   }
 

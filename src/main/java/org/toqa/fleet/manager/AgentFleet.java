@@ -1,5 +1,7 @@
 package org.toqa.fleet.manager;
 
+import static java.util.Objects.requireNonNull;
+
 import com.typesafe.config.Config;
 import com.typesafe.config.ConfigFactory;
 import java.time.Duration;
@@ -11,12 +13,14 @@ import java.util.UUID;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import org.apache.pekko.actor.BootstrapSetup;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.ActorSystem;
 import org.apache.pekko.actor.typed.javadsl.AskPattern;
 import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
@@ -72,7 +76,12 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   private final List<FloorMap> floors;
   private final LatestSnapshot latestSnapshot;
   private final Schedules schedules;
+  private final FleetRuntime runtime;
+  private final PendingSubmissions pendingSubmissions = new PendingSubmissions();
   private final ActorSystem<ManagerMessage> system;
+
+  /** The time of a tick that the manager has not taken; a later one takes its place. */
+  private final AtomicReference<@Nullable Instant> dueTick = new AtomicReference<>();
 
   /**
    * Reads the store and goes on with what is in it.
@@ -105,6 +114,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
       Instant now,
       FleetRuntime runtime) {
     this.floors = List.copyOf(floors);
+    this.runtime = runtime;
     this.latestSnapshot =
         new LatestSnapshot(
             new FleetSnapshot(
@@ -123,7 +133,16 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     this.system =
         ActorSystem.create(
             ManagerAgent.of(
-                floors, store, links, allocator, rules, clock, now, runtime, latestSnapshot),
+                floors,
+                store,
+                links,
+                allocator,
+                rules,
+                clock,
+                now,
+                runtime,
+                latestSnapshot,
+                pendingSubmissions),
             "toqa",
             runtime
                 .agentExecutor()
@@ -135,18 +154,27 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   /** Time goes on: timers fire, robots are pinged, waiting tasks are looked at. */
   public void tick(Instant now) {
-    system.tell(new ManagerMessage.Tick(now));
+    if (dueTick.getAndSet(now) == null) {
+      system.tell(new ManagerMessage.Tick(() -> requireNonNull(dueTick.getAndSet(null))));
+    }
   }
 
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
-    return ask(replyTo -> new ManagerMessage.SubmitTask(order, user, key, replyTo));
+    long deadline = TaskSubmitter.deadline(runtime.nanoTime());
+    return ask(replyTo -> new ManagerMessage.SubmitTask(order, user, key, deadline, replyTo));
   }
 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
       List<TaskOrder> orders, String user, List<UUID> keys) {
-    return ask(replyTo -> new ManagerMessage.SubmitTasks(orders, user, keys, replyTo));
+    long deadline = TaskSubmitter.deadline(runtime.nanoTime());
+    return ask(replyTo -> new ManagerMessage.SubmitTasks(orders, user, keys, deadline, replyTo));
+  }
+
+  @Override
+  public boolean isSubmissionPending(UUID key) {
+    return pendingSubmissions.contains(key);
   }
 
   @Override
@@ -173,8 +201,8 @@ public final class AgentFleet implements Fleet, AutoCloseable {
 
   @Override
   public CompletionStage<Answer<RobotView>> changeRobot(
-      String robot, RobotChange change, String user) {
-    return ask(replyTo -> new ManagerMessage.ChangeRobot(robot, change, user, replyTo));
+      String robot, RobotChange change, @Nullable RobotChange seen, String user) {
+    return ask(replyTo -> new ManagerMessage.ChangeRobot(robot, change, seen, user, replyTo));
   }
 
   @Override

@@ -60,6 +60,8 @@ record BatchValidation(
           rejections.add(new Rejection(place, field, sentence));
       case Answer.Conflict<TransportTask>(Sentence sentence, var needs) ->
           rejections.add(new Rejection(place, null, sentence));
+      case Answer.Outdated<TransportTask>() ->
+          throw new IllegalStateException("A new task is not outdated.");
       case Answer.Unknown<TransportTask>(Sentence sentence) ->
           rejections.add(new Rejection(place, null, sentence));
     }

@@ -15,6 +15,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.PendingResume;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.wording.Phrase;
@@ -22,7 +23,7 @@ import org.toqa.wording.Sentence;
 
 /**
  * What is on hold by an operator: all robots, or those of a floor. Robots hold at once, and go on
- * only when that is stored. Confined to the manager's agent.
+ * only when that is stored and no hold has come meanwhile. Confined to the manager's agent.
  */
 final class HoldCommandHandler {
   private final FleetStore store;
@@ -31,6 +32,8 @@ final class HoldCommandHandler {
   private final ActorRef<ManagerMessage> manager;
   private final Map<String, ActorRef<FloorMessage>> floors;
   private final Map<String, Hold> floorHolds;
+  private final Map<String, PendingResume> floorResumes = new HashMap<>();
+  private final PendingResume resume = new PendingResume();
   private @Nullable Hold pause;
 
   /**
@@ -61,33 +64,41 @@ final class HoldCommandHandler {
   }
 
   void setPause(ManagerMessage.SetPause m) {
-    if (m.pause() == (pause != null)) {
-      answer(m.replyTo(), pause);
+    if (isAsked(m.pause(), pause, resume)) {
+      Hold asked = m.pause() ? pause : null;
+      writer.write(() -> {}, () -> answer(m.replyTo(), asked));
       return;
     }
     Instant at = clock.instant();
-    Hold next = m.pause() ? new Hold(m.user(), at) : null;
-    EventRecord event =
-        event(
-            at,
-            m.pause() ? EventKind.FLEET_PAUSED : EventKind.FLEET_RESUMED,
-            m.user(),
-            (m.pause() ? Phrase.ALL_PAUSED : Phrase.ALL_LET_GO_ON).with(m.user()));
-    if (next != null) {
+    if (m.pause()) {
+      Hold next = new Hold(m.user(), at);
+      EventRecord event =
+          event(at, EventKind.FLEET_PAUSED, m.user(), Phrase.ALL_PAUSED.with(m.user()));
+      resume.cancel();
       applyPause(next);
+      writer.write(() -> store.savePause(next, List.of(event)), () -> answer(m.replyTo(), next));
+    } else {
+      EventRecord event =
+          event(at, EventKind.FLEET_RESUMED, m.user(), Phrase.ALL_LET_GO_ON.with(m.user()));
+      long number = resume.begin();
+      writer.write(
+          () -> store.savePause(null, List.of(event)),
+          () -> {
+            manager.tell(new ManagerMessage.PauseEnded(number));
+            answer(m.replyTo(), null);
+          });
     }
-    writer.write(
-        () -> store.savePause(next, List.of(event)),
-        () -> {
-          if (next == null) {
-            manager.tell(new ManagerMessage.PauseEnded());
-          }
-          answer(m.replyTo(), next);
-        });
   }
 
-  void pauseEnded() {
-    applyPause(null);
+  /** Whether somebody has asked for that already, and nobody for something else since. */
+  private static boolean isAsked(boolean hold, @Nullable Hold now, PendingResume resume) {
+    return hold == (now != null && !resume.isPending());
+  }
+
+  void pauseEnded(long number) {
+    if (resume.complete(number)) {
+      applyPause(null);
+    }
   }
 
   private void applyPause(@Nullable Hold next) {
@@ -96,40 +107,45 @@ final class HoldCommandHandler {
   }
 
   void setFloorHold(ManagerMessage.HoldFloor m) {
-    if (!floors.containsKey(m.floor())) {
-      m.replyTo()
-          .tell(StatusReply.success(new Answer.Unknown<>(Phrase.NO_SUCH_FLOOR.with(m.floor()))));
+    String floor = m.floor();
+    if (!floors.containsKey(floor)) {
+      m.replyTo().tell(StatusReply.success(new Answer.Unknown<>(Phrase.NO_SUCH_FLOOR.with(floor))));
       return;
     }
-    Hold now = floorHolds.get(m.floor());
-    if (m.hold() == (now != null)) {
-      answer(m.replyTo(), now);
+    PendingResume floorResume = floorResumes.computeIfAbsent(floor, _ -> new PendingResume());
+    if (isAsked(m.hold(), floorHolds.get(floor), floorResume)) {
+      Hold asked = m.hold() ? floorHolds.get(floor) : null;
+      writer.write(() -> {}, () -> answer(m.replyTo(), asked));
       return;
     }
     Instant at = clock.instant();
-    Hold next = m.hold() ? new Hold(m.user(), at) : null;
-    EventRecord event =
-        event(
-            at,
-            m.hold() ? EventKind.FLOOR_HELD : EventKind.FLOOR_RESUMED,
-            m.user(),
-            (m.hold() ? Phrase.FLOOR_PUT_ON_HOLD : Phrase.FLOOR_LET_GO_ON)
-                .with(m.user(), m.floor()));
-    if (next != null) {
-      applyFloorHold(m.floor(), next);
+    if (m.hold()) {
+      Hold next = new Hold(m.user(), at);
+      EventRecord event =
+          event(at, EventKind.FLOOR_HELD, m.user(), Phrase.FLOOR_PUT_ON_HOLD.with(m.user(), floor));
+      floorResume.cancel();
+      applyFloorHold(floor, next);
+      writer.write(
+          () -> store.saveFloorHold(floor, next, List.of(event)), () -> answer(m.replyTo(), next));
+    } else {
+      EventRecord event =
+          event(
+              at, EventKind.FLOOR_RESUMED, m.user(), Phrase.FLOOR_LET_GO_ON.with(m.user(), floor));
+      long number = floorResume.begin();
+      writer.write(
+          () -> store.saveFloorHold(floor, null, List.of(event)),
+          () -> {
+            manager.tell(new ManagerMessage.FloorHoldEnded(floor, number));
+            answer(m.replyTo(), null);
+          });
     }
-    writer.write(
-        () -> store.saveFloorHold(m.floor(), next, List.of(event)),
-        () -> {
-          if (next == null) {
-            manager.tell(new ManagerMessage.FloorHoldEnded(m.floor()));
-          }
-          answer(m.replyTo(), next);
-        });
   }
 
-  void floorHoldEnded(String floor) {
-    applyFloorHold(floor, null);
+  void floorHoldEnded(ManagerMessage.FloorHoldEnded m) {
+    PendingResume floorResume = floorResumes.get(m.floor());
+    if (floorResume != null && floorResume.complete(m.number())) {
+      applyFloorHold(m.floor(), null);
+    }
   }
 
   private void applyFloorHold(String floor, @Nullable Hold next) {

@@ -61,12 +61,23 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       InstantSource clock,
       Instant now,
       FleetRuntime runtime,
-      LatestSnapshot latest) {
+      LatestSnapshot latest,
+      PendingSubmissions pendingSubmissions) {
     return Supervision.resuming(
         Behaviors.setup(
             context ->
                 new ManagerAgent(
-                    context, floors, store, links, allocator, rules, clock, now, runtime, latest)));
+                    context,
+                    floors,
+                    store,
+                    links,
+                    allocator,
+                    rules,
+                    clock,
+                    now,
+                    runtime,
+                    latest,
+                    pendingSubmissions)));
   }
 
   private ManagerAgent(
@@ -79,7 +90,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       InstantSource clock,
       Instant now,
       FleetRuntime runtime,
-      LatestSnapshot latest) {
+      LatestSnapshot latest,
+      PendingSubmissions pendingSubmissions) {
     super(context);
     this.fleet = new FleetState(store, clock, runtime);
     ActorRef<ManagerMessage> self = context.getSelf();
@@ -97,7 +109,15 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         new SnapshotPublisher(fleet, rounds, lateTasks, holdCommands, storeHealth, latest);
     this.taskCommands =
         new TaskCommandHandler(
-            fleet, rounds, lateTasks, storeHealth, validator, allocator, paths, self);
+            fleet,
+            rounds,
+            lateTasks,
+            storeHealth,
+            validator,
+            allocator,
+            paths,
+            pendingSubmissions,
+            self);
     this.robotCommands =
         new RobotCommandHandler(
             fleet,
@@ -179,8 +199,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       case ManagerMessage.TaskStored m -> taskCommands.taskStored(m);
       case ManagerMessage.AddRobot m -> robotCommands.addRobot(m);
       case ManagerMessage.RobotStored m -> robotCommands.robotStored(m);
-      case ManagerMessage.RobotNotStored m -> fleet.robots.remove(m.robot());
-      case ManagerMessage.RobotNotChanged m -> fleet.robots.put(m.robot().name(), m.robot());
+      case ManagerMessage.RobotNotStored m -> robotCommands.robotNotStored(m.robot());
+      case ManagerMessage.RobotReread m -> robotCommands.robotReread(m);
+      case ManagerMessage.RobotPaired m -> robotCommands.robotPaired(m);
       case ManagerMessage.PairRobot m -> robotCommands.pairRobot(m);
       case ManagerMessage.ChangeRobot m -> robotCommands.changeRobot(m);
       case ManagerMessage.RobotChanged m -> robotCommands.robotChanged(m);
@@ -206,18 +227,18 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         fleet.changed = true;
       }
       case ManagerMessage.PauseEnded m -> {
-        holdCommands.pauseEnded();
+        holdCommands.pauseEnded(m.number());
         fleet.changed = true;
       }
       case ManagerMessage.HoldFloor m -> holdCommands.setFloorHold(m);
-      case ManagerMessage.FloorHoldEnded m -> holdCommands.floorHoldEnded(m.floor());
+      case ManagerMessage.FloorHoldEnded m -> holdCommands.floorHoldEnded(m);
       case ManagerMessage.FromFloor m -> handle(m.event());
       case ManagerMessage.AllocationDecided m -> rounds.allocationDecided(m);
       case ManagerMessage.DeadlinesChecked m -> lateTasks.deadlinesChecked(m);
       case ManagerMessage.QueuedDeadlinesChecked m -> lateTasks.queuedDeadlinesChecked(m);
       case ManagerMessage.StoreHealthChanged m ->
           snapshotPublisher.publish(); // also where simulated time stands still
-      case ManagerMessage.Tick m -> tick(m.now());
+      case ManagerMessage.Tick m -> tick(m.latest().get());
     }
     return this;
   }
@@ -251,13 +272,20 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     fleet.dueFloors.add(mission.task().floor());
   }
 
-  /** What changes is in the snapshot when every floor has done its tick, or at the next tick. */
+  /**
+   * What changes is in the snapshot when every floor has done its tick, or at the next tick. A
+   * floor that is still at its last one is left out, so that ticks never pile up before it.
+   */
   private void tick(Instant now) {
     if (!ticking.isEmpty() || fleet.floors.isEmpty()) {
       publishIfChanged();
     }
-    fleet.floors.values().forEach(f -> f.tell(new FloorMessage.Tick(now)));
-    ticking.addAll(fleet.floors.keySet());
+    fleet.floors.forEach(
+        (name, floor) -> {
+          if (ticking.add(name)) {
+            floor.tell(new FloorMessage.Tick(now));
+          }
+        });
     rounds.beginDueRounds();
     lateTasks.check(now);
   }

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
@@ -24,6 +25,7 @@ import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.manager.DeliveryForecast.Delivery;
 import org.toqa.geometry.Pose;
+import org.toqa.link.trust.Fingerprint;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TransportTask;
@@ -31,17 +33,25 @@ import org.toqa.mission.TransportTask;
 /** What the manager agent is told: by users, by floors, by its store, by the clock. */
 public sealed interface ManagerMessage {
 
+  /**
+   * @param deadline of {@link TaskSubmitter#deadline}
+   */
   record SubmitTask(
       TaskOrder order,
       String user,
       UUID idempotencyKey,
+      long deadline,
       ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements ManagerMessage {}
 
+  /**
+   * @param deadline of {@link TaskSubmitter#deadline}
+   */
   record SubmitTasks(
       List<TaskOrder> orders,
       String user,
       List<UUID> idempotencyKeys,
+      long deadline,
       ActorRef<StatusReply<BatchAnswer>> replyTo)
       implements ManagerMessage {}
 
@@ -62,12 +72,8 @@ public sealed interface ManagerMessage {
       @Nullable Throwable failure)
       implements ManagerMessage {}
 
-  /**
-   * Orders that were submitted together have been checked.
-   *
-   * @param deadline of {@link System#nanoTime}: until when they must be stored
-   */
-  record OrdersChecked(SubmitTasks request, long deadline, BatchValidation.Result checked)
+  /** Orders that were submitted together have been checked. */
+  record OrdersChecked(SubmitTasks request, BatchValidation.Result checked)
       implements ManagerMessage {}
 
   /** The order of a preview is good. */
@@ -92,8 +98,20 @@ public sealed interface ManagerMessage {
   /** A robot was not added after all. */
   record RobotNotStored(String robot) implements ManagerMessage {}
 
-  /** A robot stays as it was. */
-  record RobotNotChanged(RobotRecord robot) implements ManagerMessage {}
+  /**
+   * A robot was not changed, since it is another one in the store, or the store was away.
+   *
+   * @param stored null: it is not there
+   */
+  record RobotReread(String robot, @Nullable RobotRecord stored) implements ManagerMessage {}
+
+  /**
+   * A robot has shown its certificate.
+   *
+   * @param before the robot when that began
+   */
+  record RobotPaired(PairRobot request, RobotRecord before, Fingerprint fingerprint)
+      implements ManagerMessage {}
 
   record PairRobot(
       String robot,
@@ -102,9 +120,13 @@ public sealed interface ManagerMessage {
       ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
+  /**
+   * @param seen what the user has seen of the robot; null: whatever it is
+   */
   record ChangeRobot(
       String robot,
       RobotChange change,
+      @Nullable RobotChange seen,
       String user,
       ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
@@ -148,8 +170,12 @@ public sealed interface ManagerMessage {
   record SetPause(boolean pause, String user, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
       implements ManagerMessage {}
 
-  /** That they go on is safe. */
-  record PauseEnded() implements ManagerMessage {}
+  /**
+   * That they go on is safe.
+   *
+   * @param number of the resume
+   */
+  record PauseEnded(long number) implements ManagerMessage {}
 
   /** A person puts a floor's robots on hold, or lets them go on. */
   record HoldFloor(
@@ -159,8 +185,12 @@ public sealed interface ManagerMessage {
       ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
       implements ManagerMessage {}
 
-  /** That the floor's robots go on is safe. */
-  record FloorHoldEnded(String floor) implements ManagerMessage {}
+  /**
+   * That the floor's robots go on is safe.
+   *
+   * @param number of the resume
+   */
+  record FloorHoldEnded(String floor, long number) implements ManagerMessage {}
 
   /** What a floor tells. */
   record FromFloor(FloorEvent event) implements ManagerMessage {}
@@ -194,5 +224,10 @@ public sealed interface ManagerMessage {
   /** The store has stopped or begun to answer. */
   record StoreHealthChanged(boolean available) implements ManagerMessage {}
 
-  record Tick(Instant now) implements ManagerMessage {}
+  /**
+   * Time has gone on.
+   *
+   * @param latest takes the time of the latest tick; to be asked once
+   */
+  record Tick(Supplier<Instant> latest) implements ManagerMessage {}
 }

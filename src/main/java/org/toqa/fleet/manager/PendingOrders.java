@@ -14,29 +14,19 @@ final class PendingOrders {
   /** An order, and what its check has said once it has ended. */
   static final class Pending {
     private final ManagerMessage.SubmitTask request;
-    private final long deadline;
     private ManagerMessage.@Nullable OrderChecked result;
 
-    private Pending(ManagerMessage.SubmitTask request, long deadline) {
+    private Pending(ManagerMessage.SubmitTask request) {
       this.request = request;
-      this.deadline = deadline;
     }
 
     ManagerMessage.SubmitTask request() {
       return request;
     }
-
-    /** Until when it must be stored; of {@link System#nanoTime}. */
-    long deadline() {
-      return deadline;
-    }
   }
 
-  /**
-   * @param deadline of {@link System#nanoTime}
-   */
-  Pending add(ManagerMessage.SubmitTask request, long deadline) {
-    Pending pending = new Pending(request, deadline);
+  Pending add(ManagerMessage.SubmitTask request) {
+    Pending pending = new Pending(request);
     inOrder.addLast(pending);
     return pending;
   }

@@ -1,9 +1,12 @@
 package org.toqa.fleet.manager;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.PairingOrder;
@@ -21,6 +24,9 @@ final class RobotCommandHandler {
   private final OrderValidator validator;
   private final RobotRegistrar registrar;
   private final ActorRef<ManagerMessage> self;
+
+  /** Names of robots that are being added. */
+  private final Set<String> joining = new HashSet<>();
 
   RobotCommandHandler(
       FleetState fleet,
@@ -47,7 +53,8 @@ final class RobotCommandHandler {
 
   private void register(RobotRecord robot, ManagerMessage.AddRobot m) {
     fleet.robots.put(robot.name(), robot); // the name and its parking point are taken from now on
-    registrar.register(
+    joining.add(robot.name());
+    registrar.add(
         robot,
         m.order().code(),
         new RobotRegistrar.Request(
@@ -60,30 +67,63 @@ final class RobotCommandHandler {
                 () -> self.tell(new ManagerMessage.RobotNotStored(robot.name())))));
   }
 
+  void robotNotStored(String robot) {
+    joining.remove(robot);
+    fleet.robots.remove(robot);
+  }
+
+  /** Null where there is none, or where it is still being added. */
+  private @Nullable RobotRecord storedRobot(String name) {
+    return joining.contains(name) ? null : fleet.robots.get(name);
+  }
+
   void pairRobot(ManagerMessage.PairRobot m) {
-    RobotRecord robot = fleet.robots.get(m.robot());
+    RobotRecord robot = storedRobot(m.robot());
     if (robot == null) {
       m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
       return;
     }
     PairingOrder order = m.order();
-    registrar.register(
+    registrar.pair(
         robot.withAddress(order.host(), order.port()),
         order.code(),
-        new RobotRegistrar.Request(
-            m.user(),
-            EventKind.ROBOT_PAIRED,
-            Phrase.ROBOT_PAIRED.with(m.user(), robot.name()),
-            new RegistrationReply(
-                m.replyTo(),
-                stored -> self.tell(new ManagerMessage.RobotChanged(stored, m.replyTo())),
-                () -> {})));
+        pairingRequest(m),
+        shown -> self.tell(new ManagerMessage.RobotPaired(m, robot, shown)));
+  }
+
+  /** What else was changed of the robot while it was being paired stays. */
+  void robotPaired(ManagerMessage.RobotPaired m) {
+    ManagerMessage.PairRobot request = m.request();
+    RobotRecord robot = storedRobot(request.robot());
+    if (robot == null) {
+      request.replyTo().tell(StatusReply.success(FloorState.unknownRobot(request.robot())));
+    } else if (!robot.address().equals(m.before().address())) {
+      request.replyTo().tell(StatusReply.success(new Answer.Outdated<>()));
+    } else {
+      PairingOrder order = request.order();
+      update(
+          robot,
+          robot.withAddress(order.host(), order.port()).withFingerprint(m.fingerprint()),
+          pairingRequest(request));
+    }
+  }
+
+  private RobotRegistrar.Request pairingRequest(ManagerMessage.PairRobot m) {
+    return new RobotRegistrar.Request(
+        m.user(),
+        EventKind.ROBOT_PAIRED,
+        Phrase.ROBOT_PAIRED.with(m.user(), m.robot()),
+        updateReply(m.robot(), m.replyTo()));
   }
 
   void changeRobot(ManagerMessage.ChangeRobot m) {
-    RobotRecord robot = fleet.robots.get(m.robot());
+    RobotRecord robot = storedRobot(m.robot());
     if (robot == null) {
       m.replyTo().tell(StatusReply.success(FloorState.unknownRobot(m.robot())));
+      return;
+    }
+    if (m.seen() != null && !m.seen().equals(robot.toChange())) {
+      m.replyTo().tell(StatusReply.success(new Answer.Outdated<>()));
       return;
     }
     Answer<RobotRecord> checked =
@@ -92,18 +132,37 @@ final class RobotCommandHandler {
       m.replyTo().tell(StatusReply.success(checked.asRejection()));
       return;
     }
-    fleet.robots.put(changed.name(), changed); // its parking point is taken from now on
-    registrar.register(
+    update(
+        robot,
         changed,
-        null,
         new RobotRegistrar.Request(
             m.user(),
             EventKind.ROBOT_CHANGED,
             Phrase.ROBOT_CHANGED.with(m.user(), robot.name()),
-            new RegistrationReply(
-                m.replyTo(),
-                stored -> self.tell(new ManagerMessage.RobotChanged(stored, m.replyTo())),
-                () -> self.tell(new ManagerMessage.RobotNotChanged(robot)))));
+            updateReply(m.robot(), m.replyTo())));
+  }
+
+  private void update(RobotRecord before, RobotRecord after, RobotRegistrar.Request request) {
+    fleet.robots.put(after.name(), after); // its parking point is taken from now on
+    registrar.update(before, after, request);
+  }
+
+  private RegistrationReply updateReply(
+      String robot, ActorRef<StatusReply<Answer<RobotView>>> replyTo) {
+    return new RegistrationReply(
+        replyTo,
+        stored -> self.tell(new ManagerMessage.RobotChanged(stored, replyTo)),
+        () ->
+            registrar.reread(
+                robot, stored -> self.tell(new ManagerMessage.RobotReread(robot, stored))));
+  }
+
+  void robotReread(ManagerMessage.RobotReread m) {
+    if (m.stored() == null) {
+      fleet.robots.remove(m.robot());
+    } else {
+      fleet.robots.put(m.robot(), m.stored());
+    }
   }
 
   void robotChanged(ManagerMessage.RobotChanged m) {
@@ -121,6 +180,7 @@ final class RobotCommandHandler {
   }
 
   void robotStored(ManagerMessage.RobotStored m) {
+    joining.remove(m.robot().name());
     fleet.robots.put(m.robot().name(), m.robot());
     fleet
         .floorAgent(m.robot().floor())

@@ -2,6 +2,9 @@ package org.toqa.fleet.manager;
 
 import java.time.InstantSource;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventKind;
@@ -19,7 +22,7 @@ import org.toqa.persistence.StoreException;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
-/** Pairs a robot where there is a code, then stores it; on threads of its own. */
+/** Pairs robots and stores them; on threads of its own. */
 final class RobotRegistrar {
 
   private final RobotLinkFactory links;
@@ -59,39 +62,100 @@ final class RobotRegistrar {
   }
 
   /**
-   * @param code null: the robot is not paired
+   * Adds a robot.
+   *
+   * @param code null: it is not paired
    */
-  void register(RobotRecord robot, @Nullable PairingCode code, Request request) {
+  void add(RobotRecord robot, @Nullable PairingCode code, Request request) {
     if (code == null) {
       store(robot, request);
     } else {
-      runtime
-          .threadPerTaskExecutor("pairing-" + robot.name())
-          .execute(
-              () ->
-                  conclude(
-                      links.pair(robot.name(), robot.host(), robot.port(), code), robot, request));
-    }
-  }
-
-  private void conclude(PairingResult result, RobotRecord robot, Request request) {
-    switch (result) {
-      case PairingResult.Paired(Fingerprint paired) ->
-          store(robot.withFingerprint(paired), request);
-      case PairingResult.Refused(Sentence sentence) -> reject("code", sentence, robot, request);
-      case PairingResult.Unreachable(Sentence sentence) -> reject("host", sentence, robot, request);
+      pair(robot, code, request, shown -> store(robot.withFingerprint(shown), request));
     }
   }
 
   private void store(RobotRecord robot, Request request) {
-    EventRecord event = event(request.eventKind(), robot, request, request.text());
-    writer.tryOnce(
+    List<EventRecord> events = List.of(event(request.eventKind(), robot, request, request.text()));
+    write(
         () -> {
-          store.saveRobot(robot);
-          store.addEvents(List.of(event));
+          store.saveRobot(robot, events);
+          return true;
         },
-        () -> request.listener().stored(robot),
-        request.listener()::failed);
+        robot,
+        request.listener());
+  }
+
+  /**
+   * Stores nothing but what is to be said when it fails.
+   *
+   * @param paired gets the certificate that the robot shows
+   */
+  void pair(RobotRecord robot, PairingCode code, Request request, Consumer<Fingerprint> paired) {
+    runtime
+        .threadPerTaskExecutor("pairing-" + robot.name())
+        .execute(
+            () -> {
+              switch (links.pair(robot.name(), robot.host(), robot.port(), code)) {
+                case PairingResult.Paired(Fingerprint shown) -> paired.accept(shown);
+                case PairingResult.Refused(Sentence sentence) ->
+                    reject("code", sentence, robot, request);
+                case PairingResult.Unreachable(Sentence sentence) ->
+                    reject("host", sentence, robot, request);
+              }
+            });
+  }
+
+  /** Changes a robot that is stored, unless it has become another one. */
+  void update(RobotRecord before, RobotRecord after, Request request) {
+    List<EventRecord> events = List.of(event(request.eventKind(), after, request, request.text()));
+    write(() -> store.updateRobot(before, after, events), after, request.listener());
+  }
+
+  /**
+   * @param change answers whether it was made
+   */
+  private void write(BooleanSupplier change, RobotRecord after, Listener listener) {
+    AtomicBoolean isStored = new AtomicBoolean();
+    writer.tryOnce(
+        () -> isStored.set(change.getAsBoolean()),
+        () -> {
+          if (isStored.get()) {
+            listener.stored(after);
+          } else {
+            listener.rejected(new Answer.Outdated<>());
+          }
+        },
+        failure -> lookWhetherStored(after, listener, failure));
+  }
+
+  /** Nobody knows whether it was stored: that is seen when the store answers again. */
+  private void lookWhetherStored(RobotRecord after, Listener listener, StoreException failure) {
+    AtomicBoolean isStored = new AtomicBoolean();
+    writer.write(
+        () -> isStored.set(store.robots().contains(after)),
+        () -> {
+          if (isStored.get()) {
+            listener.stored(after);
+          } else {
+            listener.failed(failure);
+          }
+        });
+  }
+
+  /**
+   * Reads what is stored of a robot.
+   *
+   * @param found gets null where there is none
+   */
+  void reread(String robot, Consumer<@Nullable RobotRecord> found) {
+    writer.write(
+        () ->
+            found.accept(
+                store.robots().stream()
+                    .filter(record -> record.name().equals(robot))
+                    .findFirst()
+                    .orElse(null)),
+        () -> {});
   }
 
   private void reject(String field, Sentence sentence, RobotRecord robot, Request request) {

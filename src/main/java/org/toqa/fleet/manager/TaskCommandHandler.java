@@ -59,6 +59,7 @@ final class TaskCommandHandler {
       OrderValidator validator,
       Allocator allocator,
       PathQuery paths,
+      PendingSubmissions pendingSubmissions,
       ActorRef<ManagerMessage> self) {
     this.fleet = fleet;
     this.rounds = rounds;
@@ -68,15 +69,12 @@ final class TaskCommandHandler {
     this.allocator = allocator;
     this.paths = paths;
     this.self = self;
-    this.submitter = new TaskSubmitter(fleet.store, fleet.writer);
+    this.submitter =
+        new TaskSubmitter(fleet.store, fleet.writer, pendingSubmissions, fleet.runtime::nanoTime);
   }
 
   void submitTask(ManagerMessage.SubmitTask m) {
-    check(m, TaskSubmitter.deadline());
-  }
-
-  private void check(ManagerMessage.SubmitTask m, long deadline) {
-    PendingOrders.Pending pending = pendingOrders.add(m, deadline);
+    PendingOrders.Pending pending = pendingOrders.add(m);
     var _ =
         checkOrder(m.order(), m.user())
             .whenComplete(
@@ -106,9 +104,9 @@ final class TaskCommandHandler {
     } else if (!(checked instanceof Answer.Accepted<TransportTask>(TransportTask task))) {
       request.replyTo().tell(StatusReply.success(checked.asRejection()));
     } else if (task.load() > totalCapacity()) {
-      check(request, m.order().deadline());
+      submitTask(request);
     } else {
-      store(task, request.idempotencyKey(), m.order().deadline(), request.replyTo());
+      store(task, request);
     }
   }
 
@@ -124,16 +122,16 @@ final class TaskCommandHandler {
       reject(m.replyTo());
       return;
     }
-    check(m, TaskSubmitter.deadline());
+    check(m);
   }
 
-  private void check(ManagerMessage.SubmitTasks m, long deadline) {
+  private void check(ManagerMessage.SubmitTasks m) {
     var _ =
         checkConcurrently(m.orders(), m.user())
             .whenComplete(
                 (checked, failure) -> {
                   if (failure == null) {
-                    self.tell(new ManagerMessage.OrdersChecked(m, deadline, checked));
+                    self.tell(new ManagerMessage.OrdersChecked(m, checked));
                   } else {
                     m.replyTo().tell(StatusReply.error(failure));
                   }
@@ -146,11 +144,11 @@ final class TaskCommandHandler {
     if (!checked.rejections().isEmpty()) {
       request.replyTo().tell(StatusReply.success(new BatchAnswer.Rejected(checked.rejections())));
     } else if (checked.heaviestLoad() > totalCapacity()) {
-      check(request, m.deadline());
+      check(request);
     } else {
       submitter.submit(
           submissions(checked.tasks(), request.idempotencyKeys()),
-          m.deadline(),
+          request.deadline(),
           stored -> self.tell(new ManagerMessage.TasksStored(stored, request.replyTo())),
           () -> reject(request.replyTo()));
     }
@@ -227,21 +225,15 @@ final class TaskCommandHandler {
                                 : StatusReply.error(failure)));
   }
 
-  /**
-   * @param deadline of {@link System#nanoTime}
-   */
-  private void store(
-      TransportTask task,
-      UUID key,
-      long deadline,
-      ActorRef<StatusReply<Answer<TaskView>>> replyTo) {
+  private void store(TransportTask task, ManagerMessage.SubmitTask request) {
+    ActorRef<StatusReply<Answer<TaskView>>> replyTo = request.replyTo();
     if (!storeHealth.isAvailable()) {
       reject(replyTo);
       return;
     }
     submitter.submit(
-        List.of(new Submission(task, key)),
-        deadline,
+        List.of(new Submission(task, request.idempotencyKey())),
+        request.deadline(),
         stored -> self.tell(new ManagerMessage.TaskStored(stored.getFirst(), replyTo)),
         () -> reject(replyTo));
   }
@@ -294,6 +286,10 @@ final class TaskCommandHandler {
   }
 
   private void commandTask(TaskQueue.Queued queued, ManagerMessage.CommandTask m) {
+    if (queued.mission().isOutdated(m.command())) {
+      m.replyTo().tell(StatusReply.success(new Answer.Outdated<>()));
+      return;
+    }
     Optional<Objection> objection = queued.mission().objectionTo(m.command());
     if (objection.isPresent()) {
       m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));

@@ -7,15 +7,17 @@ import java.util.UUID;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.mission.TransportTask;
 
 /**
- * Stores new tasks so that their callers are told the truth: a task that was accepted is stored,
- * and one that was not is not stored later, when nobody waits for it any more. Of tasks that are
- * wanted together all are stored or none.
+ * Stores new tasks so that their callers are told the truth: a task that was accepted stays stored,
+ * and one that was not is not stored later, when nobody waits for it any more. What was perhaps
+ * stored is withdrawn; until that is done its key is pending, and accepted by nobody. Of tasks that
+ * are wanted together all are stored or none.
  *
  * <p>All that came in during one transaction go into the next one together (group commit), so that
  * many callers wait hardly longer than one. Any thread may bring tasks.
@@ -28,48 +30,69 @@ final class TaskSubmitter {
 
   private final FleetStore store;
   private final StoreWriter writer;
+  private final PendingSubmissions pending;
+  private final LongSupplier nanoTime;
   private final BlockingQueue<Entry> waiting = new LinkedBlockingQueue<>();
 
   /**
    * @param submissions what is wanted together
-   * @param deadline of {@link System#nanoTime}
+   * @param deadline of {@link #deadline}
    */
   private record Entry(
       List<Submission> submissions,
       long deadline,
       Consumer<List<TransportTask>> onAccepted,
       Runnable onRejected) {
-    boolean isInTime() {
-      return System.nanoTime() - deadline <= 0;
+    List<UUID> keys() {
+      return submissions.stream().map(Submission::idempotencyKey).toList();
     }
   }
 
-  TaskSubmitter(FleetStore store, StoreWriter writer) {
+  /**
+   * @param nanoTime of {@link #deadline}
+   */
+  TaskSubmitter(
+      FleetStore store, StoreWriter writer, PendingSubmissions pending, LongSupplier nanoTime) {
     this.store = store;
     this.writer = writer;
+    this.pending = pending;
+    this.nanoTime = nanoTime;
   }
 
-  /** Until when what is asked for now must be stored; of {@link System#nanoTime}. */
-  static long deadline() {
-    return System.nanoTime() + LIMIT.toNanos();
+  /**
+   * Until when what is asked for now must be stored.
+   *
+   * @param nanoTime of the moment when it was asked for
+   */
+  static long deadline(long nanoTime) {
+    return nanoTime + LIMIT.toNanos();
+  }
+
+  private boolean isInTime(Entry entry) {
+    return nanoTime.getAsLong() - entry.deadline() <= 0;
   }
 
   /**
    * Stores the tasks, in time or not at all.
    *
    * @param submissions no stored task has a key of theirs
-   * @param deadline when they were asked for, {@link #deadline} told it
+   * @param deadline of {@link #deadline}
    * @param accepted gets the tasks with their ids, on the writer's thread
-   * @param refused called there when they were not stored
+   * @param refused called when they were not stored, or are there only until they are withdrawn
    */
   void submit(
       List<Submission> submissions,
       long deadline,
       Consumer<List<TransportTask>> accepted,
       Runnable refused) {
-    waiting.add(new Entry(submissions, deadline, accepted, refused));
+    Entry added = new Entry(submissions, deadline, accepted, refused);
+    if (!pending.begin(added.keys())) {
+      refused.run();
+      return;
+    }
+    waiting.add(added);
     List<Entry> group = new ArrayList<>();
-    writer.tryOnce(() -> store(group), () -> {}, failure -> group.forEach(this::reject));
+    writer.tryOnce(() -> store(group), () -> {}, failure -> group.forEach(this::withdraw));
   }
 
   /**
@@ -77,8 +100,8 @@ final class TaskSubmitter {
    */
   private void store(List<Entry> group) {
     waiting.drainTo(group, MOST_AT_ONCE);
-    List<Entry> late = group.stream().filter(entry -> !entry.isInTime()).toList();
-    late.forEach(this::reject);
+    List<Entry> late = group.stream().filter(entry -> !isInTime(entry)).toList();
+    late.forEach(this::refuse);
     group.removeAll(late);
     if (group.isEmpty()) {
       return;
@@ -88,18 +111,25 @@ final class TaskSubmitter {
     int told = 0;
     for (Entry entry : group) {
       int next = told + entry.submissions().size();
-      if (entry.isInTime()) {
+      if (isInTime(entry)) {
+        pending.end(entry.keys());
         entry.onAccepted().accept(stored.subList(told, next));
       } else {
-        reject(entry);
+        withdraw(entry);
       }
       told = next;
     }
   }
 
-  private void reject(Entry entry) {
-    List<UUID> keys = entry.submissions().stream().map(Submission::idempotencyKey).toList();
-    writer.write(() -> store.withdrawTasks(keys), () -> {});
+  /** It was never handed to the store. */
+  private void refuse(Entry entry) {
+    pending.end(entry.keys());
+    entry.onRejected().run();
+  }
+
+  /** It is stored, or may be. */
+  private void withdraw(Entry entry) {
+    writer.write(() -> store.withdrawTasks(entry.keys()), () -> pending.end(entry.keys()));
     entry.onRejected().run();
   }
 }

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
 import org.apache.pekko.actor.typed.PostStop;
@@ -27,7 +28,6 @@ import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage;
-import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
@@ -37,8 +37,9 @@ import org.toqa.wording.Sentence;
  * The server's side of one robot: it owns the link, the sequence numbers and the record of the last
  * drive, pings every 500 ms, and notices silence.
  *
- * <p>A drive is stored before it is sent. What is told while the link is down is dropped: the next
- * hello says what the robot knows, and the floor decides anew.
+ * <p>A drive is stored before it is sent. Holds, resumes and cancels do not wait for that; a cancel
+ * also drops what waits. What is told while the link is down is dropped: the next hello says what
+ * the robot knows, and the floor decides anew.
  */
 public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private static final Logger log = LoggerFactory.getLogger(RobotAgent.class);
@@ -51,19 +52,10 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private final RobotLinkFactory links;
   private RobotLink link;
 
-  private long seq;
+  private final CommandQueue commands = new CommandQueue(this::send);
   private Optional<StoredDrive> drive = Optional.empty();
   private boolean driveKnown;
   private @Nullable Hello hello;
-
-  /** Counts the connections: what was meant for an old one is not sent on the next. */
-  private long connection;
-
-  /** The number of the last message that was sent. */
-  private long sent;
-
-  /** Messages that wait for the store. */
-  private int unsent;
 
   private Instant now;
 
@@ -123,15 +115,16 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     switch (message) {
       case RobotMessage.Drive m -> startDrive(m);
       case RobotMessage.Lead m ->
-          sendInOrder(new ServerMessage.Lead(++seq, m.task(), m.tolerance(), m.followers()));
+          commands.sendInOrder(
+              0, (n, _) -> new ServerMessage.Lead(n, m.task(), m.tolerance(), m.followers()));
       case RobotMessage.Follow m -> follow(m);
       case RobotMessage.Extend m -> extend(m);
       case RobotMessage.Release m -> release(m.released());
-      case RobotMessage.CommandStored m -> commandStored(m);
-      case RobotMessage.Cancel m -> sendInOrder(new ServerMessage.Cancel(++seq, m.task()));
+      case RobotMessage.CommandStored m -> commandStored(m.id());
+      case RobotMessage.Cancel m -> cancel(m);
       case RobotMessage.Hold m ->
-          sendInOrder(m.hold() ? new ServerMessage.Hold(++seq) : new ServerMessage.Resume(++seq));
-      case RobotMessage.Locate m -> sendInOrder(new ServerMessage.Locate(++seq, m.pose()));
+          commands.send(m.hold() ? ServerMessage.Hold::new : ServerMessage.Resume::new);
+      case RobotMessage.Locate m -> commands.send(n -> new ServerMessage.Locate(n, m.pose()));
       case RobotMessage.Acknowledge m -> send(new ServerMessage.AckDone(m.drive()));
       case RobotMessage.LinkOpened m -> connected(m.hello());
       case RobotMessage.MessageReceived m -> messageReceived(m.message());
@@ -154,29 +147,32 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   }
 
   private void startDrive(RobotMessage.Drive m) {
-    StoredDrive next = new StoredDrive(++seq, m.task(), m.phase(), m.trajectory());
-    storeThenSend(
-        next,
-        new ServerMessage.Drive(
-            next.seq(),
-            m.task(),
-            m.phase().number(),
-            m.trajectory().start(),
-            m.trajectory().segments(),
-            m.released(),
-            m.last(),
-            m.load()));
-    floor.tell(new RobotEvent.DriveBegun(robot.name(), next));
+    begin(
+        new StoredDrive(commands.nextNumber(), m.task(), m.phase(), m.trajectory()),
+        (n, _) ->
+            new ServerMessage.Drive(
+                n,
+                m.task(),
+                m.phase().number(),
+                m.trajectory().start(),
+                m.trajectory().segments(),
+                m.released(),
+                m.last(),
+                m.load()));
   }
 
   /** What it drives then is its leader's affair, so its own trajectory is empty. */
   private void follow(RobotMessage.Follow m) {
-    StoredDrive next =
-        new StoredDrive(++seq, m.task(), Phase.TO_GOAL, new Trajectory(m.pose(), List.of()));
-    storeThenSend(
-        next,
-        new ServerMessage.Follow(
-            next.seq(), m.task(), m.leader(), m.fingerprint(), m.offset(), m.tolerance()));
+    begin(
+        new StoredDrive(
+            commands.nextNumber(), m.task(), Phase.TO_GOAL, new Trajectory(m.pose(), List.of())),
+        (n, _) ->
+            new ServerMessage.Follow(
+                n, m.task(), m.leader(), m.fingerprint(), m.offset(), m.tolerance()));
+  }
+
+  private void begin(StoredDrive next, CommandQueue.DriveCommand command) {
+    storeThenSend(next, commands.addBegin(next.seq(), command));
     floor.tell(new RobotEvent.DriveBegun(robot.name(), next));
   }
 
@@ -190,40 +186,53 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     Trajectory trajectory = new Trajectory(old.trajectory().start(), segments);
     storeThenSend(
         new StoredDrive(old.seq(), old.task(), old.phase(), trajectory),
-        new ServerMessage.Extend(++seq, old.seq(), m.from(), m.segments(), m.released(), m.last()));
+        commands.addChange(
+            old.seq(),
+            (n, d) ->
+                new ServerMessage.Extend(n, d, m.from(), m.segments(), m.released(), m.last())));
   }
 
   private void release(int released) {
-    drive.ifPresent(d -> sendInOrder(new ServerMessage.Release(++seq, d.seq(), released)));
+    drive.ifPresent(
+        old ->
+            commands.sendInOrder(old.seq(), (n, d) -> new ServerMessage.Release(n, d, released)));
   }
 
-  private void storeThenSend(StoredDrive next, Command message) {
+  private void storeThenSend(StoredDrive next, long id) {
     drive = Optional.of(next);
-    unsent++;
-    long asked = connection;
     ActorRef<RobotMessage> self = getContext().getSelf();
     writer.write(
         () -> store.saveDrive(robot.name(), next),
-        () -> self.tell(new RobotMessage.CommandStored(asked, message)));
+        () -> self.tell(new RobotMessage.CommandStored(id)));
   }
 
-  /** Behind everything that still waits for the store, since sequence numbers must rise. */
-  private void sendInOrder(Command message) {
-    if (unsent == 0) {
-      send(message);
-      return;
+  private void commandStored(long id) {
+    commands.setStored(id);
+    for (OptionalLong overtaken = commands.sendStored();
+        overtaken.isPresent();
+        overtaken = commands.sendStored()) {
+      long number = overtaken.getAsLong();
+      Optional<StoredDrive> last = drive.filter(d -> d.seq() == number);
+      if (last.isPresent()) {
+        renumber(last.get());
+      } else {
+        commands.drop(number); // another one comes after it
+      }
     }
-    unsent++;
-    long asked = connection;
-    ActorRef<RobotMessage> self = getContext().getSelf();
-    writer.write(() -> {}, () -> self.tell(new RobotMessage.CommandStored(asked, message)));
   }
 
-  private void commandStored(RobotMessage.CommandStored m) {
-    unsent--;
-    if (m.connection() == connection) {
-      send(m.message());
-    } // else the hello of the new connection made the floor decide anew
+  private void renumber(StoredDrive old) {
+    StoredDrive next =
+        new StoredDrive(commands.nextNumber(), old.task(), old.phase(), old.trajectory());
+    storeThenSend(next, commands.renumberFirst(next.seq()));
+    floor.tell(new RobotEvent.DriveBegun(robot.name(), next));
+  }
+
+  private void cancel(RobotMessage.Cancel m) {
+    commands
+        .clear()
+        .ifPresent(number -> floor.tell(new RobotEvent.DriveWithdrawn(robot.name(), number)));
+    commands.send(n -> new ServerMessage.Cancel(n, m.task()));
   }
 
   private void connected(Hello said) {
@@ -234,11 +243,11 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         said.task(),
         said.phase());
     hello = said;
-    connection++;
+    commands.clear(); // what was meant for the last connection: the floor decides anew
     changing.clear();
     silence.recordHeard(now);
     silence.endSilence();
-    seq = Math.max(seq, said.lastSeq());
+    commands.raiseNumber(said.lastSeq());
     ping();
     tellConnected();
   }
@@ -247,7 +256,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     driveKnown = true;
     if (drive.isEmpty()) {
       drive = stored;
-      seq = Math.max(seq, stored.map(StoredDrive::seq).orElse(0L));
+      commands.raiseNumber(stored.map(StoredDrive::seq).orElse(0L));
     }
     tellConnected();
   }
@@ -317,8 +326,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private void ping() {
     lastPing = now;
-    // a number of the past where others wait for the store: theirs must not be old when they come
-    send(new ServerMessage.Ping(unsent == 0 ? ++seq : sent));
+    commands.ping();
   }
 
   private void send(ServerMessage message) {
@@ -329,7 +337,6 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         default -> {}
       }
       link.send(message);
-      sent = message instanceof Command command ? command.seq() : sent;
     }
   }
 

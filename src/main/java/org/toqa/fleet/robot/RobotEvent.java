@@ -35,6 +35,9 @@ public sealed interface RobotEvent {
   /** The robot is being sent this drive. */
   record DriveBegun(String robot, StoredDrive drive) implements RobotEvent {}
 
+  /** The drive of that number was cancelled before the robot was sent it. */
+  record DriveWithdrawn(String robot, long drive) implements RobotEvent {}
+
   /** The robot has taken this drive: what it says from now on, it says with it or after it. */
   record DriveAccepted(String robot, long drive) implements RobotEvent {}
 

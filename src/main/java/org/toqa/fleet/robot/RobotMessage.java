@@ -10,7 +10,6 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
-import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Follower;
 import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
@@ -86,12 +85,8 @@ public sealed interface RobotMessage {
 
   record DriveLoaded(Optional<StoredDrive> drive) implements RobotMessage {}
 
-  /**
-   * What this message is about is safe: it may be sent.
-   *
-   * @param connection the one it was meant for
-   */
-  record CommandStored(long connection, Command message) implements RobotMessage {}
+  /** What a command that waits is about is safe: it may be sent. */
+  record CommandStored(long id) implements RobotMessage {}
 
   record Tick(Instant now) implements RobotMessage {}
 

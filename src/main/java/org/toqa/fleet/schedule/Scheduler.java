@@ -64,6 +64,9 @@ public final class Scheduler {
 
   private void run(Schedule schedule, Instant now) {
     UUID key = key(schedule);
+    if (fleet.isSubmissionPending(key)) {
+      return; // whether its task is there is known later
+    }
     Optional<TaskView> before = archive.taskByKey(key);
     Optional<TaskView> open = lastTask(schedule).filter(task -> !task.state().isEnded());
     if (before.isPresent()) {
@@ -96,6 +99,8 @@ public final class Scheduler {
             refused(schedule, sentence, now);
         case Answer.Conflict<TaskView>(Sentence sentence, var needs) ->
             refused(schedule, sentence, now);
+        case Answer.Outdated<TaskView>() ->
+            throw new IllegalStateException("A new task is not outdated.");
         case Answer.Unknown<TaskView>(Sentence sentence) -> refused(schedule, sentence, now);
       }
     } catch (InterruptedException e) {

@@ -49,8 +49,12 @@ public abstract class ApiHandler {
   static void requireVersion(Version version, HttpServletRequest request) {
     String ifMatch = request.getHeader("If-Match");
     if (ifMatch != null && !version.isAmong(ifMatch)) {
-      throw Problem.of(412, Texts.of(request).get("problem.changedMeanwhile")).exception();
+      throw changedMeanwhile(request);
     }
+  }
+
+  static Problem.ProblemException changedMeanwhile(HttpServletRequest request) {
+    return Problem.of(412, Texts.of(request).get("problem.changedMeanwhile")).exception();
   }
 
   /**
@@ -70,6 +74,7 @@ public abstract class ApiHandler {
       }
       case Answer.Conflict<T>(Sentence sentence, Question needs) ->
           throw Problem.conflict(texts.text(sentence), needs).exception();
+      case Answer.Outdated<T>() -> throw changedMeanwhile(request);
       case Answer.Unknown<T>(Sentence sentence) ->
           throw Problem.of(404, texts.text(sentence)).exception();
     };

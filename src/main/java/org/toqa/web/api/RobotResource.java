@@ -3,6 +3,7 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
@@ -52,7 +53,16 @@ public final class RobotResource extends ApiHandler {
         response,
         acceptedValue(
             request,
-            FleetAnswers.await(services(request).fleet().changeRobot(robot.name(), change, user))));
+            FleetAnswers.await(
+                services(request)
+                    .fleet()
+                    .changeRobot(robot.name(), change, seen(robot, request), user))));
+  }
+
+  /** What the caller says that he has read; null where he does not. */
+  private static @Nullable RobotChange seen(RobotView robot, HttpServletRequest request) {
+    String ifMatch = request.getHeader("If-Match");
+    return ifMatch == null || ifMatch.strip().equals("*") ? null : robot.record().toChange();
   }
 
   public static void remove(HttpServletRequest request, HttpServletResponse response) {

@@ -38,7 +38,8 @@ public final class TaskResource extends ApiHandler {
         response,
         user ->
             read(
-                request, (reader, fields) -> reader.readPriority(user, fields.number("priority"))));
+                request,
+                (reader, fields) -> reader.readPriority(user, fields.number("priority"), null)));
   }
 
   /** A body is needed only where the load's place must be said. */

@@ -54,9 +54,15 @@ public final class UserResource extends ApiHandler {
     boolean disabled = fields.flag("disabled");
     fields.refuseUnknown();
     throwIfAny(errors);
-    refuseUnlessDone(
-        services(request).accounts().update(user.id(), role, disabled, Caller.of(request).name()),
-        request);
+    Account seen = request.getHeader("If-Match") == null ? null : user;
+    AccountStore.ChangeResult outcome =
+        services(request)
+            .accounts()
+            .update(user.id(), role, disabled, seen, Caller.of(request).name());
+    if (outcome == AccountStore.ChangeResult.OUTDATED) {
+      throw changedMeanwhile(request);
+    }
+    refuseUnlessDone(outcome, request);
     send(request, response, user(request));
   }
 
@@ -101,7 +107,7 @@ public final class UserResource extends ApiHandler {
     fields.refuseUnknown();
     throwIfAny(errors);
     new UserCommands(services(request), Texts.of(request), errors)
-        .changeEmail(Caller.of(request), user, email, "password", password);
+        .changeEmail(Caller.of(request), user, null, email, "password", password);
     throwIfAny(errors);
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }

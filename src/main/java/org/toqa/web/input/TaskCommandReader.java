@@ -40,10 +40,15 @@ public final class TaskCommandReader {
     return new MissionEvent.Cancel(caller.name(), choice);
   }
 
-  /** It means something only when no error was filed. */
-  public MissionEvent.Prioritise readPriority(Caller caller, @Nullable Double priority) {
+  /**
+   * It means something only when no error was filed.
+   *
+   * @param seen the priority that the caller has seen; null where he does not say
+   */
+  public MissionEvent.Prioritise readPriority(
+      Caller caller, @Nullable Double priority, @Nullable Integer seen) {
     return new MissionEvent.Prioritise(
-        caller.name(), new InputRules(texts, errors).requiredPriority("priority", priority));
+        caller.name(), new InputRules(texts, errors).requiredPriority("priority", priority), seen);
   }
 
   /** It means something only when no error was filed. */

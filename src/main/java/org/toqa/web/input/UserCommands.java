@@ -49,19 +49,22 @@ public final class UserCommands {
   /**
    * A user who changes his own must know his password, for a link to replace it goes there.
    *
+   * @param seen as of {@link AccountStore#update}
    * @param given null: none any more
    * @param passwordField that gets the sentence when the password is wrong
    */
   public void changeEmail(
       Caller caller,
       Account user,
+      @Nullable Account seen,
       @Nullable String given,
       String passwordField,
       @Nullable String password) {
     String email = new InputRules(texts, errors).email("email", given);
     checkPassword(caller, user, passwordField, password);
     if (errors.isEmpty()) {
-      services.accounts().changeEmail(user.id(), email, caller.name());
+      refusal(services.accounts().changeEmail(user.id(), email, seen, caller.name()))
+          .ifPresent(sentence -> errors.add("form", sentence));
     }
   }
 
@@ -114,6 +117,7 @@ public final class UserCommands {
     return switch (outcome) {
       case DONE -> Optional.empty();
       case NO_SUCH_ACCOUNT -> Optional.of(texts.get("problem.noSuchUser"));
+      case OUTDATED -> Optional.of(texts.get("error.changed"));
       case LAST_MANAGER -> Optional.of(texts.get("error.lastManager"));
     };
   }

@@ -107,6 +107,7 @@ abstract class PageHandler {
           refuse(errors, field == null ? FORM : field, texts.text(sentence));
       case Answer.Conflict<T>(Sentence sentence, Question needs) ->
           refuse(errors, FORM, texts.text(sentence));
+      case Answer.Outdated<T>() -> refuse(errors, FORM, texts.get("error.changed"));
       case Answer.Unknown<T>(Sentence sentence) -> refuse(errors, FORM, texts.text(sentence));
     };
   }

@@ -6,8 +6,10 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
@@ -67,7 +69,19 @@ public final class RobotPage extends PageHandler {
 
   public static void change(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    command(request, response, "change", form(RobotOrderReader::readChange), Fleet::changeRobot);
+    command(
+        request,
+        response,
+        "change",
+        form(RobotOrderReader::readChange),
+        (fleet, robot, change, user) -> fleet.changeRobot(robot, change, seen(request), user));
+  }
+
+  /** What the entries of the form were compared with; null where it does not say its version. */
+  private static @Nullable RobotChange seen(HttpServletRequest request) {
+    return request.getParameter("version") == null
+        ? null
+        : ((RobotView) request.getAttribute("robot")).record().toChange();
   }
 
   public static void pair(HttpServletRequest request, HttpServletResponse response)

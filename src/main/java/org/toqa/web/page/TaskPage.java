@@ -48,12 +48,12 @@ public final class TaskPage extends PageHandler {
 
   public static void hold(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    change(request, response, (reader, fields, user) -> new MissionEvent.Hold(user.name()));
+    change(request, response, (reader, fields, user, task) -> new MissionEvent.Hold(user.name()));
   }
 
   public static void resume(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
-    change(request, response, (reader, fields, user) -> new MissionEvent.Resume(user.name()));
+    change(request, response, (reader, fields, user, task) -> new MissionEvent.Resume(user.name()));
   }
 
   public static void prioritise(HttpServletRequest request, HttpServletResponse response)
@@ -61,13 +61,19 @@ public final class TaskPage extends PageHandler {
     change(
         request,
         response,
-        (reader, fields, user) -> reader.readPriority(user, fields.number("priority")));
+        (reader, fields, user, task) ->
+            reader.readPriority(
+                user,
+                fields.number("priority"),
+                request.getParameter("version") == null ? null : task.task().priority()));
   }
 
   public static void cancel(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     change(
-        request, response, (reader, fields, user) -> reader.readCancel(user, fields.text("load")));
+        request,
+        response,
+        (reader, fields, user, task) -> reader.readCancel(user, fields.text("load")));
   }
 
   public static void answer(HttpServletRequest request, HttpServletResponse response)
@@ -75,13 +81,17 @@ public final class TaskPage extends PageHandler {
     change(
         request,
         response,
-        (reader, fields, user) -> reader.readAnswer(user, fields.text("answer")));
+        (reader, fields, user, task) -> reader.readAnswer(user, fields.text("answer")));
   }
 
   /** Reads a command from the fields of a form. */
   @FunctionalInterface
   private interface FormReader {
-    MissionEvent.OperatorCommand read(TaskCommandReader reader, FormFields fields, Caller user);
+    /**
+     * @param task what the entries were compared with
+     */
+    MissionEvent.OperatorCommand read(
+        TaskCommandReader reader, FormFields fields, Caller user, TaskView task);
   }
 
   private static void change(
@@ -107,7 +117,8 @@ public final class TaskPage extends PageHandler {
         form.read(
             new TaskCommandReader(Texts.of(request), errors),
             new FormFields(request, errors),
-            Caller.of(request));
+            Caller.of(request),
+            task.get());
     long id = task.get().id();
     Optional<TaskView> changed =
         errors.isEmpty()

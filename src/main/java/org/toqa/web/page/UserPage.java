@@ -6,6 +6,7 @@ import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
@@ -90,6 +91,11 @@ public final class UserPage extends PageHandler {
 
     Caller caller() {
       return Caller.of(request);
+    }
+
+    /** What the entries were compared with; null where the form does not say its version. */
+    @Nullable Account seen() {
+      return request.getParameter("version") == null ? null : user;
     }
   }
 
@@ -185,7 +191,7 @@ public final class UserPage extends PageHandler {
       refuseUnlessDone(
           services(form.request())
               .accounts()
-              .update(form.user().id(), role, disabled, form.caller().name()),
+              .update(form.user().id(), role, disabled, form.seen(), form.caller().name()),
           form);
     }
     return page(form, "changed");
@@ -217,6 +223,7 @@ public final class UserPage extends PageHandler {
         .changeEmail(
             form.caller(),
             form.user(),
+            form.seen(),
             fields.text("email"),
             "emailPassword",
             fields.text("password"));

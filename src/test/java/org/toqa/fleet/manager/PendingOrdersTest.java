@@ -44,8 +44,8 @@ class PendingOrdersTest {
 
   private ManagerMessage.OrderChecked checked() {
     ManagerMessage.SubmitTask request =
-        new ManagerMessage.SubmitTask(ORDER, "Clara", UUID.randomUUID(), caller);
+        new ManagerMessage.SubmitTask(ORDER, "Clara", UUID.randomUUID(), 0, caller);
     return new ManagerMessage.OrderChecked(
-        orders.add(request, 0), new Answer.Unknown<>(Sentence.verbatim("No.")), null);
+        orders.add(request), new Answer.Unknown<>(Sentence.verbatim("No.")), null);
   }
 }

@@ -48,7 +48,9 @@ class TaskSubmitterTest {
     takeAll(
         new TaskSubmitter(
             TamperedStore.of(store, (method, arguments, call) -> delayed(call, arguments)),
-            writer));
+            writer,
+            new PendingSubmissions(),
+            System::nanoTime));
 
     assertEquals(List.of(1, TASKS - 1), List.copyOf(transactions));
     assertEquals(names(), accepted.stream().map(TransportTask::name).toList());
@@ -73,10 +75,30 @@ class TaskSubmitterTest {
                   }
                   throw new StoreException("It was stored, but nobody knows.", null);
                 }),
-            writer));
+            writer,
+            new PendingSubmissions(),
+            System::nanoTime));
     writer.close(); // what was to be withdrawn, is
 
     assertEquals(List.of("0"), accepted.stream().map(TransportTask::name).toList());
+    assertEquals(1, store.count());
+  }
+
+  @Test
+  void whatComesToTheStoreTooLateIsRefusedAndNothingIsWithdrawn() throws Exception {
+    UUID key = UUID.randomUUID();
+    Submission submission = new Submission(task("late"), key);
+    store.addTasks(List.of(submission)); // asked for again meanwhile, and accepted
+    TaskSubmitter submitter =
+        new TaskSubmitter(store, writer, new PendingSubmissions(), System::nanoTime);
+    CountDownLatch refused = new CountDownLatch(1);
+
+    submitter.submit(
+        List.of(submission), System.nanoTime() - 1, accepted::addAll, refused::countDown);
+
+    assertTrue(refused.await(20, TimeUnit.SECONDS));
+    writer.close();
+    assertTrue(accepted.isEmpty());
     assertEquals(1, store.count());
   }
 
@@ -91,7 +113,7 @@ class TaskSubmitterTest {
   private void take(TaskSubmitter intake, int number) {
     intake.submit(
         List.of(new Submission(task(String.valueOf(number)), UUID.randomUUID())),
-        TaskSubmitter.deadline(),
+        TaskSubmitter.deadline(System.nanoTime()),
         tasks -> {
           accepted.addAll(tasks);
           answered.countDown();

@@ -13,21 +13,28 @@ import java.time.Instant;
 import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.toqa.allocation.Policy;
+import org.toqa.fleet.ChargingRules;
 import org.toqa.fleet.FleetStage;
+import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Recurrence;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.ScheduleStore;
+import org.toqa.fleet.TamperedStore;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.history.EventArchive.Filter;
 import org.toqa.grid.FloorReader;
 import org.toqa.mission.MissionEvent;
+import org.toqa.persistence.StoreException;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiScheduleStore;
 
@@ -44,9 +51,17 @@ class SchedulerTest {
 
   @BeforeEach
   void start() throws Exception {
-    stage = new FleetStage(FloorReader.read(Path.of("maps", "lab.yaml")));
+    stage = stage(UnaryOperator.identity());
     schedules = new JdbiScheduleStore(stage.database.jdbi());
     scheduler = scheduler(schedules);
+  }
+
+  private static FleetStage stage(UnaryOperator<FleetStore> tamper) throws Exception {
+    return new FleetStage(
+        FloorReader.read(Path.of("maps", "lab.yaml")),
+        ChargingRules.USUAL,
+        Policy.OPTIMAL.allocator(),
+        tamper);
   }
 
   @AfterEach
@@ -147,6 +162,39 @@ class SchedulerTest {
     look(START.plusSeconds(2));
 
     assertEquals(1, stage.store.count());
+  }
+
+  @Test
+  void aRunOfWhichNobodyKnowsWhetherItWasStoredIsNotLost() throws Exception {
+    stage.close();
+    AtomicBoolean dies = new AtomicBoolean(true);
+    stage =
+        stage(
+            store ->
+                TamperedStore.of(
+                    store,
+                    (method, arguments, call) -> {
+                      Object result = call.go();
+                      if (method.equals("addTasks") && dies.getAndSet(false)) {
+                        stage.stopStoreFor(agent -> agent.equals("manager"));
+                        throw new StoreException("It was stored, but nobody knows.", null);
+                      }
+                      return result;
+                    }));
+    schedules = new JdbiScheduleStore(stage.database.jdbi());
+    scheduler = scheduler(schedules);
+    long id = addEvery(START.plusSeconds(1), null);
+
+    look(START.plusSeconds(1));
+    look(START.plusSeconds(2)); // while it is there, and is to be withdrawn
+    assertEquals(START.plusSeconds(1), schedule(id).due());
+    stage.stopStoreFor(agent -> false);
+    stage.awaitQuiescence();
+    look(START.plusSeconds(3));
+
+    stage.awaitQuiescence();
+    assertEquals(1, stage.store.count());
+    assertEquals(stage.store.tasks(0, 1).getFirst().id(), schedule(id).lastTask());
   }
 
   @Test

@@ -1,0 +1,153 @@
+package org.toqa.web;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.UUID;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Role;
+import org.toqa.allocation.Policy;
+import org.toqa.fleet.Answer;
+import org.toqa.fleet.ChargingRules;
+import org.toqa.fleet.FleetStage;
+import org.toqa.fleet.KeyedAnswer;
+import org.toqa.fleet.TamperedStore;
+import org.toqa.fleet.TaskOrder;
+import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TaskView;
+import org.toqa.grid.FloorReader;
+import org.toqa.persistence.StoreException;
+
+/** A task that was accepted is never withdrawn, whatever became of its first submission. */
+@Timeout(120)
+class AcceptedTaskTest {
+  private static final Account CLARA =
+      new Account(7, "clara", null, "hash", Role.CLERK, false, Instant.EPOCH);
+  private static final UUID KEY = IdempotentSubmitter.idempotencyKey(CLARA, "a");
+
+  /** What happens once when tasks have been stored. */
+  private final AtomicReference<@Nullable Runnable> afterStored = new AtomicReference<>();
+
+  private FleetStage stage;
+  private IdempotentSubmitter submitter;
+
+  @BeforeEach
+  void start() throws Exception {
+    stage =
+        new FleetStage(
+            FloorReader.read(Path.of("maps", "lab.yaml")),
+            ChargingRules.USUAL,
+            Policy.OPTIMAL.allocator(),
+            store ->
+                TamperedStore.of(
+                    store,
+                    (method, arguments, call) -> {
+                      Object result = call.go();
+                      if (method.equals("addTasks")) {
+                        Runnable next = afterStored.getAndSet(null);
+                        if (next != null) {
+                          next.run();
+                        }
+                      }
+                      return result;
+                    }));
+    submitter = new IdempotentSubmitter(stage.fleet, stage.store);
+  }
+
+  @AfterEach
+  void stop() {
+    stage.close();
+  }
+
+  @Test
+  void aTaskOfWhichNobodyKnowsIsNotAnsweredBeforeItIsWithdrawn() throws Exception {
+    afterStored.set(this::loseAnswerAndStore);
+
+    assertThrows(StoreException.class, this::submit);
+    assertThrows(StoreException.class, this::submit, "it is still there, and will not stay");
+    assertAcceptedAfterwards();
+  }
+
+  @Test
+  void aTaskThatWasStoredTooLateIsNotAnsweredBeforeItIsWithdrawn() throws Exception {
+    afterStored.set(
+        () -> {
+          stage.passAnswerTime(Duration.ofSeconds(9));
+          stage.stopStoreFor(agent -> agent.equals("manager"));
+        });
+
+    assertThrows(StoreException.class, this::submit);
+    assertThrows(StoreException.class, this::submit);
+
+    assertAcceptedAfterwards();
+  }
+
+  @Test
+  void tasksThatCameTogetherAreNotAnsweredBeforeTheyAreWithdrawn() throws Exception {
+    afterStored.set(this::loseAnswerAndStore);
+    List<TaskOrder> orders = List.of(order(), order());
+
+    assertThrows(StoreException.class, () -> submitter.submitAll(orders, CLARA, KEY));
+    assertThrows(StoreException.class, () -> submitter.submitAll(orders, CLARA, KEY));
+
+    startStore();
+    assertInstanceOf(
+        IdempotentSubmitter.BatchOutcome.Answered.class, submitter.submitAll(orders, CLARA, KEY));
+    assertInstanceOf(
+        IdempotentSubmitter.BatchOutcome.Repeated.class, submitter.submitAll(orders, CLARA, KEY));
+    stage.awaitQuiescence();
+    assertEquals(2, stage.store.count());
+  }
+
+  private void loseAnswerAndStore() {
+    stage.stopStoreFor(agent -> agent.equals("manager"));
+    throw new StoreException("It was stored, but nobody knows.", null);
+  }
+
+  private void startStore() throws InterruptedException {
+    stage.stopStoreFor(agent -> false);
+    stage.awaitQuiescence();
+  }
+
+  private void assertAcceptedAfterwards() throws InterruptedException {
+    startStore();
+    TaskView task =
+        switch (submit()) {
+          case KeyedAnswer.Answered<TaskView>(Answer.Accepted<TaskView>(TaskView accepted)) ->
+              accepted;
+          case KeyedAnswer<TaskView> other -> fail("No: " + other);
+        };
+    stage.awaitQuiescence();
+    assertEquals(task.id(), stage.store.taskByKey(KEY).orElseThrow().id());
+    assertInstanceOf(KeyedAnswer.Repeated.class, submit());
+    assertEquals(1, stage.store.count());
+  }
+
+  private KeyedAnswer<TaskView> submit() {
+    return submitter.submit(order(), CLARA, KEY);
+  }
+
+  private static TaskOrder order() {
+    return new TaskOrder(
+        "crate",
+        1,
+        new Where.Station("Goods-in 1"),
+        new Where.Station("Mill"),
+        null,
+        0,
+        null,
+        null);
+  }
+}
