@@ -116,8 +116,16 @@ public sealed interface AgentMessage {
   /**
    * @param code a word for programs
    * @param text a sentence for people
+   * @param clearable whether the robot's hardware has stopped it, until a person's word ({@link
+   *     ServerMessage.Clear})
    */
-  record Fault(String code, String text) {}
+  record Fault(String code, String text, boolean clearable) {
+
+    /** One that goes by itself when its cause has gone. */
+    public Fault(String code, String text) {
+      this(code, text, false);
+    }
+  }
 
   /**
    * Sent again until the server has acknowledged it.

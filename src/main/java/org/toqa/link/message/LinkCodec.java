@@ -180,10 +180,23 @@ public final class LinkCodec {
 
   /** Fields that a peer of an earlier release does not send. */
   private static void addMissingFields(JsonNode message) {
-    if (message instanceof ObjectNode drive
-        && message.path("type").asString("").equals("drive")
-        && !message.has("load")) {
-      drive.put("load", 0.0);
+    switch (message.path("type").asString("")) {
+      case "drive" -> addIfMissing(message, "load", 0);
+      case "state" ->
+          message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
+      default -> {}
+    }
+  }
+
+  private static void addIfMissing(JsonNode node, String field, double value) {
+    if (node instanceof ObjectNode object && !object.has(field)) {
+      object.put(field, value);
+    }
+  }
+
+  private static void addIfMissing(JsonNode node, String flag) {
+    if (node instanceof ObjectNode object && !object.has(flag)) {
+      object.put(flag, false);
     }
   }
 
