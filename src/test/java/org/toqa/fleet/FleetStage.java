@@ -156,6 +156,13 @@ public final class FleetStage implements AutoCloseable {
     return true;
   }
 
+  /** Lets time go on by so many steps. */
+  void pass(int steps) throws InterruptedException {
+    for (int i = 0; i < steps; i++) {
+      step();
+    }
+  }
+
   private void step() throws InterruptedException {
     runtime.setWatching(true);
     now = now.plus(STEP);

@@ -23,5 +23,6 @@ final class ScriptedCondition {
   boolean mute;
   boolean stuck;
   boolean endsBeforeNextChange;
+  boolean refusesClear;
   @Nullable Fault fault;
 }

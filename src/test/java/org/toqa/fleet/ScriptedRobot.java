@@ -20,6 +20,7 @@ import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Cancel;
+import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
@@ -123,6 +124,16 @@ public final class ScriptedRobot {
   /** From now on its body cannot drive. */
   synchronized void breakDown(String code) {
     condition.fault = new Fault(code, "It cannot drive.");
+  }
+
+  /** Its body has stopped itself, until that is cleared. */
+  synchronized void stopItself(String code) {
+    condition.fault = new Fault(code, "It has stopped itself.", true);
+  }
+
+  /** It refuses the next clear, as one does whose stops have just changed. */
+  synchronized void refuseNextClear() {
+    condition.refusesClear = true;
   }
 
   synchronized void repair() {
@@ -244,6 +255,11 @@ public final class ScriptedRobot {
         say(new Reject(command.seq(), "There is no such drive any more; the robot has none."));
         return;
       }
+      if (command instanceof Clear && condition.refusesClear) {
+        condition.refusesClear = false;
+        say(new Reject(command.seq(), "What stops the robot has changed."));
+        return;
+      }
       if (isTooFast(command)) {
         say(new Reject(command.seq(), "The robot cannot drive so fast."));
         return;
@@ -274,6 +290,11 @@ public final class ScriptedRobot {
         drive.follow(f);
       }
       case Hold h -> held = true;
+      case Clear c -> {
+        condition.fault = null;
+        drive.abandon();
+        formation.cancel();
+      }
       case Resume r -> held = false;
       case Drive d -> drive.start(d);
       case Extend e -> drive.extend(e);

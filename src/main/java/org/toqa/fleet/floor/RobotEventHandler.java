@@ -72,6 +72,11 @@ final class RobotEventHandler {
       case RobotEvent.DriveBegun m -> driveBegun(robot, m.drive());
       case RobotEvent.DriveAccepted m -> driveAccepted(robot, m.drive());
       case RobotEvent.CommandRejected m -> commandRejected(robot, m);
+      case RobotEvent.ClearRejected m ->
+          addToHistory(
+              robot,
+              EventKind.ROBOT_STOP_NOT_CLEARED,
+              Phrase.REFUSED_A_COMMAND.with(robot.name(), m.reason()));
     }
   }
 

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.function.Consumer;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -139,6 +140,13 @@ public sealed interface ManagerMessage {
 
   record HoldRobot(
       String robot, boolean hold, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  record ClearStops(
+      String robot,
+      Set<String> reasons,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

@@ -70,6 +70,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   /** The drives that commands not yet answered are to change, by the commands' numbers. */
   private final Map<Long, Long> changing = new HashMap<>();
 
+  /** The number of the last clear. */
+  private long lastClear;
+
   private final SilenceDetector silence;
   private Instant lastPing = Instant.MIN;
 
@@ -131,6 +134,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case RobotMessage.Cancel m -> sendInOrder(new ServerMessage.Cancel(++seq, m.task()));
       case RobotMessage.Hold m ->
           sendInOrder(m.hold() ? new ServerMessage.Hold(++seq) : new ServerMessage.Resume(++seq));
+      case RobotMessage.Clear m -> clear(m);
       case RobotMessage.Locate m -> sendInOrder(new ServerMessage.Locate(++seq, m.pose()));
       case RobotMessage.Acknowledge m -> send(new ServerMessage.AckDone(m.drive()));
       case RobotMessage.LinkOpened m -> connected(m.hello());
@@ -151,6 +155,16 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       }
     }
     return this;
+  }
+
+  /** Who cleared a stop looked at the robot now: what cannot be sent at once is not sent later. */
+  private void clear(RobotMessage.Clear m) {
+    if (hello == null || unsent > 0) {
+      floor.tell(new RobotEvent.ClearRejected(robot.name(), "The robot could not be told."));
+      return;
+    }
+    lastClear = ++seq;
+    send(new ServerMessage.Clear(lastClear, m.reasons().stream().sorted().toList()));
   }
 
   private void startDrive(RobotMessage.Drive m) {
@@ -276,8 +290,10 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case AgentMessage.Reject reject -> {
         log.info("{}: refused command {}: {}", robot.name(), reject.seq(), reject.reason());
         floor.tell(
-            new RobotEvent.CommandRejected(
-                robot.name(), changing.remove(reject.seq()), reject.reason()));
+            reject.seq() == lastClear
+                ? new RobotEvent.ClearRejected(robot.name(), reject.reason())
+                : new RobotEvent.CommandRejected(
+                    robot.name(), changing.remove(reject.seq()), reject.reason()));
       }
       case AgentMessage.Hello ignored -> {}
       case AgentMessage.FollowerReport ignored -> {}
