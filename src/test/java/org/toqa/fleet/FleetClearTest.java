@@ -83,7 +83,7 @@ class FleetClearTest extends HallFleetTest {
   void whatTheRobotRefusesToClearIsToldAndItsDriveStays() throws Exception {
     carryAndStop();
     int told = scriptedRobot("r1").obeyed().size();
-    scriptedRobot("r1").refuseNextClear();
+    scriptedRobot("r1").refuseToClear();
     accepted(stage.fleet.clearStops("r1", SWITCH, "Max"));
     stage.pass(20);
 

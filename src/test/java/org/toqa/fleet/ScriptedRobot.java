@@ -41,6 +41,7 @@ import org.toqa.motion.Segment;
 public final class ScriptedRobot {
   static final double FOOTPRINT = 0.255;
   static final double MAX_SPEED = 0.5;
+  static final double MAX_TURN_RATE = 3.5;
 
   private final String name;
   private final ScriptedCondition condition = new ScriptedCondition();
@@ -98,6 +99,11 @@ public final class ScriptedRobot {
     condition.maxSpeed = speed;
   }
 
+  /** Likewise, in radians a second. */
+  synchronized void setMaxTurnRate(double rate) {
+    condition.maxTurnRate = rate;
+  }
+
   /** From now on it says nothing, and drives nothing. */
   synchronized void fallSilent() {
     condition.mute = true;
@@ -131,8 +137,8 @@ public final class ScriptedRobot {
     condition.fault = new Fault(code, "It has stopped itself.", true);
   }
 
-  /** It refuses the next clear, as one does whose stops have just changed. */
-  synchronized void refuseNextClear() {
+  /** As one does whose stops have just changed. */
+  synchronized void refuseToClear() {
     condition.refusesClear = true;
   }
 
@@ -256,7 +262,6 @@ public final class ScriptedRobot {
         return;
       }
       if (command instanceof Clear && condition.refusesClear) {
-        condition.refusesClear = false;
         say(new Reject(command.seq(), "What stops the robot has changed."));
         return;
       }
@@ -276,7 +281,17 @@ public final class ScriptedRobot {
           case Extend e -> e.segments();
           default -> List.of();
         };
-    return segments.stream().anyMatch(segment -> segment.v() > condition.maxSpeed + 1e-9);
+    return segments.stream().anyMatch(this::isTooFast);
+  }
+
+  /** For itself, or as a leader for one that follows it. */
+  private boolean isTooFast(Segment segment) {
+    return !canDrive(segment) || formation.followers().stream().anyMatch(f -> !f.canDrive(segment));
+  }
+
+  private boolean canDrive(Segment segment) {
+    return segment.v() <= condition.maxSpeed + 1e-9
+        && Math.abs(segment.w()) <= condition.maxTurnRate + 1e-9;
   }
 
   private void obey(Command command) {
@@ -346,6 +361,7 @@ public final class ScriptedRobot {
         name,
         5,
         condition.maxSpeed,
+        condition.maxTurnRate,
         condition.footprint,
         true,
         pose,

@@ -137,7 +137,6 @@ final class RobotEventHandler {
     robot.drive.reconnect(drive, stored.map(StoredDrive::seq).orElse(0L));
     if (!state.formations.isCoveredByLeader(robot.name())) {
       state.traffic.reportStanding(robot.name(), hello.pose(), hello.footprint(), state.now);
-      state.traffic.setSpeeds(robot.name(), robot.reported.capabilities().speeds());
       state.formations.updateTraffic();
       if (drive.isPresent() && hello.role() != Role.FOLLOWER) {
         resumeDriveInTraffic(robot, drive.get(), hello.pose(), hello.segment(), hello.released());

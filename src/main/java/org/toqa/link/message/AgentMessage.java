@@ -44,6 +44,7 @@ public sealed interface AgentMessage {
    *
    * @param maxLoad kilograms
    * @param maxSpeed metres a second
+   * @param maxTurnRate radians a second
    * @param footprint diameter in metres
    * @param localised whether the robot trusts its pose; if not, it drives nothing until {@code
    *     locate}
@@ -59,6 +60,7 @@ public sealed interface AgentMessage {
       String robot,
       double maxLoad,
       double maxSpeed,
+      double maxTurnRate,
       double footprint,
       boolean localised,
       Pose pose,

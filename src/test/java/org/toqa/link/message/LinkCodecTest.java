@@ -73,6 +73,17 @@ class LinkCodecTest {
 
   /** As an earlier release sends it. */
   @Test
+  void robotThatDoesNotTellItTurnsByThreeAndAHalf() {
+    String hello = agentLines().findFirst().orElseThrow().replace(",\"maxTurnRate\":3.5", "");
+
+    var said =
+        assertInstanceOf(
+            AgentMessage.Hello.class, understood(LinkCodec.decodeAgentMessage(line(hello))));
+    assertEquals(3.5, said.maxTurnRate());
+  }
+
+  /** As an earlier release sends it. */
+  @Test
   void faultThatDoesNotTellItIsNotClearable() {
     String state =
         agentLines()

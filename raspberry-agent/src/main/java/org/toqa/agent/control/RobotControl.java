@@ -129,20 +129,6 @@ public final class RobotControl {
     return record.entry().load();
   }
 
-  /** What a command comes to when it is checked. */
-  private sealed interface Check {
-    /**
-     * @param effect to be run once the journal has recorded the command
-     */
-    record Accepted(Runnable effect) implements Check {}
-
-    record Refused(String reason) implements Check {}
-
-    static Check of(Optional<String> objection, Runnable effect) {
-      return objection.<Check>map(Refused::new).orElseGet(() -> new Accepted(effect));
-    }
-  }
-
   /**
    * The answer to a command: an {@code Ack}, and it has its effect by then, or a {@code Reject}
    * with the reason, and nothing has changed.
@@ -152,8 +138,8 @@ public final class RobotControl {
       return new Ack(command.seq());
     }
     return switch (check(command)) {
-      case Check.Accepted(Runnable effect) -> obey(command, effect);
-      case Check.Refused(String reason) -> refuse(command, reason);
+      case CommandCheck.Accepted(Runnable effect) -> obey(command, effect);
+      case CommandCheck.Refused(String reason) -> refuse(command, reason);
     };
   }
 
@@ -175,37 +161,39 @@ public final class RobotControl {
     return new Reject(command.seq(), reason);
   }
 
-  private Check check(Command command) {
+  private CommandCheck check(Command command) {
     return switch (command) {
-      case Drive drive -> Check.of(rules.objectionTo(drive, activity), () -> begin(drive));
+      case Drive drive -> CommandCheck.of(rules.objectionTo(drive, activity), () -> begin(drive));
       case Extend extend ->
           checkChange(
               extend.drive(),
-              run -> Check.of(rules.objectionTo(extend, run), () -> run.extend(extend)));
+              run -> CommandCheck.of(rules.objectionTo(extend, run), () -> run.extend(extend)));
       case Release release ->
           checkChange(
               release.drive(),
               run ->
-                  Check.of(
+                  CommandCheck.of(
                       rules.objectionTo(release, run),
                       () -> run.trajectory().release(release.released())));
       case Locate locate ->
-          Check.of(
+          CommandCheck.of(
               rules.objectionTo(locate, activity),
               () -> log.info("{}: told to be at {}.", config.name(), pose()));
-      case Lead lead -> Check.of(rules.objectionTo(lead, activity), () -> begin(lead));
-      case Follow follow -> Check.of(rules.objectionTo(follow, activity), () -> begin(follow));
-      case Cancel cancel -> new Check.Accepted(() -> cancel(cancel));
+      case Lead lead -> CommandCheck.of(rules.objectionTo(lead, activity), () -> begin(lead));
+      case Follow follow ->
+          CommandCheck.of(rules.objectionTo(follow, activity), () -> begin(follow));
+      case Cancel cancel -> new CommandCheck.Accepted(() -> cancel(cancel));
       case Clear clear ->
-          Check.of(rules.objectionTo(clear), () -> stopClearer.accept(Set.copyOf(clear.reasons())));
-      case Hold _, Resume _, Ping _ -> new Check.Accepted(() -> {});
+          CommandCheck.of(
+              rules.objectionTo(clear), () -> stopClearer.accept(Set.copyOf(clear.reasons())));
+      case Hold _, Resume _, Ping _ -> new CommandCheck.Accepted(() -> {});
     };
   }
 
-  private Check checkChange(long drive, Function<DriveRun, Check> change) {
+  private CommandCheck checkChange(long drive, Function<DriveRun, CommandCheck> change) {
     return switch (rules.find(drive, activity)) {
       case CommandRules.NamedDrive.Found(DriveRun run) -> change.apply(run);
-      case CommandRules.NamedDrive.NotFound(String sentence) -> new Check.Refused(sentence);
+      case CommandRules.NamedDrive.NotFound(String sentence) -> new CommandCheck.Refused(sentence);
     };
   }
 
