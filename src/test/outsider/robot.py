@@ -47,7 +47,7 @@ class Robot:
 
     def hello(self):
         return {
-            "type": "hello", "version": 1, "robot": self.name, "maxLoad": 5.0, "maxSpeed": 0.5,
+            "type": "hello", "version": 1, "robot": self.name, "maxLoad": 5.0, "maxSpeed": 0.5, "maxTurnRate": 3.5,
             "footprint": 0.25, **self.common(), "lastSeq": self.last_seq, "done": self.done,
         }
 

@@ -15,7 +15,7 @@
       <h1><c:out value="${title}"/></h1>
       <t:state of="robot" state="${robot.state}"/>
     </div>
-    <c:forEach items="${robot.telemetry.errors}" var="fault"><p class="notice bad"><t:english text="${fault.text}"/>${" "}<small>(<bdi dir="ltr"><c:out value="${fault.code}"/></bdi>)</small></p></c:forEach>
+    <c:forEach items="${robot.telemetry.errors}" var="fault"><p class="notice bad"><t:fault fault="${fault}"/>${" "}<small>(<bdi dir="ltr"><c:out value="${fault.code}"/></bdi>)</small></p></c:forEach>
     <c:if test="${not empty robot.alert}"><p class="notice bad" role="alert"><t:said sentence="${robot.alert}"/></p></c:if>
     <article>
       <dl>
@@ -62,6 +62,24 @@
     <a href="<c:out value="${history}"/>"><fmt:message key="robot.history"/></a>
   </article>
   <c:if test="${caller.isManager()}">
+    <c:set var="stops" value="${robot.stops()}"/>
+    <article class="card" id="stop" data-live="robot-stop" data-name="${fn:escapeXml(robot.name)}" ${empty stops ? 'hidden' : ''}>
+      <h2><fmt:message key="robot.stop"/></h2>
+      <c:if test="${not empty stops}">
+        <p><fmt:message key="robot.stop.intro"/></p>
+        <ul><c:forEach items="${stops}" var="stop"><li><t:fault fault="${stop}"/></li></c:forEach></ul>
+        <c:url value="/robots/${robot.name}/clear" var="clear"/>
+        <details>
+          <summary role="button" class="outline secondary"><fmt:message key="robot.stop.clear"/>${" "}<bdi dir="ltr"><c:forEach items="${stops}" var="stop" varStatus="at">${at.first ? '' : ', '}<c:out value="${stop.code}"/></c:forEach></bdi></summary>
+          <form method="post" action="<c:out value="${clear}"/>">
+            <t:csrf/>
+            <c:forEach items="${stops}" var="stop"><input type="hidden" name="reasons" value="${fn:escapeXml(stop.code)}"></c:forEach>
+            <p><fmt:message key="robot.stop.sure"/></p>
+            <button class="danger"><fmt:message key="robot.stop.submit"/></button>
+          </form>
+        </details>
+      </c:if>
+    </article>
     <article class="card" id="actions" data-live="robot-actions" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.work.task ? '' : 'hidden'}>
       <h2><fmt:message key="robot.actions"/></h2>
       <div class="choices">

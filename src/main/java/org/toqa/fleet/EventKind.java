@@ -41,6 +41,8 @@ public enum EventKind {
   ROBOT_REMOVED("robot.removed"),
   ROBOT_RESUMED("robot.resumed"),
   ROBOT_SENT_HOME("robot.sent-home"),
+  ROBOT_STOP_CLEARED("robot.stop-cleared"),
+  ROBOT_STOP_NOT_CLEARED("robot.stop-not-cleared"),
   ROBOT_CONNECTION_REFUSED("robot.stranger"),
   ROBOT_TO_CHARGER("robot.to-charger"),
   ROBOT_WAITS_FOR_CHARGER("robot.waits-for-charger"),

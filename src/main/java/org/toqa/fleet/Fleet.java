@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CompletionStage;
 import org.jspecify.annotations.Nullable;
@@ -97,6 +98,15 @@ public interface Fleet {
 
   /** A person lets a robot go on that was put on hold. */
   CompletionStage<Answer<RobotView>> resumeRobot(String robot, String user);
+
+  /**
+   * A person has looked at a robot, and clears what its own hardware stopped it for; nothing else
+   * clears that. The robot then waits for a new drive.
+   *
+   * @param reasons the codes of its clearable faults as the person was shown them; a conflict where
+   *     they are others by now
+   */
+  CompletionStage<Answer<RobotView>> clearStops(String robot, Set<String> reasons, String user);
 
   /** A person sends a robot that has nothing to do to its parking point. */
   CompletionStage<Answer<RobotView>> sendHome(String robot, String user);

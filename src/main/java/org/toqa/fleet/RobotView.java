@@ -73,6 +73,11 @@ public record RobotView(
     return record.floor();
   }
 
+  /** Why its own hardware has stopped it, until a person clears that. */
+  public List<Fault> stops() {
+    return telemetry.errors().stream().filter(Fault::clearable).toList();
+  }
+
   /** Metres a second at which it drives straight on. */
   public double speed() {
     return capabilities.speeds().forward();

@@ -78,10 +78,18 @@ final class RobotConnection implements AutoCloseable {
           "At %s answers robot %s, not %s; correct the address or the name."
               .formatted(hostAndPort, hello.robot(), robot));
     }
-    if (!(hello.maxLoad() >= 0 && hello.maxSpeed() > 0 && isValidFootprint(hello.footprint()))) {
+    if (!(hello.maxLoad() >= 0
+        && hello.maxSpeed() > 0
+        && hello.maxTurnRate() > 0
+        && isValidFootprint(hello.footprint()))) {
       throw new LinkException(
-          "%s says that it carries %s kg, drives %s m/s and is %s m wide; correct its configuration."
-              .formatted(robot, hello.maxLoad(), hello.maxSpeed(), hello.footprint()));
+          "%s says that it carries %s kg, drives %s m/s, turns %s rad/s and is %s m wide; correct its configuration."
+              .formatted(
+                  robot,
+                  hello.maxLoad(),
+                  hello.maxSpeed(),
+                  hello.maxTurnRate(),
+                  hello.footprint()));
     }
     return hello;
   }

@@ -26,10 +26,22 @@ public record DriveSpeeds(double forward, double arcRate, double spotRate) {
    * The same, but nowhere faster than a robot can be.
    *
    * @param maxSpeed metres a second, above 0
-   * @throws IllegalArgumentException if it is not above 0
+   * @param maxTurnRate radians a second, above 0
+   * @throws IllegalArgumentException if one is not above 0
    */
-  public DriveSpeeds atMost(double maxSpeed) {
-    return new DriveSpeeds(Math.min(forward, maxSpeed), arcRate, spotRate);
+  public DriveSpeeds atMost(double maxSpeed, double maxTurnRate) {
+    return new DriveSpeeds(
+        Math.min(forward, maxSpeed),
+        Math.min(arcRate, maxTurnRate),
+        Math.min(spotRate, maxTurnRate));
+  }
+
+  /** What both can do, as of robots that carry together. */
+  public DriveSpeeds slower(DriveSpeeds other) {
+    return new DriveSpeeds(
+        Math.min(forward, other.forward),
+        Math.min(arcRate, other.arcRate),
+        Math.min(spotRate, other.spotRate));
   }
 
   private static void requirePositive(String name, double value) {

@@ -160,7 +160,7 @@ public final class SimulatedFleet implements AutoCloseable {
     Files.createDirectories(folder);
     SimulatedMicrocontroller microcontroller = SimulatedMicrocontroller.start(firmware, folder);
     microcontrollers.add(microcontroller);
-    return new ChassisConfig.SimulatedFirmware(microcontroller.socket(), robot.start());
+    return new ChassisConfig.SimulatedFirmware(microcontroller.socket(), robot.start(), true);
   }
 
   private void add(Path folder, SimulatedRobot robot) throws IOException {

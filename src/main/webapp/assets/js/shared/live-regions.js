@@ -16,6 +16,10 @@ const SUBJECTS = {
     const task = tasks.find((candidate) => String(candidate.id) === name);
     return task && [task.state, task.held, task.priority, task.needs];
   },
+  'robot-stop': ({robots}, name) => {
+    const robot = robots.find((candidate) => candidate.name === name);
+    return robot?.errors.filter(({clearable}) => clearable).map(({code}) => code);
+  },
   'robot-actions': ({robots, pause}, name) => {
     const robot = robots.find((candidate) => candidate.name === name);
     return robot && [robot.held, robot.task, pause];

@@ -37,6 +37,7 @@ import org.toqa.wording.Sentence;
  * charges within 20                 seconds, or the charger does not work; ten minutes where nothing is said
  * a is 1.4 wide                     metres, for the whole scenario
  * a drives 0.1                      metres a second at most, for the whole scenario
+ * a turns 0.5                       radians a second at most, for the whole scenario
  * a has 18                          percent in its battery, from now on
  * task box A B 2                    kilograms
  * task late A B 2 within 5          seconds to its deadline; "expect late answered ..." looks at
@@ -71,6 +72,7 @@ final class FleetScenario {
   private static final Pattern CHARGES = Pattern.compile("charges (below|after|within) (\\d+)");
   private static final Pattern WIDE = Pattern.compile("([a-z]) is ([0-9.]+) wide");
   private static final Pattern DRIVES = Pattern.compile("([a-z]) drives ([0-9.]+)");
+  private static final Pattern TURNS = Pattern.compile("([a-z]) turns ([0-9.]+)");
   private static final Pattern CANCEL = Pattern.compile("cancel (\\w+) ?(here|back)?");
   private static final Pattern HOLD = Pattern.compile("(hold|resume) (\\w+)");
   private static final Pattern ANSWER = Pattern.compile("answer (\\w+) (.+)");
@@ -79,6 +81,7 @@ final class FleetScenario {
   private final List<String> script = new ArrayList<>();
   private final Map<String, Double> diameters = new HashMap<>();
   private final Map<String, Double> maxSpeeds = new HashMap<>();
+  private final Map<String, Double> maxTurnRates = new HashMap<>();
   private ChargingRules charging = ChargingRules.USUAL;
   private final Map<String, Long> tasks = new HashMap<>();
   private final Map<String, TaskView> answered = new HashMap<>();
@@ -89,12 +92,15 @@ final class FleetScenario {
       Matcher threshold = CHARGES.matcher(line);
       Matcher wide = WIDE.matcher(line);
       Matcher drives = DRIVES.matcher(line);
+      Matcher turns = TURNS.matcher(line);
       if (threshold.matches()) {
         charging = chargingRules(threshold.group(1), Integer.parseInt(threshold.group(2)));
       } else if (wide.matches()) {
         diameters.put(wide.group(1), Double.parseDouble(wide.group(2)));
       } else if (drives.matches()) {
         maxSpeeds.put(drives.group(1), Double.parseDouble(drives.group(2)));
+      } else if (turns.matches()) {
+        maxTurnRates.put(turns.group(1), Double.parseDouble(turns.group(2)));
       } else if (!line.isBlank() && !line.startsWith("# ")) {
         (line.contains(" ") || line.equals("restart") ? script : rows).add(line);
       }
@@ -122,6 +128,7 @@ final class FleetScenario {
         ScriptedRobot robot = stage.add(place.name(), place.position(), "P" + place.name());
         robot.setStepsPerSegment(STEPS_A_SEGMENT);
         robot.setFootprint(diameters.getOrDefault(place.name(), ScriptedRobot.FOOTPRINT));
+        robot.setMaxTurnRate(maxTurnRates.getOrDefault(place.name(), ScriptedRobot.MAX_TURN_RATE));
         robot.setMaxSpeed(maxSpeeds.getOrDefault(place.name(), ScriptedRobot.MAX_SPEED));
       }
       stage.restart();

@@ -19,9 +19,13 @@ final class ScriptedCondition {
   /** Metres a second. */
   double maxSpeed = ScriptedRobot.MAX_SPEED;
 
+  /** Radians a second. */
+  double maxTurnRate = ScriptedRobot.MAX_TURN_RATE;
+
   int stepsPerSegment = 1;
   boolean mute;
   boolean stuck;
   boolean endsBeforeNextChange;
+  boolean refusesClear;
   @Nullable Fault fault;
 }

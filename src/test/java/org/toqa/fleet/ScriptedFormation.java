@@ -1,5 +1,6 @@
 package org.toqa.fleet;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -64,6 +65,14 @@ final class ScriptedFormation {
 
   boolean hasEnded(long task) {
     return ended != null && ended == task;
+  }
+
+  /** Those that it leads. */
+  List<ScriptedRobot> followers() {
+    Lead lead = leading;
+    return lead == null
+        ? List.of()
+        : lead.followers().stream().map(follower -> peers.apply(follower.robot())).toList();
   }
 
   /** A follower that does not follow; null while all do, or it leads none. */

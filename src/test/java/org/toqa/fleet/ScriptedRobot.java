@@ -20,6 +20,7 @@ import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Cancel;
+import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
@@ -40,6 +41,7 @@ import org.toqa.motion.Segment;
 public final class ScriptedRobot {
   static final double FOOTPRINT = 0.255;
   static final double MAX_SPEED = 0.5;
+  static final double MAX_TURN_RATE = 3.5;
 
   private final String name;
   private final ScriptedCondition condition = new ScriptedCondition();
@@ -97,6 +99,11 @@ public final class ScriptedRobot {
     condition.maxSpeed = speed;
   }
 
+  /** Likewise, in radians a second. */
+  synchronized void setMaxTurnRate(double rate) {
+    condition.maxTurnRate = rate;
+  }
+
   /** From now on it says nothing, and drives nothing. */
   synchronized void fallSilent() {
     condition.mute = true;
@@ -123,6 +130,16 @@ public final class ScriptedRobot {
   /** From now on its body cannot drive. */
   synchronized void breakDown(String code) {
     condition.fault = new Fault(code, "It cannot drive.");
+  }
+
+  /** Its body has stopped itself, until that is cleared. */
+  synchronized void stopItself(String code) {
+    condition.fault = new Fault(code, "It has stopped itself.", true);
+  }
+
+  /** As one does whose stops have just changed. */
+  synchronized void refuseToClear() {
+    condition.refusesClear = true;
   }
 
   synchronized void repair() {
@@ -244,6 +261,10 @@ public final class ScriptedRobot {
         say(new Reject(command.seq(), "There is no such drive any more; the robot has none."));
         return;
       }
+      if (command instanceof Clear && condition.refusesClear) {
+        say(new Reject(command.seq(), "What stops the robot has changed."));
+        return;
+      }
       if (isTooFast(command)) {
         say(new Reject(command.seq(), "The robot cannot drive so fast."));
         return;
@@ -260,7 +281,17 @@ public final class ScriptedRobot {
           case Extend e -> e.segments();
           default -> List.of();
         };
-    return segments.stream().anyMatch(segment -> segment.v() > condition.maxSpeed + 1e-9);
+    return segments.stream().anyMatch(this::isTooFast);
+  }
+
+  /** For itself, or as a leader for one that follows it. */
+  private boolean isTooFast(Segment segment) {
+    return !canDrive(segment) || formation.followers().stream().anyMatch(f -> !f.canDrive(segment));
+  }
+
+  private boolean canDrive(Segment segment) {
+    return segment.v() <= condition.maxSpeed + 1e-9
+        && Math.abs(segment.w()) <= condition.maxTurnRate + 1e-9;
   }
 
   private void obey(Command command) {
@@ -274,6 +305,11 @@ public final class ScriptedRobot {
         drive.follow(f);
       }
       case Hold h -> held = true;
+      case Clear c -> {
+        condition.fault = null;
+        drive.abandon();
+        formation.cancel();
+      }
       case Resume r -> held = false;
       case Drive d -> drive.start(d);
       case Extend e -> drive.extend(e);
@@ -325,6 +361,7 @@ public final class ScriptedRobot {
         name,
         5,
         condition.maxSpeed,
+        condition.maxTurnRate,
         condition.footprint,
         true,
         pose,

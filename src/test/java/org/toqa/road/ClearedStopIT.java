@@ -85,6 +85,14 @@ class ClearedStopIT {
               road.pass(Duration.ofSeconds(2));
               assertTrue(isStoppedBy(api, code), "a hold is not the word");
               order(person, "resume");
+              road.await("let go on", () -> !robot(api).get("held").asBoolean());
+              post(person, "fleet/pause", Map.of());
+              road.pass(Duration.ofSeconds(2));
+              post(person, "fleet/resume", Map.of());
+              road.pass(LONG);
+              assertTrue(isStoppedBy(api, code), "no resume is the word");
+              assertTrue(place(world).distanceTo(stopped) < 0.005, "it moved");
+              post(person, "robots/" + RoadWorld.ROBOT + "/clear", Map.of("reasons", code));
             }
 
             road.await("cleared", () -> !isStoppedBy(api, code));
@@ -96,7 +104,11 @@ class ClearedStopIT {
   }
 
   private static void order(TestClient person, String order) {
-    HttpResponse<String> answer = person.post("robots/" + RoadWorld.ROBOT + "/" + order, Map.of());
+    post(person, "robots/" + RoadWorld.ROBOT + "/" + order, Map.of());
+  }
+
+  private static void post(TestClient person, String path, Map<String, String> form) {
+    HttpResponse<String> answer = person.post(path, form);
     assertEquals(303, answer.statusCode(), answer.body());
   }
 

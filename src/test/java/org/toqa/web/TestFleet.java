@@ -4,9 +4,11 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.Hold;
@@ -23,6 +25,7 @@ import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.schedule.StoredSchedules;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.testbed.Hall;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -130,6 +133,21 @@ public final class TestFleet extends TasksInMemory {
   @Override
   public CompletionStage<Answer<RobotView>> resumeRobot(String name, String user) {
     return change(name, known -> standing(known, RobotState.IDLE, known.telemetry().pose()));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> clearStops(
+      String name, Set<String> reasons, String user) {
+    Set<String> stops =
+        latest.robots().stream()
+            .filter(r -> r.name().equals(name))
+            .flatMap(r -> r.stops().stream())
+            .map(Fault::code)
+            .collect(Collectors.toSet());
+    return stops.equals(reasons)
+        ? change(name, known -> standing(known, RobotState.IDLE, known.telemetry().pose()))
+        : CompletableFuture.completedFuture(
+            new Answer.Conflict<>(Phrase.STOPS_HAVE_CHANGED.with(name, stops.toString()), null));
   }
 
   @Override

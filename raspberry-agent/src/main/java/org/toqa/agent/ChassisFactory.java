@@ -36,21 +36,25 @@ final class ChassisFactory {
               body.seed(),
               new RangeSensors(config.footprint() / 2),
               body.surroundings());
-      case ChassisConfig.SimulatedFirmware(var socket, var start) ->
-          openFirmware(config, new SimulatorTransport(socket), start, nanos);
-      case ChassisConfig.Spi(var device, int hertz, int wordDelay) ->
-          openFirmware(config, new SpidevTransport(device, hertz, wordDelay), null, nanos);
-      case ChassisConfig.Serial(var device, int baud) ->
-          openFirmware(config, new SerialTransport(device, baud), null, nanos);
+      case ChassisConfig.SimulatedFirmware(var socket, var start, boolean ranges) ->
+          openFirmware(config, new SimulatorTransport(socket), start, ranges, nanos);
+      case ChassisConfig.Spi(var device, int hertz, int wordDelay, boolean ranges) ->
+          openFirmware(config, new SpidevTransport(device, hertz, wordDelay), null, ranges, nanos);
+      case ChassisConfig.Serial(var device, int baud, boolean ranges) ->
+          openFirmware(config, new SerialTransport(device, baud), null, ranges, nanos);
     };
   }
 
   private static Chassis openFirmware(
-      AgentConfig config, FrameTransport transport, @Nullable Pose start, long nanos)
+      AgentConfig config,
+      FrameTransport transport,
+      @Nullable Pose start,
+      boolean hasRangeSensors,
+      long nanos)
       throws IOException {
     String caption = config.name() + " " + config.address().getHostAddress();
     try {
-      return new FirmwareChassis(transport, caption, start, nanos);
+      return new FirmwareChassis(transport, caption, start, hasRangeSensors, nanos);
     } catch (IOException e) {
       transport.close();
       throw e;

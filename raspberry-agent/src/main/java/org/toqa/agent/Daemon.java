@@ -28,7 +28,6 @@ import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Follow;
 import org.toqa.link.message.ServerMessage.LeaderMessage;
-import org.toqa.link.message.ServerMessage.Resume;
 import org.toqa.link.trust.Fingerprint;
 
 /**
@@ -92,7 +91,12 @@ public final class Daemon implements AutoCloseable {
     }
   }
 
-  private static Daemon open(
+  /**
+   * The same, over this body.
+   *
+   * @param folder the configuration's
+   */
+  static Daemon open(
       AgentConfig config,
       InstantSource clock,
       long nanos,
@@ -143,7 +147,8 @@ public final class Daemon implements AutoCloseable {
               config,
               new Journal(folder.path()),
               chassis.exchange(Twist.ZERO, nanos),
-              endpoint.tls().isPresent());
+              endpoint.tls().isPresent(),
+              chassis::clearStops);
     } catch (IOException e) {
       endpoint.close();
       throw e;
@@ -279,9 +284,6 @@ public final class Daemon implements AutoCloseable {
         Fingerprint.parse(follow.fingerprint()).ifPresent(endpoint::setLeader);
       }
       connections.sendToServer(answer);
-      if (order instanceof Resume) {
-        chassis.clearFaults();
-      }
     }
 
     @Override

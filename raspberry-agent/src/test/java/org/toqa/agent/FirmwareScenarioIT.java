@@ -42,7 +42,8 @@ class FirmwareScenarioIT {
     Pose really;
     try (SimulatedMicrocontroller microcontroller = build.start(folder);
         SimulatorProbe probe = new SimulatorProbe(microcontroller.socket())) {
-      ChassisConfig body = new ChassisConfig.SimulatedFirmware(microcontroller.socket(), Rig.START);
+      ChassisConfig body =
+          new ChassisConfig.SimulatedFirmware(microcontroller.socket(), Rig.START, true);
       byFirmware = drive(body, folder.resolve("firmware"));
       Truth truth = probe.truth();
       really =

@@ -32,6 +32,7 @@ import org.toqa.link.message.LinkCodec;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.message.ServerMessage.AckDone;
 import org.toqa.link.message.ServerMessage.Cancel;
+import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
@@ -178,6 +179,7 @@ final class FuzzedRobot implements AutoCloseable {
             new Follow(seq + 5, TASK, "r9", null, new Vec2(-0.5, 0), 0.05),
             new Hold(seq + 6),
             new Resume(seq + 7),
+            new Clear(seq + 8, List.of("STOP_EDGE")),
             new Cancel(seq + 8, now.task()),
             new Locate(seq + 9, near),
             new Ping(seq + 10),
@@ -258,6 +260,7 @@ final class FuzzedRobot implements AutoCloseable {
         canMove = true;
       }
       case Locate locate -> lastLocated = locate.pose();
+      case Clear _ -> throw new AssertionError("nothing stops it, but " + about(line));
       case Lead _, Hold _, Resume _, Cancel _, Ping _ -> {}
     }
   }

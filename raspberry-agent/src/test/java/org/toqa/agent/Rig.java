@@ -8,11 +8,15 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import java.util.function.UnaryOperator;
+import org.jspecify.annotations.Nullable;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.config.ChassisConfig;
 import org.toqa.agent.config.MotionLimits;
+import org.toqa.agent.storage.DataFolder;
 import org.toqa.geometry.Pose;
 
 /** A real daemon over a simulated body, in time that only the test moves. */
@@ -22,7 +26,9 @@ final class Rig implements AutoCloseable {
   static final MotionLimits LIMITS = new MotionLimits(0.5, 3.5, 0.5, 3);
 
   private final Path folder;
-  private final ChassisConfig body;
+  private final ChassisConfig config;
+  private final UnaryOperator<Chassis> wrapper;
+  private @Nullable Chassis body;
   private final List<TestServer> servers = new ArrayList<>();
   private long nanos;
   private Daemon daemon;
@@ -36,9 +42,22 @@ final class Rig implements AutoCloseable {
   }
 
   Rig(Path folder, ChassisConfig body) {
+    this(folder, body, chassis -> chassis);
+  }
+
+  /**
+   * @param wrapper what is put between the daemon and its body
+   */
+  Rig(Path folder, ChassisConfig body, UnaryOperator<Chassis> wrapper) {
     this.folder = folder;
-    this.body = body;
+    this.config = body;
+    this.wrapper = wrapper;
     daemon = open();
+  }
+
+  /** The daemon's body. */
+  Chassis body() {
+    return Objects.requireNonNull(body);
   }
 
   Daemon daemon() {
@@ -64,7 +83,7 @@ final class Rig implements AutoCloseable {
         0.255,
         LIMITS,
         AgentConfig.Following.DEFAULT,
-        body);
+        config);
   }
 
   /** A server that was greeted and has said nothing yet. */
@@ -127,7 +146,11 @@ final class Rig implements AutoCloseable {
 
   private Daemon open() {
     try {
-      return Daemon.open(config(), () -> Instant.EPOCH.plusNanos(nanos), nanos);
+      DataFolder data = new DataFolder(folder);
+      Chassis chassis = wrapper.apply(ChassisFactory.open(config(), folder, nanos));
+      body = chassis;
+      return Daemon.open(
+          config(), () -> Instant.EPOCH.plusNanos(nanos), nanos, false, data, chassis);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -169,6 +169,7 @@ final class DaemonPeers implements AutoCloseable {
         "r2",
         5,
         0.5,
+        3.5,
         0.255,
         true,
         place,

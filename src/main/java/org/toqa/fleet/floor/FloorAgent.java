@@ -48,6 +48,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   private final HomeDispatcher homing;
   private final ChargingDispatcher charging;
   private final OperatorCommandHandler operatorCommands;
+  private final ClearCommandHandler clearCommands;
   private final RobotEventHandler robotEventHandler;
   private final ActorRef<RobotEvent> robotEvents;
   private final DriveDispatcher drives;
@@ -113,6 +114,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     operatorCommands =
         new OperatorCommandHandler(
             state, reports, missions, holds, homing, robotEventHandler, context.getSelf());
+    clearCommands = new ClearCommandHandler(state, reports, context.getSelf());
     robotEvents = context.messageAdapter(RobotEvent.class, FloorMessage.FromRobot::new);
     drives = new DriveDispatcher(state, missions);
     for (StoredRobot stored : memory.robots()) {
@@ -141,6 +143,8 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.HoldFloor m -> holds.setFloorHold(m.hold());
       case FloorMessage.HoldRobot m -> operatorCommands.holdRobot(m);
       case FloorMessage.ResumeStored m -> operatorCommands.resumeStored(m);
+      case FloorMessage.ClearStops m -> clearCommands.clearStops(m);
+      case FloorMessage.ClearStored m -> clearCommands.clearStored(m.command());
       case FloorMessage.SendHome m -> operatorCommands.sendHome(m);
       case FloorMessage.LocateRobot m -> operatorCommands.locateRobot(m);
       case FloorMessage.SetInService m -> operatorCommands.setInService(m);

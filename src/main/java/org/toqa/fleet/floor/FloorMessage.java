@@ -2,6 +2,7 @@ package org.toqa.fleet.floor;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Set;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
@@ -65,6 +66,21 @@ public sealed interface FloorMessage {
    * @param resume number of the resume
    */
   record ResumeStored(HoldRobot command, long resume) implements FloorMessage {}
+
+  /**
+   * A person clears the stops of a robot's hardware.
+   *
+   * @param reasons the codes of the faults that the person was shown
+   */
+  record ClearStops(
+      String robot,
+      Set<String> reasons,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements FloorMessage {}
+
+  /** That a person has said so is safe: now the robot may be told. */
+  record ClearStored(ClearStops command) implements FloorMessage {}
 
   /** A person sends an idle robot to its parking point. */
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

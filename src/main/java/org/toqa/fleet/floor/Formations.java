@@ -17,6 +17,7 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.Phase;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
+import org.toqa.motion.DriveSpeeds;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -157,10 +158,25 @@ final class Formations {
         state.traffic.reportStanding(robot.name(), pose, robot.reported.footprint(), state.now);
       }
       if (state.traffic.hasRobot(robot.name())) {
-        state.traffic.setFormation(
-            robot.name(), ledFormation(robot.name()).map(Formation::group).orElse(null));
+        Optional<Formation> led = ledFormation(robot.name());
+        state.traffic.setSpeeds(robot.name(), led.isPresent() ? groupSpeeds(robot) : speeds(robot));
+        state.traffic.setFormation(robot.name(), led.map(Formation::group).orElse(null));
       }
     }
+  }
+
+  private static DriveSpeeds speeds(FloorRobot robot) {
+    return robot.reported.capabilities().speeds();
+  }
+
+  /** What every robot of the group that this one leads can do. */
+  private DriveSpeeds groupSpeeds(FloorRobot leader) {
+    return carryingMission(leader.name()).stream()
+        .flatMap(mission -> mission.assignedRobots().stream())
+        .map(assigned -> state.robots.get(assigned.robot()))
+        .filter(Objects::nonNull)
+        .map(Formations::speeds)
+        .reduce(speeds(leader), DriveSpeeds::slower);
   }
 
   /** The order for a follower. */

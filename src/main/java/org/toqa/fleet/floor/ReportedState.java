@@ -91,7 +91,9 @@ final class ReportedState {
     report = report.with(hello, now);
     capabilities =
         new RobotCapabilities(
-            hello.footprint(), DriveSpeeds.DEFAULT.atMost(hello.maxSpeed()), hello.maxLoad());
+            hello.footprint(),
+            DriveSpeeds.DEFAULT.atMost(hello.maxSpeed(), hello.maxTurnRate()),
+            hello.maxLoad());
     alert = null;
     rejectedChange = null;
   }

@@ -73,6 +73,11 @@ final class RobotEventHandler {
       case RobotEvent.DriveWithdrawn m -> driveWithdrawn(robot, m.drive());
       case RobotEvent.DriveAccepted m -> driveAccepted(robot, m.drive());
       case RobotEvent.CommandRejected m -> commandRejected(robot, m);
+      case RobotEvent.ClearRejected m ->
+          addToHistory(
+              robot,
+              EventKind.ROBOT_STOP_NOT_CLEARED,
+              Phrase.REFUSED_A_COMMAND.with(robot.name(), m.reason()));
     }
   }
 
@@ -133,7 +138,6 @@ final class RobotEventHandler {
     robot.drive.reconnect(drive, stored.map(StoredDrive::seq).orElse(0L));
     if (!state.formations.isCoveredByLeader(robot.name())) {
       state.traffic.reportStanding(robot.name(), hello.pose(), hello.footprint(), state.now);
-      state.traffic.setSpeeds(robot.name(), robot.reported.capabilities().speeds());
       state.formations.updateTraffic();
       if (drive.isPresent() && hello.role() != Role.FOLLOWER) {
         resumeDriveInTraffic(robot, drive.get(), hello.pose(), hello.segment(), hello.released());

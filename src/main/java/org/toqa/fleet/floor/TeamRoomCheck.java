@@ -1,7 +1,6 @@
 package org.toqa.fleet.floor;
 
 import java.util.Optional;
-import org.toqa.fleet.RobotCapabilities;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.mission.Mission;
 import org.toqa.wording.Phrase;
@@ -15,8 +14,12 @@ public final class TeamRoomCheck {
     this.places = new FormationPlacement(grid);
   }
 
-  /** Why so many robots cannot carry it; empty if they can, or one does. */
-  public Optional<Sentence> objection(Mission mission, int robots) {
+  /**
+   * Why so many robots cannot carry it; empty if they can, or one does.
+   *
+   * @param diameter of the largest of them, metres
+   */
+  public Optional<Sentence> objection(Mission mission, int robots, double diameter) {
     boolean isPossible =
         robots < 2
             || places
@@ -25,7 +28,7 @@ public final class TeamRoomCheck {
                     mission.task().goal().position(),
                     robots,
                     mission.task().size(),
-                    RobotCapabilities.UNKNOWN.footprint() / 2)
+                    diameter / 2)
                 .isPresent();
     return isPossible
         ? Optional.empty()

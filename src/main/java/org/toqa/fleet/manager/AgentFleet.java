@@ -9,6 +9,7 @@ import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
@@ -233,6 +234,12 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<RobotView>> resumeRobot(String robot, String user) {
     return ask(replyTo -> new ManagerMessage.HoldRobot(robot, false, user, replyTo));
+  }
+
+  @Override
+  public CompletionStage<Answer<RobotView>> clearStops(
+      String robot, Set<String> reasons, String user) {
+    return ask(replyTo -> new ManagerMessage.ClearStops(robot, Set.copyOf(reasons), user, replyTo));
   }
 
   @Override

@@ -2,6 +2,8 @@ package org.toqa.fleet.manager;
 
 import static java.util.Objects.requireNonNull;
 
+import java.time.Duration;
+import java.time.Instant;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -41,6 +43,9 @@ import org.toqa.wording.Sentence;
 final class AllocationRounds {
   private static final Logger log = LoggerFactory.getLogger(AllocationRounds.class);
 
+  /** Then other robots may be free, narrower ones, and the load or its goal elsewhere. */
+  private static final Duration ROOM_RETRY = Duration.ofMinutes(1);
+
   private final FleetState fleet;
   private final Allocator allocator;
   private final PathQuery paths;
@@ -56,11 +61,18 @@ final class AllocationRounds {
   /** By floor and task: what the last round said of those that wait. */
   private final Map<String, Map<Long, Sentence>> reasons = new HashMap<>();
 
-  /** Tasks for several robots that have no room round the load, and why. */
-  private final Map<Long, Sentence> tasksWithoutRoom = new HashMap<>();
+  /** Tasks for several robots that had no room round the load; tried again after a while. */
+  private final Map<Long, NoRoom> tasksWithoutRoom = new HashMap<>();
 
   /** Floors with a running round. */
   private final Set<String> deciding = new HashSet<>();
+
+  /**
+   * That a team had no room.
+   *
+   * @param until when the task is tried again
+   */
+  private record NoRoom(Sentence why, Instant until) {}
 
   AllocationRounds(
       FleetState fleet, Allocator allocator, PathQuery paths, ActorRef<ManagerMessage> self) {
@@ -84,12 +96,34 @@ final class AllocationRounds {
 
   /** Lets the allocator decide, on a thread of its own, on each floor where it is time. */
   void beginDueRounds() {
+    endNoRooms();
     for (String floor : List.copyOf(fleet.dueFloors)) {
       if (fleet.reports.containsKey(floor) && !deciding.contains(floor)) {
         fleet.dueFloors.remove(floor);
         beginRound(requireNonNull(fleet.floorMaps.get(floor)));
       }
     }
+  }
+
+  /** It is time to try them again; what was said of them is said until the next round is over. */
+  private void endNoRooms() {
+    Instant now = fleet.clock.instant();
+    tasksWithoutRoom
+        .entrySet()
+        .removeIf(
+            entry -> {
+              boolean isOver = !now.isBefore(entry.getValue().until());
+              if (isOver) {
+                fleet.queue.get(entry.getKey()).ifPresent(q -> tryAgain(q, entry.getValue().why()));
+              }
+              return isOver;
+            });
+  }
+
+  private void tryAgain(TaskQueue.Queued queued, Sentence why) {
+    String floor = queued.task().floor();
+    reasons.computeIfAbsent(floor, _ -> new HashMap<>()).put(queued.task().id(), why);
+    fleet.dueFloors.add(floor);
   }
 
   private void beginRound(FloorMap floor) {
@@ -145,7 +179,7 @@ final class AllocationRounds {
       if (decision instanceof Decision.Assigned(long id, List<String> chosen, Sentence _)) {
         Mission mission = missions.get(id);
         if (mission != null && chosen.size() > 1) {
-          teams.put(id, teamFinding(floor, mission, chosen.size()));
+          teams.put(id, teamFinding(floor, mission, team(problem.robots(), chosen)));
         }
       }
     }
@@ -160,11 +194,16 @@ final class AllocationRounds {
                             Collectors.toMap(Map.Entry::getKey, team -> team.getValue().join()))));
   }
 
-  private CompletableFuture<TeamFinding> teamFinding(FloorMap floor, Mission mission, int robots) {
+  private CompletableFuture<TeamFinding> teamFinding(
+      FloorMap floor, Mission mission, List<Candidate> team) {
+    PathQuery.TeamQuestion question = PathQuery.TeamQuestion.of(mission, team);
     return paths
-        .objectionToTeam(floor.grid(), mission, robots)
-        .thenApply(
-            objection -> new TeamFinding(PathQuery.TeamQuestion.of(mission, robots), objection));
+        .objectionToTeam(floor.grid(), mission, question)
+        .thenApply(objection -> new TeamFinding(question, objection));
+  }
+
+  private static List<Candidate> team(List<Candidate> robots, List<String> chosen) {
+    return robots.stream().filter(robot -> chosen.contains(robot.robot())).toList();
   }
 
   /** What a robot that is free, or may be by an exchange, carries; nothing while none is free. */
@@ -247,11 +286,14 @@ final class AllocationRounds {
       Set<String> free) {
     Mission mission = queued.mission();
     boolean isTeamKnown =
-        chosen.size() < 2 || (team != null && team.isAbout(mission, chosen.size()));
+        chosen.size() < 2
+            || (team != null
+                && team.isAbout(mission, team(fleet.candidates(mission.task().floor()), chosen)));
     Optional<Sentence> objection =
         team != null && isTeamKnown ? team.objection() : Optional.empty();
     if (objection.isPresent()) {
-      tasksWithoutRoom.put(mission.id(), objection.get());
+      tasksWithoutRoom.put(
+          mission.id(), new NoRoom(objection.get(), fleet.clock.instant().plus(ROOM_RETRY)));
     }
     if (isTeamKnown && objection.isEmpty() && free.containsAll(chosen)) {
       takeFromQueue(mission.id()).ifPresent(taken -> handOver(taken, chosen, why));
@@ -302,9 +344,9 @@ final class AllocationRounds {
 
   /** What the last round said; of a task that it did not look at, what is plain without one. */
   Sentence waitReason(TaskQueue.Queued queued, @Nullable WaitExplainer plain) {
-    Sentence noRoom = tasksWithoutRoom.get(queued.task().id());
+    NoRoom noRoom = tasksWithoutRoom.get(queued.task().id());
     if (noRoom != null) {
-      return noRoom;
+      return noRoom.why();
     }
     Sentence said = reasons.getOrDefault(queued.task().floor(), Map.of()).get(queued.task().id());
     if (said != null) {

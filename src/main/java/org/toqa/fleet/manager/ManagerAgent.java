@@ -217,6 +217,11 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               m.robot(),
               m.replyTo(),
               new FloorMessage.HoldRobot(m.robot(), m.hold(), m.user(), m.replyTo()));
+      case ManagerMessage.ClearStops m ->
+          robotCommands.forwardToFloor(
+              m.robot(),
+              m.replyTo(),
+              new FloorMessage.ClearStops(m.robot(), m.reasons(), m.user(), m.replyTo()));
       case ManagerMessage.SendHome m ->
           robotCommands.forwardToFloor(
               m.robot(), m.replyTo(), new FloorMessage.SendHome(m.robot(), m.user(), m.replyTo()));

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.UUID;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -161,6 +162,13 @@ public sealed interface ManagerMessage {
 
   record HoldRobot(
       String robot, boolean hold, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
+      implements ManagerMessage {}
+
+  record ClearStops(
+      String robot,
+      Set<String> reasons,
+      String user,
+      ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

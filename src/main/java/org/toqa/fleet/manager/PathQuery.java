@@ -12,6 +12,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import org.jspecify.annotations.Nullable;
+import org.toqa.allocation.Candidate;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.floor.TeamRoomCheck;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -71,12 +73,27 @@ final class PathQuery {
    * All on which it depends whether so many robots have room for a task.
    *
    * @param object where the load is
+   * @param diameter of the largest robot, metres
    * @param size of the load; null: not told
    */
-  record TeamQuestion(TaskPlace object, TaskPlace goal, int robots, @Nullable LoadSize size) {
-    static TeamQuestion of(Mission mission, int robots) {
+  record TeamQuestion(
+      TaskPlace object, TaskPlace goal, int robots, double diameter, @Nullable LoadSize size) {
+
+    /** About these, who are to carry it together. */
+    static TeamQuestion of(Mission mission, List<Candidate> team) {
+      return of(
+          mission,
+          team.size(),
+          team.stream()
+              .mapToDouble(Candidate::diameter)
+              .max()
+              .orElse(RobotCapabilities.UNKNOWN.footprint()));
+    }
+
+    /** About so many that are no wider than that. */
+    static TeamQuestion of(Mission mission, int robots, double diameter) {
       return new TeamQuestion(
-          mission.object(), mission.task().goal(), robots, mission.task().size());
+          mission.object(), mission.task().goal(), robots, diameter, mission.task().size());
     }
   }
 
@@ -97,15 +114,19 @@ final class PathQuery {
     return emptyFloors.get(key.floor(), EmptyFloor::new);
   }
 
-  /** Why so many robots have no room for a task; empty if they have, or one does it. */
+  /**
+   * Why robots have no room for a task; empty if they have, or one does it.
+   *
+   * @param question about this mission
+   */
   CompletableFuture<Optional<Sentence>> objectionToTeam(
-      OccupancyGrid grid, Mission mission, int robots) {
-    if (robots < 2) {
+      OccupancyGrid grid, Mission mission, TeamQuestion question) {
+    if (question.robots() < 2) {
       return CompletableFuture.completedFuture(Optional.empty());
     }
     return teams.get(
-        new TeamKey(grid, TeamQuestion.of(mission, robots)),
-        key -> new TeamRoomCheck(grid).objection(mission, robots));
+        new TeamKey(grid, question),
+        key -> new TeamRoomCheck(grid).objection(mission, question.robots(), question.diameter()));
   }
 
   /** A floor on which one robot is alone. Any thread may plan on it. */

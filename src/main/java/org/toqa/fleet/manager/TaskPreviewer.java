@@ -4,8 +4,10 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import org.toqa.allocation.AllocationProblem;
 import org.toqa.allocation.Allocator;
+import org.toqa.allocation.Candidate;
 import org.toqa.allocation.Decision;
 import org.toqa.allocation.TeamSize;
+import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
@@ -42,11 +44,30 @@ final class TaskPreviewer {
             : chosen.size();
     return path(task)
         .thenCombine(
-            paths.objectionToTeam(grid, Mission.queued(task), robots),
+            paths.objectionToTeam(
+                grid, Mission.queued(task), question(task, chosen, robots, problem)),
             (path, noRoom) ->
                 noRoom
                     .map(objection -> new TaskPreview(robots, List.of(), objection, path))
                     .orElseGet(() -> new TaskPreview(robots, chosen, decision.reason(), path)));
+  }
+
+  /** Where nobody is chosen yet, about the narrowest that there are. */
+  private static PathQuery.TeamQuestion question(
+      TransportTask task, List<String> chosen, int robots, AllocationProblem problem) {
+    Mission mission = Mission.queued(task);
+    if (!chosen.isEmpty()) {
+      return PathQuery.TeamQuestion.of(
+          mission, problem.robots().stream().filter(r -> chosen.contains(r.robot())).toList());
+    }
+    double narrowest =
+        problem.robots().stream()
+            .mapToDouble(Candidate::diameter)
+            .sorted()
+            .limit(Math.max(1, robots))
+            .max()
+            .orElse(RobotCapabilities.UNKNOWN.footprint());
+    return PathQuery.TeamQuestion.of(mission, robots, narrowest);
   }
 
   private static List<String> chosen(Decision decision) {

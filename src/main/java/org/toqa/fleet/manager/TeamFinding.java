@@ -1,6 +1,8 @@
 package org.toqa.fleet.manager;
 
+import java.util.List;
 import java.util.Optional;
+import org.toqa.allocation.Candidate;
 import org.toqa.mission.Mission;
 import org.toqa.wording.Sentence;
 
@@ -11,8 +13,8 @@ import org.toqa.wording.Sentence;
  */
 record TeamFinding(PathQuery.TeamQuestion question, Optional<Sentence> objection) {
 
-  /** Whether it says so of the task as it is now, and of so many robots. */
-  boolean isAbout(Mission mission, int robots) {
-    return question.equals(PathQuery.TeamQuestion.of(mission, robots));
+  /** Whether it says so of the task as it is now, and of these robots. */
+  boolean isAbout(Mission mission, List<Candidate> team) {
+    return question.equals(PathQuery.TeamQuestion.of(mission, team));
   }
 }

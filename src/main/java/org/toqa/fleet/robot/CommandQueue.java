@@ -57,7 +57,12 @@ final class CommandQueue {
     this.link = link;
   }
 
-  /** The number of a drive that begins. */
+  /** Whether there is what must be stored before it is sent. */
+  boolean isWaiting() {
+    return !waiting.isEmpty();
+  }
+
+  /** The number of a drive that begins, or of a command whose number its sender must know. */
   long nextNumber() {
     return ++lastNumber;
   }
@@ -78,7 +83,12 @@ final class CommandQueue {
     send(command.apply(nextNumber()));
   }
 
-  private void send(Command command) {
+  /**
+   * Sends it at once.
+   *
+   * @param command with a number of {@link #nextNumber}
+   */
+  void send(Command command) {
     lastSent = Math.max(lastSent, command.seq());
     link.accept(command);
   }

@@ -62,6 +62,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   /** The drives that commands not yet answered are to change, by the commands' numbers. */
   private final Map<Long, Long> changing = new HashMap<>();
 
+  /** The number of the last clear. */
+  private long lastClear;
+
   private final SilenceDetector silence;
   private Instant lastPing = Instant.MIN;
 
@@ -124,6 +127,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case RobotMessage.Cancel m -> cancel(m);
       case RobotMessage.Hold m ->
           commands.send(m.hold() ? ServerMessage.Hold::new : ServerMessage.Resume::new);
+      case RobotMessage.Clear m -> clear(m);
       case RobotMessage.Locate m -> commands.send(n -> new ServerMessage.Locate(n, m.pose()));
       case RobotMessage.Acknowledge m -> send(new ServerMessage.AckDone(m.drive()));
       case RobotMessage.LinkOpened m -> connected(m.hello());
@@ -144,6 +148,16 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       }
     }
     return this;
+  }
+
+  /** Who cleared a stop looked at the robot now: what cannot be sent at once is not sent later. */
+  private void clear(RobotMessage.Clear m) {
+    if (hello == null || commands.isWaiting()) {
+      floor.tell(new RobotEvent.ClearRejected(robot.name(), "The robot could not be told."));
+      return;
+    }
+    lastClear = commands.nextNumber();
+    commands.send(new ServerMessage.Clear(lastClear, m.reasons().stream().sorted().toList()));
   }
 
   private void startDrive(RobotMessage.Drive m) {
@@ -285,8 +299,10 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case AgentMessage.Reject reject -> {
         log.info("{}: refused command {}: {}", robot.name(), reject.seq(), reject.reason());
         floor.tell(
-            new RobotEvent.CommandRejected(
-                robot.name(), changing.remove(reject.seq()), reject.reason()));
+            reject.seq() == lastClear
+                ? new RobotEvent.ClearRejected(robot.name(), reject.reason())
+                : new RobotEvent.CommandRejected(
+                    robot.name(), changing.remove(reject.seq()), reject.reason()));
       }
       case AgentMessage.Hello ignored -> {}
       case AgentMessage.FollowerReport ignored -> {}

@@ -41,6 +41,9 @@ public sealed interface RobotEvent {
   /** The robot has taken this drive: what it says from now on, it says with it or after it. */
   record DriveAccepted(String robot, long drive) implements RobotEvent {}
 
+  /** What a person cleared is not cleared. */
+  record ClearRejected(String robot, String reason) implements RobotEvent {}
+
   /**
    * @param changing the drive that the refused command was to change, if it was such a one
    */

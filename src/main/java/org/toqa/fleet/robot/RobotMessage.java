@@ -3,6 +3,7 @@ package org.toqa.fleet.robot;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.RobotRecord;
@@ -65,6 +66,13 @@ public sealed interface RobotMessage {
 
   /** Hold, or go on. */
   record Hold(boolean hold) implements RobotMessage {}
+
+  /**
+   * A person has cleared these stops. Sent at once or never.
+   *
+   * @param reasons codes of clearable faults
+   */
+  record Clear(Set<String> reasons) implements RobotMessage {}
 
   record Locate(Pose pose) implements RobotMessage {}
 

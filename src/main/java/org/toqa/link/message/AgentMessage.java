@@ -44,6 +44,7 @@ public sealed interface AgentMessage {
    *
    * @param maxLoad kilograms
    * @param maxSpeed metres a second
+   * @param maxTurnRate radians a second
    * @param footprint diameter in metres
    * @param localised whether the robot trusts its pose; if not, it drives nothing until {@code
    *     locate}
@@ -59,6 +60,7 @@ public sealed interface AgentMessage {
       String robot,
       double maxLoad,
       double maxSpeed,
+      double maxTurnRate,
       double footprint,
       boolean localised,
       Pose pose,
@@ -116,8 +118,16 @@ public sealed interface AgentMessage {
   /**
    * @param code a word for programs
    * @param text a sentence for people
+   * @param clearable whether the robot's hardware has stopped it, until a person's word ({@link
+   *     ServerMessage.Clear})
    */
-  record Fault(String code, String text) {}
+  record Fault(String code, String text, boolean clearable) {
+
+    /** One that goes by itself when its cause has gone. */
+    public Fault(String code, String text) {
+      this(code, text, false);
+    }
+  }
 
   /**
    * Sent again until the server has acknowledged it.

@@ -42,6 +42,9 @@ public final class LinkCodec {
   /** 2^53: up to here every whole number is exact in any language's JSON. */
   private static final double LARGEST_NUMBER = 0x1p53;
 
+  /** Radians a second; what a daemon that does not tell it refuses, if its file says nothing. */
+  private static final double MAX_TURN_RATE_NOT_SENT = 3.5;
+
   private static final int LONGEST_ECHO = 40;
 
   private static final JsonMapper MAPPER =
@@ -180,10 +183,24 @@ public final class LinkCodec {
 
   /** Fields that a peer of an earlier release does not send. */
   private static void addMissingFields(JsonNode message) {
-    if (message instanceof ObjectNode drive
-        && message.path("type").asString("").equals("drive")
-        && !message.has("load")) {
-      drive.put("load", 0.0);
+    switch (message.path("type").asString("")) {
+      case "drive" -> addIfMissing(message, "load", 0);
+      case "hello" -> addIfMissing(message, "maxTurnRate", MAX_TURN_RATE_NOT_SENT);
+      case "state" ->
+          message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
+      default -> {}
+    }
+  }
+
+  private static void addIfMissing(JsonNode node, String field, double value) {
+    if (node instanceof ObjectNode object && !object.has(field)) {
+      object.put(field, value);
+    }
+  }
+
+  private static void addIfMissing(JsonNode node, String flag) {
+    if (node instanceof ObjectNode object && !object.has(flag)) {
+      object.put(flag, false);
     }
   }
 

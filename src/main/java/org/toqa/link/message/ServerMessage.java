@@ -27,6 +27,7 @@ import org.toqa.motion.Segment;
   @Type(value = ServerMessage.Follow.class, name = "follow"),
   @Type(value = ServerMessage.Hold.class, name = "hold"),
   @Type(value = ServerMessage.Resume.class, name = "resume"),
+  @Type(value = ServerMessage.Clear.class, name = "clear"),
   @Type(value = ServerMessage.Cancel.class, name = "cancel"),
   @Type(value = ServerMessage.Locate.class, name = "locate"),
   @Type(value = ServerMessage.Ping.class, name = "ping"),
@@ -128,8 +129,21 @@ public sealed interface ServerMessage {
   /** Stop within the limits, and stay stopped until {@link Resume}. */
   record Hold(long seq) implements Command {}
 
-  /** End the hold. */
+  /** End the hold; clears no stop. */
   record Resume(long seq) implements Command {}
+
+  /**
+   * A person has looked at the robot, and says that what its hardware stopped it for is over. After
+   * that it waits for a new drive.
+   *
+   * @param reasons the codes of all faults that are {@link AgentMessage.Fault#clearable}, as the
+   *     person was shown them
+   */
+  record Clear(long seq, List<String> reasons) implements Command {
+    public Clear {
+      reasons = List.copyOf(reasons);
+    }
+  }
 
   /**
    * Stop, and forget task, phase and drive.

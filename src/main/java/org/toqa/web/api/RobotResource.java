@@ -3,6 +3,7 @@ package org.toqa.web.api;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.PairingOrder;
@@ -88,6 +89,12 @@ public final class RobotResource extends ApiHandler {
   public static void resume(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     command(request, response, Fleet::resumeRobot);
+  }
+
+  public static void clear(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    Set<String> reasons = readBody(request, RobotOrderReader::readReasons);
+    command(request, response, (fleet, robot, user) -> fleet.clearStops(robot, reasons, user));
   }
 
   public static void sendHome(HttpServletRequest request, HttpServletResponse response)

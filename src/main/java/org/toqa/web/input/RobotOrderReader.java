@@ -1,6 +1,7 @@
 package org.toqa.web.input;
 
 import java.util.Optional;
+import java.util.Set;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
 import org.toqa.fleet.RobotOrder;
@@ -37,6 +38,16 @@ public final class RobotOrderReader {
             fields.text("parking"));
     fields.refuseUnknown();
     return change;
+  }
+
+  /** The codes of the stops that a person was shown and clears. */
+  public static Set<String> readReasons(Fields fields) {
+    Set<String> reasons = Set.copyOf(fields.choices("reasons"));
+    if (reasons.isEmpty()) {
+      fields.errors().add(fields.path("reasons"), fields.texts().get("error.reasons.missing"));
+    }
+    fields.refuseUnknown();
+    return reasons;
   }
 
   /** What pairs a robot that is known; empty where a sentence was filed. */

@@ -57,6 +57,11 @@ public final class RobotPage extends PageHandler {
     command(request, response, "resume", Fleet::resumeRobot);
   }
 
+  public static void clear(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    command(request, response, "clear", form(RobotOrderReader::readReasons), Fleet::clearStops);
+  }
+
   public static void sendHome(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     command(request, response, "home", Fleet::sendHome);

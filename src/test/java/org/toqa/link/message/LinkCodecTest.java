@@ -71,6 +71,34 @@ class LinkCodecTest {
                 line("{\"type\":\"ping\",\"seq\":3,\"mood\":{\"x\":[1]}}"))));
   }
 
+  /** As an earlier release sends it. */
+  @Test
+  void robotThatDoesNotTellItTurnsByThreeAndAHalf() {
+    String hello = agentLines().findFirst().orElseThrow().replace(",\"maxTurnRate\":3.5", "");
+
+    var said =
+        assertInstanceOf(
+            AgentMessage.Hello.class, understood(LinkCodec.decodeAgentMessage(line(hello))));
+    assertEquals(3.5, said.maxTurnRate());
+  }
+
+  /** As an earlier release sends it. */
+  @Test
+  void faultThatDoesNotTellItIsNotClearable() {
+    String state =
+        agentLines()
+            .filter(line -> line.contains("clearable"))
+            .map(line -> line.replaceAll(",\"clearable\":(true|false)", ""))
+            .findFirst()
+            .orElseThrow();
+
+    var said =
+        assertInstanceOf(
+            AgentMessage.State.class, understood(LinkCodec.decodeAgentMessage(line(state))));
+    assertEquals(2, said.errors().size());
+    assertTrue(said.errors().stream().noneMatch(AgentMessage.Fault::clearable));
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

@@ -140,7 +140,7 @@ final class DrivenFloor {
   /** It drives no faster than that from now on, metres a second. */
   void setMaxSpeed(String robot, double maxSpeed) {
     body(robot).maxSpeed = maxSpeed;
-    traffic.setSpeeds(robot, DriveSpeeds.DEFAULT.atMost(maxSpeed));
+    traffic.setSpeeds(robot, DriveSpeeds.DEFAULT.atMost(maxSpeed, 3.5));
   }
 
   /** It leads a group from now on; its goals are where the load shall come. */

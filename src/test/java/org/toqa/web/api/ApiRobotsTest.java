@@ -1,6 +1,7 @@
 package org.toqa.web.api;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpResponse;
@@ -9,7 +10,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Pose;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
 import tools.jackson.databind.JsonNode;
@@ -45,6 +48,31 @@ class ApiRobotsTest extends ApiTestServer {
     assertEquals("wifi", JSON.readTree(answer.body()).get("host").asString());
     assertEquals(
         422, post(token, "api/v1/robots/r1/pair", "{\"host\":\"h\",\"port\":7276}").statusCode());
+  }
+
+  @Test
+  void aStopIsClearedByTheReasonsThatWereShown() {
+    RobotView robot = Hall.robot("r1", RobotState.ERROR, new Pose(1, 1, 0), "h", 7275);
+    Fault edge = new Fault("STOP_EDGE", "A floor sensor sees no floor.", true);
+    Fault blind = new Fault("RANGE_SENSORS", "It sees nothing.");
+    server
+        .fleet()
+        .setRobots(robot.withTelemetry(robot.telemetry().withErrors(List.of(edge, blind))));
+    JsonNode errors = JSON.readTree(get("api/v1/robots/r1").body()).get("errors");
+    assertTrue(errors.get(0).get("clearable").booleanValue());
+    assertFalse(errors.get(1).get("clearable").booleanValue());
+
+    assertEquals(422, post(token, "api/v1/robots/r1/clear", "{}").statusCode());
+    assertEquals(422, post(token, "api/v1/robots/r1/clear", "{\"reasons\":[]}").statusCode());
+    HttpResponse<String> other =
+        post(token, "api/v1/robots/r1/clear", "{\"reasons\":[\"STOP_SWITCH\"]}");
+    assertEquals(409, other.statusCode(), other.body());
+    assertTrue(detail(other).startsWith("What stops r1 has changed meanwhile: "), detail(other));
+
+    HttpResponse<String> cleared =
+        post(token, "api/v1/robots/r1/clear", "{\"reasons\":[\"STOP_EDGE\"]}");
+    assertEquals(200, cleared.statusCode(), cleared.body());
+    assertEquals("IDLE", JSON.readTree(cleared.body()).get("state").asString());
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.toqa.agent.chassis;
 
 import java.time.Duration;
+import java.util.Set;
 import org.toqa.geometry.Twist;
 
 /**
@@ -32,10 +33,12 @@ public interface Chassis extends AutoCloseable {
   default void setLoad(double kilograms) {}
 
   /**
-   * A person says that the robot may drive again: faults that wait for that, and whose cause has
-   * gone, are over.
+   * A person says that these stops are over; those whose cause has gone are cleared. From the
+   * thread of {@link #exchange}.
+   *
+   * @param reasons codes of faults that are clearable
    */
-  default void clearFaults() {}
+  default void clearStops(Set<String> reasons) {}
 
   @Override
   void close();

@@ -1,6 +1,9 @@
 package org.toqa.agent.chassis;
 
+import static java.util.stream.Collectors.toSet;
+
 import java.util.List;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
@@ -30,6 +33,11 @@ public record ChassisReading(
   public ChassisReading {
     ranges = List.copyOf(ranges);
     faults = List.copyOf(faults);
+  }
+
+  /** The codes of the stops that only a person's word clears. */
+  public Set<String> stops() {
+    return faults.stream().filter(Fault::clearable).map(Fault::code).collect(toSet());
   }
 
   /** Within what its encoders can tell. */

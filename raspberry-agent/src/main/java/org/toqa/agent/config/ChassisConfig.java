@@ -44,8 +44,10 @@ public sealed interface ChassisConfig {
    * @param socket where that one listens
    * @param start where the body was when it was switched on for the first time, map frame; null
    *     where nobody knows
+   * @param rangeSensors whether it has some, and so avoids obstacles
    */
-  record SimulatedFirmware(Path socket, @Nullable Pose start) implements ChassisConfig {}
+  record SimulatedFirmware(Path socket, @Nullable Pose start, boolean rangeSensors)
+      implements ChassisConfig {}
 
   /**
    * The robot's microcontroller on the SPI bus.
@@ -53,16 +55,19 @@ public sealed interface ChassisConfig {
    * @param device such as {@code /dev/spidev0.0}
    * @param hertz of the bus's clock
    * @param wordDelayMicros pause after each byte
+   * @param rangeSensors whether it has some, and so avoids obstacles
    */
-  record Spi(Path device, int hertz, int wordDelayMicros) implements ChassisConfig {}
+  record Spi(Path device, int hertz, int wordDelayMicros, boolean rangeSensors)
+      implements ChassisConfig {}
 
   /**
    * The robot's microcontroller on a serial port.
    *
    * @param device such as {@code /dev/serial0}
    * @param baud bits a second
+   * @param rangeSensors whether it has some, and so avoids obstacles
    */
-  record Serial(Path device, int baud) implements ChassisConfig {}
+  record Serial(Path device, int baud, boolean rangeSensors) implements ChassisConfig {}
 
   /**
    * @param file of the configuration; a relative path in it counts from there
@@ -83,7 +88,8 @@ public sealed interface ChassisConfig {
             "device",
             "clock",
             "wordDelay",
-            "baud");
+            "baud",
+            "rangeSensors");
     String type = body.text("type");
     return switch (type) {
       case "simulated" ->
@@ -96,16 +102,19 @@ public sealed interface ChassisConfig {
       case "simulated-firmware" ->
           new SimulatedFirmware(
               file.toAbsolutePath().resolveSibling(body.text("socket")).normalize(),
-              body.has("start") ? start(body) : null);
+              body.has("start") ? start(body) : null,
+              body.flag("rangeSensors", true));
       case "spi" ->
           new Spi(
               Path.of(body.text("device", "/dev/spidev0.0")),
               (int) body.integer("clock", 1_000_000, 100_000, 2_000_000),
-              (int) body.integer("wordDelay", 16, 12, 100));
+              (int) body.integer("wordDelay", 16, 12, 100),
+              body.flag("rangeSensors", true));
       case "serial" ->
           new Serial(
               Path.of(body.text("device", "/dev/serial0")),
-              (int) body.integer("baud", 115_200, 115_200, 1_000_000));
+              (int) body.integer("baud", 115_200, 115_200, 1_000_000),
+              body.flag("rangeSensors", true));
       default -> throw body.invalid("type", type, "simulated, simulated-firmware, spi or serial");
     };
   }

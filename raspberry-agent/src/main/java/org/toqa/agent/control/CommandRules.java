@@ -2,9 +2,12 @@ package org.toqa.agent.control;
 
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.drive.DriveRules;
 import org.toqa.agent.formation.FormationRules;
+import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
 import org.toqa.link.message.ServerMessage.Follow;
@@ -88,6 +91,19 @@ final class CommandRules {
     return canBeMoved
         ? driveRules.objectionTo(locate)
         : Optional.of("A robot that drives cannot be told where it is; send cancel first.");
+  }
+
+  /** What stops the robot must be what the person was shown, no more and no less. */
+  Optional<String> objectionTo(Clear clear) {
+    Set<String> stops = record.reading().stops();
+    if (stops.isEmpty()) {
+      return Optional.of("Nothing stops the robot that a person could clear.");
+    }
+    return stops.equals(Set.copyOf(clear.reasons()))
+        ? Optional.empty()
+        : Optional.of(
+            "What stops the robot has changed; it is %s now."
+                .formatted(stops.stream().sorted().collect(Collectors.joining(", "))));
   }
 
   private Optional<String> objectionToDriving(Activity activity) {

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -24,6 +26,7 @@ import org.toqa.link.message.AgentMessage.Mode;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.AgentMessage.Reject;
 import org.toqa.link.message.ServerMessage.Cancel;
+import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
@@ -51,6 +54,8 @@ import org.toqa.link.message.ServerMessage.Resume;
  *       for it acknowledges and goes on. A robot that drives comes to a standstill on its path.
  *   <li>A hold outlasts drives and restarts until {@code resume}; a drive that comes meanwhile is
  *       accepted and waits.
+ *   <li>A stop of the body's own is ended by {@code clear} alone, and ends the drive: the robot
+ *       keeps task and phase, and waits for a new drive from where it is.
  *   <li>A daemon that starts anew does not continue its last drive: it stays stopped, keeps task
  *       and phase, reports them in its hello, and waits for a new drive from where it is. What
  *       moved while no daemon watched is known by odometry, but nobody has looked whether the path
@@ -71,6 +76,7 @@ public final class RobotControl {
   private final AgentConfig config;
   private final RobotRecord record;
   private final CommandRules rules;
+  private final Consumer<Set<String>> stopClearer;
   private ObstacleAvoider avoider;
   private Activity activity = Alone.IDLE;
   private boolean isServerSilent;
@@ -78,11 +84,18 @@ public final class RobotControl {
 
   /**
    * @param encrypted whether the link is
+   * @param stopClearer is told which of the body's stops a person has cleared
    * @throws IOException if the journal cannot be written: such a robot is not started
    */
-  public RobotControl(AgentConfig config, Journal journal, ChassisReading body, boolean encrypted)
+  public RobotControl(
+      AgentConfig config,
+      Journal journal,
+      ChassisReading body,
+      boolean encrypted,
+      Consumer<Set<String>> stopClearer)
       throws IOException {
     this.config = config;
+    this.stopClearer = stopClearer;
     this.record = new RobotRecord(config.name(), journal, body);
     this.rules = new CommandRules(config, encrypted, record);
     this.avoider = new ObstacleAvoider(config.footprint() / 2);
@@ -116,20 +129,6 @@ public final class RobotControl {
     return record.entry().load();
   }
 
-  /** What a command comes to when it is checked. */
-  private sealed interface Check {
-    /**
-     * @param effect to be run once the journal has recorded the command
-     */
-    record Accepted(Runnable effect) implements Check {}
-
-    record Refused(String reason) implements Check {}
-
-    static Check of(Optional<String> objection, Runnable effect) {
-      return objection.<Check>map(Refused::new).orElseGet(() -> new Accepted(effect));
-    }
-  }
-
   /**
    * The answer to a command: an {@code Ack}, and it has its effect by then, or a {@code Reject}
    * with the reason, and nothing has changed.
@@ -139,8 +138,8 @@ public final class RobotControl {
       return new Ack(command.seq());
     }
     return switch (check(command)) {
-      case Check.Accepted(Runnable effect) -> obey(command, effect);
-      case Check.Refused(String reason) -> refuse(command, reason);
+      case CommandCheck.Accepted(Runnable effect) -> obey(command, effect);
+      case CommandCheck.Refused(String reason) -> refuse(command, reason);
     };
   }
 
@@ -162,35 +161,39 @@ public final class RobotControl {
     return new Reject(command.seq(), reason);
   }
 
-  private Check check(Command command) {
+  private CommandCheck check(Command command) {
     return switch (command) {
-      case Drive drive -> Check.of(rules.objectionTo(drive, activity), () -> begin(drive));
+      case Drive drive -> CommandCheck.of(rules.objectionTo(drive, activity), () -> begin(drive));
       case Extend extend ->
           checkChange(
               extend.drive(),
-              run -> Check.of(rules.objectionTo(extend, run), () -> run.extend(extend)));
+              run -> CommandCheck.of(rules.objectionTo(extend, run), () -> run.extend(extend)));
       case Release release ->
           checkChange(
               release.drive(),
               run ->
-                  Check.of(
+                  CommandCheck.of(
                       rules.objectionTo(release, run),
                       () -> run.trajectory().release(release.released())));
       case Locate locate ->
-          Check.of(
+          CommandCheck.of(
               rules.objectionTo(locate, activity),
               () -> log.info("{}: told to be at {}.", config.name(), pose()));
-      case Lead lead -> Check.of(rules.objectionTo(lead, activity), () -> begin(lead));
-      case Follow follow -> Check.of(rules.objectionTo(follow, activity), () -> begin(follow));
-      case Cancel cancel -> new Check.Accepted(() -> cancel(cancel));
-      case Hold _, Resume _, Ping _ -> new Check.Accepted(() -> {});
+      case Lead lead -> CommandCheck.of(rules.objectionTo(lead, activity), () -> begin(lead));
+      case Follow follow ->
+          CommandCheck.of(rules.objectionTo(follow, activity), () -> begin(follow));
+      case Cancel cancel -> new CommandCheck.Accepted(() -> cancel(cancel));
+      case Clear clear ->
+          CommandCheck.of(
+              rules.objectionTo(clear), () -> stopClearer.accept(Set.copyOf(clear.reasons())));
+      case Hold _, Resume _, Ping _ -> new CommandCheck.Accepted(() -> {});
     };
   }
 
-  private Check checkChange(long drive, Function<DriveRun, Check> change) {
+  private CommandCheck checkChange(long drive, Function<DriveRun, CommandCheck> change) {
     return switch (rules.find(drive, activity)) {
       case CommandRules.NamedDrive.Found(DriveRun run) -> change.apply(run);
-      case CommandRules.NamedDrive.NotFound(String sentence) -> new Check.Refused(sentence);
+      case CommandRules.NamedDrive.NotFound(String sentence) -> new CommandCheck.Refused(sentence);
     };
   }
 

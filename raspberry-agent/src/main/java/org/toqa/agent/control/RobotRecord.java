@@ -14,6 +14,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
 import org.toqa.link.message.ServerMessage.Cancel;
+import org.toqa.link.message.ServerMessage.Clear;
 import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.message.ServerMessage.Extend;
@@ -76,17 +77,22 @@ final class RobotRecord {
   /**
    * Takes the reading of a tick.
    *
-   * @return whether the body was powered up anew since the last one, which ends what the robot did
+   * @return whether what the robot did is over: the body was powered up anew since the last one, or
+   *     a stop of its hardware was cleared, after which nothing moves by itself
    */
   boolean update(ChassisReading newReading) {
     boolean isNewPowerCycle = newReading.powerCycle() != reading.powerCycle();
+    boolean isStopOver = !reading.stops().isEmpty() && newReading.stops().isEmpty();
     if (isNewPowerCycle) {
       log.warn("{}: the body was powered up anew.", logName());
       journal.saveDurably(
           entry().withoutDrive().withAnchor(newReading.powerCycle(), newReading.startPose()));
+    } else if (isStopOver) {
+      log.info("{}: {} cleared; it waits for a new drive.", logName(), reading.stops());
+      journal.saveDurably(entry().withoutDrive());
     }
     reading = newReading;
-    return isNewPowerCycle;
+    return isNewPowerCycle || isStopOver;
   }
 
   JournalEntry entry() {
@@ -158,7 +164,7 @@ final class RobotRecord {
           entry()
               .withAnchor(
                   reading.powerCycle(), locate.pose().compose(reading.odometry().relative(ORIGIN)));
-      case Extend _, Release _, Lead _, Ping _ -> entry();
+      case Extend _, Release _, Lead _, Clear _, Ping _ -> entry();
     };
   }
 

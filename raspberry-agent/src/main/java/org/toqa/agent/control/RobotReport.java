@@ -42,6 +42,7 @@ public record RobotReport(
         config.name(),
         config.maxLoad(),
         config.limits().speed(),
+        config.limits().turnRate(),
         config.footprint(),
         isLocalised,
         pose,

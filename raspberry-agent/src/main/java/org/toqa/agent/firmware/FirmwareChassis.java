@@ -2,10 +2,11 @@ package org.toqa.agent.firmware;
 
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -62,9 +63,16 @@ public final class FirmwareChassis implements Chassis {
   private static final Fault SILENT =
       new Fault("CHASSIS_SILENT", "The robot's microcontroller does not answer.");
 
+  private static final Fault BLIND =
+      new Fault(
+          "RANGE_SENSORS",
+          "The robot sees nothing: its range sensors are silent or wrong. Check their board and"
+              + " cable.");
+
   private final FrameTransport transport;
   private final String caption;
   private final @Nullable Pose start;
+  private final boolean hasRangeSensors;
   private FirmwareStatus status;
   private Twist twist = Twist.ZERO;
   private FirmwareCommand lastCommand = STANDSTILL;
@@ -75,7 +83,9 @@ public final class FirmwareChassis implements Chassis {
   private long loggedNanos;
   private long exchangedNanos;
   private boolean isCaptionSent;
-  private boolean isClearRequested;
+
+  /** Codes of faults, until the next exchange. */
+  private Set<String> clearRequested = Set.of();
 
   /**
    * Finds the microcontroller.
@@ -83,14 +93,21 @@ public final class FirmwareChassis implements Chassis {
    * @param caption what the display shows first
    * @param start where the body was when it was switched on for the first time, map frame, if
    *     somebody has put it there
+   * @param hasRangeSensors whether it must see to drive; false: what it says of ranges is ignored
    * @param nanos now, nanoseconds on the daemon's monotonic clock
    * @throws IOException if no microcontroller answers
    */
-  public FirmwareChassis(FrameTransport transport, String caption, @Nullable Pose start, long nanos)
+  public FirmwareChassis(
+      FrameTransport transport,
+      String caption,
+      @Nullable Pose start,
+      boolean hasRangeSensors,
+      long nanos)
       throws IOException {
     this.transport = transport;
     this.caption = caption;
     this.start = start;
+    this.hasRangeSensors = hasRangeSensors;
     status = awaitFirstStatus(nanos);
     sequence = status.sequence();
   }
@@ -150,8 +167,8 @@ public final class FirmwareChassis implements Chassis {
   }
 
   @Override
-  public void clearFaults() {
-    isClearRequested = true;
+  public void clearStops(Set<String> reasons) {
+    clearRequested = Set.copyOf(reasons);
   }
 
   @Override
@@ -160,13 +177,14 @@ public final class FirmwareChassis implements Chassis {
   }
 
   private FirmwareCommand nextCommand(Twist wanted) {
-    Set<StopReason> reasons = status.stopReasons();
-    if (isClearRequested) {
-      isClearRequested = false;
-      return new Clear(reasons, true);
+    Set<String> cleared = clearRequested;
+    clearRequested = Set.of();
+    Set<StopReason> byPerson =
+        stops(reason -> reason.fault().clearable() && cleared.contains(reason.fault().code()));
+    if (!byPerson.isEmpty()) {
+      return new Clear(byPerson, true);
     }
-    Set<StopReason> own = EnumSet.noneOf(StopReason.class);
-    reasons.stream().filter(StopReason::isClearedByDaemon).forEach(own::add);
+    Set<StopReason> own = stops(StopReason::isClearedByDaemon);
     if (!own.isEmpty()) {
       return new Clear(own, false);
     }
@@ -175,6 +193,10 @@ public final class FirmwareChassis implements Chassis {
       return new Caption(caption);
     }
     return new Velocity(wanted);
+  }
+
+  private Set<StopReason> stops(Predicate<StopReason> wanted) {
+    return status.stopReasons().stream().filter(wanted).collect(Collectors.toSet());
   }
 
   private void update(FirmwareStatus now) {
@@ -214,7 +236,7 @@ public final class FirmwareChassis implements Chassis {
         status.odometry(),
         unanswered == 0 ? twist : Twist.ZERO,
         Math.clamp((status.batteryVolts() - EMPTY_VOLTS) / (FULL_VOLTS - EMPTY_VOLTS), 0, 1),
-        status.ranges(),
+        hasRangeSensors ? status.ranges() : List.of(),
         faults());
   }
 
@@ -224,6 +246,9 @@ public final class FirmwareChassis implements Chassis {
       faults.add(SILENT);
     } else if (quality.isPoor()) {
       faults.add(POOR_LINK);
+    }
+    if (hasRangeSensors && status.ranges().isEmpty()) {
+      faults.add(BLIND);
     }
     status.stopReasons().stream().sorted().map(StopReason::fault).forEach(faults::add);
     return faults;

@@ -12,7 +12,7 @@ import org.toqa.geometry.Pose;
  * @param stampMillis since the start; wraps around after 49 days
  * @param counts of the wheels' encoders; they wrap around
  * @param odometry moved since the start, in the frame of the place where it was then
- * @param ranges metres, from right to left; empty while the sensors are silent
+ * @param ranges metres, from right to left; empty while a sensor is silent or tells no distance
  * @param batteryVolts volts of the whole battery
  * @param missingFloor floor sensors that see no floor, one bit each
  * @param freeSegments how many more segments its queue has room for

@@ -14,6 +14,7 @@ import org.toqa.agent.firmware.FirmwareCommand.Poll;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
 import org.toqa.agent.firmware.FirmwareStatus.Answer;
 import org.toqa.agent.firmware.FirmwareStatus.State;
+import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 
 /** Commands to frames, and frames to statuses, as {@code docs/spi-frame.md} has them. */
@@ -28,7 +29,10 @@ public final class FrameCodec {
   private static final short SYNC = 0x5AA5;
   private static final int CRC_OFFSET = 62;
   private static final int STATUS_KIND = 0x80;
-  private static final int SILENT_MILLIMETRES = 65_535;
+
+  /** What a range sensor that sees nothing tells; more than this is no distance. */
+  private static final int FARTHEST_MILLIMETRES = (int) Math.round(1_000 * RangeSensors.FARTHEST);
+
   private static final int CAPTION_LENGTH = 20;
 
   /** What the microcontroller takes at most. */
@@ -130,7 +134,7 @@ public final class FrameCodec {
   private static List<Double> ranges(ByteBuffer frame) {
     List<Integer> millimetres =
         Stream.of(38, 40, 42).map(at -> Short.toUnsignedInt(frame.getShort(at))).toList();
-    return millimetres.contains(SILENT_MILLIMETRES)
+    return millimetres.stream().anyMatch(range -> range > FARTHEST_MILLIMETRES)
         ? List.of()
         : millimetres.stream().map(range -> range / 1e3).toList();
   }

@@ -31,9 +31,7 @@ public enum StopReason {
   }
 
   Fault fault() {
-    return new Fault(
-        "STOP_" + name(),
-        isClearedByDaemon() ? sentence : sentence + " Hold and resume the robot to clear this.");
+    return new Fault("STOP_" + name(), sentence, !isClearedByDaemon());
   }
 
   static Set<StopReason> ofBits(int bits) {

@@ -42,21 +42,24 @@ class AgentConfigTest {
             file("{name: r1, dataDir: d, chassis: {type: simulated-firmware, socket: spi.sock}}"));
 
     assertEquals(
-        new ChassisConfig.SimulatedFirmware(folder.resolve("spi.sock"), null), config.chassis());
+        new ChassisConfig.SimulatedFirmware(folder.resolve("spi.sock"), null, true),
+        config.chassis());
   }
 
   @Test
   void spiBusHasTheClockThatTheFirmwareCanFollow() throws ConfigException, IOException {
     AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: spi}}"));
 
-    assertEquals(new ChassisConfig.Spi(Path.of("/dev/spidev0.0"), 1_000_000, 16), config.chassis());
+    assertEquals(
+        new ChassisConfig.Spi(Path.of("/dev/spidev0.0"), 1_000_000, 16, true), config.chassis());
   }
 
   @Test
   void serialPortHasTheRateAtWhichTwoFramesFitIntoATick() throws ConfigException, IOException {
     AgentConfig config = AgentConfig.read(file("{name: r1, dataDir: d, chassis: {type: serial}}"));
 
-    assertEquals(new ChassisConfig.Serial(Path.of("/dev/serial0"), 115_200), config.chassis());
+    assertEquals(
+        new ChassisConfig.Serial(Path.of("/dev/serial0"), 115_200, true), config.chassis());
   }
 
   @Test

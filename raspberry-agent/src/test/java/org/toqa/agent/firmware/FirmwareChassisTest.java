@@ -5,11 +5,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.agent.chassis.ChassisReading;
+import org.toqa.agent.firmware.FirmwareCommand.Clear;
 import org.toqa.agent.firmware.FirmwareCommand.Velocity;
 import org.toqa.geometry.Twist;
 import org.toqa.link.message.AgentMessage.Fault;
@@ -29,25 +36,24 @@ class FirmwareChassisTest {
   @BeforeEach
   void findMicrocontroller() throws IOException {
     answer = GoldenFrame.of("status").get(1);
-    chassis =
-        new FirmwareChassis(
-            new FrameTransport() {
-              @Override
-              public byte[] exchange(byte[] frame, long now) {
-                sent.add(frame);
-                return answer;
-              }
-
-              @Override
-              public void close() {
-                sent.clear();
-              }
-            },
-            "r1",
-            null,
-            0);
+    chassis = new FirmwareChassis(transport(), "r1", null, true, 0);
     tick(Twist.ZERO, 10);
     sent.clear();
+  }
+
+  private FrameTransport transport() {
+    return new FrameTransport() {
+      @Override
+      public byte[] exchange(byte[] frame, long now) {
+        sent.add(frame);
+        return answer;
+      }
+
+      @Override
+      public void close() {
+        sent.clear();
+      }
+    };
   }
 
   @AfterEach
@@ -96,6 +102,58 @@ class FirmwareChassisTest {
 
   private List<String> codes() {
     return chassis.exchange(FORWARD, nanos).faults().stream().map(Fault::code).toList();
+  }
+
+  /** 65,535: the sensor is silent; 900 is farther than any sees. */
+  @ParameterizedTest
+  @ValueSource(ints = {65_535, 900})
+  void oneRangeSensorThatTellsNoDistanceIsAFault(int millimetres) {
+    byte[] good = answer;
+    answer = withRange(1, millimetres);
+    tick(FORWARD, 1);
+    ChassisReading blind = chassis.exchange(FORWARD, nanos);
+    assertEquals(List.of(), blind.ranges());
+    assertEquals(List.of("RANGE_SENSORS"), codes());
+    assertEquals(Set.of(), blind.stops());
+
+    answer = good;
+    tick(FORWARD, 1);
+    assertEquals(List.of(), codes());
+  }
+
+  @Test
+  void bodyWithoutRangeSensorsDrivesWithoutThem() throws IOException {
+    answer = withRange(2, 65_535);
+    try (FirmwareChassis without = new FirmwareChassis(transport(), "r1", null, false, 0)) {
+      ChassisReading reading = without.exchange(FORWARD, TICK);
+      assertEquals(List.of(), reading.ranges());
+      assertEquals(List.of(), reading.faults());
+    }
+  }
+
+  private byte[] withRange(int sensor, int millimetres) {
+    byte[] changed = answer.clone();
+    ByteBuffer frame = ByteBuffer.wrap(changed).order(ByteOrder.LITTLE_ENDIAN);
+    frame.putShort(38 + 2 * sensor, (short) millimetres);
+    frame.putShort(62, (short) Crc16.of(changed, 62));
+    return changed;
+  }
+
+  /** Power-up is the daemon's to clear, in the exchange after. */
+  @Test
+  void aPersonClearsWhatHeNamedAndNothingElse() throws IOException {
+    answer = GoldenFrame.of("status").getLast(); // stopped for every reason
+    tick(Twist.ZERO, 1);
+    chassis.clearStops(Set.of("STOP_EDGE", "STOP_POWER_UP"));
+    sent.clear();
+    tick(Twist.ZERO, 2);
+
+    assertSent(new Clear(Set.of(StopReason.EDGE), true), sent.getFirst());
+    assertSent(new Clear(Set.of(StopReason.POWER_UP, StopReason.LINK), false), sent.getLast());
+  }
+
+  private static void assertSent(FirmwareCommand command, byte[] frame) {
+    assertArrayEquals(FrameCodec.encode(command, frame[3] & 0xff), frame);
   }
 
   @Test

@@ -40,7 +40,7 @@ class FrameFuzzTest {
     long begin = System.nanoTime();
     long good = 0;
     try (FuzzRun.Silence _ = new FuzzRun.Silence("org.toqa.agent");
-        FirmwareChassis chassis = new FirmwareChassis(answering(), "r1", null, nanos)) {
+        FirmwareChassis chassis = new FirmwareChassis(answering(), "r1", null, true, nanos)) {
       ChassisReading before = chassis.exchange(SLOWLY, nanos);
       for (long input = 0; input < FuzzRun.INPUTS; input++) {
         answer = fuzzed(correct.get(random.nextInt(correct.size())).clone());

@@ -97,7 +97,7 @@ class SerialTransportIT {
   void pulledCableIsAFaultUntilItIsPluggedInAgain() throws Exception {
     Chassis chassis;
     try (SerialCable _ = SerialCable.plugIn(device, frame -> status)) {
-      chassis = new FirmwareChassis(new SerialTransport(device, BAUD), "r1", null, nanos);
+      chassis = new FirmwareChassis(new SerialTransport(device, BAUD), "r1", null, true, nanos);
       assertEquals(List.of(), codes(live(chassis, 2)));
     }
     try (chassis) {

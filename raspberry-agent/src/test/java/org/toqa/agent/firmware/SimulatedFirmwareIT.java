@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -206,6 +207,17 @@ class SimulatedFirmwareIT {
   }
 
   @Test
+  void silentRangeSensorsAreAFaultUntilTheySpeakAgain() throws IOException {
+    try (Chassis chassis = chassis()) {
+      run(chassis, Twist.ZERO, SECOND);
+      probe.change("ranges silent");
+      assertEquals(List.of("RANGE_SENSORS"), codes(run(chassis, Twist.ZERO, SECOND)));
+      probe.change("ranges well");
+      assertEquals(List.of(), codes(run(chassis, Twist.ZERO, SECOND)));
+    }
+  }
+
+  @Test
   void edgeWaitsForAPerson() throws IOException {
     try (Chassis chassis = chassis()) {
       run(chassis, new Twist(0.25, 0, 0), SECOND);
@@ -214,7 +226,9 @@ class SimulatedFirmwareIT {
       probe.change("floor 2 there");
 
       assertEquals(List.of("STOP_EDGE"), codes(run(chassis, Twist.ZERO, SECOND)));
-      chassis.clearFaults();
+      chassis.clearStops(Set.of("STOP_SWITCH"));
+      assertEquals(List.of("STOP_EDGE"), codes(run(chassis, Twist.ZERO, SECOND)));
+      chassis.clearStops(Set.of("STOP_EDGE"));
       assertEquals(List.of(), codes(run(chassis, Twist.ZERO, SECOND)));
     }
   }
@@ -321,7 +335,7 @@ class SimulatedFirmwareIT {
 
   private Chassis chassis() throws IOException {
     return new FirmwareChassis(
-        new SimulatorTransport(microcontroller.socket()), "r1 127.0.0.1", START, nanos);
+        new SimulatorTransport(microcontroller.socket()), "r1 127.0.0.1", START, true, nanos);
   }
 
   private ChassisReading run(Chassis chassis, Twist wanted, int ticks) {
@@ -360,8 +374,7 @@ class SimulatedFirmwareIT {
   }
 
   private void clear(Chassis chassis) {
-    run(chassis, Twist.ZERO, 10);
-    chassis.clearFaults();
+    chassis.clearStops(run(chassis, Twist.ZERO, 10).stops());
     assertEquals(List.of(), codes(run(chassis, Twist.ZERO, 10)));
   }
 

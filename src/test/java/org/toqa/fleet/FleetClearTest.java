@@ -1,0 +1,116 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.ServerMessage.Clear;
+import org.toqa.mission.MissionEvent;
+import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+
+/** Robots that their own hardware stopped. */
+class FleetClearTest extends HallFleetTest {
+  private static final Set<String> SWITCH = Set.of("STOP_SWITCH");
+
+  private long task;
+  private Vec2 stopped = new Vec2(0, 0);
+
+  private void carryAndStop() throws Exception {
+    task = submit("West", "East");
+    untilCarryingOnTheWay(task);
+    scriptedRobot("r1").stopItself("STOP_SWITCH");
+    until(view -> robot(view, "r1").state() == RobotState.ERROR);
+    stopped = scriptedRobot("r1").position();
+  }
+
+  @Test
+  void aPersonsWordForTheRobotLetsItGoOnWithItsTask() throws Exception {
+    carryAndStop();
+    accepted(stage.fleet.clearStops("r1", SWITCH, "Max"));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of(List.of("STOP_SWITCH")), clears());
+    assertEquals(
+        List.of("Max cleared what had stopped r1: STOP_SWITCH"), history("robot.stop-cleared"));
+  }
+
+  @Test
+  void noResumeClearsAnything() throws Exception {
+    carryAndStop();
+    accepted(stage.fleet.pauseAll("Max"));
+    accepted(stage.fleet.resumeAll("Max"));
+    accepted(stage.fleet.holdRobot("r1", "Max"));
+    accepted(stage.fleet.resumeRobot("r1", "Max"));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Hold("Max")));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Resume("Max")));
+    stage.pass(Duration.ofSeconds(2));
+
+    assertEquals(List.of(), clears());
+    assertEquals(RobotState.ERROR, robot(stage.fleet.snapshots().latest(), "r1").state());
+    assertEquals(stopped, scriptedRobot("r1").position());
+  }
+
+  @Test
+  void whatHasChangedMeanwhileIsNotCleared() throws Exception {
+    carryAndStop();
+    assertConflict(
+        Phrase.STOPS_HAVE_CHANGED.with("r1", "It has stopped itself."), Set.of("STOP_EDGE"));
+    scriptedRobot("r1").repair();
+    until(view -> robot(view, "r1").state() != RobotState.ERROR);
+    assertConflict(Phrase.NOTHING_TO_CLEAR.with("r1"), SWITCH);
+    assertEquals(List.of(), clears());
+  }
+
+  @Test
+  void aRobotThatIsNotHeardIsNotCleared() throws Exception {
+    carryAndStop();
+    scriptedRobot("r1").fallSilent();
+    until(view -> robot(view, "r1").state() == RobotState.LOST);
+
+    assertConflict(Phrase.CLEAR_WHEN_CONNECTED.with("r1"), SWITCH);
+    scriptedRobot("r1").speakAgain();
+    until(view -> robot(view, "r1").state() == RobotState.ERROR);
+    assertEquals(List.of(), clears());
+  }
+
+  @Test
+  void whatTheRobotRefusesToClearIsToldAndItsDriveStays() throws Exception {
+    carryAndStop();
+    int told = scriptedRobot("r1").obeyed().size();
+    scriptedRobot("r1").refuseToClear();
+    accepted(stage.fleet.clearStops("r1", SWITCH, "Max"));
+    stage.pass(Duration.ofSeconds(2));
+
+    assertEquals(told, scriptedRobot("r1").obeyed().size(), "it is told nothing else");
+    assertTrue(scriptedRobot("r1").isDriving());
+    assertEquals(
+        List.of("r1 refused a command: What stops the robot has changed."),
+        history("robot.stop-not-cleared"));
+  }
+
+  @Test
+  void robotsThatAreUnknownHaveNoStops() throws Exception {
+    assertEquals(
+        new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT.with("r7")),
+        answer(stage.fleet.clearStops("r7", SWITCH, "Max")));
+  }
+
+  private List<List<String>> clears() {
+    return scriptedRobot("r1").obeyed().stream()
+        .filter(Clear.class::isInstance)
+        .map(command -> ((Clear) command).reasons())
+        .toList();
+  }
+
+  private void assertConflict(Sentence sentence, Set<String> reasons) throws Exception {
+    Answer<RobotView> answer = answer(stage.fleet.clearStops("r1", reasons, "Max"));
+    assertEquals(sentence, assertInstanceOf(Answer.Conflict.class, answer).sentence());
+  }
+}
