@@ -14,6 +14,7 @@ import org.jdbi.v3.core.JdbiException;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Handover;
 import org.toqa.accounts.Role;
 import org.toqa.fleet.EventKind;
 import org.toqa.persistence.StoreException;
@@ -124,7 +125,7 @@ public final class JdbiAccountStore implements AccountStore {
   }
 
   @Override
-  public synchronized ChangeResult delete(long id, String by) {
+  public synchronized ChangeResult delete(long id, Handover handover, String by) {
     return sql.inTransaction(
         handle -> {
           Optional<Account> account = find(handle, id);
@@ -134,6 +135,9 @@ public final class JdbiAccountStore implements AccountStore {
           if (isLastManager(handle, account.get())) {
             return ChangeResult.LAST_MANAGER;
           }
+          LeftBehind left = new LeftBehind(handle, account.get(), clock.instant(), by);
+          left.handOverSchedules(handover.schedules());
+          left.handOverTokens(handover.tokens());
           handle.execute("delete from users where id = ?", id);
           recordEvent(
               handle,
@@ -204,7 +208,7 @@ public final class JdbiAccountStore implements AccountStore {
               .ifPresent(
                   old -> {
                     handle.execute("update users set email = ? where id = ?", email, id);
-                    handle.execute("delete from password_resets where user_id = ?", id);
+                    handle.execute("delete from reset_links where user_id = ?", id);
                     recordEvent(
                         handle,
                         EventKind.USER_CHANGED,

@@ -13,6 +13,8 @@ import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.history.EventArchive;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
+import org.toqa.web.access.AllowedHosts;
+import org.toqa.web.access.FirstStartCode;
 
 /** What the web application uses. Whoever starts it puts this into the servlet context. */
 public record Services(
@@ -30,7 +32,9 @@ public record Services(
     RequestLimit requestLimit,
     InstantSource clock,
     Authenticator authenticator,
-    IdempotentSubmitter submitter) {
+    IdempotentSubmitter submitter,
+    AllowedHosts allowedHosts,
+    FirstStartCode firstStartCode) {
 
   /** The servlet context's attribute that holds the services. */
   public static final String ATTRIBUTE = Services.class.getName();

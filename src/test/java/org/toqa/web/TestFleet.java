@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
@@ -31,7 +32,11 @@ import org.toqa.wording.Sentence;
 public final class TestFleet extends TasksInMemory {
   private final Schedules schedules;
 
-  TestFleet(ScheduleStore scheduleStore) {
+  /**
+   * @param accountId the id of the user who has a name
+   */
+  TestFleet(ScheduleStore scheduleStore, Function<String, @Nullable Long> accountId) {
+    super(accountId);
     this.schedules = new StoredSchedules(scheduleStore, this, InstantSource.system());
   }
 

@@ -50,6 +50,8 @@ import org.toqa.web.Metrics;
 import org.toqa.web.PasswordLinks;
 import org.toqa.web.RequestLimit;
 import org.toqa.web.Services;
+import org.toqa.web.access.AllowedHosts;
+import org.toqa.web.access.FirstStartCode;
 
 /**
  * Everything behind the web pages: store, fleet and simulated robots. It has one owner, the command
@@ -149,7 +151,8 @@ public final class FleetServer implements AutoCloseable {
     }
     clock.start();
     parts.push(clock);
-    SessionStore sessions = new JdbiSessionStore(database.jdbi(), wallClock);
+    SessionStore sessions =
+        new JdbiSessionStore(database.jdbi(), wallClock, configuration.sessionLimit());
     PasswordLinks passwordLinks =
         new PasswordLinks(
             accounts,
@@ -191,7 +194,9 @@ public final class FleetServer implements AutoCloseable {
             new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
             wallClock,
             Authenticator.of(accounts, passwords, wallClock),
-            new IdempotentSubmitter(fleet, store));
+            new IdempotentSubmitter(fleet, store),
+            new AllowedHosts(configuration.hosts()),
+            firstStartCode(accounts));
     TrueBodies bodies =
         simulated == null ? null : new TrueBodies(simulated, fleet.snapshots()::latest);
     return new FleetServer(configuration, clock, services, bodies, simulated, parts);
@@ -215,6 +220,20 @@ public final class FleetServer implements AutoCloseable {
       accounts.addFirstManager(manager.name(), passwords.hash(manager.password()));
       log.info("The first manager is {}.", manager.name());
     }
+  }
+
+  /** Prints it, as long as there is no manager. */
+  private static FirstStartCode firstStartCode(AccountStore accounts) {
+    FirstStartCode code = FirstStartCode.random();
+    if (!accounts.hasManager()) {
+      String sentence = "There is no manager yet: the first page asks for the code " + code.text();
+      if (log.isWarnEnabled()) {
+        log.warn(sentence);
+      } else {
+        System.err.println(sentence);
+      }
+    }
+    return code;
   }
 
   Configuration configuration() {
