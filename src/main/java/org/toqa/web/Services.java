@@ -5,6 +5,7 @@ import java.time.InstantSource;
 import java.util.Objects;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
+import org.toqa.accounts.FirstStartCode;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.SessionStore;
 import org.toqa.fleet.Fleet;
@@ -13,8 +14,6 @@ import org.toqa.fleet.TaskArchive;
 import org.toqa.fleet.history.EventArchive;
 import org.toqa.fleet.history.StatisticsArchive;
 import org.toqa.fleet.history.TrackStore;
-import org.toqa.web.access.AllowedHosts;
-import org.toqa.web.access.FirstStartCode;
 
 /** What the web application uses. Whoever starts it puts this into the servlet context. */
 public record Services(

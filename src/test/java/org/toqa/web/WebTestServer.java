@@ -25,6 +25,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
+import org.toqa.accounts.FirstStartCode;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.SessionStore;
@@ -40,8 +41,6 @@ import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
 import org.toqa.testbed.RealMySql;
-import org.toqa.web.access.AllowedHosts;
-import org.toqa.web.access.FirstStartCode;
 
 /** The shipped web application in an embedded Tomcat, over a fleet in memory. */
 public final class WebTestServer implements AutoCloseable {

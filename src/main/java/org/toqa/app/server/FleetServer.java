@@ -14,6 +14,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
+import org.toqa.accounts.FirstStartCode;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.SessionStore;
 import org.toqa.app.config.Configuration;
@@ -45,13 +46,12 @@ import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
+import org.toqa.web.AllowedHosts;
 import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Metrics;
 import org.toqa.web.PasswordLinks;
 import org.toqa.web.RequestLimit;
 import org.toqa.web.Services;
-import org.toqa.web.access.AllowedHosts;
-import org.toqa.web.access.FirstStartCode;
 
 /**
  * Everything behind the web pages: store, fleet and simulated robots. It has one owner, the command

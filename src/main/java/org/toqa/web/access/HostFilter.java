@@ -6,6 +6,7 @@ import jakarta.servlet.http.HttpFilter;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import org.toqa.web.AllowedHosts;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.Services;
 
@@ -23,6 +24,7 @@ public final class HostFilter extends HttpFilter {
       throws IOException, ServletException {
     String host = request.getServerName();
     if (request.getServletPath().startsWith("/assets/")
+        || isWithoutHost(request)
         || Services.of(request.getServletContext()).allowedHosts().contains(host)) {
       chain.doFilter(request, response);
       return;
@@ -33,5 +35,11 @@ public final class HostFilter extends HttpFilter {
         MISDIRECTED_REQUEST,
         "problem.host",
         host.substring(0, Math.min(host.length(), MAX_SHOWN_LENGTH)));
+  }
+
+  /** As programs of HTTP/1.0 may ask, and no browser does. */
+  private static boolean isWithoutHost(HttpServletRequest request) {
+    String host = request.getHeader("Host");
+    return host == null || host.isBlank();
   }
 }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.accounts.Secret;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebServerTest;
 import org.toqa.web.WebTestServer;
@@ -91,7 +92,7 @@ class TokensTest extends WebServerTest {
                           "tokenName=thief&days=9&scopes=read&password="
                               + WebTestServer.PASSWORD.replace(' ', '+')
                               + "&_csrf="
-                              + org.toqa.accounts.Secret.hash("csrf " + secret)))
+                              + Secret.hash("csrf " + secret)))
                   .build());
       assertEquals(403, byForm.statusCode());
       assertEquals(before, tokenCount(max));

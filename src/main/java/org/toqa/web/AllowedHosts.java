@@ -1,4 +1,4 @@
-package org.toqa.web.access;
+package org.toqa.web;
 
 import java.net.InetAddress;
 import java.util.Collection;

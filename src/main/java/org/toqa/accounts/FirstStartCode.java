@@ -1,4 +1,4 @@
-package org.toqa.web.access;
+package org.toqa.accounts;
 
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
