@@ -1,5 +1,6 @@
 package org.toqa.app.server;
 
+import static org.toqa.app.server.Verdict.FORBIDDEN;
 import static org.toqa.app.server.Verdict.GONE;
 import static org.toqa.app.server.Verdict.NAME_OF_100;
 import static org.toqa.app.server.Verdict.PASSWORD;
@@ -104,9 +105,9 @@ final class OrderCases {
             204),
         post(
             "users/{own}/tokens",
-            "{}", // made in a browser only
-            Map.of(),
-            403));
+            "{'name':'for a program','days':30,'scopes':['read'],'password':'{password}'}",
+            Map.of("/name", FORBIDDEN, "/scopes/0", FORBIDDEN, "/password", FORBIDDEN),
+            403)); // made in a browser only
   }
 
   private static Map<String, Verdict> task(String at) {
