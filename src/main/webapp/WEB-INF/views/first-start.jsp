@@ -12,7 +12,8 @@
     <t:errors/>
     <form method="post" action="${root}/first-start" novalidate>
       <t:csrf/>
-      <t:field name="name" label="firstStart.name" autocomplete="username" focus="true"/>
+      <t:field name="code" label="firstStart.code" hint="firstStart.code.hint" latin="true" focus="true"/>
+      <t:field name="name" label="firstStart.name" autocomplete="username"/>
       <t:field name="password" label="firstStart.password" type="password" hint="firstStart.password.hint" autocomplete="new-password"/>
       <button><fmt:message key="firstStart.submit"/></button>
     </form>

@@ -14,7 +14,6 @@
         <p class="faint"><fmt:message key="reset.intro"><fmt:param><bdi><c:out value="${user.name}"/></bdi></fmt:param></fmt:message></p>
         <form method="post" action="${root}/reset" novalidate>
           <t:csrf/>
-          <input type="hidden" name="secret" value="<c:out value="${param.secret}"/>">
           <input type="text" name="username" value="<c:out value="${user.name}"/>" autocomplete="username" hidden>
           <t:field name="password" label="users.password.new" type="password" hint="firstStart.password.hint" autocomplete="new-password" focus="true"/>
           <button><fmt:message key="reset.submit"/></button>

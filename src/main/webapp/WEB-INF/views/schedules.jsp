@@ -44,6 +44,7 @@
               <c:choose>
                 <c:when test="${empty schedule.due}"><fmt:message key="schedules.ended"/></c:when>
                 <c:when test="${schedule.paused}"><fmt:message key="schedules.paused"/></c:when>
+                <c:when test="${schedule.resting}"><fmt:message key="schedules.resting.${empty schedule.owner ? 'gone' : 'disabled'}"/></c:when>
                 <c:otherwise><t:time at="${schedule.due}"/></c:otherwise>
               </c:choose>
             </td>

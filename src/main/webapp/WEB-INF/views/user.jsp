@@ -37,7 +37,7 @@
           <c:forEach items="${sessions}" var="session">
             <tr>
               <th scope="row" class="whole">
-                <c:choose><c:when test="${not empty session.name}"><fmt:message key="users.session.token"/>${" "}<q><bdi><c:out value="${session.name}"/></bdi></q></c:when><c:otherwise><fmt:message key="users.session.${session.kind}"/></c:otherwise></c:choose>
+                <c:choose><c:when test="${not empty session.name}"><fmt:message key="users.session.token"/>${" "}<q><bdi><c:out value="${session.name}"/></bdi></q> (<c:forEach items="${scopes}" var="scope"><c:if test="${session.scopes.contains(scope)}"> <bdi>${scope.word()}</bdi></c:if></c:forEach>)</c:when><c:otherwise><fmt:message key="users.session.${session.kind}"/></c:otherwise></c:choose>
                 <c:if test="${session.id == caller.session.id}">${" "}(<fmt:message key="users.session.this"/>)</c:if>
                 <p class="faint agent"><bdi dir="ltr"><c:out value="${session.origin.agent}"/></bdi></p>
               </th>
@@ -65,6 +65,16 @@
           <div><t:field name="tokenName" label="users.token.name" hint="users.token.name.hint"/></div>
           <div><t:field name="days" label="users.token.days" inputmode="numeric" value="90"/></div>
         </div>
+        <fieldset${empty errors.scopes ? '' : ' aria-describedby="scopes-help"'}>
+          <legend><fmt:message key="users.token.scopes"/></legend>
+          <c:forEach items="${scopes}" var="scope">
+            <c:set var="chosen" value="${false}"/>
+            <c:forEach items="${paramValues.scopes}" var="given"><c:if test="${given == scope.word()}"><c:set var="chosen" value="${true}"/></c:if></c:forEach>
+            <label><input type="checkbox" name="scopes" value="${scope.word()}"${chosen ? ' checked' : ''}> <fmt:message key="users.scope.${scope.word()}"/></label>
+          </c:forEach>
+          <c:if test="${not empty errors.scopes}"><small id="scopes-help" class="wrong"><bdi><c:out value="${errors.scopes}"/></bdi></small></c:if>
+        </fieldset>
+        <t:field name="password" id="token-password" errorAt="tokenPassword" label="users.password.old" type="password" autocomplete="current-password"/>
         <button><fmt:message key="users.token.submit"/></button>
       </form>
     </c:if>
@@ -111,11 +121,24 @@
         <p class="faint"><fmt:message key="users.change.disabled.hint"/></p>
         <button><fmt:message key="users.change.submit"/></button>
       </form>
-      <details class="or">
+      <details class="or"${not empty errors.tasks or not empty errors.schedules or not empty errors.tokens or not empty errors.to ? ' open' : ''}>
         <summary role="button" class="outline secondary"><fmt:message key="users.delete"/></summary>
         <form method="post" action="${root}/users/${user.id}/delete">
           <t:csrf/>
           <p><fmt:message key="users.delete.sure"/></p>
+          <c:if test="${belongings.tasks > 0}">
+            <t:choice name="tasks" label="users.delete.tasks" count="${belongings.tasks}" words="handOver,cancel"/>
+            <t:choice name="load" label="users.delete.load" words="back,here"/>
+          </c:if>
+          <c:if test="${belongings.schedules > 0}"><t:choice name="schedules" label="users.delete.schedules" count="${belongings.schedules}" words="handOver,remove"/></c:if>
+          <c:if test="${belongings.tokens > 0}"><t:choice name="tokens" label="users.delete.tokens" count="${belongings.tokens}" words="remove,handOver"/></c:if>
+          <c:if test="${belongings.tasks + belongings.schedules + belongings.tokens > 0}">
+            <label for="delete-to"><fmt:message key="users.delete.to"/></label>
+            <select id="delete-to" name="to"${empty errors.to ? '' : ' aria-invalid="true" aria-describedby="delete-to-help"'}>
+              <c:forEach items="${heirs}" var="heir"><option value="${heir.id}"${param.to == heir.id or (empty param.to and heir.id == caller.account.id) ? ' selected' : ''}><c:out value="${heir.name}"/></option></c:forEach>
+            </select>
+            <c:if test="${not empty errors.to}"><small id="delete-to-help" class="wrong"><bdi><c:out value="${errors.to}"/></bdi></small></c:if>
+          </c:if>
           <button class="danger"><fmt:message key="users.delete.submit"/></button>
         </form>
       </details>

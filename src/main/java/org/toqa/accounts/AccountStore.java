@@ -79,14 +79,20 @@ public interface AccountStore {
    */
   ChangeResult update(long id, Role role, boolean disabled, @Nullable Account seen, String by);
 
+  /** Removes the account with all that is the user's. */
+  default ChangeResult delete(long id, String by) {
+    return delete(id, Handover.NONE, by);
+  }
+
   /**
-   * Removes the account, unless the last manager would be gone.
+   * Removes the account, unless the last manager would be gone. His tasks are nobody's then.
    *
    * @param id the account's
+   * @param handover who gets his schedules and tokens
    * @param by who does it
    * @return {@code LAST_MANAGER} is a refusal: nothing changes then
    */
-  ChangeResult delete(long id, String by);
+  ChangeResult delete(long id, Handover handover, String by);
 
   /**
    * Also ends the user's sessions, tokens and links to replace the password.

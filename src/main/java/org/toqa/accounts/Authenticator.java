@@ -52,20 +52,25 @@ public final class Authenticator {
   public Outcome authenticate(String name, String password, String address) {
     String key = name.substring(0, Math.min(name.length(), MAX_CHECKED_LENGTH));
     key = key.strip().toLowerCase(Locale.ROOT);
-    Duration wait = throttle.remainingWait(key, address);
+    Duration wait = throttle.tryBegin(key, address);
     if (wait.isPositive()) {
       return new Outcome.Throttled(wait);
     }
-    Optional<Account> account = accounts.accountByName(key);
-    boolean isOfSensibleLength = password.length() <= MAX_CHECKED_LENGTH;
-    if (passwords.isCorrect(isOfSensibleLength ? password : "", account)) {
-      throttle.recordSuccess(key);
-      return account.orElseThrow().disabled()
-          ? new Outcome.AccountDisabled()
-          : new Outcome.Authenticated(account.get());
+    LoginThrottle.Result result = LoginThrottle.Result.UNKNOWN;
+    try {
+      Optional<Account> account = accounts.accountByName(key);
+      boolean isOfSensibleLength = password.length() <= MAX_CHECKED_LENGTH;
+      if (passwords.isCorrect(isOfSensibleLength ? password : "", account)) {
+        result = LoginThrottle.Result.SUCCESS;
+        return account.orElseThrow().disabled()
+            ? new Outcome.AccountDisabled()
+            : new Outcome.Authenticated(account.get());
+      }
+      result = LoginThrottle.Result.FAILURE;
+      LOG.info("A login from {} failed.", address);
+      return new Outcome.WrongCredentials();
+    } finally {
+      throttle.end(key, address, result);
     }
-    throttle.recordFailure(key, address);
-    LOG.info("A login from {} failed.", address);
-    return new Outcome.WrongCredentials();
   }
 }

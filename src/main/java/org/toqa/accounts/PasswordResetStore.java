@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.util.Optional;
 
 /**
- * Secrets by which a forgotten password is replaced, each once and for a while. A user has at most
- * one: a new one ends the one before.
+ * Secrets by which a forgotten password is replaced, each once and for a while. A new one ends none
+ * before it, or whoever asks for one could take another's away; the one that is used ends all.
  *
  * <p>Any thread may call it and may have to wait. Every method throws {@link
  * org.toqa.persistence.StoreException} when the store does not answer.
@@ -19,6 +19,9 @@ public interface PasswordResetStore {
    * @param by who asked for it, as the history tells
    */
   String issue(Account account, Duration lifetime, String by);
+
+  /** Ends all secrets of that account. */
+  void revoke(Account account);
 
   /** The account whose password the secret replaces, while it is good. */
   Optional<Account> account(String secret);

@@ -3,6 +3,7 @@ package org.toqa.accounts;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * Who is signed in, from where, and by which secret. Sessions outlive the server's process.
@@ -11,11 +12,6 @@ import java.util.Optional;
  * org.toqa.persistence.StoreException} when the store does not answer.
  */
 public interface SessionStore {
-  /**
-   * Of a browser's session without use, and of a token that a login gave. Long enough for a shift.
-   */
-  Duration LIFETIME = Duration.ofHours(12);
-
   /** A session and the secret that is shown for it, which is told but once. */
   record NewSession(Session session, String secret) {
     /** Without the secret, so that it reaches no log. */
@@ -28,22 +24,33 @@ public interface SessionStore {
   /** A session and its user. */
   record AuthenticatedSession(Account account, Session session) {}
 
-  /** Begins a session of {@link #LIFETIME}. Expired sessions of all users are removed with it. */
+  /**
+   * Begins a session of somebody who has logged in. Expired sessions of all users are removed with
+   * it.
+   *
+   * @param kind not {@code TOKEN}
+   */
   NewSession begin(Account account, Session.Kind kind, Session.Origin origin);
 
   /**
    * A token for a program of that user, which is told in the history.
    *
    * @param name what its owner calls it
+   * @param scopes what it may do of what its user may
    * @param lifetime how long it is valid from now on, in real time
    */
-  NewSession issueToken(Account account, String name, Session.Origin origin, Duration lifetime);
+  NewSession issueToken(
+      Account account, String name, Set<Scope> scopes, Session.Origin origin, Duration lifetime);
 
   /**
-   * Whose secret it is, while it is good; what was read last while the store does not answer.
-   * Asking counts as use of the session.
+   * Whose secret it is, while it is good; what was read last while the store does not answer. It
+   * counts as use of the session, which puts off its end, but never beyond the time at which a
+   * session ends for good.
    */
-  Optional<AuthenticatedSession> authenticate(Session.Kind kind, String secret);
+  Optional<AuthenticatedSession> authenticate(Session.Carrier carrier, String secret);
+
+  /** The same for what nobody asked for himself, such as a page that stays open: it is no use. */
+  Optional<AuthenticatedSession> find(Session.Carrier carrier, String secret);
 
   /** Of that account, the newest first. */
   List<Session> sessions(long accountId);

@@ -1,6 +1,6 @@
 /**
- * Users and their rights: accounts, roles, sessions, tokens, password rules; and the ports they
- * need.
+ * Users and their rights: accounts, roles, sessions, tokens and their scopes, password rules; and
+ * the ports they need.
  */
 @NullMarked
 package org.toqa.accounts;

@@ -11,6 +11,7 @@ public enum EventKind {
   TASK_CANCELLED("task.cancelled"),
   TASK_DELIVERED("task.delivered"),
   TASK_EXCHANGED("task.exchanged"),
+  TASK_HANDED_OVER("task.handed-over"),
   TASK_HELD("task.held"),
   TASK_LATE("task.late"),
   TASK_PARKED("task.parked"),
@@ -57,6 +58,7 @@ public enum EventKind {
   SCHEDULE_ADDED("schedule.added"),
   SCHEDULE_BEGAN("schedule.began"),
   SCHEDULE_DELETED("schedule.deleted"),
+  SCHEDULE_HANDED_OVER("schedule.handed-over"),
   SCHEDULE_PAUSED("schedule.paused"),
   SCHEDULE_REFUSED("schedule.refused"),
   SCHEDULE_RESUMED("schedule.resumed"),
@@ -103,6 +105,7 @@ public enum EventKind {
       case MissionEvent.Resume ignored -> TASK_RESUMED;
       case MissionEvent.Prioritise ignored -> TASK_PRIORITISED;
       case MissionEvent.Answer ignored -> TASK_ANSWERED;
+      case MissionEvent.HandOver ignored -> TASK_HANDED_OVER;
     };
   }
 }

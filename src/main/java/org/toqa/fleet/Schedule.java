@@ -10,6 +10,10 @@ import org.jspecify.annotations.Nullable;
  * @param order has no deadline
  * @param until the last moment at which it can be due; null: it has no end
  * @param user in whose name its tasks are put in
+ * @param owner the id of his account, for names come back and ids do not; null: he is no user any
+ *     more, or the schedule is not stored yet
+ * @param resting whether it makes no tasks for now, since its user may not log in or is no user any
+ *     more
  * @param due when its next task is put in; null: never again
  * @param lastTask the one that it put in last, if any
  */
@@ -20,6 +24,8 @@ public record Schedule(
     @Nullable Instant until,
     boolean paused,
     String user,
+    @Nullable Long owner,
+    boolean resting,
     Instant createdAt,
     @Nullable Instant due,
     @Nullable Long lastTask) {
@@ -27,12 +33,14 @@ public record Schedule(
   /** One that is not stored yet. */
   public static Schedule of(
       TaskOrder order, Recurrence recurrence, @Nullable Instant until, String user, Instant now) {
-    Schedule fresh = new Schedule(0, order, recurrence, until, false, user, now, null, null);
+    Schedule fresh =
+        new Schedule(0, order, recurrence, until, false, user, null, false, now, null, null);
     return fresh.withDue(fresh.nextDueAfter(now).orElse(null));
   }
 
   private Schedule withDue(@Nullable Instant moment) {
-    return new Schedule(id, order, recurrence, until, paused, user, createdAt, moment, lastTask);
+    return new Schedule(
+        id, order, recurrence, until, paused, user, owner, resting, createdAt, moment, lastTask);
   }
 
   /** The first moment after that one at which it is due, if there is one. */

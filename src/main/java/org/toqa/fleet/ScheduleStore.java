@@ -21,7 +21,7 @@ public interface ScheduleStore {
   /** The one that came with that key. */
   Optional<Schedule> scheduleByKey(UUID key);
 
-  /** Those that are not paused and due by then. */
+  /** Those that are not paused and due by then, also those that rest. */
   List<Schedule> due(Instant now);
 
   /**

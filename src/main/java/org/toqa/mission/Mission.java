@@ -145,6 +145,7 @@ public record Mission(
       case MissionEvent.Resume e -> OperatorCommandRules.resume(this, e);
       case MissionEvent.Prioritise e -> OperatorCommandRules.prioritise(this, e);
       case MissionEvent.Answer e -> TroubleRules.answer(this, e);
+      case MissionEvent.HandOver e -> OperatorCommandRules.handOver(this, e);
     };
   }
 
@@ -222,6 +223,11 @@ public record Mission(
   Mission withPriority(int priority) {
     return new Mission(
         task.withPriority(priority), state, assignedRobots, held, ending, setDownPlace, trouble);
+  }
+
+  Mission withOwner(String user, long owner) {
+    return new Mission(
+        task.withOwner(user, owner), state, assignedRobots, held, ending, setDownPlace, trouble);
   }
 
   Mission withHeld(boolean hold) {

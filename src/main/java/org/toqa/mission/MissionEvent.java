@@ -85,4 +85,12 @@ public sealed interface MissionEvent {
   }
 
   record Answer(String user, Reply reply) implements OperatorCommand {}
+
+  /**
+   * It is another user's from now on.
+   *
+   * @param newUser his name
+   * @param newOwner the id of his account
+   */
+  record HandOver(String user, String newUser, long newOwner) implements OperatorCommand {}
 }

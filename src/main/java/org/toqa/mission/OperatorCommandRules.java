@@ -2,6 +2,7 @@ package org.toqa.mission;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -17,6 +18,7 @@ final class OperatorCommandRules {
       case MissionEvent.Resume ignored -> objectionToChange(mission);
       case MissionEvent.Prioritise ignored -> objectionToChange(mission);
       case MissionEvent.Answer answer -> objectionToAnswer(mission, answer);
+      case MissionEvent.HandOver ignored -> objectionToChange(mission);
     };
   }
 
@@ -101,6 +103,16 @@ final class OperatorCommandRules {
         : mission
             .withPriority(event.priority())
             .step(List.of(), Phrase.PRIORITY_CHANGED.with(event.user(), before, event.priority()));
+  }
+
+  static Mission.Step handOver(Mission mission, MissionEvent.HandOver event) {
+    return Objects.equals(mission.task().owner(), event.newOwner())
+        ? mission.unchangedStep()
+        : mission
+            .withOwner(event.newUser(), event.newOwner())
+            .step(
+                List.of(),
+                Phrase.TASK_HANDED_OVER.with(event.user(), mission.task().user(), event.newUser()));
   }
 
   /** Robots that had arrived somewhere drive anew. */

@@ -10,7 +10,9 @@ import org.jspecify.annotations.Nullable;
  * @param priority higher is served first; 0 is usual
  * @param deadline when it should be delivered, if anybody said so
  * @param size of the load, if anybody said so
- * @param user who asked
+ * @param user who asked, by his name then; the one it was handed over to, since
+ * @param owner the id of his account, for names come back and ids do not; null: he is no user any
+ *     more, or the task is not stored yet
  */
 public record TransportTask(
     long id,
@@ -23,6 +25,7 @@ public record TransportTask(
     @Nullable Instant deadline,
     @Nullable LoadSize size,
     String user,
+    @Nullable Long owner,
     Instant createdAt) {
 
   /**
@@ -37,14 +40,36 @@ public record TransportTask(
     public static final LoadSize DEFAULT = new LoadSize(0.3, 0.3);
   }
 
+  /** One whose owner is not known yet. */
+  public TransportTask(
+      long id,
+      String name,
+      double load,
+      TaskPlace start,
+      TaskPlace goal,
+      String floor,
+      int priority,
+      @Nullable Instant deadline,
+      @Nullable LoadSize size,
+      String user,
+      Instant createdAt) {
+    this(id, name, load, start, goal, floor, priority, deadline, size, user, null, createdAt);
+  }
+
   /** The same with the id that the store gave it. */
   public TransportTask withId(long stored) {
     return new TransportTask(
-        stored, name, load, start, goal, floor, priority, deadline, size, user, createdAt);
+        stored, name, load, start, goal, floor, priority, deadline, size, user, owner, createdAt);
+  }
+
+  /** The same, of that user. */
+  public TransportTask withOwner(String newUser, @Nullable Long newOwner) {
+    return new TransportTask(
+        id, name, load, start, goal, floor, priority, deadline, size, newUser, newOwner, createdAt);
   }
 
   TransportTask withPriority(int changed) {
     return new TransportTask(
-        id, name, load, start, goal, floor, changed, deadline, size, user, createdAt);
+        id, name, load, start, goal, floor, changed, deadline, size, user, owner, createdAt);
   }
 }

@@ -62,6 +62,7 @@ final class DatabaseTypes {
     register(jdbi, TaskRow.class);
     register(jdbi, TaskTable.AssignedRobotRow.class);
     register(jdbi, ScheduleRow.class);
+    register(jdbi, LeftBehind.Item.class);
     register(jdbi, EventTable.EventRow.class);
     register(jdbi, JdbiSessionStore.ListedSessionRow.class);
     register(jdbi, JdbiSessionStore.OwnedSessionRow.class);

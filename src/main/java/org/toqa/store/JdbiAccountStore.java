@@ -16,6 +16,7 @@ import org.jdbi.v3.core.JdbiException;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Handover;
 import org.toqa.accounts.Role;
 import org.toqa.fleet.EventKind;
 import org.toqa.persistence.StoreException;
@@ -126,7 +127,7 @@ public final class JdbiAccountStore implements AccountStore {
   }
 
   @Override
-  public synchronized ChangeResult delete(long id, String by) {
+  public synchronized ChangeResult delete(long id, Handover handover, String by) {
     return sql.inTransaction(
         handle -> {
           Optional<Account> account = find(handle, id);
@@ -136,6 +137,9 @@ public final class JdbiAccountStore implements AccountStore {
           if (isLastManager(handle, account.get())) {
             return ChangeResult.LAST_MANAGER;
           }
+          LeftBehind left = new LeftBehind(handle, account.get(), clock.instant(), by);
+          left.handOverSchedules(handover.schedules());
+          left.handOverTokens(handover.tokens());
           handle.execute("delete from users where id = ?", id);
           recordEvent(
               handle,
@@ -220,7 +224,7 @@ public final class JdbiAccountStore implements AccountStore {
             return ChangeResult.OUTDATED;
           }
           if (!Objects.equals(old.email(), email)) {
-            handle.execute("delete from password_resets where user_id = ?", id);
+            handle.execute("delete from reset_links where user_id = ?", id);
             recordEvent(
                 handle, EventKind.USER_CHANGED, by, Phrase.EMAIL_CHANGED.with(by, old.name()));
           }

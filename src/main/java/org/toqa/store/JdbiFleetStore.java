@@ -1,6 +1,7 @@
 package org.toqa.store;
 
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -184,7 +185,19 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   public List<TransportTask> addTasks(List<Submission> submissions) {
     return sql.inTransaction(
         h -> {
-          List<TransportTask> stored = submissions.stream().map(s -> TaskTable.add(h, s)).toList();
+          Map<String, Optional<Long>> owners = new HashMap<>();
+          List<TransportTask> stored =
+              submissions.stream()
+                  .map(
+                      s ->
+                          TaskTable.add(
+                              h,
+                              s,
+                              owners
+                                  .computeIfAbsent(
+                                      s.task().user(), name -> AccountTable.idOf(h, name))
+                                  .orElse(null)))
+                  .toList();
           EventTable.addAll(h, stored.stream().map(EventRecord::added).toList());
           return stored;
         });

@@ -13,8 +13,8 @@ import org.toqa.fleet.EventKind;
 import org.toqa.wording.Phrase;
 
 /**
- * Secrets by which a forgotten password is replaced, each once and for a while. A user has at most
- * one: a new one ends the one before.
+ * Secrets by which a forgotten password is replaced, each once and for a while. The one that is
+ * used ends all of its user.
  */
 public final class JdbiPasswordResetStore implements PasswordResetStore {
   private final SqlExecutor sql;
@@ -31,9 +31,9 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
     Instant now = clock.instant();
     return sql.inTransaction(
         handle -> {
-          handle.execute("delete from password_resets where user_id = ?", user.id());
+          handle.execute("delete from reset_links where expires_at <= ?", now);
           handle.execute(
-              "insert into password_resets (user_id, secret_hash, expires_at) values (?, ?, ?)",
+              "insert into reset_links (user_id, secret_hash, expires_at) values (?, ?, ?)",
               user.id(),
               Secret.hash(secret),
               now.plus(life));
@@ -41,6 +41,12 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
               handle, now, EventKind.USER_RESET, by, Phrase.PASSWORD_LINK_MADE.with(user.name()));
           return secret;
         });
+  }
+
+  @Override
+  public void revoke(Account user) {
+    sql.withHandle(
+        handle -> handle.execute("delete from reset_links where user_id = ?", user.id()));
   }
 
   @Override
@@ -54,8 +60,7 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
         handle -> {
           Optional<Account> user = findAccount(handle, secret);
           boolean isFirst =
-              handle.execute(
-                      "delete from password_resets where secret_hash = ?", Secret.hash(secret))
+              handle.execute("delete from reset_links where secret_hash = ?", Secret.hash(secret))
                   > 0;
           if (user.isEmpty() || !isFirst) {
             return false;
@@ -78,7 +83,7 @@ public final class JdbiPasswordResetStore implements PasswordResetStore {
             "select "
                 + AccountTable.COLUMNS
                 + """
-                   from users u join password_resets p on p.user_id = u.id
+                   from users u join reset_links p on p.user_id = u.id
                   where p.secret_hash = :hash and p.expires_at > :now
                   """)
         .bind("hash", Secret.hash(secret))

@@ -32,10 +32,11 @@ import org.toqa.wording.Phrase;
 public final class JdbiScheduleStore implements ScheduleStore {
   private static final String SELECT =
       """
-      select id, name, user_name, floor, load_kg, load_length, load_width, start_x, start_y,
-        start_station, goal_x, goal_y, goal_station, priority, kind, first_at, every_s, weekdays,
-        time_of_day, zone, until_at, paused, created_at, due_at, last_task
-      from schedules
+      select s.id, s.name, user_name, user_id, coalesce(u.disabled, true) as resting, floor, load_kg,
+        load_length, load_width, start_x, start_y, start_station, goal_x, goal_y, goal_station,
+        priority, kind, first_at, every_s, weekdays, time_of_day, zone, until_at, paused,
+        s.created_at, due_at, last_task
+      from schedules s left join users u on u.id = s.user_id
       """;
 
   private final SqlExecutor sql;
@@ -46,13 +47,13 @@ public final class JdbiScheduleStore implements ScheduleStore {
 
   @Override
   public List<Schedule> schedules() {
-    return sql.withHandle(h -> schedules(h.createQuery(SELECT + "order by id")).list());
+    return sql.withHandle(h -> schedules(h.createQuery(SELECT + "order by s.id")).list());
   }
 
   @Override
   public Optional<Schedule> schedule(long id) {
     return sql.withHandle(
-        h -> schedules(h.createQuery(SELECT + "where id = :id").bind("id", id)).findOne());
+        h -> schedules(h.createQuery(SELECT + "where s.id = :id").bind("id", id)).findOne());
   }
 
   @Override
@@ -69,7 +70,7 @@ public final class JdbiScheduleStore implements ScheduleStore {
         h ->
             schedules(
                     h.createQuery(
-                            SELECT + "where not paused and due_at <= :now order by due_at, id")
+                            SELECT + "where not paused and due_at <= :now order by due_at, s.id")
                         .bind("now", now))
                 .list());
   }
@@ -114,17 +115,18 @@ public final class JdbiScheduleStore implements ScheduleStore {
     Update update =
         h.createUpdate(
                 """
-                insert into schedules (submission, name, user_name, floor, load_kg, load_length,
+                insert into schedules (submission, name, user_name, user_id, floor, load_kg, load_length,
                   load_width, start_x, start_y, start_station, goal_x, goal_y, goal_station,
                   priority, kind, first_at, every_s, weekdays, time_of_day, zone, until_at, paused,
                   created_at, due_at)
-                values (:submission, :name, :user, :floor, :load, :length, :width, :startX, :startY,
+                values (:submission, :name, :user, :owner, :floor, :load, :length, :width, :startX, :startY,
                   :startStation, :goalX, :goalY, :goalStation, :priority, :kind, :first, :every,
                   :weekdays, :time, :zone, :until, :paused, :at, :due)
                 """)
             .bind("submission", key)
             .bind("name", order.name())
             .bind("user", schedule.user())
+            .bind("owner", AccountTable.idOf(h, schedule.user()).orElse(null))
             .bind("floor", order.floor())
             .bind("load", order.load())
             .bind("length", size == null ? null : size.length())

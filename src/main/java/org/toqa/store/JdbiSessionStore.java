@@ -4,15 +4,20 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.time.temporal.ChronoUnit;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jdbi.v3.core.mapper.Nested;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
+import org.toqa.accounts.Scope;
 import org.toqa.accounts.Secret;
 import org.toqa.accounts.Session;
+import org.toqa.accounts.Session.Carrier;
 import org.toqa.accounts.Session.Kind;
 import org.toqa.accounts.Session.Origin;
 import org.toqa.accounts.SessionStore;
@@ -29,26 +34,33 @@ public final class JdbiSessionStore implements SessionStore {
 
   private static final String COLUMNS =
       "s.id as session_id, s.user_id as session_user_id, s.kind as session_kind,"
-          + " s.name as session_name, s.address as session_address, s.agent as session_agent,"
+          + " s.name as session_name, s.scopes as session_scopes, s.address as session_address, s.agent as session_agent,"
           + " s.created_at as session_created_at, s.seen_at as session_seen_at,"
           + " s.expires_at as session_expires_at";
 
   private final SqlExecutor sql;
   private final InstantSource clock;
+  private final Duration limit;
   private final FallbackCache<String, AuthenticatedSession> lastKnown = new FallbackCache<>();
 
-  public JdbiSessionStore(Jdbi jdbi, InstantSource clock) {
+  /**
+   * @param limit how long after its begin a login ends for good, in whatever use it is
+   */
+  public JdbiSessionStore(Jdbi jdbi, InstantSource clock, Duration limit) {
     this.sql = new SqlExecutor(jdbi);
     this.clock = clock;
+    this.limit = limit;
   }
 
   @Override
   public NewSession begin(Account user, Kind kind, Origin origin) {
-    return sql.inTransaction(handle -> insert(handle, user, kind, null, origin, LIFETIME));
+    Duration life = kind.idleLimit().filter(idle -> idle.compareTo(limit) < 0).orElse(limit);
+    return sql.inTransaction(handle -> insert(handle, user, kind, null, Scope.ALL, origin, life));
   }
 
   @Override
-  public NewSession issueToken(Account user, String name, Origin origin, Duration life) {
+  public NewSession issueToken(
+      Account user, String name, Set<Scope> scopes, Origin origin, Duration life) {
     return sql.inTransaction(
         handle -> {
           EventTable.addAccountEvent(
@@ -57,15 +69,33 @@ public final class JdbiSessionStore implements SessionStore {
               EventKind.USER_TOKEN,
               user.name(),
               Phrase.TOKEN_MADE.with(user.name(), name));
-          return insert(handle, user, Kind.TOKEN, name, origin, life);
+          return insert(handle, user, Kind.TOKEN, name, scopes, origin, life);
         });
   }
 
   @Override
-  public Optional<AuthenticatedSession> authenticate(Kind kind, String secret) {
+  public Optional<AuthenticatedSession> authenticate(Carrier carrier, String secret) {
+    return find(carrier, secret, true);
+  }
+
+  @Override
+  public Optional<AuthenticatedSession> find(Carrier carrier, String secret) {
+    return find(carrier, secret, false);
+  }
+
+  private Optional<AuthenticatedSession> find(Carrier carrier, String secret, boolean isUse) {
     String hash = Secret.hash(secret);
-    return lastKnown.get(
-        kind + hash, () -> sql.withHandle(handle -> findAndTouch(handle, kind, hash)));
+    return lastKnown
+        .get(hash, () -> sql.withHandle(handle -> find(handle, hash, isUse)))
+        .filter(login -> login.session().kind().carrier() == carrier)
+        .filter(login -> !hasEnded(login.session()));
+  }
+
+  /** Also where the session was read before the store went away, or the limit was longer. */
+  private boolean hasEnded(Session session) {
+    Instant now = clock.instant();
+    return !session.expiresAt().isAfter(now)
+        || (session.kind() != Kind.TOKEN && !session.createdAt().plus(limit).isAfter(now));
   }
 
   @Override
@@ -114,7 +144,7 @@ public final class JdbiSessionStore implements SessionStore {
             handle.execute("delete from sessions where secret_hash = ?", Secret.hash(secret)));
   }
 
-  private Optional<AuthenticatedSession> findAndTouch(Handle handle, Kind kind, String hash) {
+  private Optional<AuthenticatedSession> find(Handle handle, String hash, boolean isUse) {
     Instant now = clock.instant();
     Optional<AuthenticatedSession> login =
         handle
@@ -125,29 +155,47 @@ public final class JdbiSessionStore implements SessionStore {
                     + COLUMNS
                     + """
                        from users u join sessions s on s.user_id = u.id
-                      where s.secret_hash = :hash and s.kind = :kind and s.expires_at > :now
+                      where s.secret_hash = :hash and s.expires_at > :now
                       """)
             .bind("hash", hash)
-            .bind("kind", kind.name())
             .bind("now", now)
             .mapTo(OwnedSessionRow.class)
             .map(row -> new AuthenticatedSession(row.account(), row.session().toSession()))
             .findOne();
-    login
-        .map(AuthenticatedSession::session)
-        .filter(session -> session.seenAt().plus(SEEN_RESOLUTION).isBefore(now))
-        .ifPresent(session -> touch(handle, session, now));
-    return login;
+    return isUse
+        ? login.map(
+            found -> new AuthenticatedSession(found.account(), used(handle, found.session(), now)))
+        : login;
   }
 
-  private static void touch(Handle handle, Session session, Instant now) {
-    Instant end = session.kind() == Kind.BROWSER ? now.plus(LIFETIME) : session.expiresAt();
+  /** The session as it is after its use. */
+  private Session used(Handle handle, Session session, Instant now) {
+    if (!session.seenAt().plus(SEEN_RESOLUTION).isBefore(now)) {
+      return session;
+    }
+    Instant end =
+        session
+            .kind()
+            .idleLimit()
+            .map(idle -> earlier(now.plus(idle), session.createdAt().plus(limit)))
+            .orElse(session.expiresAt());
     handle.execute(
         "update sessions set seen_at = ?, expires_at = ? where id = ?", now, end, session.id());
+    return session.withUse(now, end);
+  }
+
+  private static Instant earlier(Instant one, Instant other) {
+    return one.isBefore(other) ? one : other;
   }
 
   private NewSession insert(
-      Handle handle, Account user, Kind kind, @Nullable String name, Origin origin, Duration life) {
+      Handle handle,
+      Account user,
+      Kind kind,
+      @Nullable String name,
+      Set<Scope> scopes,
+      Origin origin,
+      Duration life) {
     Instant now = clock.instant().truncatedTo(ChronoUnit.MILLIS);
     String secret = Secret.random();
     handle.execute("delete from sessions where expires_at <= ?", now);
@@ -156,12 +204,13 @@ public final class JdbiSessionStore implements SessionStore {
             .createUpdate(
                 """
                 insert into sessions
-                  (user_id, kind, name, secret_hash, address, agent, created_at, seen_at, expires_at)
-                values (:user, :kind, :name, :hash, :address, :agent, :now, :now, :end)
+                  (user_id, kind, name, scopes, secret_hash, address, agent, created_at, seen_at, expires_at)
+                values (:user, :kind, :name, :scopes, :hash, :address, :agent, :now, :now, :end)
                 """)
             .bind("user", user.id())
             .bind("kind", kind.name())
             .bind("name", name)
+            .bind("scopes", kind == Kind.TOKEN ? SessionRow.names(scopes) : null)
             .bind("hash", Secret.hash(secret))
             .bind("address", origin.address())
             .bind("agent", origin.agent())
@@ -171,7 +220,7 @@ public final class JdbiSessionStore implements SessionStore {
             .mapTo(Long.class)
             .one();
     return new NewSession(
-        new Session(id, user.id(), kind, name, origin, now, now, now.plus(life)), secret);
+        new Session(id, user.id(), kind, name, scopes, origin, now, now, now.plus(life)), secret);
   }
 
   /** A session among those of one user. */
@@ -186,6 +235,7 @@ public final class JdbiSessionStore implements SessionStore {
       long userId,
       Kind kind,
       @Nullable String name,
+      @Nullable String scopes,
       String address,
       String agent,
       Instant createdAt,
@@ -193,7 +243,26 @@ public final class JdbiSessionStore implements SessionStore {
       Instant expiresAt) {
     Session toSession() {
       return new Session(
-          id, userId, kind, name, new Origin(address, agent), createdAt, seenAt, expiresAt);
+          id,
+          userId,
+          kind,
+          name,
+          scopes == null ? Scope.ALL : scopes(scopes),
+          new Origin(address, agent),
+          createdAt,
+          seenAt,
+          expiresAt);
+    }
+
+    static String names(Set<Scope> scopes) {
+      return scopes.stream().sorted().map(Scope::name).collect(Collectors.joining(","));
+    }
+
+    private static Set<Scope> scopes(String names) {
+      return Arrays.stream(names.split(",", -1))
+          .filter(name -> !name.isEmpty())
+          .map(Scope::valueOf)
+          .collect(Collectors.toUnmodifiableSet());
     }
   }
 }

@@ -19,6 +19,7 @@ import org.toqa.fleet.TaskOrder;
  *
  * @param kind ONCE, EVERY or WEEKLY; which of the next five columns are null depends on it
  * @param everyS seconds
+ * @param resting whether its user is disabled, or none any more
  * @param weekdays names of {@link DayOfWeek} with commas between
  */
 record ScheduleRow(
@@ -40,6 +41,8 @@ record ScheduleRow(
     @Nullable String zone,
     @Nullable Instant untilAt,
     boolean paused,
+    @Nullable Long userId,
+    boolean resting,
     Instant createdAt,
     @Nullable Instant dueAt,
     @Nullable Long lastTask) {
@@ -56,7 +59,17 @@ record ScheduleRow(
             null,
             TaskRow.loadSize(loadLength, loadWidth));
     return new Schedule(
-        id, order, recurrence(), untilAt, paused, userName, createdAt, dueAt, lastTask);
+        id,
+        order,
+        recurrence(),
+        untilAt,
+        paused,
+        userName,
+        userId,
+        resting,
+        createdAt,
+        dueAt,
+        lastTask);
   }
 
   private Recurrence recurrence() {

@@ -22,6 +22,7 @@ record TaskRow(
     long id,
     String name,
     String userName,
+    @Nullable Long userId,
     String floor,
     double loadKg,
     @Nullable Double loadLength,
@@ -41,7 +42,7 @@ record TaskRow(
 
   static final String COLUMNS =
       """
-      id, name, user_name, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
+      id, name, user_name, user_id, floor, load_kg, load_length, load_width, start_x, start_y, start_station,
       goal_x, goal_y, goal_station, priority, deadline, state, created_at, changed_at, held, ending,
       set_down_x, set_down_y, trouble_robot, trouble_why, trouble_said, trouble_x, trouble_y, trouble_waits
       """;
@@ -90,6 +91,7 @@ record TaskRow(
         deadline,
         loadSize(loadLength, loadWidth),
         userName,
+        userId,
         createdAt);
   }
 

@@ -4,11 +4,11 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.UUID;
 import java.util.function.BiFunction;
 import org.jdbi.v3.core.Handle;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
@@ -25,7 +25,10 @@ final class TaskTable {
 
   private TaskTable() {}
 
-  static TransportTask add(Handle h, Submission submission) {
+  /**
+   * @param owner the id of the task's user; null: there is no such user
+   */
+  static TransportTask add(Handle h, Submission submission, @Nullable Long owner) {
     TransportTask task = submission.task();
     LoadSize size = task.size();
     long id =
@@ -34,12 +37,12 @@ final class TaskTable {
                       insert into tasks (name, user_id, user_name, floor, load_kg, load_length, load_width,
                         start_x, start_y, start_station, goal_x, goal_y, goal_station, priority, deadline,
                         state, created_at, changed_at, submission)
-                      values (:name, (select id from users where name_key = :userKey), :user, :floor, :load,
+                      values (:name, :owner, :user, :floor, :load,
                         :length, :width, :startX, :startY, :startStation, :goalX, :goalY, :goalStation,
                         :priority, :deadline, 'QUEUED', :at, :at, :submission)
                       """)
             .bind("name", task.name())
-            .bind("userKey", task.user().toLowerCase(Locale.ROOT))
+            .bind("owner", owner)
             .bind("user", task.user())
             .bind("floor", task.floor())
             .bind("load", task.load())
@@ -58,7 +61,7 @@ final class TaskTable {
             .executeAndReturnGeneratedKeys("id")
             .mapTo(Long.class)
             .one();
-    return task.withId(id);
+    return task.withId(id).withOwner(task.user(), owner);
   }
 
   static void withdraw(Handle h, UUID key) {
@@ -75,13 +78,16 @@ final class TaskTable {
     TaskPlace place = trouble == null ? null : trouble.place();
     h.createUpdate(
             """
-            update tasks set state = :state, changed_at = :at, priority = :priority, held = :held, ending = :ending,
+            update tasks set user_id = (select id from users where id = :owner), user_name = :user,
+              state = :state, changed_at = :at, priority = :priority, held = :held, ending = :ending,
               assigned_at = coalesce(assigned_at, :assigned), delivered_at = coalesce(delivered_at, :delivered),
               set_down_x = :setDownX, set_down_y = :setDownY, trouble_robot = :troubleRobot,
               trouble_why = :troubleWhy, trouble_said = :troubleSaid, trouble_x = :troubleX,
               trouble_y = :troubleY, trouble_waits = :troubleWaits
             where id = :id
             """)
+        .bind("owner", mission.task().owner())
+        .bind("user", mission.task().user())
         .bind("state", mission.state().name())
         .bind("at", at)
         .bind("priority", mission.task().priority())

@@ -5,6 +5,7 @@ import java.time.InstantSource;
 import java.util.Objects;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
+import org.toqa.accounts.FirstStartCode;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.SessionStore;
 import org.toqa.fleet.Fleet;
@@ -30,7 +31,9 @@ public record Services(
     RequestLimit requestLimit,
     InstantSource clock,
     Authenticator authenticator,
-    IdempotentSubmitter submitter) {
+    IdempotentSubmitter submitter,
+    AllowedHosts allowedHosts,
+    FirstStartCode firstStartCode) {
 
   /** The servlet context's attribute that holds the services. */
   public static final String ATTRIBUTE = Services.class.getName();

@@ -58,7 +58,7 @@ class LiveRegions {
     const ids = [...this.#outdated];
     this.#outdated.clear();
     try {
-      const answer = await fetch(location.href, {headers: {accept: 'text/html'}});
+      const answer = await fetch(location.href, {headers: {accept: 'text/html', 'x-toqa-background': 'yes'}});
       const page = new DOMParser().parseFromString(await answer.text(), 'text/html');
       for (const id of answer.ok ? ids : []) {
         const fresh = page.getElementById(id);

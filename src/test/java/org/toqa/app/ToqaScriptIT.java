@@ -102,6 +102,7 @@ class ToqaScriptIT {
     try (ToqaProcess server = ToqaProcess.toqa(folder, "server", "--port", "0")) {
       URI address = URI.create(server.awaitErr("http://[^ ]*").group());
       assertEquals(200, status(address.resolve("first-start")));
+      server.awaitErr("the first page asks for the code [A-Z0-9]{4}-[A-Z0-9]{4}-[A-Z0-9]{4}");
 
       server.terminate();
 

@@ -2,12 +2,16 @@ package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNull;
 
+import java.time.InstantSource;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.toqa.accounts.Role;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
+import org.toqa.store.JdbiAccountStore;
 
 /** Tasks that wait for robots: why, and in which order. */
 class FleetQueueTest extends HallFleetTest {
@@ -74,6 +78,33 @@ class FleetQueueTest extends HallFleetTest {
         answer(stage.fleet.commandTask(task, new MissionEvent.Prioritise("Max", 5, 0))));
     accepted(stage.fleet.commandTask(task, new MissionEvent.Prioritise("Max", 5, 10)));
     assertEquals(5, stage.store.task(task).orElseThrow().task().priority());
+  }
+
+  @Test
+  void aTaskIsHandedOverToAnotherUserWhoKeepsItAlsoAfterARestart() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    JdbiAccountStore accounts = new JdbiAccountStore(stage.database.jdbi(), InstantSource.system());
+    long clara = accounts.add("Clara", "hash", Role.CLERK, "Max").orElseThrow().id();
+    long omar = accounts.add("Omar", "hash", Role.CLERK, "Max").orElseThrow().id();
+    TaskView given = accepted(stage.fleet.submit(order(1), "clara"));
+    assertEquals(clara, given.task().owner());
+
+    MissionEvent.HandOver handOver = new MissionEvent.HandOver("Max", "Omar", omar);
+    assertEquals(omar, accepted(stage.fleet.commandTask(given.id(), handOver)).task().owner());
+
+    EventRecord told = stage.store.history(given.id()).getLast();
+    assertEquals("task.handed-over", told.kind());
+    assertEquals("Max handed the task of clara over to Omar", told.text());
+    stage.restart();
+    until(view -> view.queuedCount() == 1);
+    TaskView again = task(stage.fleet.snapshots().latest(), given.id());
+    assertEquals(omar, again.task().owner());
+    assertEquals("Omar", again.task().user());
+    // what is stored after its user has gone is nobody's
+    stage.database.jdbi().useHandle(h -> h.execute("delete from users"));
+    accepted(stage.fleet.commandTask(given.id(), new MissionEvent.Hold("Max")));
+    assertNull(stage.store.task(given.id()).orElseThrow().task().owner());
   }
 
   @Test

@@ -144,9 +144,11 @@ final class RoadWorld {
     return new Configuration(
         usual.address(),
         usual.port(),
+        usual.hosts(),
         usual.tls(),
         usual.proxy(),
         usual.requestsPerSecond(),
+        usual.sessionLimit(),
         usual.data(),
         usual.map(),
         usual.database(),

@@ -11,15 +11,19 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.flywaydb.core.Flyway;
 import org.jdbi.v3.core.Jdbi;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Handover;
 import org.toqa.accounts.PasswordResetStore;
 import org.toqa.accounts.Role;
+import org.toqa.accounts.Scope;
 import org.toqa.accounts.Session;
+import org.toqa.accounts.Session.Carrier;
 import org.toqa.accounts.Session.Kind;
 import org.toqa.accounts.SessionStore;
 import org.toqa.fleet.history.EventArchive.Filter;
@@ -30,6 +34,8 @@ class AccountStoreTest {
   private static final Session.Origin ORIGIN = new Session.Origin("10.0.0.7", "a browser");
 
   private Instant now = START;
+  private static final Duration LIMIT = Duration.ofDays(7);
+
   private Jdbi jdbi;
   private AccountStore accounts;
   private SessionStore sessions;
@@ -44,7 +50,7 @@ class AccountStoreTest {
     jdbi = Jdbi.create(url, "sa", "");
     DatabaseTypes.register(jdbi);
     accounts = new JdbiAccountStore(jdbi, () -> now);
-    sessions = new JdbiSessionStore(jdbi, () -> now);
+    sessions = new JdbiSessionStore(jdbi, () -> now, LIMIT);
     resets = new JdbiPasswordResetStore(jdbi, () -> now);
   }
 
@@ -93,14 +99,15 @@ class AccountStoreTest {
   @Test
   void aTokenIsGoodUntilItExpires() {
     Account ada = ada();
-    SessionStore.NewSession begun = sessions.issueToken(ada, "ci", ORIGIN, Duration.ofDays(2));
+    SessionStore.NewSession begun =
+        sessions.issueToken(ada, "ci", Set.of(Scope.READ), ORIGIN, Duration.ofDays(2));
 
     now = START.plus(Duration.ofDays(2)).minusMillis(1);
-    assertEquals(Optional.of(ada), owner(Kind.TOKEN, begun.secret()));
-    assertEquals(Optional.empty(), owner(Kind.TOKEN, begun.secret() + "x"));
-    assertEquals(Optional.empty(), owner(Kind.BROWSER, begun.secret()), "used as another kind");
+    assertEquals(Optional.of(ada), owner(Carrier.BEARER, begun.secret()));
+    assertEquals(Optional.empty(), owner(Carrier.BEARER, begun.secret() + "x"));
+    assertEquals(Optional.empty(), owner(Carrier.COOKIE, begun.secret()), "used as another kind");
     now = START.plus(Duration.ofDays(2));
-    assertEquals(Optional.empty(), owner(Kind.TOKEN, begun.secret()));
+    assertEquals(Optional.empty(), owner(Carrier.BEARER, begun.secret()));
     assertEquals(List.of(), sessions.sessions(ada.id()));
   }
 
@@ -110,12 +117,76 @@ class AccountStoreTest {
     String secret = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
 
     now = START.plus(Duration.ofHours(11));
-    assertEquals(Optional.of(ada), owner(Kind.BROWSER, secret));
+    assertEquals(Optional.of(ada), owner(Carrier.COOKIE, secret));
     now = START.plus(Duration.ofHours(22));
-    assertEquals(Optional.of(ada), owner(Kind.BROWSER, secret), "11 h after the last use");
+    assertEquals(Optional.of(ada), owner(Carrier.COOKIE, secret), "11 h after the last use");
     assertEquals(now, sessions.sessions(ada.id()).getFirst().seenAt());
     now = START.plus(Duration.ofHours(34));
-    assertEquals(Optional.empty(), owner(Kind.BROWSER, secret));
+    assertEquals(Optional.empty(), owner(Carrier.COOKIE, secret));
+  }
+
+  @Test
+  void aProgramsSessionEndsAnHourAfterItsLastUse() {
+    Account ada = ada();
+    String secret = sessions.begin(ada, Kind.API, ORIGIN).secret();
+
+    now = START.plus(Duration.ofMinutes(59));
+    assertEquals(Optional.of(ada), owner(Carrier.BEARER, secret));
+    now = START.plus(Duration.ofMinutes(118));
+    assertEquals(Optional.of(ada), owner(Carrier.BEARER, secret), "59 min after the last use");
+    now = START.plus(Duration.ofMinutes(178));
+    assertEquals(Optional.empty(), owner(Carrier.BEARER, secret));
+  }
+
+  @Test
+  void whatIsNoUsePutsNoEndOff() {
+    Account ada = ada();
+    String secret = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+
+    for (int hour = 1; hour < 12; hour++) {
+      now = START.plus(Duration.ofHours(hour));
+      assertTrue(sessions.find(Carrier.COOKIE, secret).isPresent(), hour + " h");
+    }
+    now = START.plus(Duration.ofHours(12));
+    assertEquals(Optional.empty(), sessions.find(Carrier.COOKIE, secret));
+  }
+
+  @Test
+  void aSessionInUseEndsForGoodAtTheLimit() {
+    Account ada = ada();
+    String browser = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    String token =
+        sessions.issueToken(ada, "ci", Set.of(Scope.TASKS), ORIGIN, Duration.ofDays(90)).secret();
+
+    for (now = START; now.isBefore(START.plus(LIMIT)); now = now.plus(Duration.ofHours(6))) {
+      assertTrue(sessions.authenticate(Carrier.COOKIE, browser).isPresent(), "at " + now);
+    }
+    now = START.plus(LIMIT);
+    assertEquals(Optional.empty(), owner(Carrier.COOKIE, browser));
+    assertEquals(
+        Set.of(Scope.TASKS),
+        sessions.authenticate(Carrier.BEARER, token).orElseThrow().session().scopes());
+    // a shorter limit holds for what began before it too
+    SessionStore shorter = new JdbiSessionStore(jdbi, () -> now, Duration.ofHours(1));
+    String second = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    now = now.plus(Duration.ofHours(2));
+    assertTrue(sessions.find(Carrier.COOKIE, second).isPresent());
+    assertEquals(Optional.empty(), shorter.find(Carrier.COOKIE, second));
+  }
+
+  @Test
+  void whoGetsSchedulesAndTokensOfADeletedUserIsSaid() {
+    Account ada = ada();
+    Account bob = accounts.add("bob", "hash", Role.CLERK, "boss").orElseThrow();
+    String token =
+        sessions.issueToken(ada, "ci", Set.of(Scope.READ), ORIGIN, Duration.ofDays(2)).secret();
+    String browser = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+
+    accounts.delete(ada.id(), new Handover(bob, bob), "boss");
+
+    assertEquals(Optional.of(bob), owner(Carrier.BEARER, token));
+    assertEquals(Optional.empty(), owner(Carrier.COOKIE, browser));
+    assertTrue(texts().contains("boss handed API token ci of ada over to bob"), texts().toString());
   }
 
   @Test
@@ -127,7 +198,7 @@ class AccountStoreTest {
     assertFalse(sessions.end(bob, begun.session().id(), "bob"));
     assertEquals(List.of(begun.session()), sessions.sessions(ada.id()));
     assertTrue(sessions.end(ada, begun.session().id(), "boss"));
-    assertEquals(Optional.empty(), owner(Kind.BROWSER, begun.secret()));
+    assertEquals(Optional.empty(), owner(Carrier.COOKIE, begun.secret()));
     assertFalse(begun.toString().contains(begun.secret()), "it reaches no log");
   }
 
@@ -135,13 +206,14 @@ class AccountStoreTest {
   void aNewPasswordEndsTheUsersSessionsTokensAndLinks() {
     Account ada = ada();
     String browser = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
-    String token = sessions.issueToken(ada, "ci", ORIGIN, Duration.ofDays(2)).secret();
+    String token =
+        sessions.issueToken(ada, "ci", Set.of(Scope.READ), ORIGIN, Duration.ofDays(2)).secret();
     String link = resets.issue(ada, Duration.ofHours(1), "ada");
 
     assertTrue(accounts.changePassword(ada.id(), "new hash", "boss"));
 
-    assertEquals(Optional.empty(), owner(Kind.BROWSER, browser));
-    assertEquals(Optional.empty(), owner(Kind.TOKEN, token));
+    assertEquals(Optional.empty(), owner(Carrier.COOKIE, browser));
+    assertEquals(Optional.empty(), owner(Carrier.BEARER, token));
     assertEquals(Optional.empty(), resets.account(link));
     assertEquals("new hash", accounts.account(ada.id()).orElseThrow().passwordHash());
     assertFalse(accounts.changePassword(ada.id() + 1, "new hash", "boss"));
@@ -150,12 +222,12 @@ class AccountStoreTest {
   @Test
   void theSessionsOfADeletedUserEndWithHim() {
     Account ada = ada();
-    String token = sessions.begin(ada, Kind.TOKEN, ORIGIN).secret();
+    String token = sessions.begin(ada, Kind.API, ORIGIN).secret();
     String link = resets.issue(ada, Duration.ofHours(1), "boss");
 
     accounts.delete(ada.id(), "boss");
 
-    assertEquals(Optional.empty(), owner(Kind.TOKEN, token));
+    assertEquals(Optional.empty(), owner(Carrier.BEARER, token));
     assertFalse(resets.replacePassword(link, "new hash"));
   }
 
@@ -166,13 +238,13 @@ class AccountStoreTest {
     String first = resets.issue(ada, Duration.ofHours(1), "ada");
     String second = resets.issue(ada, Duration.ofHours(1), "ada");
 
-    assertEquals(Optional.empty(), resets.account(first), "the second ended it");
+    assertEquals(Optional.of(ada), resets.account(first), "who asks again ends none");
     assertEquals(Optional.of(ada), resets.account(second));
-    assertFalse(resets.replacePassword(first, "new hash"));
     assertTrue(resets.replacePassword(second, "new hash"));
+    assertFalse(resets.replacePassword(first, "newer hash"), "the one that is used ends all");
     assertFalse(resets.replacePassword(second, "newer hash"));
     assertEquals("new hash", accounts.account(ada.id()).orElseThrow().passwordHash());
-    assertEquals(Optional.empty(), owner(Kind.BROWSER, browser));
+    assertEquals(Optional.empty(), owner(Carrier.COOKIE, browser));
   }
 
   @Test
@@ -234,8 +306,8 @@ class AccountStoreTest {
     return accounts.add("ada", "hash", Role.CLERK, "boss").orElseThrow();
   }
 
-  private Optional<Account> owner(Kind kind, String secret) {
-    return sessions.authenticate(kind, secret).map(SessionStore.AuthenticatedSession::account);
+  private Optional<Account> owner(Carrier carrier, String secret) {
+    return sessions.authenticate(carrier, secret).map(SessionStore.AuthenticatedSession::account);
   }
 
   @Test

@@ -121,6 +121,8 @@ class ScheduleStoreTest extends DatabaseTest {
         s.until(),
         s.paused(),
         s.user(),
+        null,
+        true, // no user has that name
         s.createdAt(),
         s.due(),
         s.lastTask());

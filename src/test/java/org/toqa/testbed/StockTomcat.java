@@ -81,6 +81,12 @@ public final class StockTomcat implements AutoCloseable {
     return URI.create("http://127.0.0.1:" + bound.group(1) + "/");
   }
 
+  /** The same, once it has deployed what it was given. */
+  public URI awaitedUri() throws IOException, InterruptedException {
+    awaitStart();
+    return uri();
+  }
+
   public String log() throws IOException {
     return Files.readString(base.resolve("logs/out"));
   }

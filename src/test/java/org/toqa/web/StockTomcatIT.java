@@ -54,6 +54,42 @@ class StockTomcatIT {
   }
 
   @Test
+  void takesTheCallersAddressFromTheProxy() throws Exception {
+    Map<String, String> variables =
+        Map.of("TOQA_PROXY", "127.0.0.1", "TOQA_MANAGER", NAME + ":" + PASSWORD);
+    try (StockTomcat tomcat = StockTomcat.start(folder, WAR, variables);
+        TestClient behindProxy = new TestClient(tomcat.awaitedUri(), "203.0.113.9")) {
+      HttpResponse<String> login =
+          behindProxy.send(
+              behindProxy
+                  .request("api/v1/session")
+                  .header("Content-Type", "application/json")
+                  .POST(
+                      HttpRequest.BodyPublishers.ofString(
+                          "{\"name\":\"%s\",\"password\":\"%s\"}".formatted(NAME, PASSWORD)))
+                  .build());
+      assertEquals(200, login.statusCode(), login.body());
+      String token = login.body().replaceFirst("(?s).*\"token\":\"([^\"]+)\".*", "$1");
+      String sessions =
+          behindProxy
+              .send(
+                  behindProxy
+                      .request("api/v1/users/1/sessions")
+                      .header("Authorization", "Bearer " + token)
+                      .build())
+              .body();
+      assertTrue(sessions.contains("203.0.113.9"), sessions);
+      String cookie =
+          behindProxy
+              .send(behindProxy.request("").header("X-Forwarded-Proto", "https").build())
+              .headers()
+              .firstValue("Set-Cookie")
+              .orElseThrow();
+      assertTrue(cookie.contains("Secure"), cookie);
+    }
+  }
+
+  @Test
   void carriesATaskToItsEndOverMySql() throws Exception {
     String database = RealMySql.newDatabase();
     Map<String, String> variables =

@@ -9,6 +9,8 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.EventRecord;
@@ -42,7 +44,12 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
   final FloorMap floor = Hall.floor();
   private final Map<UUID, Long> keys = new HashMap<>();
   private final List<EventRecord> events = new ArrayList<>();
+  private final Function<String, @Nullable Long> accountId;
   private boolean silent;
+
+  TasksInMemory(Function<String, @Nullable Long> accountId) {
+    this.accountId = accountId;
+  }
 
   /** From now on the store does not answer. */
   public void stopAnswering() {
@@ -199,7 +206,8 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
     return new Answer.Accepted<>(
         order
             .task(start.get(), goal.get(), floor.name(), user, latest.at())
-            .withId(tasks.size() + 1));
+            .withId(tasks.size() + 1)
+            .withOwner(user, accountId.apply(user)));
   }
 
   /** Two carry it, straight from start to goal. */

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -34,7 +35,11 @@ import org.toqa.wording.Sentence;
 public final class TestFleet extends TasksInMemory {
   private final Schedules schedules;
 
-  TestFleet(ScheduleStore scheduleStore) {
+  /**
+   * @param accountId the id of the user who has a name
+   */
+  TestFleet(ScheduleStore scheduleStore, Function<String, @Nullable Long> accountId) {
+    super(accountId);
     this.schedules = new StoredSchedules(scheduleStore, this, InstantSource.system());
   }
 

@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.apache.catalina.LifecycleException;
 import org.apache.catalina.LifecycleState;
@@ -21,8 +22,10 @@ import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
 import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
+import org.toqa.accounts.FirstStartCode;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.Role;
 import org.toqa.accounts.SessionStore;
@@ -61,6 +64,7 @@ public final class WebTestServer implements AutoCloseable {
 
   private final TestFleet fleet;
   private final TestMailbox mailbox = new TestMailbox();
+  private final FirstStartCode firstStartCode = FirstStartCode.random();
   private final AccountStore accounts;
   private final JdbiFleetStore store;
   private final JdbiTrackStore tracks;
@@ -124,6 +128,23 @@ public final class WebTestServer implements AutoCloseable {
         .useHandle(handle -> WORK.forEach(table -> handle.execute("delete from " + table)));
   }
 
+  /** As if all sessions had begun, and been used, so much earlier. */
+  public void letSessionsAge(Duration age) {
+    String earlier = "timestampadd(second, -" + age.toSeconds() + ", ";
+    database
+        .jdbi()
+        .useHandle(
+            handle ->
+                handle.execute(
+                    "update sessions set created_at = "
+                        + earlier
+                        + "created_at), seen_at = "
+                        + earlier
+                        + "seen_at), expires_at = "
+                        + earlier
+                        + "expires_at)"));
+  }
+
   /** Nobody is logged in any more. */
   public void endSessions() {
     database.jdbi().useHandle(handle -> handle.execute("delete from sessions"));
@@ -147,9 +168,11 @@ public final class WebTestServer implements AutoCloseable {
     this.database = database;
     Jdbi jdbi = database.jdbi();
     JdbiScheduleStore schedules = new JdbiScheduleStore(jdbi);
-    fleet = new TestFleet(schedules);
     accounts = new JdbiAccountStore(jdbi, InstantSource.system());
-    SessionStore sessions = new JdbiSessionStore(jdbi, InstantSource.system());
+    fleet =
+        new TestFleet(
+            schedules, name -> accounts.accountByName(name).map(Account::id).orElse(null));
+    SessionStore sessions = new JdbiSessionStore(jdbi, InstantSource.system(), Duration.ofDays(7));
     PasswordLinks links =
         new PasswordLinks(
             accounts,
@@ -174,7 +197,9 @@ public final class WebTestServer implements AutoCloseable {
             limit,
             InstantSource.system(),
             Authenticator.of(accounts, PASSWORDS, InstantSource.system()),
-            new IdempotentSubmitter(fleet, fleet));
+            new IdempotentSubmitter(fleet, fleet),
+            new AllowedHosts(Set.of("toqa.example.org")),
+            firstStartCode);
     store = new JdbiFleetStore(jdbi);
     baseDir = Files.createTempDirectory("toqa-web-test");
     startTomcat(port, services);
@@ -208,6 +233,11 @@ public final class WebTestServer implements AutoCloseable {
   /** What the history is read from. */
   public JdbiFleetStore store() {
     return store;
+  }
+
+  /** What the server would have printed. */
+  public String firstStartCode() {
+    return firstStartCode.text();
   }
 
   public TestMailbox mailbox() {

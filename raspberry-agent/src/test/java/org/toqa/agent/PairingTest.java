@@ -161,6 +161,15 @@ class PairingTest {
   }
 
   @Test
+  void wrongTriesOfAnotherServerVoidNothing() {
+    for (int i = 0; i < 6; i++) {
+      assertInstanceOf(Refused.class, pair(other, wrongCode()));
+    }
+
+    assertInstanceOf(Paired.class, pair(server, code()));
+  }
+
+  @Test
   void codeRunsOutAfterTenMinutes() {
     nanos += Duration.ofMinutes(10).plusSeconds(1).toNanos();
     daemon().tick(nanos);

@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
 import org.toqa.fleet.ChargingRules;
@@ -14,9 +15,11 @@ import org.toqa.fleet.ChargingRules;
  *
  * @param address where HTTP listens
  * @param port TCP port; 0: any free one
+ * @param hosts names at which browsers find the pages, besides localhost and IP addresses
  * @param tls what the pages are encrypted with; null: they are not
  * @param proxy the address of the proxy that says for whom it asks; null: none
  * @param requestsPerSecond how many requests of one caller are answered a second; 0: all
+ * @param sessionLimit how long after its begin a login ends for good
  * @param data the folder for what the server keeps
  * @param map the floor's map
  * @param allocationPolicy who decides which robots carry what
@@ -37,9 +40,11 @@ import org.toqa.fleet.ChargingRules;
 public record Configuration(
     InetAddress address,
     int port,
+    Set<String> hosts,
     @Nullable TlsFiles tls,
     @Nullable InetAddress proxy,
     int requestsPerSecond,
+    Duration sessionLimit,
     Path data,
     Path map,
     DatabaseSettings database,

@@ -2,6 +2,7 @@ package org.toqa.app.config;
 
 import ch.qos.logback.classic.Level;
 import java.net.InetAddress;
+import java.net.URI;
 import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
@@ -11,6 +12,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
@@ -33,6 +36,7 @@ import org.toqa.store.Database;
  * @param layers the first one that gives a setting decides
  */
 record ConfigurationReader(List<SettingSource> layers) {
+  private static final String SITE = "https?://[^\\s/?#]+(/[^\\s?#]*)?";
 
   /**
    * @param shippedMap the floor's map where none is configured
@@ -50,9 +54,11 @@ record ConfigurationReader(List<SettingSource> layers) {
     return new Configuration(
         address(),
         wholeNumber(Setting.PORT),
+        hosts(),
         tls(),
         proxy(),
         wholeNumber(Setting.REQUESTS_PER_SECOND),
+        Duration.ofHours(wholeNumber(Setting.SESSION_HOURS)),
         data,
         map(shippedMap),
         database(data),
@@ -110,6 +116,25 @@ record ConfigurationReader(List<SettingSource> layers) {
     } catch (UnknownHostException e) {
       throw outOfRange(Setting.ADDRESS);
     }
+  }
+
+  /** With those that {@link Setting#ADDRESS} and {@link Setting#SITE} name. */
+  private Set<String> hosts() throws ConfigurationException {
+    Set<String> hosts = new TreeSet<>();
+    hosts.add(text(Setting.ADDRESS).strip());
+    for (String name : text(Setting.HOSTS).split(",", -1)) {
+      if (!name.strip().matches("[A-Za-z0-9._-]*")) {
+        throw outOfRange(Setting.HOSTS);
+      }
+      hosts.add(name.strip());
+    }
+    String site = text(Setting.SITE).strip();
+    if (!site.isEmpty()) {
+      String host = URI.create(matching(Setting.SITE, SITE)).getHost();
+      hosts.add(host == null ? "" : host);
+    }
+    hosts.remove("");
+    return Set.copyOf(hosts);
   }
 
   private @Nullable TlsFiles tls() throws ConfigurationException {
@@ -273,7 +298,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         nullIfEmpty(text(Setting.MAIL_USER)),
         nullIfEmpty(text(Setting.MAIL_PASSWORD)),
         matching(Setting.MAIL_FROM, "[^\\s@<>,;]+@[^\\s@<>,;]+"),
-        matching(Setting.SITE, "https?://[^\\s/?#]+(/[^\\s?#]*)?").replaceFirst("/+$", ""));
+        matching(Setting.SITE, SITE).replaceFirst("/+$", ""));
   }
 
   private MailSecurity mailSecurity() throws ConfigurationException {

@@ -12,12 +12,14 @@ import org.toqa.app.config.ValueRange.WholeNumbers;
 public enum Setting {
   ADDRESS("address", "127.0.0.1", "a host name or IP address of this machine"),
   PORT("port", "8080", new WholeNumber(0, 65_535, "", "; 0 takes any free port")),
+  HOSTS("hosts", "", "host names with commas between, such as toqa,toqa.example.org"),
   TLS_CERTIFICATE(
       "tls.certificate", "", "a PEM file with the certificate and those that vouch for it"),
   TLS_KEY("tls.key", "", "a PEM file with the certificate's private key, without a password"),
   PROXY("proxy", "", "the IP address of the proxy in front of this server"),
   REQUESTS_PER_SECOND(
       "requestsPerSecond", "300", new WholeNumber(0, 100_000, "", "; 0 sets no limit")),
+  SESSION_HOURS("sessionHours", "168", new WholeNumber(1, 8760, "hours")),
   DATA("data", "toqa-data", "a folder"),
   MAP("map", "", "a .yaml (ROS map_server) or .map (MovingAI) file"),
   DATABASE_URL("database.url", "", "a JDBC URL that begins with jdbc:mysql: or jdbc:h2:"),

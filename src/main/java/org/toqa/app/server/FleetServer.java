@@ -14,6 +14,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
+import org.toqa.accounts.FirstStartCode;
 import org.toqa.accounts.PasswordHasher;
 import org.toqa.accounts.SessionStore;
 import org.toqa.app.config.Configuration;
@@ -45,6 +46,7 @@ import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
+import org.toqa.web.AllowedHosts;
 import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Metrics;
 import org.toqa.web.PasswordLinks;
@@ -149,7 +151,8 @@ public final class FleetServer implements AutoCloseable {
     }
     clock.start();
     parts.push(clock);
-    SessionStore sessions = new JdbiSessionStore(database.jdbi(), wallClock);
+    SessionStore sessions =
+        new JdbiSessionStore(database.jdbi(), wallClock, configuration.sessionLimit());
     PasswordLinks passwordLinks =
         new PasswordLinks(
             accounts,
@@ -191,7 +194,9 @@ public final class FleetServer implements AutoCloseable {
             new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
             wallClock,
             Authenticator.of(accounts, passwords, wallClock),
-            new IdempotentSubmitter(fleet, store));
+            new IdempotentSubmitter(fleet, store),
+            new AllowedHosts(configuration.hosts()),
+            firstStartCode(accounts));
     TrueBodies bodies =
         simulated == null ? null : new TrueBodies(simulated, fleet.snapshots()::latest);
     return new FleetServer(configuration, clock, services, bodies, simulated, parts);
@@ -215,6 +220,20 @@ public final class FleetServer implements AutoCloseable {
       accounts.addFirstManager(manager.name(), passwords.hash(manager.password()));
       log.info("The first manager is {}.", manager.name());
     }
+  }
+
+  /** Prints it, as long as there is no manager. */
+  private static FirstStartCode firstStartCode(AccountStore accounts) {
+    FirstStartCode code = FirstStartCode.random();
+    if (!accounts.hasManager()) {
+      String sentence = "There is no manager yet: the first page asks for the code " + code.text();
+      if (log.isWarnEnabled()) {
+        log.warn(sentence);
+      } else {
+        System.err.println(sentence);
+      }
+    }
+    return code;
   }
 
   Configuration configuration() {

@@ -1,14 +1,19 @@
 package org.toqa.app.server;
 
+import jakarta.servlet.DispatcherType;
+import jakarta.servlet.FilterRegistration;
 import jakarta.servlet.ServletContext;
 import jakarta.servlet.ServletContextEvent;
 import jakarta.servlet.ServletContextListener;
 import java.io.IOException;
+import java.net.InetAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.config.Configuration;
@@ -42,6 +47,7 @@ public final class ToqaContextListener implements ServletContextListener {
       Logging.configure(configuration.logLevel(), configuration.logFormat());
       ownServer = FleetServer.start(configuration);
       context.setAttribute(Services.ATTRIBUTE, ownServer.services());
+      trustProxy(context, configuration.proxy());
     } catch (ConfigurationException | IOException e) {
       // The container shows the message in its log, and does not serve the application.
       throw new IllegalStateException(e.getMessage(), e);
@@ -54,6 +60,22 @@ public final class ToqaContextListener implements ServletContextListener {
       event.getServletContext().removeAttribute(Services.ATTRIBUTE);
       ownServer.close();
       ownServer = null;
+    }
+  }
+
+  /**
+   * Takes the caller's address, and whether its connection is encrypted, from the proxy. Tomcat's
+   * own filter does it: it comes before all others, and is named, since this class loads without
+   * it.
+   */
+  private static void trustProxy(ServletContext context, @Nullable InetAddress proxy) {
+    if (proxy != null) {
+      FilterRegistration.Dynamic filter =
+          context.addFilter("proxy", "org.apache.catalina.filters.RemoteIpFilter");
+      filter.setInitParameter("internalProxies", Pattern.quote(proxy.getHostAddress()));
+      filter.setInitParameter("protocolHeader", "X-Forwarded-Proto");
+      filter.setAsyncSupported(true);
+      filter.addMappingForUrlPatterns(EnumSet.of(DispatcherType.REQUEST), false, "/*");
     }
   }
 

@@ -31,6 +31,7 @@ import org.toqa.wording.Sentence;
  *
  * <ul>
  *   <li>While the last task of a schedule has not ended, what is due is skipped.
+ *   <li>While its user is disabled, or none any more, what is due is skipped too.
  *   <li>Of what was due while no server ran one task is made up for.
  * </ul>
  */
@@ -71,6 +72,13 @@ public final class Scheduler {
     Optional<TaskView> open = lastTask(schedule).filter(task -> !task.state().isEnded());
     if (before.isPresent()) {
       began(schedule, before.get().id(), now);
+    } else if (schedule.resting()) {
+      advance(
+          schedule,
+          now,
+          EventKind.SCHEDULE_SKIPPED,
+          null,
+          Phrase.SCHEDULE_RESTED.with(schedule.id(), schedule.user()));
     } else if (open.isPresent()) {
       long task = open.get().id();
       advance(

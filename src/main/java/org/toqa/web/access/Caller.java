@@ -17,6 +17,13 @@ public record Caller(Account account, Session session, Credential credential) {
     return account.name();
   }
 
+  /**
+   * @param owner the id of the account whose something is; null: nobody's
+   */
+  public boolean owns(@Nullable Long owner) {
+    return owner != null && owner == account.id();
+  }
+
   public boolean isManager() {
     return account.isManager();
   }

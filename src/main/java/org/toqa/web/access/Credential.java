@@ -9,30 +9,39 @@ import org.toqa.web.Services;
 /**
  * What a request shows to prove whose it is; asked again, it tells whether it still does.
  *
- * @param kind how it was shown
+ * @param carrier how it was shown
  */
-public record Credential(Session.Kind kind, String secret) {
+public record Credential(Session.Carrier carrier, String secret) {
 
-  /** The session it proves and its user, while it does and he may come in. */
+  /**
+   * The session it proves and its user, while it does and he may come in. It counts as use of the
+   * session.
+   */
   public Optional<SessionStore.AuthenticatedSession> login(Services services) {
     return services
         .sessions()
-        .authenticate(kind, secret)
+        .authenticate(carrier, secret)
         .filter(login -> !login.account().disabled());
+  }
+
+  /** The same, but it counts as no use: the session ends as if nobody had asked. */
+  public Optional<SessionStore.AuthenticatedSession> loginWithoutUse(Services services) {
+    return services.sessions().find(carrier, secret).filter(login -> !login.account().disabled());
   }
 
   /** The request's bearer token if it has one, else its cookie if it has one. */
   static Optional<Credential> of(HttpServletRequest request) {
     String authorization = request.getHeader("Authorization");
     if (authorization != null && authorization.regionMatches(true, 0, "Bearer ", 0, 7)) {
-      return Optional.of(new Credential(Session.Kind.TOKEN, authorization.substring(7).strip()));
+      return Optional.of(
+          new Credential(Session.Carrier.BEARER, authorization.substring(7).strip()));
     }
-    return SessionCookie.of(request).map(secret -> new Credential(Session.Kind.BROWSER, secret));
+    return SessionCookie.of(request).map(secret -> new Credential(Session.Carrier.COOKIE, secret));
   }
 
   /** Without the secret, so that it reaches no log. */
   @Override
   public String toString() {
-    return "Credential[" + kind + "]";
+    return "Credential[" + carrier + "]";
   }
 }

@@ -1,7 +1,9 @@
 package org.toqa.web.api;
 
 import java.time.Instant;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Scope;
 import org.toqa.accounts.Session;
 
 /** A session on the wire. */
@@ -9,6 +11,7 @@ record SessionJson(
     long id,
     Session.Kind kind,
     @Nullable String name,
+    List<String> scopes,
     String address,
     String agent,
     Instant createdAt,
@@ -20,6 +23,7 @@ record SessionJson(
         session.id(),
         session.kind(),
         session.name(),
+        session.scopes().stream().sorted().map(Scope::word).toList(),
         session.origin().address(),
         session.origin().agent(),
         session.createdAt(),

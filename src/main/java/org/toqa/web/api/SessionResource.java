@@ -56,7 +56,7 @@ public final class SessionResource extends ApiHandler {
                   "token",
                   services(request)
                       .sessions()
-                      .begin(login.account(), Session.Kind.TOKEN, RequestOrigin.of(request))
+                      .begin(login.account(), Session.Kind.API, RequestOrigin.of(request))
                       .secret()));
       case Authenticator.Outcome.WrongCredentials() -> {
         response.setHeader("WWW-Authenticate", "Bearer");

@@ -15,6 +15,7 @@ import org.toqa.web.access.Caller;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
 import org.toqa.web.input.UserCommands;
+import org.toqa.web.input.UserDeletion;
 import org.toqa.web.input.Version;
 
 /** One user: his sessions and tokens, password and e-mail address, what he may do, and the end. */
@@ -66,10 +67,23 @@ public final class UserResource extends ApiHandler {
     send(request, response, user(request));
   }
 
+  /** What becomes of the user's tasks, schedules and tokens is in the query. */
   public static void delete(HttpServletRequest request, HttpServletResponse response) {
-    refuseUnlessDone(
-        services(request).accounts().delete(user(request).id(), Caller.of(request).name()),
-        request);
+    FieldErrors errors = new FieldErrors();
+    new UserDeletion(services(request), Texts.of(request), errors, user(request))
+        .run(
+            Caller.of(request),
+            new UserDeletion.Choices(
+                request.getParameter("tasks"),
+                request.getParameter("load"),
+                request.getParameter("schedules"),
+                request.getParameter("tokens"),
+                request.getParameter("to")));
+    String refusal = errors.sentences().get("form");
+    if (refusal != null) {
+      throw Problem.of(409, refusal).exception();
+    }
+    throwIfAny(errors);
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
 
@@ -91,8 +105,7 @@ public final class UserResource extends ApiHandler {
     String old = fields.text("old");
     fields.refuseUnknown();
     throwIfAny(errors);
-    new UserCommands(services(request), Texts.of(request), errors)
-        .changePassword(Caller.of(request), user, password, old);
+    UserCommands.of(request, errors).changePassword(Caller.of(request), user, password, old);
     throwIfAny(errors);
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
   }
@@ -106,7 +119,7 @@ public final class UserResource extends ApiHandler {
     String password = fields.text("password");
     fields.refuseUnknown();
     throwIfAny(errors);
-    new UserCommands(services(request), Texts.of(request), errors)
+    UserCommands.of(request, errors)
         .changeEmail(Caller.of(request), user, null, email, "password", password);
     throwIfAny(errors);
     response.setStatus(HttpServletResponse.SC_NO_CONTENT);
@@ -116,18 +129,25 @@ public final class UserResource extends ApiHandler {
       throws IOException {
     Account user = user(request);
     Texts texts = Texts.of(request);
-    if (!UserCommands.isSelf(Caller.of(request), user)) {
+    Caller caller = Caller.of(request);
+    if (!UserCommands.isSelf(caller, user)) {
       throw Problem.of(403, texts.get("problem.notYourToken")).exception();
+    }
+    if (!caller.session().mayCreateTokens()) {
+      throw Problem.of(403, texts.get("problem.tokenInBrowser")).exception();
     }
     FieldErrors errors = new FieldErrors();
     JsonFields fields = JsonFields.of(request, errors);
-    String name = fields.text("name");
-    Double days = fields.number("days");
+    UserCommands.TokenOrder order =
+        new UserCommands.TokenOrder(
+            fields.text("name"),
+            fields.number("days"),
+            fields.choices("scopes"),
+            fields.text("password"));
     fields.refuseUnknown();
     throwIfAny(errors);
     Optional<SessionStore.NewSession> created =
-        new UserCommands(services(request), texts, errors)
-            .createToken(Caller.of(request), user, "name", name, days, request);
+        UserCommands.of(request, errors).createToken(caller, user, "name", "password", order);
     throwIfAny(errors);
     SessionStore.NewSession token = created.orElseThrow();
     Json.send(
@@ -165,8 +185,7 @@ public final class UserResource extends ApiHandler {
 
   private static void refuseUnlessDone(
       AccountStore.ChangeResult outcome, HttpServletRequest request) {
-    new UserCommands(services(request), Texts.of(request), new FieldErrors())
-        .refusal(outcome)
+    UserCommands.refusal(outcome, Texts.of(request))
         .ifPresent(
             sentence -> {
               throw Problem.of(409, sentence).exception();

@@ -3,12 +3,16 @@ package org.toqa.web.input;
 import java.time.DateTimeException;
 import java.time.Instant;
 import java.time.OffsetDateTime;
+import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.PasswordRules;
 import org.toqa.accounts.Role;
+import org.toqa.accounts.Scope;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.web.Texts;
@@ -235,6 +239,16 @@ public final class InputRules {
       return 1;
     }
     return given.intValue();
+  }
+
+  /** What a token may do: at least one. */
+  public Set<Scope> scopes(String field, List<String> given) {
+    Set<Scope> scopes = EnumSet.noneOf(Scope.class);
+    given.forEach(word -> Scope.ofWord(word).ifPresent(scopes::add));
+    if (given.isEmpty() || given.stream().anyMatch(word -> Scope.ofWord(word).isEmpty())) {
+      refuse(field, "error.scopes");
+    }
+    return scopes;
   }
 
   /** A clerk where none is given. */

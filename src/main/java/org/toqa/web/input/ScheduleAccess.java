@@ -9,6 +9,6 @@ public final class ScheduleAccess {
 
   /** A clerk changes his own schedules, a manager all. */
   public static boolean canChange(Caller caller, Schedule schedule) {
-    return caller.isManager() || caller.name().equalsIgnoreCase(schedule.user());
+    return caller.isManager() || caller.owns(schedule.owner());
   }
 }

@@ -20,7 +20,7 @@ public final class TaskCommandReader {
 
   /** A clerk changes his own tasks, a manager all. */
   public static boolean canChange(Caller caller, TaskView task) {
-    return caller.isManager() || caller.name().equalsIgnoreCase(task.task().user());
+    return caller.isManager() || caller.owns(task.task().owner());
   }
 
   /**

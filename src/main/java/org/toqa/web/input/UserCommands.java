@@ -2,11 +2,15 @@ package org.toqa.web.input;
 
 import jakarta.servlet.http.HttpServletRequest;
 import java.time.Duration;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
+import org.toqa.accounts.Scope;
+import org.toqa.accounts.Session;
 import org.toqa.accounts.SessionStore;
 import org.toqa.web.Services;
 import org.toqa.web.Texts;
@@ -18,11 +22,21 @@ public final class UserCommands {
   private final Services services;
   private final Texts texts;
   private final FieldErrors errors;
+  private final Session.Origin origin;
 
-  public UserCommands(Services services, Texts texts, FieldErrors errors) {
+  private UserCommands(Services services, Texts texts, FieldErrors errors, Session.Origin origin) {
     this.services = services;
     this.texts = texts;
     this.errors = errors;
+    this.origin = origin;
+  }
+
+  public static UserCommands of(HttpServletRequest request, FieldErrors errors) {
+    return new UserCommands(
+        Services.of(request.getServletContext()),
+        Texts.of(request),
+        errors,
+        RequestOrigin.of(request));
   }
 
   /** A user sees and changes himself, a manager all. */
@@ -69,30 +83,42 @@ public final class UserCommands {
   }
 
   /**
-   * A token for the user's own programs.
+   * What a new token shall be.
    *
-   * @param nameField that gets the sentence when the name is refused
    * @param days of its lifetime
+   * @param scopes words of {@link Scope}
+   * @param password of the user, given again
    */
-  public Optional<SessionStore.NewSession> createToken(
-      Caller caller,
-      Account user,
-      String nameField,
+  public record TokenOrder(
       @Nullable String name,
       @Nullable Double days,
-      HttpServletRequest request) {
+      List<String> scopes,
+      @Nullable String password) {}
+
+  /**
+   * A token for the user's own programs. He makes it in his browser, with his password given again:
+   * a token makes no tokens, and who finds an open page makes none either.
+   *
+   * @param nameField that gets the sentence when the name is refused
+   * @param passwordField that gets the sentence when the password is wrong
+   */
+  public Optional<SessionStore.NewSession> createToken(
+      Caller caller, Account user, String nameField, String passwordField, TokenOrder order) {
     InputRules rules = new InputRules(texts, errors);
-    String checkedName = rules.tokenName(nameField, name);
-    int checkedDays = rules.tokenDays("days", days);
+    String name = rules.tokenName(nameField, order.name());
+    int days = rules.tokenDays("days", order.days());
+    Set<Scope> scopes = rules.scopes("scopes", order.scopes());
     if (!isSelf(caller, user)) {
       errors.add("form", texts.get("problem.notYourToken"));
+    } else if (!caller.session().mayCreateTokens()) {
+      errors.add("form", texts.get("problem.tokenInBrowser"));
+    }
+    if (errors.isEmpty()) {
+      checkPassword(caller, user, passwordField, order.password());
     }
     return errors.isEmpty()
         ? Optional.of(
-            services
-                .sessions()
-                .issueToken(
-                    user, checkedName, RequestOrigin.of(request), Duration.ofDays(checkedDays)))
+            services.sessions().issueToken(user, name, scopes, origin, Duration.ofDays(days)))
         : Optional.empty();
   }
 
@@ -102,8 +128,7 @@ public final class UserCommands {
     }
     switch (services
         .authenticator()
-        .authenticate(
-            user.name(), password == null ? "" : password, caller.session().origin().address())) {
+        .authenticate(user.name(), password == null ? "" : password, origin.address())) {
       case Authenticator.Outcome.Authenticated login -> {}
       case Authenticator.Outcome.Throttled throttled ->
           errors.add(
@@ -113,7 +138,7 @@ public final class UserCommands {
   }
 
   /** Why it could not be done, a sentence; empty: it is done. */
-  public Optional<String> refusal(AccountStore.ChangeResult outcome) {
+  public static Optional<String> refusal(AccountStore.ChangeResult outcome, Texts texts) {
     return switch (outcome) {
       case DONE -> Optional.empty();
       case NO_SUCH_ACCOUNT -> Optional.of(texts.get("problem.noSuchUser"));

@@ -95,7 +95,7 @@ final class EventStream implements Runnable {
       Thread.sleep(interval());
       FleetSnapshot newest = feed.awaitNewer(sent.version(), KEEP_ALIVE);
       if (System.nanoTime() - checked >= KEEP_ALIVE.toNanos()) {
-        if (caller.credential().login(services).isEmpty()) {
+        if (caller.credential().loginWithoutUse(services).isEmpty()) {
           return;
         }
         checked = System.nanoTime();

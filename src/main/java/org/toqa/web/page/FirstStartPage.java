@@ -11,7 +11,7 @@ import org.toqa.web.access.SessionCookie;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
 
-/** Makes the first manager, once. */
+/** Makes the first manager, once, for who has the code that the server printed. */
 public final class FirstStartPage extends PageHandler {
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
@@ -30,6 +30,10 @@ public final class FirstStartPage extends PageHandler {
     }
     FieldErrors errors = new FieldErrors();
     FormFields fields = new FormFields(request, errors);
+    String code = fields.text("code");
+    if (code == null || !services(request).firstStartCode().isSame(code)) {
+      errors.add("code", Texts.of(request).get("error.firstStart.code"));
+    }
     InputRules rules = new InputRules(Texts.of(request), errors);
     String name = rules.userName("name", fields.text("name"));
     String password = rules.newPassword("password", fields.text("password"), name);

@@ -4,20 +4,29 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
-import java.util.Objects;
 import java.util.Optional;
 import org.toqa.accounts.Account;
 import org.toqa.web.Texts;
+import org.toqa.web.access.ResetCookie;
 import org.toqa.web.access.SessionCookie;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
 
-/** Where a link leads by which a forgotten password is replaced. */
+/**
+ * Where a link leads by which a forgotten password is replaced. Its secret is taken out of the
+ * address at once ({@link ResetCookie}).
+ */
 public final class ResetPasswordPage extends PageHandler {
   private static final int GONE = 410;
 
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
+    String given = request.getParameter("secret");
+    if (given != null) {
+      ResetCookie.set(request, response, given);
+      redirect(request, response, "/reset");
+      return;
+    }
     Optional<Account> user = services(request).passwordLinks().user(secret(request));
     if (user.isEmpty()) {
       response.setStatus(GONE);
@@ -47,6 +56,7 @@ public final class ResetPasswordPage extends PageHandler {
         .passwordLinks()
         .replacePassword(secret(request), services(request).passwordHasher().hash(password))) {
       SessionCookie.signOut(request, services(request));
+      ResetCookie.remove(request, response);
       redirect(request, response, "/?done=reset");
     } else {
       response.setStatus(GONE);
@@ -62,6 +72,6 @@ public final class ResetPasswordPage extends PageHandler {
   }
 
   private static String secret(HttpServletRequest request) {
-    return Objects.requireNonNullElse(request.getParameter("secret"), "");
+    return ResetCookie.of(request).orElse("");
   }
 }

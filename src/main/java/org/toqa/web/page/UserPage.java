@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Role;
+import org.toqa.accounts.Scope;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.PasswordLinks;
 import org.toqa.web.RequestPath;
@@ -20,10 +21,16 @@ import org.toqa.web.access.SessionCookie;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
 import org.toqa.web.input.UserCommands;
+import org.toqa.web.input.UserDeletion;
 import org.toqa.web.input.Version;
 
 /** One user: his sessions and tokens, password and e-mail address, what he may do, and the end. */
 public final class UserPage extends PageHandler {
+  /** Names of what is shown once: for {@link ShownOnce}, and for the view. */
+  private static final String TOKEN = "token";
+
+  private static final String LINK = "link";
+
   public static void show(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     Optional<Account> user = user(request, response);
@@ -31,6 +38,12 @@ public final class UserPage extends PageHandler {
       return;
     }
     addAttributes(user.get(), request, services(request));
+    for (String secret : new String[] {TOKEN, LINK}) {
+      ShownOnce.of(request.getServletContext())
+          .take(Caller.of(request), secret + user.get().id())
+          .ifPresent(shown -> request.setAttribute(secret, shown));
+    }
+    request.setAttribute("linkHours", PasswordLinks.createdLinkLifetime().toHours());
     show(request, response, "user");
   }
 
@@ -73,7 +86,7 @@ public final class UserPage extends PageHandler {
   @FunctionalInterface
   private interface Submission {
     /**
-     * @return where the browser goes next; empty: the page itself is the answer
+     * @return where the browser goes next
      */
     String run(Form form);
   }
@@ -82,7 +95,7 @@ public final class UserPage extends PageHandler {
   private record Form(
       Account user, HttpServletRequest request, HttpServletResponse response, FieldErrors errors) {
     UserCommands commands() {
-      return new UserCommands(services(request), Texts.of(request), errors);
+      return UserCommands.of(request, errors);
     }
 
     FormFields fields() {
@@ -132,9 +145,6 @@ public final class UserPage extends PageHandler {
     if (!errors.isEmpty()) {
       addAttributes(user, request, services(request));
       showAgain(request, response, "user", errors);
-    } else if (next.isEmpty()) {
-      addAttributes(user, request, services(request));
-      show(request, response, "user");
     } else {
       redirect(request, response, next);
     }
@@ -159,7 +169,18 @@ public final class UserPage extends PageHandler {
     Account now = services.accounts().account(user.id()).orElse(user);
     request.setAttribute("user", now);
     request.setAttribute("version", Version.of(now));
+    request.setAttribute("scopes", Scope.values());
     request.setAttribute("sessions", services.sessions().sessions(user.id()));
+    if (Caller.of(request).isManager()) {
+      request.setAttribute(
+          "belongings",
+          new UserDeletion(services, Texts.of(request), new FieldErrors(), now).belongings());
+      request.setAttribute(
+          "heirs",
+          services.accounts().accounts().stream()
+              .filter(account -> account.id() != now.id() && !account.disabled())
+              .toList());
+    }
   }
 
   private static void compareChange(Account user, EditConflict conflict) {
@@ -177,8 +198,16 @@ public final class UserPage extends PageHandler {
   }
 
   private static String remove(Form form) {
-    refuseUnlessDone(
-        services(form.request()).accounts().delete(form.user().id(), form.caller().name()), form);
+    FormFields fields = form.fields();
+    new UserDeletion(services(form.request()), Texts.of(form.request()), form.errors(), form.user())
+        .run(
+            form.caller(),
+            new UserDeletion.Choices(
+                fields.text("tasks"),
+                fields.text("load"),
+                fields.text("schedules"),
+                fields.text("tokens"),
+                fields.text("to")));
     return "/users?done=deleted";
   }
 
@@ -198,7 +227,8 @@ public final class UserPage extends PageHandler {
   }
 
   private static void refuseUnlessDone(AccountStore.ChangeResult outcome, Form form) {
-    form.commands().refusal(outcome).ifPresent(sentence -> form.errors().add("form", sentence));
+    UserCommands.refusal(outcome, Texts.of(form.request()))
+        .ifPresent(sentence -> form.errors().add("form", sentence));
   }
 
   /** A user changes his own with the old one; a manager changes others'. */
@@ -240,7 +270,6 @@ public final class UserPage extends PageHandler {
     return page(form, "ended");
   }
 
-  /** Shown once, on the page that answers. */
   private static String issueToken(Form form) {
     FormFields fields = form.fields();
     form.commands()
@@ -248,23 +277,30 @@ public final class UserPage extends PageHandler {
             form.caller(),
             form.user(),
             "tokenName",
-            fields.text("tokenName"),
-            fields.number("days"),
-            form.request())
-        .ifPresent(created -> form.request().setAttribute("token", created.secret()));
-    return "";
+            "tokenPassword",
+            new UserCommands.TokenOrder(
+                fields.text("tokenName"),
+                fields.number("days"),
+                fields.choices("scopes"),
+                fields.text("password")))
+        .ifPresent(created -> showOnce(form, TOKEN, created.secret()));
+    return page(form, TOKEN);
   }
 
-  /** Shown once, on the page that answers. */
   private static String issueLink(Form form) {
     HttpServletRequest request = form.request();
-    request.setAttribute(
-        "link",
+    String link =
         services(request)
             .passwordLinks()
-            .createLink(form.user(), RequestPath.baseUrl(request), form.caller().name()));
-    request.setAttribute("linkHours", PasswordLinks.createdLinkLifetime().toHours());
-    return "";
+            .createLink(form.user(), RequestPath.baseUrl(request), form.caller().name());
+    showOnce(form, LINK, link);
+    return page(form, LINK);
+  }
+
+  /** On the page to which the answer leads. */
+  private static void showOnce(Form form, String name, String secret) {
+    ShownOnce.of(form.request().getServletContext())
+        .put(form.caller(), name + form.user().id(), secret);
   }
 
   private static String page(Form form, String done) {

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Scope;
 import org.toqa.web.Handler;
 import org.toqa.web.RequestPath;
 import org.toqa.web.access.Permission;
@@ -15,12 +16,14 @@ import org.toqa.web.access.Permission;
  *
  * @param path from the application's root; a segment in braces matches any one segment, a last
  *     segment {@code *} for any rest
+ * @param scope what a token must have for it; null: no token opens it, or any
  * @param handler null: files are there, which the container's own servlet sends
  */
 public record Route(
     String method,
     String path,
     Permission permission,
+    @Nullable Scope scope,
     @Nullable Handler handler,
     Set<Option> options) {
 
@@ -42,7 +45,7 @@ public record Route(
   }
 
   Route with(Option option) {
-    return new Route(method, path, permission, handler, Set.of(option));
+    return new Route(method, path, permission, scope, handler, Set.of(option));
   }
 
   /** The pattern of the Servlet specification (12.2) under which the container knows the path. */

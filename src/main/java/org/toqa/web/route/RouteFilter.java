@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.net.URLEncoder;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
+import org.toqa.accounts.Scope;
 import org.toqa.accounts.Session;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.RequestPath;
@@ -22,10 +23,11 @@ import org.toqa.web.access.Permission;
  * permit.
  *
  * <ol>
- *   <li>No route at that path: 404. None with that method: 405.
+ *   <li>No route at that path: 404. None with that method: 405; a form's address that is read leads
+ *       to the form's page.
  *   <li>No manager yet: to the first start, or 503.
  *   <li>A caller who is not signed in, where one must be: to the login, or 401. One who has not the
- *       route's permission: 403.
+ *       route's permission, or whose token has not the route's scope: 403.
  *   <li>A write without the session's CSRF token: 403.
  * </ol>
  */
@@ -43,6 +45,10 @@ public final class RouteFilter extends HttpFilter {
     }
     Optional<Route> route = match.get().route(request.getMethod());
     if (route.isEmpty()) {
+      if (isRead(request) && !RequestPath.isApi(path)) {
+        redirectToPage(path, request, response);
+        return;
+      }
       response.setHeader("Allow", match.get().allowedMethods());
       ErrorResponse.sendText(
           request, response, 405, "problem.method", match.get().allowedMethods());
@@ -53,6 +59,21 @@ public final class RouteFilter extends HttpFilter {
     if (checkPermission(route.get(), path, request, response)) {
       chain.doFilter(request, response);
     }
+  }
+
+  private static boolean isRead(HttpServletRequest request) {
+    return request.getMethod().equals("GET") || request.getMethod().equals("HEAD");
+  }
+
+  /** Who opens the address of a form, which was shown again there, is sent to the form's page. */
+  private static void redirectToPage(
+      String path, HttpServletRequest request, HttpServletResponse response) throws IOException {
+    String page = path;
+    while (!page.isEmpty() && !Routes.isPage(page)) {
+      page = page.substring(0, page.lastIndexOf('/'));
+    }
+    response.sendRedirect(
+        request.getContextPath() + (page.isEmpty() ? "/" : page), HttpServletResponse.SC_SEE_OTHER);
   }
 
   private static boolean checkPermission(
@@ -80,8 +101,29 @@ public final class RouteFilter extends HttpFilter {
         ErrorResponse.sendText(request, response, 403, route.permission().refusalKey());
         return false;
       }
+      Session session = caller.get().session();
+      if (!isOpenFor(session, route)) {
+        Scope scope = route.scope();
+        ErrorResponse.sendText(
+            request,
+            response,
+            403,
+            scope == null ? "problem.pagesInBrowser" : "problem.scope",
+            scope == null ? "" : scope.word());
+        return false;
+      }
     }
     return checkCsrf(route, request, response);
+  }
+
+  /** A token opens what it was made for, a login of a program everything but forms. */
+  private static boolean isOpenFor(Session session, Route route) {
+    return switch (session.kind()) {
+      case BROWSER -> true;
+      case API -> route.isApi() || route.method().equals("GET");
+      case TOKEN ->
+          route.scope() == null ? route.isApi() : session.scopes().contains(route.scope());
+    };
   }
 
   private static boolean checkCsrf(

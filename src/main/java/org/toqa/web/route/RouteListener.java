@@ -11,6 +11,7 @@ import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.toqa.web.PagePaths;
 import org.toqa.web.live.EventStreams;
+import org.toqa.web.page.ShownOnce;
 
 /**
  * Registers what the table of {@link Routes} names. {@code web.xml} names this listener, so that
@@ -28,6 +29,7 @@ public final class RouteListener implements ServletContextListener {
     ServletContext context = event.getServletContext();
     context.setAttribute(PagePaths.ATTRIBUTE, (PagePaths) Routes::isPage);
     context.setAttribute(EventStreams.ATTRIBUTE, new EventStreams());
+    context.setAttribute(ShownOnce.ATTRIBUTE, new ShownOnce());
     Set<String> multipart = multipartPatterns();
     register(context, "router", plainPatterns());
     // elsewhere no body but a form's fields is read before the handler asks for it

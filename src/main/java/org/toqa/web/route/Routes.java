@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.Scope;
 import org.toqa.web.Handler;
 import org.toqa.web.RequestPath;
 import org.toqa.web.access.Permission;
@@ -70,7 +72,7 @@ public final class Routes {
    */
   private static final List<Route> ALL =
       List.of(
-          new Route("GET", "/assets/*", ANONYMOUS, null, Set.of(BEFORE_FIRST_START)),
+          new Route("GET", "/assets/*", ANONYMOUS, null, null, Set.of(BEFORE_FIRST_START)),
           get("/language/{language}", ANONYMOUS, LanguageSwitch::choose).with(BEFORE_FIRST_START),
           get("/first-start", ANONYMOUS, FirstStartPage::show).with(BEFORE_FIRST_START),
           post("/first-start", ANONYMOUS, FirstStartPage::createManager).with(BEFORE_FIRST_START),
@@ -209,7 +211,26 @@ public final class Routes {
 
   private static Route route(String method, String path, Permission permission, Handler handler) {
     Handler answering = RequestPath.isApi(path) ? new ProblemHandler(handler) : handler;
-    return new Route(method, path, permission, answering, Set.of());
+    return new Route(method, path, permission, scope(method, path), answering, Set.of());
+  }
+
+  /** What a token must have for a call; null for pages, and for the end of the token itself. */
+  private static @Nullable Scope scope(String method, String path) {
+    if (!RequestPath.isApi(path) || path.equals("/api/v1/session")) {
+      return null;
+    }
+    if (path.equals("/api/v1/metrics")) {
+      return Scope.METRICS;
+    }
+    if (path.startsWith("/api/v1/users")) {
+      return Scope.MANAGE;
+    }
+    if (method.equals("GET")) {
+      return Scope.READ;
+    }
+    return path.startsWith("/api/v1/tasks") || path.startsWith("/api/v1/schedules")
+        ? Scope.TASKS
+        : Scope.MANAGE;
   }
 
   /**

@@ -54,7 +54,7 @@ final class AttackedServer implements AutoCloseable {
       List.of(
           "select id, name, email, password_hash, role, disabled from users",
           "select id, user_id, kind, name from sessions",
-          "select user_id, secret_hash from password_resets",
+          "select user_id, secret_hash from reset_links",
           "select name, host, port, max_load, parking, fingerprint, out_of_service, held, removed"
               + " from robots",
           "select id, name, user_name, floor, load_kg, load_length, load_width, start_x, start_y,"

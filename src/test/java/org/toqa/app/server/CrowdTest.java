@@ -70,7 +70,7 @@ class CrowdTest {
     Thread trickle = Thread.ofVirtual().start(() -> trickle(slow));
     try {
       for (int i = 0; i < limit; i++) {
-        slow.add(send("POST / HTTP/1.1\r\nHost: x\r\nConte"));
+        slow.add(send("POST / HTTP/1.1\r\nHost: localhost\r\nConte"));
       }
       awaitConnections(limit);
 
@@ -123,7 +123,7 @@ class CrowdTest {
       for (int i = 0; i < STREAMS; i++) {
         Socket stream =
             send(
-                "GET /api/v1/events HTTP/1.1\r\nHost: x\r\nAuthorization: Bearer %s\r\n\r\n"
+                "GET /api/v1/events HTTP/1.1\r\nHost: localhost\r\nAuthorization: Bearer %s\r\n\r\n"
                     .formatted(token));
         streams.add(stream);
         boolean isBrowser = i % STREAMS_A_BROWSER == 0;

@@ -1,7 +1,6 @@
 package org.toqa.app.server;
 
 import static org.toqa.app.server.Verdict.CONFLICT;
-import static org.toqa.app.server.Verdict.GONE;
 import static org.toqa.app.server.Verdict.NAME_OF_100;
 import static org.toqa.app.server.Verdict.NAME_OF_64;
 import static org.toqa.app.server.Verdict.PASSWORD;
@@ -123,11 +122,24 @@ final class FormCases {
             Map.of("email", "max@example.org", "password", WebTestServer.PASSWORD),
             Map.of("password", REFUSED)),
         FormCase.of(
-                "users/{own}",
-                "/users/{id}/tokens",
-                Map.of("tokenName", "for a program", "days", "30"),
-                Map.of("tokenName", NAME_OF_64, "days", REFUSED))
-            .answeredWith(200));
+            "users/{own}",
+            "/users/{id}/tokens",
+            Map.of(
+                "tokenName", "for a program",
+                "days", "30",
+                "scopes", "read",
+                "password", WebTestServer.PASSWORD),
+            Map.of(
+                "tokenName", NAME_OF_64,
+                "days", REFUSED,
+                "scopes", REFUSED,
+                "password", REFUSED)),
+        FormCase.of(
+                "users/{clerk}",
+                "/users/{id}/delete",
+                Map.of("tasks", "none"),
+                refused("tasks", "load", "schedules", "tokens", "to"))
+            .answeredWith(422));
   }
 
   /** Those of people who are not logged in. */
@@ -143,7 +155,7 @@ final class FormCases {
             "reset?secret={secret}",
             "/reset",
             Map.of("password", WebTestServer.PASSWORD),
-            Map.of("secret", GONE, "password", PASSWORD, "username", TAKEN)));
+            Map.of("password", PASSWORD, "username", TAKEN)));
   }
 
   /** Those that ask for something and change nothing. */

@@ -1,8 +1,8 @@
 package org.toqa.app.server;
 
+import static org.toqa.app.server.Verdict.FORBIDDEN;
 import static org.toqa.app.server.Verdict.GONE;
 import static org.toqa.app.server.Verdict.NAME_OF_100;
-import static org.toqa.app.server.Verdict.NAME_OF_64;
 import static org.toqa.app.server.Verdict.PASSWORD;
 import static org.toqa.app.server.Verdict.REFUSED;
 import static org.toqa.app.server.Verdict.TAKEN;
@@ -105,9 +105,9 @@ final class OrderCases {
             204),
         post(
             "users/{own}/tokens",
-            "{'name':'for a program','days':30}",
-            Map.of("/name", NAME_OF_64),
-            201));
+            "{'name':'for a program','days':30,'scopes':['read'],'password':'{password}'}",
+            Map.of("/name", FORBIDDEN, "/scopes/0", FORBIDDEN, "/password", FORBIDDEN),
+            403)); // made in a browser only
   }
 
   private static Map<String, Verdict> task(String at) {

@@ -1,7 +1,7 @@
 package org.toqa.app.server;
 
-import static org.toqa.app.server.Verdict.GONE;
 import static org.toqa.app.server.Verdict.NOT_FOUND;
+import static org.toqa.app.server.Verdict.REDIRECTED;
 import static org.toqa.app.server.Verdict.REFUSED;
 import static org.toqa.app.server.Verdict.TAKEN;
 import static org.toqa.app.server.Verdict.UNREADABLE;
@@ -33,7 +33,7 @@ final class QueryAttacks {
   private static final Map<String, Map<String, Verdict>> PAGES =
       Map.of(
           "/", Map.of("next", TAKEN, "done", TAKEN),
-          "/reset", Map.of("secret", GONE),
+          "/reset", Map.of("secret", REDIRECTED),
           "/tasks", Map.of("page", TAKEN, "imported", TAKEN),
           "/users", Map.of("done", TAKEN),
           "/history", Map.of("before", REFUSED, "zone", TAKEN),

@@ -20,6 +20,12 @@ enum Verdict {
   /** There is no such link. */
   GONE,
 
+  /** Nobody may, whatever it is. */
+  FORBIDDEN,
+
+  /** It is kept elsewhere than in the address. */
+  REDIRECTED,
+
   /** Any text is, or it does not matter. */
   TAKEN,
 
@@ -41,6 +47,8 @@ enum Verdict {
       case UNKNOWN_USER -> 401;
       case CONFLICT -> 409;
       case GONE -> 410;
+      case FORBIDDEN -> 403;
+      case REDIRECTED -> 303;
       case TAKEN -> good;
       case NAME_OF_100 -> attack.isNameWithin(100) ? good : 422;
       case NAME_OF_64 -> attack.isNameWithin(64) ? good : 422;

@@ -20,6 +20,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.AccountStore;
+import org.toqa.accounts.Role;
 import org.toqa.allocation.Policy;
 import org.toqa.fleet.ChargingRules;
 import org.toqa.fleet.FleetStage;
@@ -35,6 +38,7 @@ import org.toqa.fleet.history.EventArchive.Filter;
 import org.toqa.grid.FloorReader;
 import org.toqa.mission.MissionEvent;
 import org.toqa.persistence.StoreException;
+import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiScheduleStore;
 
@@ -48,11 +52,15 @@ class SchedulerTest {
   private FleetStage stage;
   private JdbiScheduleStore schedules;
   private Scheduler scheduler;
+  private AccountStore accounts;
+  private Account clara;
 
   @BeforeEach
   void start() throws Exception {
     stage = stage(UnaryOperator.identity());
     schedules = new JdbiScheduleStore(stage.database.jdbi());
+    accounts = new JdbiAccountStore(stage.database.jdbi(), () -> now);
+    clara = accounts.add("Clara", "hash", Role.CLERK, "Max").orElseThrow();
     scheduler = scheduler(schedules);
   }
 
@@ -134,6 +142,34 @@ class SchedulerTest {
     assertEquals(1, stage.store.count());
     assertEquals(1L, schedule(id).lastTask());
     assertEquals(START.plusSeconds(1).plus(HALF_HOUR), schedule(id).due());
+  }
+
+  @Test
+  void whileItsUserIsDisabledAScheduleRestsAndNothingIsMadeUpFor() throws Exception {
+    long id = addEvery(START.plusSeconds(1), null);
+    accounts.update(clara.id(), Role.CLERK, true, "Max");
+    look(START.plusSeconds(1));
+
+    assertEquals(0, stage.store.count());
+    assertTrue(schedule(id).resting());
+    assertEquals(START.plusSeconds(1).plus(HALF_HOUR), schedule(id).due());
+    accounts.update(clara.id(), Role.CLERK, false, "Max");
+    look(START.plusSeconds(60));
+    assertEquals(0, stage.store.count());
+    look(START.plusSeconds(1).plus(HALF_HOUR));
+    assertEquals(1, stage.store.count());
+    assertEquals(clara.id(), stage.store.tasks(0, 1).getFirst().task().owner());
+  }
+
+  @Test
+  void whoGetsTheNameOfADeletedUserGetsNoTaskOfHisSchedules() throws Exception {
+    long id = addEvery(START.plusSeconds(1), null);
+    stage.database.jdbi().useHandle(h -> h.execute("delete from users"));
+    accounts.add("Clara", "hash", Role.CLERK, "Max");
+    look(START.plusSeconds(1));
+
+    assertEquals(0, stage.store.count());
+    assertNull(schedule(id).owner());
   }
 
   @Test

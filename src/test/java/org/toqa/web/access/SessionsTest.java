@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
@@ -118,20 +120,16 @@ class SessionsTest {
 
   @Test
   void aTokenIsShownOnceAndWorksUntilItIsEnded() {
-    HttpResponse<String> made =
-        user.post("users/" + id + "/tokens", Map.of("tokenName", "=cmd <b>", "days", "7"));
-
-    assertEquals(200, made.statusCode());
-    String token = secret(made);
+    String token = createToken("=cmd <b>");
     String page = user.get("users/" + id).body();
     assertFalse(page.contains(token));
     assertTrue(page.contains("=cmd &lt;b&gt;"), "as text");
     assertEquals(200, withToken("GET", "api/v1/tasks", token).statusCode());
 
-    JsonNode sessions =
-        JSON.readTree(withToken("GET", "api/v1/users/" + id + "/sessions", token).body());
+    JsonNode sessions = JSON.readTree(user.get("api/v1/users/" + id + "/sessions").body());
     assertEquals("TOKEN", sessions.get(0).get("kind").stringValue());
     assertEquals("=cmd <b>", sessions.get(0).get("name").stringValue());
+    assertEquals("[\"read\"]", sessions.get(0).get("scopes").toString());
     assertEquals(204, withToken("DELETE", "api/v1/session", token).statusCode());
     assertEquals(401, withToken("GET", "api/v1/tasks", token).statusCode());
     assertEquals(200, user.get("map").statusCode(), "the browser's session goes on");
@@ -139,7 +137,7 @@ class SessionsTest {
 
   @Test
   void theApiMakesATokenForItsOwnUserOnly() {
-    String body = "{\"name\":\"ci\",\"days\":1}";
+    String body = tokenOrder("\"name\":\"ci\",\"days\":1");
     HttpResponse<String> made = user.postJson("api/v1/users/" + id + "/tokens", body);
 
     assertEquals(201, made.statusCode());
@@ -148,20 +146,22 @@ class SessionsTest {
     assertEquals(403, manager.postJson("api/v1/users/" + id + "/tokens", body).statusCode());
     for (String wrong :
         new String[] {
-          "{\"name\":\"\",\"days\":1}",
-          "{\"name\":\"x\",\"days\":0}",
-          "{\"name\":\"x\",\"days\":366}",
-          "{\"name\":\"x\"}",
-          "{\"name\":\"a\\u0000b\",\"days\":1}"
+          "\"name\":\"\",\"days\":1",
+          "\"name\":\"x\",\"days\":0",
+          "\"name\":\"x\",\"days\":366",
+          "\"name\":\"x\"",
+          "\"name\":\"a\\u0000b\",\"days\":1"
         }) {
-      assertEquals(422, user.postJson("api/v1/users/" + id + "/tokens", wrong).statusCode(), wrong);
+      assertEquals(
+          422,
+          user.postJson("api/v1/users/" + id + "/tokens", tokenOrder(wrong)).statusCode(),
+          wrong);
     }
   }
 
   @Test
   void aTokenIsNoCookieAndACookieNoToken() {
-    String token =
-        secret(user.post("users/" + id + "/tokens", Map.of("tokenName", "ci", "days", "7")));
+    String token = createToken("ci");
     try (TestClient visitor = new TestClient(server.root())) {
       HttpResponse<String> answer =
           visitor.send(
@@ -181,21 +181,21 @@ class SessionsTest {
       assertTrue(letter.text().contains("https://toqa.example.org/reset?secret="), letter.text());
       String secret = linkSecret(letter.text());
 
-      assertTrue(stranger.get("reset?secret=" + secret).body().contains(name));
-      HttpResponse<String> weak =
-          stranger.post("reset", Map.of("secret", secret, "password", "password12"));
+      HttpResponse<String> opened = stranger.get("reset?secret=" + secret);
+      assertEquals("/reset", opened.headers().firstValue("Location").orElseThrow());
+      String page = stranger.get("reset").body();
+      assertTrue(page.contains(name));
+      assertFalse(page.contains(secret), "nor does the link to another language have it");
+      HttpResponse<String> weak = stranger.post("reset", Map.of("password", "password12"));
       assertEquals(422, weak.statusCode());
-      HttpResponse<String> done =
-          stranger.post("reset", Map.of("secret", secret, "password", NEW_PASSWORD));
+      HttpResponse<String> done = stranger.post("reset", Map.of("password", NEW_PASSWORD));
 
       assertEquals("/?done=reset", done.headers().firstValue("Location").orElseThrow());
       assertEquals(303, user.get("map").statusCode(), "old sessions have ended");
-      assertEquals(410, stranger.get("reset?secret=" + secret).statusCode());
+      stranger.get("reset?secret=" + secret);
+      assertEquals(410, stranger.get("reset").statusCode());
       assertEquals(
-          410,
-          stranger
-              .post("reset", Map.of("secret", secret, "password", "a third one, then"))
-              .statusCode());
+          410, stranger.post("reset", Map.of("password", "a third one, then")).statusCode());
       assertEquals(
           303, stranger.post("", Map.of("name", name, "password", NEW_PASSWORD)).statusCode());
     }
@@ -215,8 +215,9 @@ class SessionsTest {
           202,
           stranger.postJson("api/v1/forgotten-password", "{\"user\":\"nobody\"}").statusCode());
       // the next letter is that of a user who is there: none was sent in between
-      stranger.post("forgotten", Map.of("user", name + "@EXAMPLE.org"));
-      assertEquals(Objects.requireNonNull(server.mailbox().next(20)).to(), name + "@example.org");
+      server.addUser(name + "b", name + "b@example.org", Role.CLERK);
+      stranger.post("forgotten", Map.of("user", name + "b@EXAMPLE.org"));
+      assertEquals(Objects.requireNonNull(server.mailbox().next(20)).to(), name + "b@example.org");
     }
   }
 
@@ -239,7 +240,8 @@ class SessionsTest {
   @Test
   void aManagerMakesALinkWhichEndsTheOneBefore() {
     assertEquals(403, user.post("users/" + id + "/reset-link", Map.of()).statusCode());
-    String first = linkSecret(secret(manager.post("users/" + id + "/reset-link", Map.of())));
+    HttpResponse<String> made = manager.post("users/" + id + "/reset-link", Map.of());
+    String first = linkSecret(secret(manager.get(location(made))));
     HttpResponse<String> byApi = manager.postJson("api/v1/users/" + id + "/reset-link", "");
     assertEquals(201, byApi.statusCode());
     String second = linkSecret(JSON.readTree(byApi.body()).get("link").stringValue());
@@ -294,6 +296,71 @@ class SessionsTest {
     }
     assertTrue(
         user.post("users/" + id + "/email", guess).body().contains("Too many failed attempts"));
+  }
+
+  @Test
+  void whoAsksForLettersAgainAndAgainVoidsNoLinkAndSendsNoSecondOne() throws Exception {
+    try (TestClient stranger = new TestClient(server.root())) {
+      stranger.post("forgotten", Map.of("user", name));
+      TestMailbox.Message letter = Objects.requireNonNull(server.mailbox().next(20));
+      for (int i = 0; i < 3; i++) {
+        assertEquals(303, stranger.post("forgotten", Map.of("user", name)).statusCode());
+      }
+      // the next letter is another's
+      server.addUser(name + "b", name + "b@example.org", Role.CLERK);
+      stranger.post("forgotten", Map.of("user", name + "b"));
+      assertEquals(Objects.requireNonNull(server.mailbox().next(20)).to(), name + "b@example.org");
+
+      stranger.get("reset?secret=" + linkSecret(letter.text()));
+      assertEquals(303, stranger.post("reset", Map.of("password", NEW_PASSWORD)).statusCode());
+    }
+  }
+
+  @Test
+  void whatAPageAsksByItselfIsNoUseOfTheSession() throws Exception {
+    Instant seen = Instant.parse(session().get("seenAt").stringValue());
+    server.letSessionsAge(Duration.ofMinutes(10));
+
+    user.send(user.request("map").header("X-Toqa-Background", "yes").build());
+    assertEquals(200, user.send("HEAD", "api/v1/events").statusCode());
+    try (TestClient other = TestClient.signedIn(server.root(), WebTestServer.MANAGER)) {
+      JsonNode unused = JSON.readTree(other.get("api/v1/users/" + id + "/sessions").body()).get(0);
+      assertEquals(
+          seen.minus(Duration.ofMinutes(10)), Instant.parse(unused.get("seenAt").stringValue()));
+    }
+    user.get("map");
+    assertTrue(
+        Instant.parse(session().get("seenAt").stringValue())
+            .isAfter(seen.minus(Duration.ofMinutes(1))));
+  }
+
+  private JsonNode session() {
+    return JSON.readTree(manager.get("api/v1/users/" + id + "/sessions").body()).get(0);
+  }
+
+  private static String tokenOrder(String fields) {
+    return "{%s,\"scopes\":[\"read\"],\"password\":\"%s\"}"
+        .formatted(fields, WebTestServer.PASSWORD);
+  }
+
+  private String createToken(String tokenName) {
+    HttpResponse<String> made =
+        user.post(
+            "users/" + id + "/tokens",
+            Map.of(
+                "tokenName",
+                tokenName,
+                "days",
+                "7",
+                "scopes",
+                "read",
+                "password",
+                WebTestServer.PASSWORD));
+    return secret(user.get(location(made)));
+  }
+
+  private static String location(HttpResponse<String> answer) {
+    return answer.headers().firstValue("Location").orElseThrow().substring(1);
   }
 
   private String email() {

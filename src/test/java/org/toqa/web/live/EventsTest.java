@@ -221,7 +221,7 @@ class EventsTest {
             .firstValue("Set-Cookie")
             .orElseThrow()
             .split(";", 2)[0];
-    return "GET /api/v1/events HTTP/1.1\r\nHost: x\r\nCookie: %s\r\n\r\n".formatted(cookie);
+    return "GET /api/v1/events HTTP/1.1\r\nHost: localhost\r\nCookie: %s\r\n\r\n".formatted(cookie);
   }
 
   private void awaitStreams(double count) {

@@ -25,6 +25,7 @@ class AccountsInBrowserTest extends PagesInBrowser {
       DESK.show(page);
       page.navigate(empty.root().toString());
       assertThat(page.locator("h1")).hasText("Create the first manager");
+      page.getByLabel("Code").fill(empty.firstStartCode());
       page.getByLabel("Name").fill("Ada");
       page.getByLabel("Password").fill("short");
       click(button(page, "Create manager"));

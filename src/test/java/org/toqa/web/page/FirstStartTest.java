@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.http.HttpResponse;
+import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -47,7 +48,9 @@ class FirstStartTest {
     assertEquals(200, visitor.get("first-start").statusCode());
 
     HttpResponse<String> answer =
-        visitor.post("first-start", Map.of("name", "Max", "password", "a sentence to remember"));
+        visitor.post(
+            "first-start",
+            Map.of("code", code(), "name", "Max", "password", "a sentence to remember"));
 
     assertEquals("/map", answer.headers().firstValue("Location").orElseThrow());
     assertTrue(visitor.get("users").body().contains("Add user"));
@@ -55,7 +58,9 @@ class FirstStartTest {
     assertEquals(
         "/",
         visitor
-            .post("first-start", Map.of("name", "Thief", "password", "a sentence to remember"))
+            .post(
+                "first-start",
+                Map.of("code", code(), "name", "Thief", "password", "a sentence to remember"))
             .headers()
             .firstValue("Location")
             .orElseThrow());
@@ -70,9 +75,35 @@ class FirstStartTest {
     assertTrue(server.accounts().accounts().isEmpty());
   }
 
+  @Test
+  void onlyWhoHasTheCodeMakesTheFirstManager() {
+    for (String wrong : new String[] {"", "AAAA-BBBB-CCCC", code().substring(1)}) {
+      HttpResponse<String> answer =
+          visitor.post(
+              "first-start",
+              Map.of("code", wrong, "name", "Thief", "password", "a sentence to remember"));
+      assertEquals(422, answer.statusCode());
+      assertTrue(answer.body().contains("This is not the code"), answer.body());
+    }
+    assertTrue(server.accounts().accounts().isEmpty());
+
+    String typed = code().toLowerCase(Locale.ROOT).replace("-", " ");
+    assertEquals(
+        303,
+        visitor
+            .post(
+                "first-start",
+                Map.of("code", typed, "name", "Max", "password", "a sentence to remember"))
+            .statusCode());
+  }
+
+  private String code() {
+    return server.firstStartCode();
+  }
+
   private String refusal(String name, String password) {
     HttpResponse<String> answer =
-        visitor.post("first-start", Map.of("name", name, "password", password));
+        visitor.post("first-start", Map.of("code", code(), "name", name, "password", password));
     assertEquals(422, answer.statusCode());
     return answer.body();
   }

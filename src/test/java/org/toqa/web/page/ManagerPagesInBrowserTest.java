@@ -72,6 +72,28 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
   }
 
   @Test
+  void aManagerSaysWhatBecomesOfADeletedUsersTasks() {
+    server.addUser("Gina", null, Role.CLERK);
+    try (TestClient gina = TestClient.signedIn(server.root(), "Gina")) {
+      gina.postJson(
+          "api/v1/tasks",
+          "{\"name\":\"box\",\"load\":1,\"start\":{\"station\":\"Dock A\"},"
+              + "\"goal\":{\"x\":9,\"y\":1.05}}");
+    }
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "users");
+    click(page.getByRole(AriaRole.LINK, link("Gina")));
+    click(page.getByText("Delete user"));
+    assertThat(page.getByLabel("1 open tasks")).hasValue("handOver");
+    assertFits(page, "user-delete", DARK, PHONE, DESK);
+    page.getByLabel("Hand over to").selectOption("Clara");
+    click(page.getByText("Confirm deletion"));
+
+    assertThat(page.getByRole(AriaRole.STATUS)).containsText("The user was deleted.");
+    page.navigate(server.root() + "tasks");
+    assertThat(page.locator("tbody")).containsText("Clara");
+  }
+
+  @Test
   void aManagerMakesATokenAndALinkAndEndsASession() {
     server.addUser("Eve", null, Role.CLERK);
     endSessions();
@@ -80,6 +102,11 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     page.navigate(server.root() + "users");
     click(page.getByRole(AriaRole.LINK, link("Max")));
     page.getByLabel("Token name").fill("Night shift");
+    click(page.getByText("Create token"));
+    assertThat(page.locator("#scopes-help")).isVisible();
+    assertFits(page, "user-token-refused", DARK, PHONE, DESK);
+    page.getByLabel("Read metrics").check();
+    page.locator("#token-password").fill(WebTestServer.PASSWORD);
     click(page.getByText("Create token"));
     assertThat(page.locator(".secret")).hasText(Pattern.compile("[A-Za-z0-9_-]{43}"));
     assertThat(page.locator("tbody tr")).hasCount(3);

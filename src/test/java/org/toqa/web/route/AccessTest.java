@@ -9,6 +9,7 @@ import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -17,9 +18,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.toqa.accounts.Account;
+import org.toqa.accounts.Scope;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebServerTest;
 import org.toqa.web.WebTestServer;
+import tools.jackson.databind.json.JsonMapper;
 
 /** Every route against every kind of client, and what every answer must have. */
 class AccessTest extends WebServerTest {
@@ -33,8 +37,22 @@ class AccessTest extends WebServerTest {
   private static final Set<String> WITHOUT_TOKEN =
       Set.of("/api/v1/session", "/api/v1/forgotten-password", "/api/v1/reset-password");
 
+  private static final JsonMapper JSON = new JsonMapper();
+
+  private final Map<Scope, String> tokens = new EnumMap<>(Scope.class);
+
   /** A line of the table. */
-  record Right(String method, String path, String ofAnonymous, String ofClerk, String ofManager) {
+  record Right(
+      String method,
+      String path,
+      String ofAnonymous,
+      String ofClerk,
+      String ofManager,
+      String scope) {
+
+    boolean needsScope() {
+      return Scope.ofWord(scope).isPresent();
+    }
 
     boolean isApi() {
       return path.startsWith("/api/v1/");
@@ -53,7 +71,10 @@ class AccessTest extends WebServerTest {
     return Files.readAllLines(RIGHTS).stream()
         .filter(line -> !line.isBlank() && !line.startsWith("#"))
         .map(line -> line.split(" +"))
-        .map(word -> new Right(word[0], word[1], word[2], word[3], word[4]))
+        .map(
+            word ->
+                new Right(
+                    word[0], word[1], word[2], word[3], word[4], word.length > 5 ? word[5] : ""))
         .toList();
   }
 
@@ -75,6 +96,60 @@ class AccessTest extends WebServerTest {
                 clientFor(manager, WebTestServer.MANAGER, right))
             .map(client -> answer(client, right))
             .toList());
+  }
+
+  @Test
+  void everyCallOfTheApiSaysWhichTokensOpenIt() throws IOException {
+    for (Right right : rights()) {
+      assertEquals(right.isApi(), !right.scope().isEmpty(), right.method() + " " + right.path());
+    }
+  }
+
+  static List<Right> calls() throws IOException {
+    return rights().stream().filter(Right::needsScope).toList();
+  }
+
+  /** What the token's user may, with the scope of the table and no other. */
+  @ParameterizedTest
+  @MethodSource("calls")
+  void everyCallIsOpenForTokensOfItsScopeOnly(Right right) {
+    for (Scope scope : Scope.values()) {
+      assertEquals(
+          scope.word().equals(right.scope()) ? right.ofManager() : "403",
+          String.valueOf(byToken(token(scope), right).statusCode()),
+          "with a token for " + scope);
+    }
+  }
+
+  private HttpResponse<String> byToken(String token, Right right) {
+    String method = right.path().equals("/api/v1/events") ? "HEAD" : right.method();
+    return anonymous.send(
+        anonymous
+            .request(path(right))
+            .header("Authorization", "Bearer " + token)
+            .header("Content-Type", "application/json")
+            .method(
+                method,
+                right.method().equals("GET")
+                    ? BodyPublishers.noBody()
+                    : BodyPublishers.ofString("{}"))
+            .build());
+  }
+
+  /** A token of the manager, of that scope alone. */
+  private String token(Scope scope) {
+    return tokens.computeIfAbsent(
+        scope,
+        wanted -> {
+          Account max = server.accounts().accountByName(WebTestServer.MANAGER).orElseThrow();
+          String order =
+              "{\"name\":\"ci\",\"days\":1,\"scopes\":[\"%s\"],\"password\":\"%s\"}"
+                  .formatted(wanted.word(), WebTestServer.PASSWORD);
+          HttpResponse<String> made =
+              manager.postJson("api/v1/users/" + max.id() + "/tokens", order);
+          assertEquals(201, made.statusCode(), made.body());
+          return JSON.readTree(made.body()).get("token").stringValue();
+        });
   }
 
   /** Whoever signs out is anonymous then. */

@@ -1,6 +1,8 @@
 package org.toqa.agent.access;
 
 import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
@@ -9,8 +11,10 @@ import org.toqa.link.trust.PairingCode;
 import org.toqa.link.trust.PairingProof;
 
 /**
- * A code that is shown: good for ten minutes, for five wrong tries, and for the first server that
- * knows it. That server may say it again, for the answer to its first time may have been lost.
+ * A code that is shown: good for ten minutes, for five wrong tries of each server, and for the
+ * first server that knows it. That server may say it again, for the answer to its first time may
+ * have been lost. Others void it for nobody but themselves; who changes his key for each try still
+ * has to guess 50 bits in ten minutes.
  */
 final class PairingOffer {
 
@@ -18,11 +22,20 @@ final class PairingOffer {
 
   private static final int MAX_WRONG_TRIES = 5;
 
+  /** Whose wrong tries are remembered. */
+  private static final int MAX_SERVERS = 1000;
+
   private final PairingCode code;
   private final Fingerprint robot;
   private final LongSupplier nanos;
   private final long shownNanos;
-  private int wrongTries;
+  private final Map<Fingerprint, Integer> wrongTries =
+      new LinkedHashMap<>() {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Fingerprint, Integer> eldest) {
+          return size() > MAX_SERVERS;
+        }
+      };
   private @Nullable Fingerprint redeemer;
 
   /**
@@ -49,15 +62,16 @@ final class PairingOffer {
     if (nanos.getAsLong() - shownNanos > VALIDITY.toNanos()) {
       return objection("The code has run out after %d minutes".formatted(VALIDITY.toMinutes()));
     }
-    if (wrongTries >= MAX_WRONG_TRIES) {
+    int wrongBefore = wrongTries.getOrDefault(server, 0);
+    if (wrongBefore >= MAX_WRONG_TRIES) {
       return objection("The code is void after %d wrong tries".formatted(MAX_WRONG_TRIES));
     }
     if (!PairingProof.SERVER.isValid(proof, code, robot, server)) {
-      wrongTries++;
-      return wrongTries == MAX_WRONG_TRIES
+      int wrong = wrongBefore + 1;
+      wrongTries.put(server, wrong);
+      return wrong == MAX_WRONG_TRIES
           ? objection("The code is wrong, and void after %d wrong tries".formatted(MAX_WRONG_TRIES))
-          : Optional.of(
-              "The code is wrong; tries left: %d.".formatted(MAX_WRONG_TRIES - wrongTries));
+          : Optional.of("The code is wrong; tries left: %d.".formatted(MAX_WRONG_TRIES - wrong));
     }
     if (redeemer != null && !redeemer.equals(server)) {
       return objection("The code was used by another server");
