@@ -77,7 +77,7 @@ public final class UserCommands {
     String email = new InputRules(texts, errors).email("email", given);
     checkPassword(caller, user, passwordField, password);
     if (errors.isEmpty()) {
-      refusal(services.accounts().changeEmail(user.id(), email, seen, caller.name()))
+      refusal(services.accounts().changeEmail(user.id(), email, seen, caller.name()), texts)
           .ifPresent(sentence -> errors.add("form", sentence));
     }
   }
