@@ -212,10 +212,6 @@ public final class FleetStage implements AutoCloseable {
     runtime.advance(time);
   }
 
-  void runWhileHeldUp(Runnable work) throws InterruptedException {
-    runtime.runWhileHeldUp(work);
-  }
-
   private void step() throws InterruptedException {
     runtime.setWatching(true);
     now = now.plus(STEP);
