@@ -26,11 +26,13 @@ import org.toqa.fleet.floor.FloorDistances;
 import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.fleet.floor.StoredFloorState;
+import org.toqa.fleet.robot.AgentHealth;
 import org.toqa.fleet.robot.Supervision;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
 
 /**
  * Takes tasks, keeps their queue, decides who carries what, and publishes snapshots of the whole
@@ -41,6 +43,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private static final Logger log = LoggerFactory.getLogger(ManagerAgent.class);
 
   private final FleetState fleet;
+  private final AgentHealth health;
   private final StoreHealthCheck storeHealth;
   private final HoldCommandHandler holdCommands;
   private final LateTaskReporter lateTasks;
@@ -63,6 +66,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetRuntime runtime,
       LatestSnapshot latest) {
     return Supervision.resuming(
+        Phrase.MANAGER_PART.with(),
+        ManagerMessage.class,
+        runtime,
         Behaviors.setup(
             context ->
                 new ManagerAgent(
@@ -81,6 +87,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       FleetRuntime runtime,
       LatestSnapshot latest) {
     super(context);
+    this.health = AgentHealth.of(context.getSystem());
     this.fleet = new FleetState(store, clock, runtime);
     ActorRef<ManagerMessage> self = context.getSelf();
     this.storeHealth =
@@ -137,6 +144,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                   .filter(t -> t.mission().state() != TaskState.QUEUED)
                   .filter(t -> t.mission().task().floor().equals(floor.name()))
                   .toList());
+      health.expectStart();
       ActorRef<FloorMessage> agent =
           getContext()
               .spawn(
@@ -265,6 +273,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void floorTicked(String floor) {
     ticking.remove(floor);
     if (ticking.isEmpty()) {
+      health.recordTickDone();
       publishIfChanged();
     }
   }

@@ -31,6 +31,7 @@ import org.toqa.link.message.ServerMessage.Command;
 import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
+import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
@@ -81,6 +82,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       Instant now,
       FleetRuntime runtime) {
     return Supervision.resuming(
+        Phrase.ROBOT_PART.with(robot.name()),
+        RobotMessage.class,
+        runtime,
         Behaviors.setup(
             context -> new RobotAgent(context, robot, floor, store, links, now, runtime)));
   }
