@@ -8,7 +8,10 @@ import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -50,6 +53,7 @@ import org.toqa.web.Metrics;
 import org.toqa.web.PasswordLinks;
 import org.toqa.web.RequestLimit;
 import org.toqa.web.Services;
+import org.toqa.wording.Phrase;
 
 /**
  * Everything behind the web pages: store, fleet and simulated robots. It has one owner, the command
@@ -74,6 +78,8 @@ public final class FleetServer implements AutoCloseable {
   /** Null with them. */
   private final @Nullable SimulatedFleet simulated;
 
+  private final CompletionStage<String> failed;
+
   /** What is to be closed, the last one first. */
   private final Deque<AutoCloseable> parts;
 
@@ -83,12 +89,14 @@ public final class FleetServer implements AutoCloseable {
       Services services,
       @Nullable TrueBodies bodies,
       @Nullable SimulatedFleet simulated,
+      CompletionStage<String> failed,
       Deque<AutoCloseable> parts) {
     this.configuration = configuration;
     this.fleetClock = fleetTime;
     this.services = services;
     this.bodies = bodies;
     this.simulated = simulated;
+    this.failed = failed;
     this.parts = parts;
   }
 
@@ -149,6 +157,9 @@ public final class FleetServer implements AutoCloseable {
     }
     clock.start();
     parts.push(clock);
+    fleet.addCheck(
+        () -> clock.isSound() ? Optional.empty() : Optional.of(Phrase.CLOCK_STANDS.with()));
+    fleet.addCheck(MemoryWatch.ofThisProcess()::check);
     SessionStore sessions = new JdbiSessionStore(database.jdbi(), wallClock);
     PasswordLinks passwordLinks =
         new PasswordLinks(
@@ -194,7 +205,14 @@ public final class FleetServer implements AutoCloseable {
             new IdempotentSubmitter(fleet, store));
     TrueBodies bodies =
         simulated == null ? null : new TrueBodies(simulated, fleet.snapshots()::latest);
-    return new FleetServer(configuration, clock, services, bodies, simulated, parts);
+    CompletionStage<String> failed =
+        fleet
+            .whenFailed()
+            .thenApply(ended -> Phrase.FLEET_ENDED.with().english())
+            .applyToEither(
+                clock.whenBroken().thenApply(error -> "The clock has ended by " + error),
+                Function.identity());
+    return new FleetServer(configuration, clock, services, bodies, simulated, failed, parts);
   }
 
   private static Database openDatabase(Configuration.DatabaseSettings settings) throws IOException {
@@ -215,6 +233,11 @@ public final class FleetServer implements AutoCloseable {
       accounts.addFirstManager(manager.name(), passwords.hash(manager.password()));
       log.info("The first manager is {}.", manager.name());
     }
+  }
+
+  /** Completes, with the reason for a person, when the server cannot go on. */
+  CompletionStage<String> whenFailed() {
+    return failed;
   }
 
   Configuration configuration() {
