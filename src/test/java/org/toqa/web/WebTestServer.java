@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Comparator;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import org.apache.catalina.LifecycleException;
 import org.apache.catalina.LifecycleState;
@@ -20,6 +21,8 @@ import org.apache.catalina.startup.Tomcat;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.statement.SqlLogger;
+import org.jdbi.v3.core.statement.StatementContext;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.AccountStore;
 import org.toqa.accounts.Authenticator;
@@ -59,6 +62,7 @@ public final class WebTestServer implements AutoCloseable {
   /** With the views as servlets, as the build has compiled them. */
   private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
 
+  private final AtomicLong sessionQueries = new AtomicLong();
   private final TestFleet fleet;
   private final TestMailbox mailbox = new TestMailbox();
   private final AccountStore accounts;
@@ -149,7 +153,8 @@ public final class WebTestServer implements AutoCloseable {
     JdbiScheduleStore schedules = new JdbiScheduleStore(jdbi);
     fleet = new TestFleet(schedules);
     accounts = new JdbiAccountStore(jdbi, InstantSource.system());
-    SessionStore sessions = new JdbiSessionStore(jdbi, InstantSource.system());
+    database.sessions().setSqlLogger(new QueryCounter());
+    SessionStore sessions = new JdbiSessionStore(database.sessions(), InstantSource.system());
     PasswordLinks links =
         new PasswordLinks(
             accounts,
@@ -208,6 +213,18 @@ public final class WebTestServer implements AutoCloseable {
   /** What the history is read from. */
   public JdbiFleetStore store() {
     return store;
+  }
+
+  /** How often the database was asked whose a request is. */
+  public long sessionQueries() {
+    return sessionQueries.get();
+  }
+
+  private final class QueryCounter implements SqlLogger {
+    @Override
+    public void logBeforeExecution(StatementContext context) {
+      sessionQueries.incrementAndGet();
+    }
   }
 
   public TestMailbox mailbox() {

@@ -122,7 +122,7 @@ public final class FleetServer implements AutoCloseable {
     parts.push(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     InstantSource wallClock = InstantSource.system();
-    AccountStore accounts = new JdbiAccountStore(database.jdbi(), wallClock);
+    AccountStore accounts = new JdbiAccountStore(database.sessions(), wallClock);
     PasswordHasher passwords = new PasswordHasher();
     addFirstManager(configuration, accounts, passwords);
 
@@ -160,11 +160,11 @@ public final class FleetServer implements AutoCloseable {
     fleet.addCheck(
         () -> clock.isSound() ? Optional.empty() : Optional.of(Phrase.CLOCK_STANDS.with()));
     fleet.addCheck(MemoryWatch.ofThisProcess()::check);
-    SessionStore sessions = new JdbiSessionStore(database.jdbi(), wallClock);
+    SessionStore sessions = new JdbiSessionStore(database.sessions(), wallClock);
     PasswordLinks passwordLinks =
         new PasswordLinks(
             accounts,
-            new JdbiPasswordResetStore(database.jdbi(), wallClock),
+            new JdbiPasswordResetStore(database.sessions(), wallClock),
             configuration.mailServer() == null ? null : new SmtpMail(configuration.mailServer()),
             wallClock);
     Metrics metrics = new Metrics(fleet.snapshots());
@@ -189,11 +189,11 @@ public final class FleetServer implements AutoCloseable {
     Services services =
         new Services(
             fleet,
-            store,
-            new JdbiEventArchive(database.jdbi()),
-            tracks,
+            new JdbiFleetStore(database.readers()),
+            new JdbiEventArchive(database.readers()),
+            new JdbiTrackStore(database.readers()),
             schedules,
-            new JdbiStatisticsArchive(database.jdbi()),
+            new JdbiStatisticsArchive(database.readers()),
             accounts,
             sessions,
             passwordLinks,

@@ -104,7 +104,10 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
             traffic,
             new ChargerWatch(rules.charging().patience()),
             now,
-            runtime);
+            runtime,
+            change ->
+                AgentHealth.of(context.getSystem())
+                    .recordLeftOut(change, runtime.monotonicNanos()));
     watch = new FloorWatch(floor, traffic);
     reports = new FloorReporter(state, watch, manager);
     missions =

@@ -147,7 +147,9 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     this.health = AgentHealth.of(system);
     awaitStart();
     var _ = system.getWhenTerminated().whenComplete((done, failure) -> ended());
-    this.monitor = new FleetMonitor(this::agentFailures, latestSnapshot);
+    this.monitor =
+        new FleetMonitor(
+            this::agentFailures, () -> health.warnings(runtime.monotonicNanos()), latestSnapshot);
   }
 
   private void awaitStart() {

@@ -21,14 +21,19 @@ final class FleetMonitor implements AutoCloseable {
   private static final Duration PERIOD = Duration.ofSeconds(1);
 
   private final Supplier<List<Sentence>> agentFailures;
+  private final Supplier<List<Sentence>> agentWarnings;
   private final List<Supplier<Optional<Sentence>>> checks = new CopyOnWriteArrayList<>();
   private final List<Supplier<Optional<Sentence>>> warnings = new CopyOnWriteArrayList<>();
   private final LatestSnapshot latest;
   private final PeriodicWork work;
   private List<Sentence> logged = List.of();
 
-  FleetMonitor(Supplier<List<Sentence>> agentFailures, LatestSnapshot latest) {
+  FleetMonitor(
+      Supplier<List<Sentence>> agentFailures,
+      Supplier<List<Sentence>> agentWarnings,
+      LatestSnapshot latest) {
     this.agentFailures = agentFailures;
+    this.agentWarnings = agentWarnings;
     this.latest = latest;
     this.work = new PeriodicWork("fleet-monitor", PERIOD, this::look);
   }
@@ -58,6 +63,7 @@ final class FleetMonitor implements AutoCloseable {
     }
     logged = found;
     List<Sentence> alerts = new ArrayList<>(found);
+    alerts.addAll(agentWarnings.get());
     warnings.forEach(check -> check.get().ifPresent(alerts::add));
     latest.setAlerts(alerts);
   }

@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.toqa.allocation.Candidate;
@@ -64,9 +65,10 @@ final class FleetState {
   /** Whether there is something new to show. */
   boolean changed = true;
 
-  FleetState(FleetStore store, InstantSource clock, FleetRuntime runtime) {
+  FleetState(
+      FleetStore store, InstantSource clock, FleetRuntime runtime, Consumer<Sentence> onLeftOut) {
     this.store = store;
-    this.writer = new StoreWriter("manager", runtime);
+    this.writer = new StoreWriter("manager", runtime, onLeftOut);
     this.clock = clock;
     this.runtime = runtime;
   }

@@ -88,7 +88,12 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       LatestSnapshot latest) {
     super(context);
     this.health = AgentHealth.of(context.getSystem());
-    this.fleet = new FleetState(store, clock, runtime);
+    this.fleet =
+        new FleetState(
+            store,
+            clock,
+            runtime,
+            change -> health.recordLeftOut(change, runtime.monotonicNanos()));
     ActorRef<ManagerMessage> self = context.getSelf();
     this.storeHealth =
         new StoreHealthCheck(

@@ -11,6 +11,7 @@ import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.mission.TransportTask;
+import org.toqa.persistence.StoreException;
 
 /**
  * Stores new tasks so that their callers are told the truth: a task that was accepted is stored,
@@ -38,7 +39,7 @@ final class TaskSubmitter {
       List<Submission> submissions,
       long deadline,
       Consumer<List<TransportTask>> onAccepted,
-      Runnable onRejected) {
+      Consumer<StoreException> onRejected) {
     boolean isInTime() {
       return System.nanoTime() - deadline <= 0;
     }
@@ -60,16 +61,17 @@ final class TaskSubmitter {
    * @param submissions no stored task has a key of theirs
    * @param deadline when they were asked for, {@link #deadline} told it
    * @param accepted gets the tasks with their ids, on the writer's thread
-   * @param refused called there when they were not stored
+   * @param refused called there, with the reason, when they were not stored
    */
   void submit(
       List<Submission> submissions,
       long deadline,
       Consumer<List<TransportTask>> accepted,
-      Runnable refused) {
+      Consumer<StoreException> refused) {
     waiting.add(new Entry(submissions, deadline, accepted, refused));
     List<Entry> group = new ArrayList<>();
-    writer.tryOnce(() -> store(group), () -> {}, failure -> group.forEach(this::reject));
+    writer.tryOnce(
+        () -> store(group), () -> {}, failure -> group.forEach(entry -> reject(entry, failure)));
   }
 
   /**
@@ -78,11 +80,30 @@ final class TaskSubmitter {
   private void store(List<Entry> group) {
     waiting.drainTo(group, MOST_AT_ONCE);
     List<Entry> late = group.stream().filter(entry -> !entry.isInTime()).toList();
-    late.forEach(this::reject);
+    late.forEach(entry -> reject(entry, tooLate()));
     group.removeAll(late);
     if (group.isEmpty()) {
       return;
     }
+    try {
+      add(group);
+    } catch (StoreException e) {
+      if (!e.isRefusal() || group.size() == 1) {
+        throw e;
+      }
+      group.forEach(this::storeAlone); // one of them refuses no other
+    }
+  }
+
+  private void storeAlone(Entry entry) {
+    try {
+      add(List.of(entry));
+    } catch (StoreException e) {
+      reject(entry, e);
+    }
+  }
+
+  private void add(List<Entry> group) {
     List<TransportTask> stored =
         store.addTasks(group.stream().flatMap(entry -> entry.submissions().stream()).toList());
     int told = 0;
@@ -91,15 +112,19 @@ final class TaskSubmitter {
       if (entry.isInTime()) {
         entry.onAccepted().accept(stored.subList(told, next));
       } else {
-        reject(entry);
+        reject(entry, tooLate());
       }
       told = next;
     }
   }
 
-  private void reject(Entry entry) {
+  private static StoreException tooLate() {
+    return new StoreException("The database did not answer in time.", null);
+  }
+
+  private void reject(Entry entry, StoreException why) {
     List<UUID> keys = entry.submissions().stream().map(Submission::idempotencyKey).toList();
     writer.write(() -> store.withdrawTasks(keys), () -> {});
-    entry.onRejected().run();
+    entry.onRejected().accept(why);
   }
 }

@@ -42,6 +42,9 @@ public final class AgentHealth implements Extension {
   /** How long agents may take for one tick. */
   private static final Duration TICK_LIMIT = Duration.ofSeconds(10);
 
+  private static final Duration LEFT_OUT_SHOWN = Duration.ofHours(1);
+  private static final int MAX_LEFT_OUT = 3;
+
   private static final ExtensionId<AgentHealth> ID =
       new ExtensionId<>() {
         @Override
@@ -62,6 +65,9 @@ public final class AgentHealth implements Extension {
 
   /** By agent that failed too often: when it did so last. */
   private final Map<Sentence, Long> failing = new LinkedHashMap<>();
+
+  /** Changes that were left out, and when; the newest last. */
+  private final Map<Sentence, Long> leftOut = new LinkedHashMap<>();
 
   /** When the oldest tick was told that agents have not done; null: they have done all. */
   private @Nullable Long tickedAt;
@@ -110,6 +116,21 @@ public final class AgentHealth implements Extension {
     if (isTooOften || failing.containsKey(agent)) {
       failing.put(agent, nanos);
     }
+  }
+
+  /** A change was not stored, since it never can be. */
+  public synchronized void recordLeftOut(Sentence change, long nanos) {
+    leftOut.remove(change);
+    leftOut.put(change, nanos);
+    if (leftOut.size() > MAX_LEFT_OUT) {
+      leftOut.remove(leftOut.keySet().iterator().next());
+    }
+  }
+
+  /** What people should know, though the fleet goes on. */
+  public synchronized List<Sentence> warnings(long nanos) {
+    leftOut.values().removeIf(at -> nanos - at > LEFT_OUT_SHOWN.toNanos());
+    return List.copyOf(leftOut.keySet());
   }
 
   public synchronized void recordTick(long nanos) {

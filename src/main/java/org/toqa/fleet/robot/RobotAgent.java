@@ -103,7 +103,12 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     this.store = store;
     this.now = now;
     this.silence = new SilenceDetector(now);
-    this.writer = new StoreWriter(robot.name(), runtime);
+    AgentHealth health = AgentHealth.of(context.getSystem());
+    this.writer =
+        new StoreWriter(
+            robot.name(),
+            runtime,
+            change -> health.recordLeftOut(change, runtime.monotonicNanos()));
     ActorRef<RobotMessage> self = context.getSelf();
     writer.write(
         () -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot.name()))), () -> {});
@@ -132,6 +137,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case RobotMessage.Extend m -> extend(m);
       case RobotMessage.Release m -> release(m.released());
       case RobotMessage.CommandStored m -> commandStored(m);
+      case RobotMessage.CommandNotStored m -> commandNotStored(m);
       case RobotMessage.Cancel m -> sendInOrder(new ServerMessage.Cancel(++seq, m.task()));
       case RobotMessage.Hold m ->
           sendInOrder(m.hold() ? new ServerMessage.Hold(++seq) : new ServerMessage.Resume(++seq));
@@ -208,7 +214,12 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     ActorRef<RobotMessage> self = getContext().getSelf();
     writer.write(
         () -> store.saveDrive(robot.name(), next),
-        () -> self.tell(new RobotMessage.CommandStored(asked, message)));
+        () -> self.tell(new RobotMessage.CommandStored(asked, message)),
+        refusal ->
+            self.tell(
+                new RobotMessage.CommandNotStored(
+                    message instanceof ServerMessage.Extend ? next.seq() : null,
+                    String.valueOf(refusal.getMessage()))));
   }
 
   /** Behind everything that still waits for the store, since sequence numbers must rise. */
@@ -228,6 +239,12 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     if (m.connection() == connection) {
       send(m.message());
     } // else the hello of the new connection made the floor decide anew
+  }
+
+  /** It is not sent, and is to the floor as if the robot had refused it. */
+  private void commandNotStored(RobotMessage.CommandNotStored m) {
+    unsent--;
+    floor.tell(new RobotEvent.CommandRejected(robot.name(), m.changing(), m.reason()));
   }
 
   private void connected(Hello said) {

@@ -93,6 +93,13 @@ public sealed interface RobotMessage {
    */
   record CommandStored(long connection, Command message) implements RobotMessage {}
 
+  /**
+   * What had to be stored before a command was sent can never be.
+   *
+   * @param changing the drive that the command was to change, if it was such a one
+   */
+  record CommandNotStored(@Nullable Long changing, String reason) implements RobotMessage {}
+
   record Tick(Instant now) implements RobotMessage {}
 
   record Stop() implements RobotMessage {}
