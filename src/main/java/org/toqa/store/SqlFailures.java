@@ -23,6 +23,9 @@ final class SqlFailures {
   /** MySQL has no SQLSTATE of its own for these: a text in a wrong character set, a check. */
   private static final Set<Integer> REFUSED_CODES = Set.of(1366, 3819);
 
+  /** H2's and MySQL's: somebody else has stored it meanwhile, and who asks again finds it. */
+  private static final Set<Integer> DUPLICATE_CODES = Set.of(23505, 1062);
+
   /** Connector/J's, of a statement that is larger than the server takes. */
   private static final String TOO_LARGE = "S1000";
 
@@ -43,6 +46,9 @@ final class SqlFailures {
   private static StoreException.Kind kind(SQLException said) {
     if (said instanceof SQLTimeoutException || said.getErrorCode() == TOO_SLOW_CODE) {
       return StoreException.Kind.TOO_SLOW;
+    }
+    if (DUPLICATE_CODES.contains(said.getErrorCode())) {
+      return StoreException.Kind.UNAVAILABLE;
     }
     String state = said.getSQLState() == null ? "" : said.getSQLState();
     boolean isRefused =
