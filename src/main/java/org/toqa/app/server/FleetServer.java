@@ -180,12 +180,15 @@ public final class FleetServer implements AutoCloseable {
             new JdbiUtilisationStore(database.jdbi()),
             wallClock,
             configuration.simulationSpeed()));
-    parts.push(
+    RetentionJob retention =
         new RetentionJob(
             new HistoryPruner(database.jdbi()),
             configuration.trackRetention(),
             configuration.historyRetention(),
-            wallClock));
+            wallClock,
+            System::nanoTime);
+    parts.push(retention);
+    fleet.addWarning(retention::warning);
     Services services =
         new Services(
             fleet,
@@ -201,7 +204,8 @@ public final class FleetServer implements AutoCloseable {
             metrics,
             new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
             wallClock,
-            Authenticator.of(accounts, passwords, wallClock),
+            Authenticator.of(
+                accounts, passwords, new SteadyClock(wallClock.instant(), System::nanoTime)),
             new IdempotentSubmitter(fleet, store));
     TrueBodies bodies =
         simulated == null ? null : new TrueBodies(simulated, fleet.snapshots()::latest);

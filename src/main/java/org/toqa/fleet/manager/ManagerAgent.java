@@ -92,6 +92,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         new FleetState(
             store,
             clock,
+            now,
             runtime,
             change -> health.recordLeftOut(change, runtime.monotonicNanos()));
     ActorRef<ManagerMessage> self = context.getSelf();
@@ -266,6 +267,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   /** What changes is in the snapshot when every floor has done its tick, or at the next tick. */
   private void tick(Instant now) {
+    fleet.now = now;
     if (!ticking.isEmpty() || fleet.floors.isEmpty()) {
       publishIfChanged();
     }
