@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.MissionEvent;
+import org.toqa.wording.Sentence;
 
 /**
  * The fleet as its users see it: orders and commands go in, stored answers come back, snapshots
@@ -129,5 +130,9 @@ public interface Fleet {
   /** All floors, the first one the default. */
   List<FloorMap> floors();
 
+  /** The failures are among the alerts of its snapshots, within a second. */
   SnapshotFeed snapshots();
+
+  /** Why the fleet cannot go on by itself; empty while it can. Any thread may ask. */
+  List<Sentence> failures();
 }

@@ -47,4 +47,9 @@ public interface FleetRuntime {
 
   /** Nanoseconds, for limits of computing and of answers. */
   long nanoTime();
+
+  /** Nanoseconds of real time, by which it is watched that agents go on; it never jumps. */
+  default long monotonicNanos() {
+    return System.nanoTime();
+  }
 }

@@ -33,4 +33,10 @@ public record FleetSnapshot(
     floors = List.copyOf(floors);
     alerts = List.copyOf(alerts);
   }
+
+  /** The same with another version and other alerts. */
+  public FleetSnapshot with(long otherVersion, List<Sentence> otherAlerts) {
+    return new FleetSnapshot(
+        otherVersion, at, robots, tasks, queuedCount, floors, pause, otherAlerts);
+  }
 }

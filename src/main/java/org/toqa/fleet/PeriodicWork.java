@@ -32,11 +32,11 @@ public final class PeriodicWork implements AutoCloseable {
             () -> runOnce(work), pause.toNanos(), pause.toNanos(), TimeUnit.NANOSECONDS);
   }
 
-  /** A surprise does not end it. */
+  /** A surprise does not end it, nor does an error that the next time may not have. */
   private void runOnce(Runnable work) {
     try {
       work.run();
-    } catch (RuntimeException e) {
+    } catch (RuntimeException | Error e) {
       log.error("{} failed; it is tried again.", name, e);
     }
   }

@@ -4,12 +4,39 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The store did not answer, or refused. The change that was asked for has happened as a whole or
- * not at all, and nobody knows which.
+ * not at all, and nobody knows which; what was refused has not happened.
  */
 public final class StoreException extends RuntimeException {
   private static final long serialVersionUID = 1;
 
+  /** What asking again may bring. */
+  public enum Kind {
+    /** The store is away, or in trouble of its own: the same may succeed later. */
+    UNAVAILABLE,
+    /** The store takes everything but this, now and later, such as a text that is too long. */
+    REFUSED,
+    /** It took longer than anybody may ask for; the same takes as long again. */
+    TOO_SLOW
+  }
+
+  private final Kind kind;
+
+  /** One of {@link Kind#UNAVAILABLE}. */
   public StoreException(String message, @Nullable Throwable cause) {
+    this(Kind.UNAVAILABLE, message, cause);
+  }
+
+  public StoreException(Kind kind, String message, @Nullable Throwable cause) {
     super(message, cause);
+    this.kind = kind;
+  }
+
+  public Kind kind() {
+    return kind;
+  }
+
+  /** Whether the same can never be stored. */
+  public boolean isRefusal() {
+    return kind == Kind.REFUSED;
   }
 }

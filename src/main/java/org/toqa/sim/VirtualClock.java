@@ -4,6 +4,8 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.LockSupport;
 import org.slf4j.Logger;
@@ -29,6 +31,9 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
 
   private static final long CLOSE_TIMEOUT_MS = 5_000;
 
+  /** The world may be held up for {@link #MAX_HOLD} in each of the steps to a tick of the fleet. */
+  private static final long STANDS_AFTER_NANOS = Duration.ofMinutes(1).toNanos();
+
   /** The world gives up real time that it is behind by more than this. */
   private static final long MAX_LAG_NANOS = 100_000_000;
 
@@ -39,6 +44,11 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
   private final Thread thread;
   private volatile long nanos;
   private volatile boolean closed;
+  private volatile boolean hasLostParticipant;
+  private final CompletableFuture<Throwable> broken = new CompletableFuture<>();
+
+  /** Of real time: when the last step was done. */
+  private volatile long steppedAt;
 
   private record Registration(Participant participant, long period) {
     boolean isDue(long nanos) {
@@ -90,8 +100,26 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     }
   }
 
+  /**
+   * Whether the world goes on, all that was added included: no participant failed, and a clock that
+   * was started has made a step within a minute of real time.
+   */
+  public boolean isSound() {
+    boolean stands =
+        thread.getState() != Thread.State.NEW
+            && !closed
+            && System.nanoTime() - steppedAt > STANDS_AFTER_NANOS;
+    return !hasLostParticipant && !broken.isDone() && !stands;
+  }
+
+  /** Completes with the error that ended a running clock: the world's time stands for ever. */
+  public CompletionStage<Throwable> whenBroken() {
+    return broken;
+  }
+
   /** Lets the world run. */
   public void start() {
+    steppedAt = System.nanoTime();
     thread.start();
   }
 
@@ -120,6 +148,15 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
   }
 
   private void run() {
+    try {
+      runUntilClosed();
+    } catch (RuntimeException | Error e) {
+      broken.complete(e); // before anything else, which may need memory
+      log.error("The clock has ended.", e);
+    }
+  }
+
+  private void runUntilClosed() {
     long stepNanos = Math.round(STEP.toNanos() / speed);
     long due = System.nanoTime();
     long heldSince = due;
@@ -135,6 +172,7 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
       }
       advanceOneStep();
       heldSince = now;
+      steppedAt = now;
       due = Math.max(due + stepNanos, now - MAX_LAG_NANOS);
     }
   }
@@ -163,6 +201,7 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
     } catch (RuntimeException e) {
       log.error("{} failed and takes no part any more.", registration.participant(), e);
       registrations.remove(registration);
+      hasLostParticipant = true;
     }
   }
 }

@@ -12,7 +12,11 @@ import org.flywaydb.core.Flyway;
 import org.jdbi.v3.core.Jdbi;
 import org.jspecify.annotations.Nullable;
 
-/** The database: a pool of connections, migrated to the newest {@code sql/}. */
+/**
+ * The database, migrated to the newest {@code sql/}. The fleet, readers and sessions have pools of
+ * connections of their own, so that none of them keeps another waiting, and each statement has a
+ * time limit.
+ */
 public final class Database implements AutoCloseable {
   private static final int FLYWAY_CONNECTIONS = 3;
   private static final List<String> IDENTITY_TABLES = List.of("tasks", "events");
@@ -20,22 +24,51 @@ public final class Database implements AutoCloseable {
 
   private static final String MYSQL = "jdbc:mysql:";
 
-  /** A database that does not answer for so long is away; what was asked is tried again. */
-  private static final Duration SOCKET_TIMEOUT = Duration.ofSeconds(8);
+  private static final int FLEET_CONNECTIONS = 10;
+  private static final int READER_CONNECTIONS = 5;
+  private static final int SESSION_CONNECTIONS = 5;
+
+  /** Of each pool; others are opened when they are needed. */
+  private static final int MIN_IDLE = 2;
+
+  /** For a statement of the fleet or of a session. */
+  private static final Duration WRITE_LIMIT = Duration.ofSeconds(6);
+
+  /** A database that does not answer for so long beyond the limit is away. */
+  private static final Duration SOCKET_MARGIN = Duration.ofSeconds(2);
 
   private static final Duration CONNECT_TIMEOUT = Duration.ofSeconds(3);
 
-  private final HikariDataSource pool;
-  private final Jdbi jdbi;
+  /** For a statement of those who only look. */
+  private static final Duration READ_LIMIT = Duration.ofSeconds(20);
+
+  private final Pool fleet;
+  private final Pool readers;
+  private final Pool sessions;
 
   /** Null where the database is not a file of this process. */
   private final @Nullable H2Compactor compactor;
 
-  private Database(HikariDataSource pool, boolean isOwnFile) {
-    this.pool = pool;
-    this.jdbi = Jdbi.create((DataSource) pool);
-    DatabaseTypes.register(jdbi);
-    this.compactor = isOwnFile ? new H2Compactor(jdbi) : null;
+  private record Pool(HikariDataSource connections, Jdbi jdbi) implements AutoCloseable {
+    static Pool of(HikariConfig config) {
+      HikariDataSource connections = new HikariDataSource(config);
+      Jdbi jdbi = Jdbi.create((DataSource) connections);
+      DatabaseTypes.register(jdbi);
+      return new Pool(connections, jdbi);
+    }
+
+    @Override
+    public void close() {
+      connections.close();
+    }
+  }
+
+  private Database(String url, String user, String password, Duration readLimit) {
+    fleet = Pool.of(config(url, user, password, "toqa", FLEET_CONNECTIONS, WRITE_LIMIT));
+    readers = Pool.of(config(url, user, password, "toqa-readers", READER_CONNECTIONS, readLimit));
+    sessions =
+        Pool.of(config(url, user, password, "toqa-sessions", SESSION_CONNECTIONS, WRITE_LIMIT));
+    compactor = H2Url.isOwnFile(url) ? new H2Compactor(fleet.jdbi()) : null;
   }
 
   /**
@@ -43,6 +76,10 @@ public final class Database implements AutoCloseable {
    * @param user empty: the one in the URL, if any
    */
   public static Database open(String database, String user, String password) {
+    return open(database, user, password, READ_LIMIT);
+  }
+
+  private static Database open(String database, String user, String password, Duration readLimit) {
     String url = H2Url.isH2(database) ? H2Url.withSettings(database) : database;
     try (HikariDataSource migrationPool = new HikariDataSource(config(url, user, password))) {
       Flyway.configure(Database.class.getClassLoader())
@@ -54,16 +91,30 @@ public final class Database implements AutoCloseable {
         closeIdentityGaps(Jdbi.create((DataSource) migrationPool));
       }
     }
+    return new Database(url, user, password, readLimit);
+  }
+
+  /**
+   * @param limit of one statement, by the database; MySQL ends those that only read, others end
+   *     with their connection
+   */
+  private static HikariConfig config(
+      String url, String user, String password, String name, int connections, Duration limit) {
     HikariConfig config = config(url, user, password);
-    config.setMaximumPoolSize(10);
+    config.setPoolName(name);
+    config.setMaximumPoolSize(connections);
+    config.setMinimumIdle(Math.min(connections, MIN_IDLE));
     config.setConnectionTimeout(CONNECT_TIMEOUT.plusSeconds(1).toMillis());
     config.setValidationTimeout(CONNECT_TIMEOUT.toMillis());
     if (url.startsWith(
         MYSQL)) { // without limits a connection to a machine that is gone waits for ever
       config.addDataSourceProperty("connectTimeout", milliseconds(CONNECT_TIMEOUT));
-      config.addDataSourceProperty("socketTimeout", milliseconds(SOCKET_TIMEOUT));
+      config.addDataSourceProperty("socketTimeout", milliseconds(limit.plus(SOCKET_MARGIN)));
+      config.setConnectionInitSql("set session max_execution_time = " + limit.toMillis());
+    } else {
+      config.setConnectionInitSql("set query_timeout " + limit.toMillis());
     }
-    return new Database(new HikariDataSource(config), H2Url.isOwnFile(url));
+    return config;
   }
 
   /**
@@ -115,7 +166,12 @@ public final class Database implements AutoCloseable {
 
   /** An H2 database that lives as long as it is open. */
   public static Database inMemory(String name) {
-    return open(H2Url.inMemory(name), "toqa", "");
+    return inMemory(name, READ_LIMIT);
+  }
+
+  /** The same, where a statement of a reader may take so long. */
+  static Database inMemory(String name, Duration readLimit) {
+    return open(H2Url.inMemory(name), "toqa", "", readLimit);
   }
 
   /** The innermost cause, which is the database's own word, in one line. */
@@ -127,13 +183,26 @@ public final class Database implements AutoCloseable {
     return String.valueOf(cause.getMessage()).lines().findFirst().orElse(cause.toString());
   }
 
+  /** For the fleet, and for what is written beside it. */
   public Jdbi jdbi() {
-    return jdbi;
+    return fleet.jdbi();
   }
 
-  /** Tells how the pool of connections does from now on. */
+  /** For pages and programs that look at what was; they may wait for each other. */
+  public Jdbi readers() {
+    return readers.jdbi();
+  }
+
+  /** For users and their sessions, which every request needs. */
+  public Jdbi sessions() {
+    return sessions.jdbi();
+  }
+
+  /** Tells how the pools of connections do from now on. */
   public void bindMetrics(MeterRegistry registry) {
-    pool.setMetricsTrackerFactory(new MicrometerMetricsTrackerFactory(registry));
+    for (Pool pool : List.of(fleet, readers, sessions)) {
+      pool.connections().setMetricsTrackerFactory(new MicrometerMetricsTrackerFactory(registry));
+    }
   }
 
   @Override
@@ -141,6 +210,8 @@ public final class Database implements AutoCloseable {
     if (compactor != null) {
       compactor.close();
     }
-    pool.close();
+    sessions.close();
+    readers.close();
+    fleet.close();
   }
 }

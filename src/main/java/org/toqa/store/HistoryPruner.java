@@ -2,6 +2,7 @@ package org.toqa.store;
 
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.IntSupplier;
 import org.jdbi.v3.core.Jdbi;
 import org.toqa.persistence.StoreException;
@@ -55,6 +56,16 @@ public final class HistoryPruner {
     deleteInBatches(() -> deleteOlder(OLD_EVENTS, before));
     deleteInBatches(() -> deleteOlder(OLD_UTILISATION, before));
     return deleteInBatches(() -> deleteEndedTasks(before));
+  }
+
+  /**
+   * When the newest event was; empty: there is none.
+   *
+   * @throws StoreException when the database does not answer
+   */
+  public Optional<Instant> newestEvent() {
+    return sql.withHandle(
+        h -> h.createQuery("select max(at) from events").mapTo(Instant.class).findOne());
   }
 
   private static long deleteInBatches(IntSupplier removeSome) {

@@ -32,6 +32,6 @@ final class SqlExecutor {
 
   private static StoreException storeException(JdbiException e) {
     Throwable cause = e.getCause() == null ? e : e.getCause();
-    return new StoreException(String.valueOf(cause.getMessage()), e);
+    return new StoreException(SqlFailures.kind(e), String.valueOf(cause.getMessage()), e);
   }
 }

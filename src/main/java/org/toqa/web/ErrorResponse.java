@@ -5,9 +5,11 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
+import org.toqa.persistence.StoreException;
 
 /** The answer to a request that is refused: a problem for the API, else a page. */
 public final class ErrorResponse {
+  private static final int UNPROCESSABLE = 422;
   private static final String SENTENCE = ErrorResponse.class.getName();
 
   private ErrorResponse() {}
@@ -29,6 +31,21 @@ public final class ErrorResponse {
       Object... values)
       throws IOException {
     send(request, response, status, Texts.of(request).get(key, values));
+  }
+
+  /** The status of what the store would not do. */
+  public static int status(StoreException failure) {
+    return failure.isRefusal() ? UNPROCESSABLE : HttpServletResponse.SC_SERVICE_UNAVAILABLE;
+  }
+
+  /** What people are told of it. */
+  public static String sentence(HttpServletRequest request, StoreException failure) {
+    Texts texts = Texts.of(request);
+    return switch (failure.kind()) {
+      case UNAVAILABLE -> texts.get("problem.databaseUnavailable");
+      case REFUSED -> texts.get("problem.cannotBeStored", String.valueOf(failure.getMessage()));
+      case TOO_SLOW -> texts.get("problem.databaseTooSlow");
+    };
   }
 
   /** What {@link #send} was given, while the error is shown. */

@@ -8,6 +8,7 @@ import io.github.bucket4j.TimeMeter;
 import java.time.Duration;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
+import org.toqa.accounts.Secret;
 
 /**
  * How fast one caller may ask: so many requests a second, and after a pause twice as many at once.
@@ -18,11 +19,16 @@ public final class RequestLimit {
   private static final Logger LOG = LoggerFactory.getLogger(RequestLimit.class);
   private static final int MAX_CALLERS = 10_000;
   private static final Duration REFILL_TIME = Duration.ofSeconds(2);
+  private static final Duration KNOWN_TIME = Duration.ofMinutes(10);
   private static final Duration LOG_INTERVAL = Duration.ofMinutes(1);
 
   private final int perSecond;
   private final TimeMeter time;
   private final Cache<String, Bucket> buckets;
+
+  /** Hashes of secrets that were somebody's. */
+  private final Cache<String, Boolean> known;
+
   private final Bucket logLines;
 
   /**
@@ -35,6 +41,13 @@ public final class RequestLimit {
         Caffeine.newBuilder()
             .maximumSize(MAX_CALLERS)
             .expireAfterAccess(REFILL_TIME)
+            .ticker(ticker)
+            .executor(Runnable::run)
+            .build();
+    this.known =
+        Caffeine.newBuilder()
+            .maximumSize(MAX_CALLERS)
+            .expireAfterAccess(KNOWN_TIME)
             .ticker(ticker)
             .executor(Runnable::run)
             .build();
@@ -58,6 +71,20 @@ public final class RequestLimit {
       LOG.warn("The {} asks more than {} times a second, and is told to wait.", caller, perSecond);
     }
     return Duration.ofNanos(probe.getNanosToWaitForRefill());
+  }
+
+  /** Whether that secret was somebody's a moment ago. */
+  public boolean isKnown(String secret) {
+    return known.getIfPresent(Secret.hash(secret)) != null;
+  }
+
+  /** Remembers whether that secret is somebody's. */
+  public void setKnown(String secret, boolean isGood) {
+    if (isGood) {
+      known.put(Secret.hash(secret), true);
+    } else {
+      known.invalidate(Secret.hash(secret));
+    }
   }
 
   private Bucket fullBucket() {

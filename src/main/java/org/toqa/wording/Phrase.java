@@ -149,6 +149,17 @@ public enum Phrase {
 
   // What ails the fleet or a floor
   DATABASE_AWAY,
+  PART_FAILS,
+  PART_ENDED,
+  MANAGER_PART,
+  FLOOR_PART,
+  ROBOT_PART,
+  FLEET_ENDED,
+  FLEET_STANDS,
+  CLOCK_STANDS,
+  MEMORY_EXHAUSTED,
+  CHANGE_LEFT_OUT,
+  CLOCK_JUMPED,
   CANNOT_BE_IN_TIME,
   RING_OF_WAITS,
   DOES_NOT_MOVE,
@@ -290,6 +301,7 @@ public enum Phrase {
   SCHEDULE_BEGAN,
   SCHEDULE_SKIPPED,
   SCHEDULE_RESTED,
+  SCHEDULE_MISSED,
   SCHEDULE_REFUSED,
 
   // What happened to a user

@@ -34,7 +34,20 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
       new FleetSnapshot(1, Hall.START, List.of(), List.of(), 0, List.of(), null, List.of());
   List<FloorView> floors = List.of();
   List<Sentence> alerts = List.of();
+  List<Sentence> failures = List.of();
   @Nullable Hold pause;
+
+  /** Publishes why the fleet cannot go on, as the agents do: also among the alerts. */
+  public void setFailure(Sentence failure) {
+    lock.lock();
+    try {
+      failures = List.of(failure);
+      alerts = failures;
+      publish(latest.robots());
+    } finally {
+      lock.unlock();
+    }
+  }
 
   /** Publishes what ails the whole fleet. */
   public void setAlert(String alert) {
@@ -77,6 +90,7 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
   void forgetSnapshot() {
     floors = List.of();
     alerts = List.of();
+    failures = List.of();
     pause = null;
     publish(List.of());
   }

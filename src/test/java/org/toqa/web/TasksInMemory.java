@@ -106,6 +106,16 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
   }
 
   @Override
+  public List<Sentence> failures() {
+    lock.lock();
+    try {
+      return failures;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
     if (silent) {
       return CompletableFuture.failedFuture(new StoreException("no store", null));

@@ -12,6 +12,7 @@ import java.time.InstantSource;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import org.apache.catalina.LifecycleException;
 import org.apache.catalina.LifecycleState;
@@ -21,6 +22,8 @@ import org.apache.catalina.startup.Tomcat;
 import org.apache.tomcat.util.scan.StandardJarScanFilter;
 import org.apache.tomcat.util.scan.StandardJarScanner;
 import org.jdbi.v3.core.Jdbi;
+import org.jdbi.v3.core.statement.SqlLogger;
+import org.jdbi.v3.core.statement.StatementContext;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
 import org.toqa.accounts.AccountStore;
@@ -62,6 +65,7 @@ public final class WebTestServer implements AutoCloseable {
   /** With the views as servlets, as the build has compiled them. */
   private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
 
+  private final AtomicLong sessionQueries = new AtomicLong();
   private final TestFleet fleet;
   private final TestMailbox mailbox = new TestMailbox();
   private final FirstStartCode firstStartCode = FirstStartCode.random();
@@ -172,7 +176,9 @@ public final class WebTestServer implements AutoCloseable {
     fleet =
         new TestFleet(
             schedules, name -> accounts.accountByName(name).map(Account::id).orElse(null));
-    SessionStore sessions = new JdbiSessionStore(jdbi, InstantSource.system(), Duration.ofDays(7));
+    database.sessions().setSqlLogger(new QueryCounter());
+    SessionStore sessions =
+        new JdbiSessionStore(database.sessions(), InstantSource.system(), Duration.ofDays(7));
     PasswordLinks links =
         new PasswordLinks(
             accounts,
@@ -238,6 +244,18 @@ public final class WebTestServer implements AutoCloseable {
   /** What the server would have printed. */
   public String firstStartCode() {
     return firstStartCode.text();
+  }
+
+  /** How often the database was asked whose a request is. */
+  public long sessionQueries() {
+    return sessionQueries.get();
+  }
+
+  private final class QueryCounter implements SqlLogger {
+    @Override
+    public void logBeforeExecution(StatementContext context) {
+      sessionQueries.incrementAndGet();
+    }
   }
 
   public TestMailbox mailbox() {

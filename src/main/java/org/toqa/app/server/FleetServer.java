@@ -8,7 +8,10 @@ import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletionStage;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -52,6 +55,7 @@ import org.toqa.web.Metrics;
 import org.toqa.web.PasswordLinks;
 import org.toqa.web.RequestLimit;
 import org.toqa.web.Services;
+import org.toqa.wording.Phrase;
 
 /**
  * Everything behind the web pages: store, fleet and simulated robots. It has one owner, the command
@@ -76,6 +80,8 @@ public final class FleetServer implements AutoCloseable {
   /** Null with them. */
   private final @Nullable SimulatedFleet simulated;
 
+  private final CompletionStage<String> failed;
+
   /** What is to be closed, the last one first. */
   private final Deque<AutoCloseable> parts;
 
@@ -85,12 +91,14 @@ public final class FleetServer implements AutoCloseable {
       Services services,
       @Nullable TrueBodies bodies,
       @Nullable SimulatedFleet simulated,
+      CompletionStage<String> failed,
       Deque<AutoCloseable> parts) {
     this.configuration = configuration;
     this.fleetClock = fleetTime;
     this.services = services;
     this.bodies = bodies;
     this.simulated = simulated;
+    this.failed = failed;
     this.parts = parts;
   }
 
@@ -116,7 +124,7 @@ public final class FleetServer implements AutoCloseable {
     parts.push(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     InstantSource wallClock = InstantSource.system();
-    AccountStore accounts = new JdbiAccountStore(database.jdbi(), wallClock);
+    AccountStore accounts = new JdbiAccountStore(database.sessions(), wallClock);
     PasswordHasher passwords = new PasswordHasher();
     addFirstManager(configuration, accounts, passwords);
 
@@ -151,12 +159,15 @@ public final class FleetServer implements AutoCloseable {
     }
     clock.start();
     parts.push(clock);
+    fleet.addCheck(
+        () -> clock.isSound() ? Optional.empty() : Optional.of(Phrase.CLOCK_STANDS.with()));
+    fleet.addCheck(MemoryWatch.ofThisProcess()::check);
     SessionStore sessions =
-        new JdbiSessionStore(database.jdbi(), wallClock, configuration.sessionLimit());
+        new JdbiSessionStore(database.sessions(), wallClock, configuration.sessionLimit());
     PasswordLinks passwordLinks =
         new PasswordLinks(
             accounts,
-            new JdbiPasswordResetStore(database.jdbi(), wallClock),
+            new JdbiPasswordResetStore(database.sessions(), wallClock),
             configuration.mailServer() == null ? null : new SmtpMail(configuration.mailServer()),
             wallClock);
     Metrics metrics = new Metrics(fleet.snapshots());
@@ -172,20 +183,23 @@ public final class FleetServer implements AutoCloseable {
             new JdbiUtilisationStore(database.jdbi()),
             wallClock,
             configuration.simulationSpeed()));
-    parts.push(
+    RetentionJob retention =
         new RetentionJob(
             new HistoryPruner(database.jdbi()),
             configuration.trackRetention(),
             configuration.historyRetention(),
-            wallClock));
+            wallClock,
+            System::nanoTime);
+    parts.push(retention);
+    fleet.addWarning(retention::warning);
     Services services =
         new Services(
             fleet,
-            store,
-            new JdbiEventArchive(database.jdbi()),
-            tracks,
+            new JdbiFleetStore(database.readers()),
+            new JdbiEventArchive(database.readers()),
+            new JdbiTrackStore(database.readers()),
             schedules,
-            new JdbiStatisticsArchive(database.jdbi()),
+            new JdbiStatisticsArchive(database.readers()),
             accounts,
             sessions,
             passwordLinks,
@@ -193,13 +207,21 @@ public final class FleetServer implements AutoCloseable {
             metrics,
             new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
             wallClock,
-            Authenticator.of(accounts, passwords, wallClock),
+            Authenticator.of(
+                accounts, passwords, new SteadyClock(wallClock.instant(), System::nanoTime)),
             new IdempotentSubmitter(fleet, store),
             new AllowedHosts(configuration.hosts()),
             firstStartCode(accounts));
     TrueBodies bodies =
         simulated == null ? null : new TrueBodies(simulated, fleet.snapshots()::latest);
-    return new FleetServer(configuration, clock, services, bodies, simulated, parts);
+    CompletionStage<String> failed =
+        fleet
+            .whenFailed()
+            .thenApply(ended -> Phrase.FLEET_ENDED.with().english())
+            .applyToEither(
+                clock.whenBroken().thenApply(error -> "The clock has ended by " + error),
+                Function.identity());
+    return new FleetServer(configuration, clock, services, bodies, simulated, failed, parts);
   }
 
   private static Database openDatabase(Configuration.DatabaseSettings settings) throws IOException {
@@ -234,6 +256,11 @@ public final class FleetServer implements AutoCloseable {
       }
     }
     return code;
+  }
+
+  /** Completes, with the reason for a person, when the server cannot go on. */
+  CompletionStage<String> whenFailed() {
+    return failed;
   }
 
   Configuration configuration() {

@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import org.toqa.app.command.OptionalMapOption;
 import org.toqa.app.command.PortOption;
 import org.toqa.app.command.SpeedOption;
@@ -31,6 +33,8 @@ import picocli.CommandLine.Option;
       "docs/configuration.md for all settings."
     })
 public final class ServerCommand implements Callable<Integer> {
+
+  private static final Logger log = LoggerFactory.getLogger(ServerCommand.class);
 
   @Option(names = "--config", paramLabel = "FILE", description = "Read settings from a YAML file.")
   private @Nullable Path config;
@@ -59,8 +63,17 @@ public final class ServerCommand implements Callable<Integer> {
     Configuration configuration = Configuration.of(WebappFolder.shippedMap(), settingSources());
     ServerOperation untilStopped = ServerCommand::awaitStop;
     try (StopSignal stop = new StopSignal()) {
+      Thread.setDefaultUncaughtExceptionHandler((thread, e) -> reportUncaught(thread, e, stop));
       return untilStopped.runWith(configuration, webapp, stop);
     }
+  }
+
+  /** A thread that runs out of memory is not made up for. */
+  private static void reportUncaught(Thread thread, Throwable e, StopSignal stop) {
+    if (e instanceof VirtualMachineError) {
+      stop.fail("The thread " + thread.getName() + " has ended by " + e);
+    }
+    log.error("{} has ended.", thread.getName(), e);
   }
 
   private static int awaitStop(FleetServer toqa, URI address, StopSignal stop)

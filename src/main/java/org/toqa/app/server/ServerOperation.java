@@ -49,7 +49,8 @@ public interface ServerOperation {
 
   /**
    * Starts the server, does this, and closes everything in order: no request meets a closed fleet,
-   * and a server that cannot have its port connects to no robot.
+   * and a server that cannot have its port connects to no robot. Where a part fails without which
+   * the server cannot go on, the operation is asked to stop and the exit code is 1.
    *
    * @param webapp the folder of the unpacked web application
    * @return the exit code of the process
@@ -61,7 +62,9 @@ public interface ServerOperation {
     try (WebServer web = WebServer.bind(webapp, configuration);
         FleetServer toqa = FleetServer.start(configuration);
         WebServer.RunningWebapp site = web.open(toqa)) {
-      return run(toqa, site.uri(), stop);
+      var _ = toqa.whenFailed().thenAccept(stop::fail);
+      int code = run(toqa, site.uri(), stop);
+      return stop.hasFailed() ? 1 : code;
     }
   }
 }

@@ -16,6 +16,7 @@ import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.StoredRobot;
+import org.toqa.fleet.robot.AgentHealth;
 import org.toqa.fleet.robot.RobotAgent;
 import org.toqa.fleet.robot.RobotEvent;
 import org.toqa.fleet.robot.RobotMessage;
@@ -25,6 +26,7 @@ import org.toqa.link.RobotLinkFactory;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.traffic.mapf.LacamJointPlanner;
+import org.toqa.wording.Phrase;
 
 /**
  * The single writer of one floor: its map, its missions and who may drive where.
@@ -67,6 +69,9 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       FleetRuntime runtime,
       ActorRef<FloorEvent> manager) {
     return Supervision.resuming(
+        Phrase.FLOOR_PART.with(floor.name()),
+        FloorMessage.class,
+        runtime,
         Behaviors.setup(
             context ->
                 new FloorAgent(
@@ -100,7 +105,10 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
             traffic,
             new ChargerWatch(rules.charging().patience()),
             now,
-            runtime);
+            runtime,
+            change ->
+                AgentHealth.of(context.getSystem())
+                    .recordLeftOut(change, runtime.monotonicNanos()));
     watch = new FloorWatch(floor, traffic);
     reports = new FloorReporter(state, watch, manager);
     missions =
@@ -189,6 +197,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   }
 
   private FloorRobot startRobot(RobotRecord record, OperatorSettings settings) {
+    AgentHealth.of(getContext().getSystem()).expectStart();
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(

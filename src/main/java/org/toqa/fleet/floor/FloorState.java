@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventKind;
@@ -60,10 +61,11 @@ public final class FloorState {
       FloorTraffic traffic,
       ChargerWatch chargers,
       Instant now,
-      FleetRuntime runtime) {
+      FleetRuntime runtime,
+      Consumer<Sentence> onLeftOut) {
     this.floor = floor;
     this.store = store;
-    this.writer = new StoreWriter("floor-" + floor.name(), runtime);
+    this.writer = new StoreWriter("floor-" + floor.name(), runtime, onLeftOut);
     this.clock = clock;
     this.runtime = runtime;
     this.traffic = traffic;

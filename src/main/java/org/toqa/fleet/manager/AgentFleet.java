@@ -11,11 +11,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.apache.pekko.actor.BootstrapSetup;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.ActorSystem;
@@ -43,11 +46,14 @@ import org.toqa.fleet.SnapshotFeed;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
+import org.toqa.fleet.robot.AgentHealth;
 import org.toqa.fleet.schedule.StoredSchedules;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.mission.MissionEvent;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 import scala.concurrent.ExecutionContext;
 
 /**
@@ -80,17 +86,22 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   private final FleetRuntime runtime;
   private final PendingSubmissions pendingSubmissions = new PendingSubmissions();
   private final ActorSystem<ManagerMessage> system;
+  private final AgentHealth health;
+  private final FleetMonitor monitor;
+  private final CompletableFuture<Void> failed = new CompletableFuture<>();
+  private volatile boolean isClosing;
 
   /** The time of a tick that the manager has not taken; a later one takes its place. */
   private final AtomicReference<@Nullable Instant> dueTick = new AtomicReference<>();
 
   /**
-   * Reads the store and goes on with what is in it.
+   * Reads the store and goes on with what is in it, when all agents have started.
    *
    * @param floors at least one; the first is the default
    * @param scheduleStore what {@link #schedules} writes to
    * @param clock for the times in the history
    * @param now of the time that {@link #tick} brings
+   * @throws IllegalStateException an agent cannot start; the message says which one and why
    */
   public AgentFleet(
       List<FloorMap> floors,
@@ -151,10 +162,45 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 .map(setup::withDefaultExecutionContext)
                 .orElse(setup));
     this.schedules = new StoredSchedules(scheduleStore, this, clock);
+    this.health = AgentHealth.of(system);
+    awaitStart();
+    var _ = system.getWhenTerminated().whenComplete((done, failure) -> ended());
+    this.monitor =
+        new FleetMonitor(
+            this::agentFailures, () -> health.warnings(runtime.monotonicNanos()), latestSnapshot);
+  }
+
+  private void awaitStart() {
+    try {
+      CompletableFuture.anyOf(
+              health.started().toCompletableFuture(),
+              system.getWhenTerminated().toCompletableFuture())
+          .join();
+      health.started().toCompletableFuture().getNow(null);
+    } catch (CompletionException e) {
+      terminate();
+      throw e.getCause() instanceof IllegalStateException refusal
+          ? refusal
+          : new IllegalStateException("The fleet cannot start: " + e.getMessage(), e);
+    }
+  }
+
+  private void ended() {
+    if (!isClosing) {
+      log.error("The agents have ended; the fleet cannot go on.");
+      failed.complete(null);
+    }
+  }
+
+  private List<Sentence> agentFailures() {
+    return failed.isDone()
+        ? List.of(Phrase.FLEET_ENDED.with())
+        : health.failures(runtime.monotonicNanos());
   }
 
   /** Time goes on: timers fire, robots are pinged, waiting tasks are looked at. */
   public void tick(Instant now) {
+    health.recordTick(runtime.monotonicNanos());
     if (dueTick.getAndSet(now) == null) {
       system.tell(new ManagerMessage.Tick(() -> requireNonNull(dueTick.getAndSet(null))));
     }
@@ -292,9 +338,39 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     return latestSnapshot;
   }
 
+  @Override
+  public List<Sentence> failures() {
+    return monitor.failures();
+  }
+
+  /** Completes when the agents have ended though nobody closed them: nothing moves any more. */
+  public CompletionStage<Void> whenFailed() {
+    return failed;
+  }
+
+  /**
+   * From now on also what this finds is a reason why the fleet cannot go on.
+   *
+   * @param check called by any thread, every second and more often; it does not wait
+   */
+  public void addCheck(Supplier<Optional<Sentence>> check) {
+    monitor.addCheck(check);
+  }
+
+  /** From now on also what this finds is among the alerts of snapshots; the fleet goes on. */
+  public void addWarning(Supplier<Optional<Sentence>> check) {
+    monitor.addWarning(check);
+  }
+
   /** Ends the agents: links are closed, what was handed to the store is written. */
   @Override
   public void close() {
+    monitor.close();
+    terminate();
+  }
+
+  private void terminate() {
+    isClosing = true;
     system.terminate();
     try {
       system.getWhenTerminated().toCompletableFuture().get(10, TimeUnit.SECONDS);

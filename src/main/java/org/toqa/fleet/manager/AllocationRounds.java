@@ -130,7 +130,7 @@ final class AllocationRounds {
     List<Candidate> robotsHere = fleet.candidates(floor.name());
     List<GivenTask> given =
         exchanges.exchangeableTasks(
-            fleet.assignedTasks(floor.name()), fleet.robotsOn(floor.name()), fleet.clock.instant());
+            fleet.assignedTasks(floor.name()), fleet.robotsOn(floor.name()), fleet.now);
     double strongest = maxFreeLoad(robotsHere, given);
     double strongestOfAll = robotsHere.stream().mapToDouble(Candidate::maxLoad).max().orElse(0);
     boolean isAnyFree = strongest > 0;
@@ -315,7 +315,7 @@ final class AllocationRounds {
             .map(Candidate::robot)
             .collect(Collectors.toCollection(HashSet::new));
     List<FloorMessage.Move> moves =
-        exchanges.moves(m.decisions(), fleet.assignedTasks(m.floor()), free, fleet.clock.instant());
+        exchanges.moves(m.decisions(), fleet.assignedTasks(m.floor()), free, fleet.now);
     if (!moves.isEmpty()) {
       floor.tell(new FloorMessage.ExchangeTasks(moves));
       moves.forEach(move -> free.add(move.from()));

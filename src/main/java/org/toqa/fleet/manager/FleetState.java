@@ -2,6 +2,7 @@ package org.toqa.fleet.manager;
 
 import static java.util.Objects.requireNonNull;
 
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -13,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.toqa.allocation.Candidate;
@@ -61,14 +63,23 @@ final class FleetState {
   /** Floors whose robots or tasks have changed since their last round of allocation began. */
   final Set<String> dueFloors = new HashSet<>();
 
+  /** Of the time that ticks bring, by which waits are measured. */
+  Instant now;
+
   /** Whether there is something new to show. */
   boolean changed = true;
 
-  FleetState(FleetStore store, InstantSource clock, FleetRuntime runtime) {
+  FleetState(
+      FleetStore store,
+      InstantSource clock,
+      Instant now,
+      FleetRuntime runtime,
+      Consumer<Sentence> onLeftOut) {
     this.store = store;
-    this.writer = new StoreWriter("manager", runtime);
+    this.writer = new StoreWriter("manager", runtime, onLeftOut);
     this.clock = clock;
     this.runtime = runtime;
+    this.now = now;
   }
 
   void addEnded(TaskView task) {

@@ -26,11 +26,13 @@ import org.toqa.fleet.floor.FloorDistances;
 import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.fleet.floor.StoredFloorState;
+import org.toqa.fleet.robot.AgentHealth;
 import org.toqa.fleet.robot.Supervision;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
+import org.toqa.wording.Phrase;
 
 /**
  * Takes tasks, keeps their queue, decides who carries what, and publishes snapshots of the whole
@@ -41,6 +43,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private static final Logger log = LoggerFactory.getLogger(ManagerAgent.class);
 
   private final FleetState fleet;
+  private final AgentHealth health;
   private final StoreHealthCheck storeHealth;
   private final HoldCommandHandler holdCommands;
   private final LateTaskReporter lateTasks;
@@ -64,6 +67,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       LatestSnapshot latest,
       PendingSubmissions pendingSubmissions) {
     return Supervision.resuming(
+        Phrase.MANAGER_PART.with(),
+        ManagerMessage.class,
+        runtime,
         Behaviors.setup(
             context ->
                 new ManagerAgent(
@@ -93,7 +99,14 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       LatestSnapshot latest,
       PendingSubmissions pendingSubmissions) {
     super(context);
-    this.fleet = new FleetState(store, clock, runtime);
+    this.health = AgentHealth.of(context.getSystem());
+    this.fleet =
+        new FleetState(
+            store,
+            clock,
+            now,
+            runtime,
+            change -> health.recordLeftOut(change, runtime.monotonicNanos()));
     ActorRef<ManagerMessage> self = context.getSelf();
     this.storeHealth =
         new StoreHealthCheck(
@@ -157,6 +170,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                   .filter(t -> t.mission().state() != TaskState.QUEUED)
                   .filter(t -> t.mission().task().floor().equals(floor.name()))
                   .toList());
+      health.expectStart();
       ActorRef<FloorMessage> agent =
           getContext()
               .spawn(
@@ -282,6 +296,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
    * floor that is still at its last one is left out, so that ticks never pile up before it.
    */
   private void tick(Instant now) {
+    fleet.now = now;
     if (!ticking.isEmpty() || fleet.floors.isEmpty()) {
       publishIfChanged();
     }
@@ -298,6 +313,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void floorTicked(String floor) {
     ticking.remove(floor);
     if (ticking.isEmpty()) {
+      health.recordTickDone();
       publishIfChanged();
     }
   }

@@ -36,7 +36,9 @@ record RegistrationReply(
     onNotStored.run();
     replyTo.tell(
         StatusReply.error(
-            new StoreException(
-                "The database does not answer, so the robot was not stored; try again.", e)));
+            e.isRefusal()
+                ? e
+                : new StoreException(
+                    "The database does not answer, so the robot was not stored; try again.", e)));
   }
 }

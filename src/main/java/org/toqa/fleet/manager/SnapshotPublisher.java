@@ -69,7 +69,7 @@ final class SnapshotPublisher {
             .toList();
     latest.publish(
         new FleetSnapshot(
-            latest.latest().version() + 1,
+            latest.latest().version(),
             fleet.clock.instant(),
             views,
             newestFirst,

@@ -83,7 +83,11 @@ final class TaskCommandHandler {
   }
 
   private CompletionStage<Answer<TransportTask>> checkOrder(TaskOrder order, String user) {
-    return validator.checkTask(order, user, fleet.clock.instant(), totalCapacity());
+    try {
+      return validator.checkTask(order, user, fleet.clock.instant(), totalCapacity());
+    } catch (RuntimeException e) { // else all later orders would wait for this one
+      return CompletableFuture.failedFuture(e);
+    }
   }
 
   /** Adopts all orders that are checked and before which none waits for its check. */
@@ -119,7 +123,7 @@ final class TaskCommandHandler {
 
   void submitTasks(ManagerMessage.SubmitTasks m) {
     if (!storeHealth.isAvailable()) {
-      reject(m.replyTo());
+      reject(m.replyTo(), away());
       return;
     }
     check(m);
@@ -150,7 +154,7 @@ final class TaskCommandHandler {
           submissions(checked.tasks(), request.idempotencyKeys()),
           request.deadline(),
           stored -> self.tell(new ManagerMessage.TasksStored(stored, request.replyTo())),
-          () -> reject(request.replyTo()));
+          failure -> reject(request.replyTo(), failure));
     }
   }
 
@@ -228,21 +232,23 @@ final class TaskCommandHandler {
   private void store(TransportTask task, ManagerMessage.SubmitTask request) {
     ActorRef<StatusReply<Answer<TaskView>>> replyTo = request.replyTo();
     if (!storeHealth.isAvailable()) {
-      reject(replyTo);
+      reject(replyTo, away());
       return;
     }
     submitter.submit(
         List.of(new Submission(task, request.idempotencyKey())),
         request.deadline(),
         stored -> self.tell(new ManagerMessage.TaskStored(stored.getFirst(), replyTo)),
-        () -> reject(replyTo));
+        failure -> reject(replyTo, failure));
   }
 
-  private static <T> void reject(ActorRef<StatusReply<T>> replyTo) {
-    replyTo.tell(
-        StatusReply.error(
-            new StoreException(
-                "The database does not answer, so nothing was accepted; try again.", null)));
+  private static <T> void reject(ActorRef<StatusReply<T>> replyTo, StoreException failure) {
+    replyTo.tell(StatusReply.error(failure.isRefusal() ? failure : away()));
+  }
+
+  private static StoreException away() {
+    return new StoreException(
+        "The database does not answer, so nothing was accepted; try again.", null);
   }
 
   void taskStored(ManagerMessage.TaskStored m) {
@@ -308,13 +314,19 @@ final class TaskCommandHandler {
       next = fleet.view(m.task(), FleetState.LOOKING_FOR_ROBOT);
     }
     fleet.changed = true;
-    if (step.hasChanges()) {
-      fleet.writer.write(
-          () -> fleet.store.saveMission(mission, at, EventRecord.of(step, m.command(), at)),
-          () -> self.tell(new ManagerMessage.TaskCommandStored(mission)));
-    }
     fleet.writer.write(
-        () -> {}, () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(next))));
+        () -> {
+          if (step.hasChanges()) {
+            fleet.store.saveMission(mission, at, EventRecord.of(step, m.command(), at));
+          }
+        },
+        () -> {
+          if (step.hasChanges()) {
+            self.tell(new ManagerMessage.TaskCommandStored(mission));
+          }
+          m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(next)));
+        },
+        refusal -> m.replyTo().tell(StatusReply.error(refusal)));
   }
 
   void taskCommandStored(Mission mission) {

@@ -12,6 +12,7 @@ import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.mission.TransportTask;
+import org.toqa.persistence.StoreException;
 
 /**
  * Stores new tasks so that their callers are told the truth: a task that was accepted stays stored,
@@ -42,7 +43,7 @@ final class TaskSubmitter {
       List<Submission> submissions,
       long deadline,
       Consumer<List<TransportTask>> onAccepted,
-      Runnable onRejected) {
+      Consumer<StoreException> onRejected) {
     List<UUID> keys() {
       return submissions.stream().map(Submission::idempotencyKey).toList();
     }
@@ -78,21 +79,23 @@ final class TaskSubmitter {
    * @param submissions no stored task has a key of theirs
    * @param deadline of {@link #deadline}
    * @param accepted gets the tasks with their ids, on the writer's thread
-   * @param refused called when they were not stored, or are there only until they are withdrawn
+   * @param refused called, with the reason, when they were not stored, or are there only until they
+   *     are withdrawn
    */
   void submit(
       List<Submission> submissions,
       long deadline,
       Consumer<List<TransportTask>> accepted,
-      Runnable refused) {
+      Consumer<StoreException> refused) {
     Entry added = new Entry(submissions, deadline, accepted, refused);
     if (!pending.begin(added.keys())) {
-      refused.run();
+      refused.accept(beingStored());
       return;
     }
     waiting.add(added);
     List<Entry> group = new ArrayList<>();
-    writer.tryOnce(() -> store(group), () -> {}, failure -> group.forEach(this::withdraw));
+    writer.tryOnce(
+        () -> store(group), () -> {}, failure -> group.forEach(entry -> withdraw(entry, failure)));
   }
 
   /**
@@ -101,11 +104,30 @@ final class TaskSubmitter {
   private void store(List<Entry> group) {
     waiting.drainTo(group, MOST_AT_ONCE);
     List<Entry> late = group.stream().filter(entry -> !isInTime(entry)).toList();
-    late.forEach(this::refuse);
+    late.forEach(entry -> refuse(entry, tooLate()));
     group.removeAll(late);
     if (group.isEmpty()) {
       return;
     }
+    try {
+      add(group);
+    } catch (StoreException e) {
+      if (!e.isRefusal() || group.size() == 1) {
+        throw e;
+      }
+      group.forEach(this::storeAlone); // one of them refuses no other
+    }
+  }
+
+  private void storeAlone(Entry entry) {
+    try {
+      add(List.of(entry));
+    } catch (StoreException e) {
+      withdraw(entry, e);
+    }
+  }
+
+  private void add(List<Entry> group) {
     List<TransportTask> stored =
         store.addTasks(group.stream().flatMap(entry -> entry.submissions().stream()).toList());
     int told = 0;
@@ -115,21 +137,29 @@ final class TaskSubmitter {
         pending.end(entry.keys());
         entry.onAccepted().accept(stored.subList(told, next));
       } else {
-        withdraw(entry);
+        withdraw(entry, tooLate());
       }
       told = next;
     }
   }
 
   /** It was never handed to the store. */
-  private void refuse(Entry entry) {
+  private void refuse(Entry entry, StoreException why) {
     pending.end(entry.keys());
-    entry.onRejected().run();
+    entry.onRejected().accept(why);
   }
 
   /** It is stored, or may be. */
-  private void withdraw(Entry entry) {
+  private void withdraw(Entry entry, StoreException why) {
     writer.write(() -> store.withdrawTasks(entry.keys()), () -> pending.end(entry.keys()));
-    entry.onRejected().run();
+    entry.onRejected().accept(why);
+  }
+
+  private static StoreException tooLate() {
+    return new StoreException("The database did not answer in time.", null);
+  }
+
+  private static StoreException beingStored() {
+    return new StoreException("What was sent with this key is being stored.", null);
   }
 }

@@ -162,6 +162,14 @@ final class CommandQueue {
     return head.id;
   }
 
+  /** Drops what can never be stored, with all that waits for the same drive. */
+  void dropNotStored(long id) {
+    waiting.stream()
+        .filter(entry -> entry.id == id)
+        .findFirst()
+        .ifPresent(entry -> drop(entry.drive));
+  }
+
   /** Drops the drive, which nobody wants any more, with its changes. */
   void drop(long drive) {
     waiting.removeIf(entry -> entry.drive == drive);

@@ -31,6 +31,7 @@ import org.toqa.link.message.ServerMessage;
 import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
+import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
@@ -76,6 +77,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       Instant now,
       FleetRuntime runtime) {
     return Supervision.resuming(
+        Phrase.ROBOT_PART.with(robot.name()),
+        RobotMessage.class,
+        runtime,
         Behaviors.setup(
             context -> new RobotAgent(context, robot, floor, store, links, now, runtime)));
   }
@@ -94,7 +98,12 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     this.store = store;
     this.now = now;
     this.silence = new SilenceDetector(now);
-    this.writer = new StoreWriter(robot.name(), runtime);
+    AgentHealth health = AgentHealth.of(context.getSystem());
+    this.writer =
+        new StoreWriter(
+            robot.name(),
+            runtime,
+            change -> health.recordLeftOut(change, runtime.monotonicNanos()));
     ActorRef<RobotMessage> self = context.getSelf();
     writer.write(
         () -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot.name()))), () -> {});
@@ -124,6 +133,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       case RobotMessage.Extend m -> extend(m);
       case RobotMessage.Release m -> release(m.released());
       case RobotMessage.CommandStored m -> commandStored(m.id());
+      case RobotMessage.CommandNotStored m -> commandNotStored(m);
       case RobotMessage.Cancel m -> cancel(m);
       case RobotMessage.Hold m ->
           commands.send(m.hold() ? ServerMessage.Hold::new : ServerMessage.Resume::new);
@@ -186,7 +196,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   }
 
   private void begin(StoredDrive next, CommandQueue.DriveCommand command) {
-    storeThenSend(next, commands.addBegin(next.seq(), command));
+    storeThenSend(next, null, commands.addBegin(next.seq(), command));
     floor.tell(new RobotEvent.DriveBegun(robot.name(), next));
   }
 
@@ -200,6 +210,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     Trajectory trajectory = new Trajectory(old.trajectory().start(), segments);
     storeThenSend(
         new StoredDrive(old.seq(), old.task(), old.phase(), trajectory),
+        old.seq(),
         commands.addChange(
             old.seq(),
             (n, d) ->
@@ -212,16 +223,28 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
             commands.sendInOrder(old.seq(), (n, d) -> new ServerMessage.Release(n, d, released)));
   }
 
-  private void storeThenSend(StoredDrive next, long id) {
+  /**
+   * @param changing the drive that the command is to change; null: it begins one
+   * @param id of the command in the queue
+   */
+  private void storeThenSend(StoredDrive next, @Nullable Long changing, long id) {
     drive = Optional.of(next);
     ActorRef<RobotMessage> self = getContext().getSelf();
     writer.write(
         () -> store.saveDrive(robot.name(), next),
-        () -> self.tell(new RobotMessage.CommandStored(id)));
+        () -> self.tell(new RobotMessage.CommandStored(id)),
+        refusal ->
+            self.tell(
+                new RobotMessage.CommandNotStored(
+                    id, changing, String.valueOf(refusal.getMessage()))));
   }
 
   private void commandStored(long id) {
     commands.setStored(id);
+    sendStored();
+  }
+
+  private void sendStored() {
     for (OptionalLong overtaken = commands.sendStored();
         overtaken.isPresent();
         overtaken = commands.sendStored()) {
@@ -238,7 +261,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private void renumber(StoredDrive old) {
     StoredDrive next =
         new StoredDrive(commands.nextNumber(), old.task(), old.phase(), old.trajectory());
-    storeThenSend(next, commands.renumberFirst(next.seq()));
+    storeThenSend(next, null, commands.renumberFirst(next.seq()));
     floor.tell(new RobotEvent.DriveBegun(robot.name(), next));
   }
 
@@ -247,6 +270,13 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         .clear()
         .ifPresent(number -> floor.tell(new RobotEvent.DriveWithdrawn(robot.name(), number)));
     commands.send(n -> new ServerMessage.Cancel(n, m.task()));
+  }
+
+  /** It is not sent, and is to the floor as if the robot had refused it. */
+  private void commandNotStored(RobotMessage.CommandNotStored m) {
+    commands.dropNotStored(m.id());
+    sendStored();
+    floor.tell(new RobotEvent.CommandRejected(robot.name(), m.changing(), m.reason()));
   }
 
   private void connected(Hello said) {

@@ -96,6 +96,15 @@ public sealed interface RobotMessage {
   /** What a command that waits is about is safe: it may be sent. */
   record CommandStored(long id) implements RobotMessage {}
 
+  /**
+   * What had to be stored before a command was sent can never be.
+   *
+   * @param id of the command that waits
+   * @param changing the drive that the command was to change, if it was such a one
+   */
+  record CommandNotStored(long id, @Nullable Long changing, String reason)
+      implements RobotMessage {}
+
   record Tick(Instant now) implements RobotMessage {}
 
   record Stop() implements RobotMessage {}

@@ -4,12 +4,14 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -32,17 +34,25 @@ import org.toqa.wording.Sentence;
  * <ul>
  *   <li>While the last task of a schedule has not ended, what is due is skipped.
  *   <li>While its user is disabled, or none any more, what is due is skipped too.
- *   <li>Of what was due while no server ran one task is made up for.
+ *   <li>Of what was due while no server ran, or which a clock that jumped forward passed over, one
+ *       task is made up for, and it is told how many others there were.
+ *   <li>When the clock is set back, the next due time is the next one by the clock.
  * </ul>
  */
 public final class Scheduler {
   private static final Logger log = LoggerFactory.getLogger(Scheduler.class);
   private static final Duration LIMIT = Duration.ofSeconds(12);
 
+  /** A clock that is set back by less was put right. */
+  private static final Duration CLOCK_JITTER = Duration.ofMinutes(1);
+
+  private static final int MAX_MISSED = 10_000;
+
   private final ScheduleStore store;
   private final TaskArchive archive;
   private final Fleet fleet;
   private final InstantSource clock;
+  private @Nullable Instant lastLook;
 
   public Scheduler(ScheduleStore store, TaskArchive archive, Fleet fleet, InstantSource clock) {
     this.store = store;
@@ -55,11 +65,27 @@ public final class Scheduler {
   public void runDueSchedules() {
     Instant now = clock.instant();
     try {
+      if (lastLook == null || now.isBefore(lastLook.minus(CLOCK_JITTER))) {
+        bringForward(now);
+      }
+      lastLook = now;
       for (Schedule schedule : store.due(now)) {
         run(schedule, now);
       }
     } catch (StoreException e) { // of which people are told elsewhere, once
       log.debug("The schedules wait for the database: {}", e.getMessage());
+    }
+  }
+
+  /** What a clock that was ahead has put off is due again when it is due by the clock now. */
+  private void bringForward(Instant now) {
+    for (Schedule schedule : store.schedules()) {
+      Instant due = schedule.due();
+      Instant next = schedule.nextDueAfter(now).orElse(null);
+      if (!schedule.paused() && due != null && next != null && next.isBefore(due)) {
+        log.warn("{} is due again at {}, since the clock was set back.", name(schedule), next);
+        store.savePause(schedule.id(), false, next, List.of());
+      }
     }
   }
 
@@ -139,11 +165,31 @@ public final class Scheduler {
 
   private void advance(
       Schedule schedule, Instant now, EventKind kind, @Nullable Long task, Sentence text) {
+    List<EventRecord> events = new ArrayList<>();
+    events.add(new EventRecord(now, kind, task, null, EventRecord.SYSTEM, text));
+    long missed = missedTimes(schedule, now);
+    if (missed > 0) {
+      Sentence told = Phrase.SCHEDULE_MISSED.with(schedule.id(), schedule.user(), missed);
+      events.add(
+          new EventRecord(now, EventKind.SCHEDULE_SKIPPED, task, null, EventRecord.SYSTEM, told));
+    }
     store.advance(
         schedule,
         schedule.nextDueAfter(now).orElse(null),
         task == null ? schedule.lastTask() : task,
-        List.of(new EventRecord(now, kind, task, null, EventRecord.SYSTEM, text)));
+        events);
+  }
+
+  /** How often it was due between its due time and now, both left out; it counts so far only. */
+  private static long missedTimes(Schedule schedule, Instant now) {
+    return schedule.due() == null
+        ? 0
+        : Stream.iterate(
+                schedule.nextDueAfter(schedule.due()),
+                next -> next.filter(at -> !at.isAfter(now)).isPresent(),
+                next -> next.flatMap(schedule::nextDueAfter))
+            .limit(MAX_MISSED)
+            .count();
   }
 
   private static String name(Schedule schedule) {

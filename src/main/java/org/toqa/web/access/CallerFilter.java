@@ -12,20 +12,22 @@ import org.toqa.web.RequestPath;
 import org.toqa.web.Services;
 
 /**
- * Finds out whose request it is; static files are for everybody, so there it does not ask. What
- * pages ask by themselves while nobody sits before them keeps no session alive.
+ * Finds out whose request it is; static files and the health are for everybody, so there it does
+ * not ask. What pages ask by themselves while nobody sits before them keeps no session alive.
  */
 public final class CallerFilter extends HttpFilter {
   /** In what a page asks by itself. */
   private static final String BACKGROUND_HEADER = "X-Toqa-Background";
 
+  private static final String HEALTH = "/api/v1/health";
   private static final String LIVE_EVENTS = "/api/v1/events";
 
   @Override
   protected void doFilter(
       HttpServletRequest request, HttpServletResponse response, FilterChain chain)
       throws IOException, ServletException {
-    if (!request.getServletPath().startsWith("/assets/")) {
+    if (!request.getServletPath().startsWith("/assets/")
+        && !RequestPath.of(request).equals(HEALTH)) {
       Credential.of(request)
           .flatMap(
               credential ->

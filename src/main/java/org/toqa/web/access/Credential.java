@@ -30,7 +30,7 @@ public record Credential(Session.Carrier carrier, String secret) {
   }
 
   /** The request's bearer token if it has one, else its cookie if it has one. */
-  static Optional<Credential> of(HttpServletRequest request) {
+  public static Optional<Credential> of(HttpServletRequest request) {
     String authorization = request.getHeader("Authorization");
     if (authorization != null && authorization.regionMatches(true, 0, "Bearer ", 0, 7)) {
       return Optional.of(

@@ -5,8 +5,8 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import org.toqa.persistence.StoreException;
+import org.toqa.web.ErrorResponse;
 import org.toqa.web.Handler;
-import org.toqa.web.Texts;
 
 /** Answers as another handler does; the problems that it raises become answers. */
 public record ProblemHandler(Handler handler) implements Handler {
@@ -19,7 +19,8 @@ public record ProblemHandler(Handler handler) implements Handler {
     } catch (Problem.ProblemException e) {
       e.problem().send(request, response);
     } catch (StoreException e) {
-      Problem.of(503, Texts.of(request).get("problem.databaseUnavailable")).send(request, response);
+      Problem.of(ErrorResponse.status(e), ErrorResponse.sentence(request, e))
+          .send(request, response);
     }
   }
 }

@@ -44,7 +44,10 @@ public final class ErrorServlet extends HttpServlet {
 
   private static int status(HttpServletRequest request) {
     Object cause = cause(request);
-    if (cause instanceof FleetUnavailableException || cause instanceof StoreException) {
+    if (cause instanceof StoreException failure) {
+      return ErrorResponse.status(failure);
+    }
+    if (cause instanceof FleetUnavailableException) {
       return HttpServletResponse.SC_SERVICE_UNAVAILABLE;
     }
     return request.getAttribute(RequestDispatcher.ERROR_STATUS_CODE) instanceof Integer status
@@ -57,15 +60,15 @@ public final class ErrorServlet extends HttpServlet {
   }
 
   private static String sentenceOf(HttpServletRequest request, int status) {
+    if (cause(request) instanceof StoreException failure) {
+      return ErrorResponse.sentence(request, failure);
+    }
     return Texts.of(request)
         .get(
             switch (status) {
               case 404 -> "problem.noSuchPage";
               case 413 -> "problem.tooLarge";
-              case 503 ->
-                  cause(request) instanceof StoreException
-                      ? "problem.databaseUnavailable"
-                      : "problem.fleetTimeout";
+              case 503 -> "problem.fleetTimeout";
               default -> status < 500 ? "problem.badRequest" : "problem.serverError";
             });
   }

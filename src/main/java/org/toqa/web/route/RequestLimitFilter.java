@@ -7,10 +7,12 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.time.Duration;
+import java.util.Optional;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.RequestPath;
 import org.toqa.web.Services;
 import org.toqa.web.access.Caller;
+import org.toqa.web.access.Credential;
 
 /**
  * Asks callers to wait who ask too fast: users by their name, others by their address. Static
@@ -18,6 +20,9 @@ import org.toqa.web.access.Caller;
  */
 public final class RequestLimitFilter extends HttpFilter {
   private static final String HEALTH = "/api/v1/health";
+
+  /** The attribute of a request that was counted by its address. */
+  private static final String COUNTED = RequestLimitFilter.class.getName();
 
   @Override
   protected void doFilter(
@@ -27,26 +32,44 @@ public final class RequestLimitFilter extends HttpFilter {
       chain.doFilter(request, response);
       return;
     }
-    Services services = Services.of(request.getServletContext());
-    Duration wait = services.requestLimit().tryAcquire(callerKey(request));
-    if (wait.isZero()) {
+    Optional<Caller> caller = Caller.find(request);
+    Credential.of(request).ifPresent(shown -> remember(request, shown, caller.isPresent()));
+    boolean isAnswered =
+        caller.isPresent()
+            ? tryAcquire(request, response, "user " + caller.get().name())
+            : request.getAttribute(COUNTED) != null || tryAcquireByAddress(request, response);
+    if (isAnswered) {
       chain.doFilter(request, response);
-      return;
+    }
+  }
+
+  private static void remember(HttpServletRequest request, Credential shown, boolean isGood) {
+    Services.of(request.getServletContext()).requestLimit().setKnown(shown.secret(), isGood);
+  }
+
+  /** Counts the request for its address; false: it was answered that it has to wait. */
+  static boolean tryAcquireByAddress(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    request.setAttribute(COUNTED, true);
+    return tryAcquire(request, response, "address " + request.getRemoteAddr());
+  }
+
+  private static boolean tryAcquire(
+      HttpServletRequest request, HttpServletResponse response, String caller) throws IOException {
+    Services services = Services.of(request.getServletContext());
+    Duration wait = services.requestLimit().tryAcquire(caller);
+    if (wait.isZero()) {
+      return true;
     }
     services.metrics().recordRateLimited();
     long seconds = wait.plusMillis(999).toSeconds();
     response.setHeader("Retry-After", Long.toString(seconds));
     ErrorResponse.sendText(request, response, 429, "problem.tooManyRequests", seconds);
+    return false;
   }
 
-  private static boolean isUnlimited(HttpServletRequest request) {
+  static boolean isUnlimited(HttpServletRequest request) {
     return request.getServletPath().startsWith("/assets/")
         || RequestPath.of(request).equals(HEALTH);
-  }
-
-  private static String callerKey(HttpServletRequest request) {
-    return Caller.find(request)
-        .map(caller -> "user " + caller.name())
-        .orElseGet(() -> "address " + request.getRemoteAddr());
   }
 }

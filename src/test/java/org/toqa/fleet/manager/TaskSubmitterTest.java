@@ -30,9 +30,10 @@ class TaskSubmitterTest {
 
   private final Database database = Database.inMemory("intake-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-  private final StoreWriter writer = new StoreWriter("test", FleetRuntime.USUAL);
+  private final StoreWriter writer = new StoreWriter("test", FleetRuntime.USUAL, change -> {});
   private final Queue<Integer> transactions = new ConcurrentLinkedQueue<>();
   private final Queue<TransportTask> accepted = new ConcurrentLinkedQueue<>();
+  private final Queue<StoreException> refusals = new ConcurrentLinkedQueue<>();
   private final CountDownLatch firstIsUnderWay = new CountDownLatch(1);
   private final CountDownLatch othersHaveCome = new CountDownLatch(1);
   private final CountDownLatch answered = new CountDownLatch(TASKS);
@@ -94,12 +95,36 @@ class TaskSubmitterTest {
     CountDownLatch refused = new CountDownLatch(1);
 
     submitter.submit(
-        List.of(submission), System.nanoTime() - 1, accepted::addAll, refused::countDown);
+        List.of(submission), System.nanoTime() - 1, accepted::addAll, e -> refused.countDown());
 
     assertTrue(refused.await(20, TimeUnit.SECONDS));
     writer.close();
     assertTrue(accepted.isEmpty());
     assertEquals(1, store.count());
+  }
+
+  @Test
+  void anOrderThatCanNeverBeStoredRefusesNoOther() throws Exception {
+    TaskSubmitter intake =
+        new TaskSubmitter(
+            TamperedStore.of(
+                store,
+                (method, arguments, call) ->
+                    method.equals("addTasks") && transactions.size() < 2
+                        ? delayed(call, arguments)
+                        : call.go()),
+            writer,
+            new PendingSubmissions(),
+            System::nanoTime);
+    take(intake, 0);
+    assertTrue(firstIsUnderWay.await(20, TimeUnit.SECONDS));
+    take(intake, "too long for its column ".repeat(10));
+    IntStream.range(2, TASKS).forEach(i -> take(intake, i));
+    othersHaveCome.countDown();
+    assertTrue(answered.await(20, TimeUnit.SECONDS));
+
+    assertEquals(TASKS - 1, accepted.size());
+    assertEquals(TASKS - 1, store.count());
   }
 
   private void takeAll(TaskSubmitter intake) throws InterruptedException {
@@ -111,14 +136,21 @@ class TaskSubmitterTest {
   }
 
   private void take(TaskSubmitter intake, int number) {
+    take(intake, String.valueOf(number));
+  }
+
+  private void take(TaskSubmitter intake, String name) {
     intake.submit(
-        List.of(new Submission(task(String.valueOf(number)), UUID.randomUUID())),
+        List.of(new Submission(task(name), UUID.randomUUID())),
         TaskSubmitter.deadline(System.nanoTime()),
         tasks -> {
           accepted.addAll(tasks);
           answered.countDown();
         },
-        answered::countDown);
+        failure -> {
+          refusals.add(failure);
+          answered.countDown();
+        });
   }
 
   private Object delayed(TamperedStore.Call call, Object[] arguments) throws Throwable {

@@ -126,6 +126,31 @@ class SchedulerTest {
   }
 
   @Test
+  void whatWasMissedIsTold() throws Exception {
+    addEvery(START.plusSeconds(1), null);
+
+    look(START.plus(Duration.ofDays(3)));
+
+    // 144 half hours in three days, of which one is made up for
+    assertEquals(
+        "Schedule 1 of Clara missed 143 other times, while no server ran or its clock jumped",
+        stage.store.history(1).getLast().text());
+  }
+
+  @Test
+  void aClockThatJumpsForwardAndBackLeavesNoScheduleWaiting() throws Exception {
+    long id = addEvery(START.plusSeconds(1), null);
+    look(START.plus(Duration.ofDays(1_000)));
+    cancel(1);
+
+    look(START.plusSeconds(2));
+    assertEquals(START.plusSeconds(1).plus(HALF_HOUR), schedule(id).due());
+    look(START.plusSeconds(1).plus(HALF_HOUR));
+
+    assertEquals(2, stage.store.count());
+  }
+
+  @Test
   void aServerThatEndsBetweenTheTaskAndItsNotePutsInNoSecondOne() throws Exception {
     long id = addEvery(START.plusSeconds(1), null);
     Scheduler dying = scheduler(withoutAdvance());

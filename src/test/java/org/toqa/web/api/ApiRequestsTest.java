@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
+import org.toqa.wording.Phrase;
 import tools.jackson.databind.JsonNode;
 
 /** How the API reads requests: methods, bodies, paths, tokens. */
@@ -29,6 +30,20 @@ class ApiRequestsTest extends ApiTestServer {
     JsonNode health = JSON.readTree(answer.body());
     assertEquals("DEGRADED", health.get("status").stringValue());
     assertEquals("The database does not answer.", health.get("alerts").get(0).stringValue());
+  }
+
+  @Test
+  void aFleetThatCannotGoOnIsDownAndSaysWhy() {
+    server.fleet().setFailure(Phrase.FLEET_STANDS.with(61));
+
+    HttpResponse<String> answer = visitor.get("api/v1/health");
+
+    assertEquals(503, answer.statusCode());
+    JsonNode health = JSON.readTree(answer.body());
+    assertEquals("DOWN", health.get("status").stringValue());
+    assertEquals(1, health.get("alerts").size());
+    String reason = health.get("alerts").get(0).stringValue();
+    assertTrue(reason.startsWith("The fleet has not answered for 61 s."), reason);
   }
 
   @Test

@@ -45,6 +45,8 @@ class RateLimitTest {
     stranger = new TestClient(server.root());
     clerk = TestClient.signedIn(server.root(), WebTestServer.CLERK);
     manager = TestClient.signedIn(server.root(), WebTestServer.MANAGER);
+    clerk.get("api/v1/robots");
+    manager.get("api/v1/robots");
     pass(Duration.ofSeconds(5));
   }
 
@@ -88,6 +90,46 @@ class RateLimitTest {
     assertTrue(refused.body().contains("<h1>Too many requests</h1>"), refused::body);
     assertTrue(refused.body().contains("Wait 1 s"), refused::body);
     assertEquals(200, clerk.get("assets/css/base.css").statusCode());
+  }
+
+  @Test
+  void inventedSecretsCostNoQueryOnceTheirAddressIsToldToWait() {
+    exhaust(stranger);
+    long before = server.sessionQueries();
+
+    for (int i = 0; i < AT_ONCE; i++) {
+      String secret = "%043d".formatted(i);
+      assertEquals(429, withHeader("Cookie", "toqa-session=" + secret).statusCode());
+      assertEquals(429, withHeader("Authorization", "Bearer " + secret).statusCode());
+    }
+
+    assertEquals(before, server.sessionQueries());
+    assertEquals(200, manager.get("map").statusCode(), "who is known goes on");
+  }
+
+  @Test
+  void anInventedSecretCountsOnce() {
+    for (int i = 0; i < AT_ONCE; i++) {
+      assertEquals(401, withHeader("Authorization", "Bearer %043d".formatted(i)).statusCode());
+    }
+
+    assertEquals(429, withHeader("Authorization", "Bearer another").statusCode());
+  }
+
+  @Test
+  void theHealthOfTheServerCostsNoQuery() {
+    long before = server.sessionQueries();
+
+    stranger.send(
+        stranger.request("api/v1/health").header("Authorization", "Bearer invented").build());
+
+    assertEquals(before, server.sessionQueries());
+  }
+
+  private HttpResponse<String> withHeader(String name, String value) {
+    try (TestClient inventor = new TestClient(server.root())) {
+      return inventor.send(inventor.request("api/v1/robots").header(name, value).build());
+    }
   }
 
   @Test

@@ -1,0 +1,113 @@
+package org.toqa.app.server;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.app.command.StopSignal;
+import org.toqa.app.config.Configuration;
+import org.toqa.app.config.Setting;
+import org.toqa.app.config.SettingSource;
+import org.toqa.sim.VirtualClock;
+
+/** A server of which a part has failed. */
+class FailedServerTest {
+  private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();
+  private static final long GUARD_SECONDS = 60;
+
+  @TempDir private Path folder;
+
+  @Test
+  void itsProcessEndsWhenItsClockHas() throws Exception {
+    int code =
+        run(
+            (toqa, address, stop) -> {
+              toqa.fleetClock()
+                  .add(
+                      nanos -> {
+                        throw new OutOfMemoryError("said by the test");
+                      },
+                      VirtualClock.STEP);
+              stop.await();
+              return 0;
+            });
+
+    assertEquals(1, code);
+  }
+
+  @Test
+  void itIsDownWhenAPartOfItsWorldIsLost() throws Exception {
+    int code =
+        run(
+            (toqa, address, stop) -> {
+              assertEquals(200, health(address).statusCode());
+              toqa.fleetClock()
+                  .add(
+                      nanos -> {
+                        throw new IllegalStateException("said by the test");
+                      },
+                      VirtualClock.STEP);
+              HttpResponse<String> answer = health(address);
+              long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(GUARD_SECONDS);
+              while (answer.statusCode() == 200) {
+                assertTrue(System.nanoTime() < end, "it does not come to be known");
+                TimeUnit.MILLISECONDS.sleep(10);
+                answer = health(address);
+              }
+              assertTrue(answer.body().contains("\"DOWN\""), answer.body());
+              assertTrue(answer.body().contains("The clock that drives the fleet"), answer.body());
+              return 0;
+            });
+
+    assertEquals(0, code);
+  }
+
+  private int run(ServerOperation operation) throws Exception {
+    Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    options.put(Setting.PORT, "0");
+    options.put(Setting.DATA, folder.toString());
+    options.put(Setting.MANAGER, "boss:boss-password");
+    Configuration configuration =
+        Configuration.of(
+            WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(options)));
+    try (StopSignal stop = new StopSignal()) {
+      CompletableFuture<Integer> code = new CompletableFuture<>();
+      Thread thread =
+          Thread.ofPlatform()
+              .daemon()
+              .start(
+                  () -> {
+                    try {
+                      code.complete(operation.runWith(configuration, WEBAPP, stop));
+                    } catch (Exception | AssertionError e) {
+                      code.completeExceptionally(e);
+                    }
+                  });
+      try {
+        return code.get(GUARD_SECONDS, TimeUnit.SECONDS);
+      } finally {
+        thread.interrupt();
+      }
+    }
+  }
+
+  private static HttpResponse<String> health(URI address) throws Exception {
+    try (HttpClient http = HttpClient.newHttpClient()) {
+      return http.send(
+          HttpRequest.newBuilder(address.resolve("api/v1/health")).build(),
+          HttpResponse.BodyHandlers.ofString());
+    }
+  }
+}
