@@ -83,11 +83,7 @@ final class TaskCommandHandler {
   }
 
   private CompletionStage<Answer<TransportTask>> checkOrder(TaskOrder order, String user) {
-    try {
-      return validator.checkTask(order, user, fleet.clock.instant(), totalCapacity());
-    } catch (RuntimeException e) { // else all later orders would wait for this one
-      return CompletableFuture.failedFuture(e);
-    }
+    return validator.checkTask(order, user, fleet.clock.instant(), totalCapacity());
   }
 
   /** Adopts all orders that are checked and before which none waits for its check. */
