@@ -135,7 +135,7 @@
           <c:if test="${belongings.tasks + belongings.schedules + belongings.tokens > 0}">
             <label for="delete-to"><fmt:message key="users.delete.to"/></label>
             <select id="delete-to" name="to"${empty errors.to ? '' : ' aria-invalid="true" aria-describedby="delete-to-help"'}>
-              <c:forEach items="${heirs}" var="heir"><option value="${heir.id}"${param.to == heir.id or (empty param.to and heir.id == caller.account.id) ? ' selected' : ''}><c:out value="${heir.name}"/></option></c:forEach>
+              <c:forEach items="${heirs}" var="heir"><option value="${heir.id}" dir="auto"${param.to == heir.id or (empty param.to and heir.id == caller.account.id) ? ' selected' : ''}><c:out value="${heir.name}"/></option></c:forEach>
             </select>
             <c:if test="${not empty errors.to}"><small id="delete-to-help" class="wrong"><bdi><c:out value="${errors.to}"/></bdi></small></c:if>
           </c:if>

@@ -4,12 +4,17 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 
 /**
  * What the agents take of the machine that they run on: threads, and a clock for how long it
  * computes. A test hands in its own, so that neither decides what comes out.
  */
 public interface FleetRuntime {
+  /** Until an idle thread ends. */
+  int IDLE_SECONDS = 10;
 
   /** That of a server. */
   FleetRuntime USUAL =
@@ -31,6 +36,20 @@ public interface FleetRuntime {
         }
 
         @Override
+        public Executor boundedExecutor(String name, int threads) {
+          ThreadPoolExecutor executor =
+              new ThreadPoolExecutor(
+                  threads,
+                  threads,
+                  IDLE_SECONDS,
+                  TimeUnit.SECONDS,
+                  new LinkedBlockingQueue<>(),
+                  Thread.ofPlatform().daemon().name(name).factory());
+          executor.allowCoreThreadTimeOut(true);
+          return executor;
+        }
+
+        @Override
         public long nanoTime() {
           return System.nanoTime();
         }
@@ -44,6 +63,9 @@ public interface FleetRuntime {
 
   /** Does things beside each other, each on a thread of its own. */
   Executor threadPerTaskExecutor(String name);
+
+  /** Does so many things beside each other; others wait. Its threads end when they are idle. */
+  Executor boundedExecutor(String name, int threads);
 
   /** Nanoseconds, for limits of computing and of answers. */
   long nanoTime();

@@ -5,6 +5,7 @@ import java.time.Duration;
 import org.h2.engine.SessionLocal;
 import org.h2.jdbc.JdbcConnection;
 import org.h2.mvstore.MVStore;
+import org.h2.mvstore.MVStoreException;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.slf4j.Logger;
@@ -18,7 +19,8 @@ import org.toqa.fleet.PeriodicWork;
  *
  * <p>Each second what was written is forced to the disk, so that parts of the file may be used
  * again {@link #RETENTION} after they were freed, and pages are moved out of parts that hold
- * little.
+ * little. Freed parts go only as something is written; so for a while after the last change a
+ * number is written that nobody uses.
  */
 final class H2Compactor implements AutoCloseable {
   /** To be told to H2; it must be longer than it takes until all is forced to the disk. */
@@ -27,11 +29,8 @@ final class H2Compactor implements AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(H2Compactor.class);
   private static final Duration INTERVAL = Duration.ofSeconds(1);
 
-  /** After so many without a change nothing is retained any more, and the file is closed up. */
-  private static final int IDLE_INTERVALS = 7;
-
-  /** Milliseconds that nobody can write meanwhile. */
-  private static final int LONGEST_CLOSING_UP = 100;
+  /** Without a change of somebody else, until there is nothing left to give back. */
+  private static final int LAST_INTERVALS = 20;
 
   /** Percent of a part of the file that is in use; parts with less are emptied. */
   private static final int LEAST_FILL_RATE = 50;
@@ -51,7 +50,7 @@ final class H2Compactor implements AutoCloseable {
   private void compact() {
     try {
       jdbi.useHandle(this::compact);
-    } catch (SQLException e) {
+    } catch (SQLException | MVStoreException e) {
       log.warn("The database's file could not be compacted; it is tried again.", e);
     }
   }
@@ -59,21 +58,15 @@ final class H2Compactor implements AutoCloseable {
   private void compact(Handle h) throws SQLException {
     MVStore file = file(h);
     idleIntervals = file.getCurrentVersion() == lastVersion ? idleIntervals + 1 : 0;
-    if (idleIntervals < IDLE_INTERVALS) {
+    if (idleIntervals < LAST_INTERVALS) {
       h.execute("checkpoint sync");
       file.compact(LEAST_FILL_RATE, MOST_BYTES_MOVED);
-    } else if (idleIntervals == IDLE_INTERVALS) {
-      closeUp(file);
+      if (idleIntervals > 0) {
+        file.setStoreVersion(1 - file.getStoreVersion());
+        file.commit();
+      }
+      lastVersion = file.getCurrentVersion(); // this is no change of somebody else
     }
-    lastVersion = file.getCurrentVersion(); // moving is a change too
-  }
-
-  /** Freed parts go only as something is written: a number that nobody else uses. */
-  private static void closeUp(MVStore file) {
-    file.compactFile(LONGEST_CLOSING_UP); // sets the retention time to 0
-    file.setStoreVersion(1 - file.getStoreVersion());
-    file.commit();
-    file.setRetentionTime((int) RETENTION.toMillis());
   }
 
   private static MVStore file(Handle h) throws SQLException {

@@ -2,6 +2,7 @@ package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,7 +12,9 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.TimeUnit;
@@ -115,7 +118,7 @@ class FleetHealthTest {
         () -> {
           throw new IllegalStateException("no time");
         };
-    submit(running);
+    var _ = submit(running);
     clock = () -> NOW;
     running.rejections(List.of(), "Max").toCompletableFuture().join();
     assertEquals(List.of(), running.failures(), "one surprise is none");
@@ -125,7 +128,7 @@ class FleetHealthTest {
           throw new IllegalStateException("no time");
         };
     for (int i = 0; i < 5; i++) {
-      submit(running);
+      var _ = submit(running);
     }
 
     Sentence failure = Phrase.PART_FAILS.with(Phrase.MANAGER_PART.with());
@@ -138,6 +141,21 @@ class FleetHealthTest {
   }
 
   @Test
+  void anOrderThatThrowsWhileItIsCheckedHoldsUpNoOther() throws Exception {
+    AgentFleet running = open(store);
+    clock =
+        () -> {
+          throw new IllegalStateException("no time");
+        };
+    var failed = submit(running).toCompletableFuture();
+    assertThrows(ExecutionException.class, () -> failed.get(GUARD.toSeconds(), TimeUnit.SECONDS));
+    clock = () -> NOW;
+
+    var next = submit(running).toCompletableFuture();
+    assertInstanceOf(Answer.class, next.get(GUARD.toSeconds(), TimeUnit.SECONDS));
+  }
+
+  @Test
   void agentsThatEndedAreAFailure() throws Exception {
     AgentFleet running = open(store);
     clock =
@@ -145,7 +163,7 @@ class FleetHealthTest {
           throw new OutOfMemoryError("said by the test");
         };
 
-    submit(running);
+    var _ = submit(running);
 
     running.whenFailed().toCompletableFuture().get(GUARD.toSeconds(), TimeUnit.SECONDS);
     Sentence failure = Phrase.FLEET_ENDED.with();
@@ -174,7 +192,7 @@ class FleetHealthTest {
           waitFor(goesOn);
           return NOW;
         };
-    submit(running);
+    var _ = submit(running);
     waitFor(asked);
     running.tick(NOW.plusMillis(100));
     running.tick(NOW.plusMillis(200));
@@ -205,20 +223,19 @@ class FleetHealthTest {
     return fleet;
   }
 
-  private static void submit(AgentFleet fleet) {
-    var _ =
-        fleet.submit(
-            new TaskOrder(
-                "crate",
-                1,
-                new TaskOrder.Where.Station("A"),
-                new TaskOrder.Where.Station("B"),
-                null,
-                0,
-                null,
-                null),
-            "Max",
-            UUID.randomUUID());
+  private static CompletionStage<Answer<TaskView>> submit(AgentFleet fleet) {
+    return fleet.submit(
+        new TaskOrder(
+            "crate",
+            1,
+            new TaskOrder.Where.Station("A"),
+            new TaskOrder.Where.Station("B"),
+            null,
+            0,
+            null,
+            null),
+        "Max",
+        UUID.randomUUID());
   }
 
   private static void await(BooleanSupplier condition) throws InterruptedException {
@@ -258,6 +275,11 @@ class FleetHealthTest {
     @Override
     public Executor threadPerTaskExecutor(String name) {
       return USUAL.threadPerTaskExecutor(name);
+    }
+
+    @Override
+    public Executor boundedExecutor(String name, int threads) {
+      return USUAL.boundedExecutor(name, threads);
     }
 
     @Override

@@ -192,6 +192,11 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   }
 
   @Override
+  public Executor boundedExecutor(String name, int threads) {
+    return threadPerTaskExecutor(name);
+  }
+
+  @Override
   public long nanoTime() {
     return looks.incrementAndGet() * NANOS_A_LOOK + passed.get();
   }

@@ -14,6 +14,7 @@ import picocli.CommandLine.Spec;
       TrafficBench.class,
       MapfBench.class,
       FleetBench.class,
+      SoakBench.class,
       TaskBench.class,
       WebBench.class,
       SmoothnessBench.class,

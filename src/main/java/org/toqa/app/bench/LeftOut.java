@@ -28,6 +28,12 @@ enum LeftOut {
       "Obstacles that the map does not show, and faults of robots.",
       "Browsers and other clients.",
       "The time of warming up; what happened then is not judged."),
+  SOAK(
+      "MySQL: the database is H2, in a folder of its own.",
+      "Networks: robots and server are one process on one machine.",
+      "Groups: every load is light enough for one robot, and is no wider than it.",
+      "Faults of robots, people who hold or cancel, browsers and other clients.",
+      "Days: history and tracks are pruned by the wall clock, which hardly goes on meanwhile."),
   TASKS(
       "Carrying the tasks out: they are accepted, stored and read back.",
       "Networks: clients and server are one process on one machine.",

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.server.FreeCells;
@@ -51,8 +52,19 @@ final class TaskLoadGenerator {
    */
   void run(int seconds, StopSignal stop, Consumer<FleetSnapshot> watcher) throws Exception {
     long end = System.nanoTime() + Duration.ofSeconds(seconds).toNanos();
+    runUntil(() -> System.nanoTime() >= end, stop, watcher);
+  }
+
+  /**
+   * Keeps the robots busy until it is over, or until it is asked to end.
+   *
+   * @param watcher gets each new snapshot
+   * @throws Exception the fleet did not answer an order within 30 s, or failed at it
+   */
+  void runUntil(BooleanSupplier isOver, StopSignal stop, Consumer<FleetSnapshot> watcher)
+      throws Exception {
     long version = -1;
-    while (System.nanoTime() < end && !stop.isRequested()) {
+    while (!isOver.getAsBoolean() && !stop.isRequested()) {
       FleetSnapshot snapshot = fleet.snapshots().awaitNewer(version, POLL_PERIOD);
       if (snapshot.version() > version) {
         version = snapshot.version();

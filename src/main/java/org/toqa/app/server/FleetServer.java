@@ -3,6 +3,7 @@ package org.toqa.app.server;
 import com.github.benmanes.caffeine.cache.Ticker;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
@@ -261,6 +262,11 @@ public final class FleetServer implements AutoCloseable {
   /** Completes, with the reason for a person, when the server cannot go on. */
   CompletionStage<String> whenFailed() {
     return failed;
+  }
+
+  /** Where it keeps its data. */
+  public Path dataFolder() {
+    return configuration.data();
   }
 
   Configuration configuration() {

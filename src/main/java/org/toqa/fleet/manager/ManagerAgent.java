@@ -42,6 +42,10 @@ import org.toqa.wording.Phrase;
 final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private static final Logger log = LoggerFactory.getLogger(ManagerAgent.class);
 
+  /** Of all checks of orders together, so that they leave processors to the fleet. */
+  private static final int PLANNING_THREADS =
+      Math.max(2, Runtime.getRuntime().availableProcessors() / 2);
+
   private final FleetState fleet;
   private final AgentHealth health;
   private final StoreHealthCheck storeHealth;
@@ -114,7 +118,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.holdCommands = new HoldCommandHandler(store, fleet.writer, clock, self, fleet.floors);
     List<OpenTask> open = store.openTasks();
     Set<Long> toldBefore = open.stream().map(t -> t.mission().id()).collect(Collectors.toSet());
-    PathQuery paths = new PathQuery(runtime.threadPerTaskExecutor("path"));
+    PathQuery paths = new PathQuery(runtime.boundedExecutor("path", PLANNING_THREADS));
     OrderValidator validator = new OrderValidator(floorMaps, paths);
     this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore), self);
     this.rounds = new AllocationRounds(fleet, allocator, paths, self);

@@ -74,12 +74,18 @@ final class TaskCommandHandler {
   }
 
   void submitTask(ManagerMessage.SubmitTask m) {
+    CompletionStage<Answer<TransportTask>> check;
+    try {
+      check = checkOrder(m.order(), m.user());
+    } catch (RuntimeException e) { // it holds up no later order
+      m.replyTo().tell(StatusReply.error(e));
+      throw e;
+    }
     PendingOrders.Pending pending = pendingOrders.add(m);
     var _ =
-        checkOrder(m.order(), m.user())
-            .whenComplete(
-                (checked, failure) ->
-                    self.tell(new ManagerMessage.OrderChecked(pending, checked, failure)));
+        check.whenComplete(
+            (checked, failure) ->
+                self.tell(new ManagerMessage.OrderChecked(pending, checked, failure)));
   }
 
   private CompletionStage<Answer<TransportTask>> checkOrder(TaskOrder order, String user) {

@@ -8,7 +8,7 @@ enum Attack {
   END_OF_ELEMENT("--></script></title></textarea></option><toqaevil>"),
   SQL("'; drop table users; --"),
   SQL_CONDITION("' or '1'='1"),
-  EXPRESSION("${7777*7}#{7777*7}{{7777*7}}"),
+  EXPRESSION("${77777777*7}#{77777777*7}{{77777777*7}}"),
   MESSAGE_PATTERN("{0}{1,number}'{'%s%n"),
   PATH("../../../../etc/passwd"),
   HEADER("x\r\nSet-Cookie: toqaevil=1\r\n\r\n<toqaevil>"),
@@ -25,8 +25,8 @@ enum Attack {
   /** What no element, attribute or address of a page may be called. */
   static final String MARK = "toqaevil";
 
-  /** 7777 * 7: what {@link #EXPRESSION} would be if somebody evaluated it. */
-  static final String EVALUATED = "54439";
+  /** What {@link #EXPRESSION} would be if somebody evaluated it; no key has that by chance. */
+  static final String EVALUATED = "544444439";
 
   private final String text;
 

@@ -28,14 +28,15 @@ import org.toqa.web.route.Routes;
  */
 final class FormAttacks {
   /**
-   * Forms of states that no page is in here. They have buttons only, but for the first three: the
-   * third is attacked together with the pause that it ends.
+   * Forms of states that no page is in here. They have buttons only, but for the first four: the
+   * third is attacked together with the pause that it ends, the fourth as an order.
    */
   private static final Set<String> NOT_SHOWN =
       Set.of(
           "/first-start",
           "/tasks/{id}/answer",
           "/fleet/resume",
+          "/robots/{name}/clear",
           "/schedules/{id}/resume",
           "/robots/{name}/in-service",
           "/robots/{name}/home",

@@ -81,6 +81,8 @@ final class OrderCases {
             Map.of("/host", REFUSED, "/code", REFUSED),
             422),
         post(
+            "robots/{name}/clear", "{'reasons':['STOP_SWITCH']}", Map.of("/reasons/0", TAKEN), 409),
+        post(
             "users",
             "{'name':'New{n}','password':'{password}'}",
             Map.of("/name", REFUSED, "/password", PASSWORD, "/role", REFUSED, "/email", REFUSED),

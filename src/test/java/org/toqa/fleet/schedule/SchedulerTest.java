@@ -57,7 +57,11 @@ class SchedulerTest {
 
   @BeforeEach
   void start() throws Exception {
-    stage = stage(UnaryOperator.identity());
+    start(UnaryOperator.identity());
+  }
+
+  private void start(UnaryOperator<FleetStore> tamper) throws Exception {
+    stage = stage(tamper);
     schedules = new JdbiScheduleStore(stage.database.jdbi());
     accounts = new JdbiAccountStore(stage.database.jdbi(), () -> now);
     clara = accounts.add("Clara", "hash", Role.CLERK, "Max").orElseThrow();
@@ -229,21 +233,18 @@ class SchedulerTest {
   void aRunOfWhichNobodyKnowsWhetherItWasStoredIsNotLost() throws Exception {
     stage.close();
     AtomicBoolean dies = new AtomicBoolean(true);
-    stage =
-        stage(
-            store ->
-                TamperedStore.of(
-                    store,
-                    (method, arguments, call) -> {
-                      Object result = call.go();
-                      if (method.equals("addTasks") && dies.getAndSet(false)) {
-                        stage.stopStoreFor(agent -> agent.equals("manager"));
-                        throw new StoreException("It was stored, but nobody knows.", null);
-                      }
-                      return result;
-                    }));
-    schedules = new JdbiScheduleStore(stage.database.jdbi());
-    scheduler = scheduler(schedules);
+    start(
+        store ->
+            TamperedStore.of(
+                store,
+                (method, arguments, call) -> {
+                  Object result = call.go();
+                  if (method.equals("addTasks") && dies.getAndSet(false)) {
+                    stage.stopStoreFor(agent -> agent.equals("manager"));
+                    throw new StoreException("It was stored, but nobody knows.", null);
+                  }
+                  return result;
+                }));
     long id = addEvery(START.plusSeconds(1), null);
 
     look(START.plusSeconds(1));

@@ -38,9 +38,9 @@ final class Accessibility {
   private static AxeBuilder axe(Page page) {
     page.evaluate(
         """
-        () => Promise.allSettled(document.getAnimations()
+        () => document.getAnimations()
             .filter((animation) => animation.effect.getComputedTiming().endTime < Infinity)
-            .map((animation) => animation.finished))
+            .forEach((animation) => animation.finish())
         """);
     return new AxeBuilder(page).setLegacyMode(true);
   }

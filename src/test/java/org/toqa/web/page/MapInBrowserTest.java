@@ -99,7 +99,7 @@ class MapInBrowserTest extends PagesInBrowser {
     Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
 
     assertThat(page.locator("#attention strong"))
-        .hasText(new String[] {"r5", "Standstill", "r6", "r4", "Charger"});
+        .hasText(new String[] {"r5", "Standstill", "r6", "r4", "Charger", "Chargers"});
   }
 
   @Test

@@ -61,7 +61,7 @@ class StatisticsInBrowserTest extends PagesInBrowser {
   void aFloorWithTooFewChargersIsNamed() {
     server.fleet().changeFloor(Hall.crowdedFloor());
     Page page = loggedIn(WebTestServer.CLERK, DESK, "statistics");
-    assertThat(page.locator("main .notice")).containsText("4 would do");
+    assertThat(page.locator("main .notice.bad")).containsText("4 would do");
     page.navigate(server.root() + "map");
     assertThat(page.locator("#attention")).containsText("4 would do");
   }

@@ -1,0 +1,43 @@
+package org.toqa.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class H2UrlTest {
+  private static final String DIALECT =
+      ";CASE_INSENSITIVE_IDENTIFIERS=TRUE;DATABASE_TO_LOWER=TRUE;MODE=MySQL";
+
+  @Test
+  void aFileLosesNoCommittedRow() {
+    assertEquals(
+        "jdbc:h2:file:/data/toqa" + DIALECT + ";RETENTION_TIME=5000;WRITE_DELAY=0",
+        H2Url.withSettings(H2Url.ofFile(Path.of("/data/toqa"))));
+  }
+
+  @Test
+  void whatTheUrlSaysItselfStays() {
+    assertEquals(
+        "jdbc:h2:./x;mode=MySQL;write_delay=500;CASE_INSENSITIVE_IDENTIFIERS=TRUE"
+            + ";DATABASE_TO_LOWER=TRUE;RETENTION_TIME=5000",
+        H2Url.withSettings("jdbc:h2:./x;mode=MySQL;write_delay=500"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "jdbc:h2:file:/data/toqa, true",
+    "jdbc:h2:./toqa, true",
+    "jdbc:h2:~/toqa, true",
+    "jdbc:h2:C:/toqa, true",
+    "jdbc:h2:mem:toqa, false",
+    "jdbc:h2:tcp://elsewhere/toqa, false",
+    "jdbc:h2:ssl://elsewhere/toqa, false",
+    "jdbc:mysql://elsewhere/toqa, false"
+  })
+  void onlyAFileOfThisProcessIsItsOwn(String url, boolean isOwn) {
+    assertEquals(isOwn, H2Url.isOwnFile(url));
+  }
+}
