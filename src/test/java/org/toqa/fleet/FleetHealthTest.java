@@ -166,6 +166,7 @@ class FleetHealthTest {
     var _ = submit(running);
 
     running.whenFailed().toCompletableFuture().get(GUARD.toSeconds(), TimeUnit.SECONDS);
+    clock = () -> NOW;
     Sentence failure = Phrase.FLEET_ENDED.with();
     assertEquals(List.of(failure), running.failures());
     await(() -> running.snapshots().latest().alerts().contains(failure));

@@ -165,6 +165,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
     this.health = AgentHealth.of(system);
     awaitStart();
     var _ = system.getWhenTerminated().whenComplete((done, failure) -> ended());
+    var _ = health.broken().thenRun(this::ended);
     this.monitor =
         new FleetMonitor(
             this::agentFailures, () -> health.warnings(runtime.monotonicNanos()), latestSnapshot);
@@ -186,9 +187,8 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   }
 
   private void ended() {
-    if (!isClosing) {
+    if (!isClosing && failed.complete(null)) {
       log.error("The agents have ended; the fleet cannot go on.");
-      failed.complete(null);
     }
   }
 

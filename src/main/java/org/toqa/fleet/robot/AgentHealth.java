@@ -55,6 +55,8 @@ public final class AgentHealth implements Extension {
 
   private final CompletableFuture<Void> started = new CompletableFuture<>();
 
+  private final CompletableFuture<Void> broken = new CompletableFuture<>();
+
   /** Agents that have not started yet; at first the root of all others. */
   private int starting = 1;
 
@@ -116,6 +118,19 @@ public final class AgentHealth implements Extension {
     if (isTooOften || failing.containsKey(agent)) {
       failing.put(agent, nanos);
     }
+  }
+
+  /** The process has no memory left, or a part of the program is not there. */
+  void recordFatalError() {
+    broken.complete(null);
+  }
+
+  /**
+   * Completes when an agent met an error after which its system ends, if it still can: do not wait
+   * for that.
+   */
+  public CompletionStage<Void> broken() {
+    return broken;
   }
 
   /** A change was not stored, since it never can be. */

@@ -54,6 +54,9 @@ public final class Supervision {
         TypedActorContext<T> context, T message, ReceiveTarget<T> target) {
       try {
         return target.apply(context, message);
+      } catch (VirtualMachineError | LinkageError e) {
+        health(context).recordFatalError();
+        throw e;
       } catch (RuntimeException | Error e) {
         health(context).recordFailure(agent, runtime.monotonicNanos());
         throw e;
