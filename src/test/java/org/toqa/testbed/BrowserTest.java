@@ -23,12 +23,14 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestInstance;
+import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
  * A test in a headless Chromium, with a fresh profile for each test method. One browser serves all
  * classes of a process.
  */
 @Tag("full")
+@ExtendWith(SteadyNetwork.class)
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 public abstract class BrowserTest {
   /** Ends a test that would wait for ever; no machine that works is so slow. */

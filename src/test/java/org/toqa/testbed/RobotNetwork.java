@@ -24,6 +24,7 @@ public final class RobotNetwork implements AutoCloseable {
   private static final String SUBNET = "10.231.%d.".formatted(RUN % 250);
 
   private final int robots;
+  private final NetworkLock lock;
 
   /** Whether this user may make such a network here. */
   public static boolean isAllowed() throws InterruptedException {
@@ -39,6 +40,7 @@ public final class RobotNetwork implements AutoCloseable {
 
   public RobotNetwork(int robots) throws IOException, InterruptedException {
     this.robots = robots;
+    this.lock = NetworkLock.toChange();
     ip("link add %s type bridge".formatted(SWITCH));
     ip("address add %s1/24 dev %s".formatted(SUBNET, SWITCH));
     ip("link set %s up".formatted(SWITCH));
@@ -79,7 +81,7 @@ public final class RobotNetwork implements AutoCloseable {
 
   @Override
   public void close() throws IOException {
-    try {
+    try (lock) {
       for (int robot = 0; robot < robots; robot++) {
         // Goes with its namespace too, but that is taken down some time after it was deleted.
         ip("link delete " + cable(robot));

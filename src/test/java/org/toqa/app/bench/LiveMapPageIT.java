@@ -11,11 +11,14 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.toqa.testbed.Needed;
+import org.toqa.testbed.SteadyNetwork;
 
 /** What is measured in Chromium, on a page that is as slow as a test wants. */
 @Tag("full")
 @Timeout(180)
+@ExtendWith(SteadyNetwork.class)
 class LiveMapPageIT {
   private static final int DELAY = 200;
 

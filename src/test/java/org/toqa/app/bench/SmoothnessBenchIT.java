@@ -7,13 +7,16 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.testbed.SteadyNetwork;
 import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** {@code ./toqa bench smoothness}, as a user types it. */
 @Tag("full")
+@ExtendWith(SteadyNetwork.class)
 class SmoothnessBenchIT {
   private static final String[] COMMAND = {
     "bench", "smoothness", "--robots", "3", "--warm-up", "2", "--seconds", "4"

@@ -6,13 +6,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.testbed.SteadyNetwork;
 import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
 
 /** {@code ./toqa bench web}, as a user types it. */
 @Tag("full")
+@ExtendWith(SteadyNetwork.class)
 class WebBenchIT {
   @TempDir private Path folder;
 
