@@ -13,13 +13,13 @@ import java.time.Duration;
  */
 public record ChargingRules(
     double below, double until, Duration work, Duration toFull, Duration patience) {
-  /** As far as a robot is charged where others wait: half of the way. */
-  public double untilWhileOthersWait() {
-    return (below + until) / 2;
-  }
-
   /** The six hours are CMCT's ("Self-recharging"). */
   public static final ChargingRules USUAL =
       new ChargingRules(
           0.20, 0.95, Duration.ofHours(6), Duration.ofMinutes(30), Duration.ofMinutes(10));
+
+  /** As far as a robot is charged where others wait: half of the way. */
+  public double untilWhileOthersWait() {
+    return (below + until) / 2;
+  }
 }

@@ -122,6 +122,7 @@ final class FleetBench implements Callable<Integer> {
     settings.put(Setting.SIMULATE, String.valueOf(robots));
     settings.put(Setting.SPEED, speed.value());
     settings.put(Setting.MAP, map.file());
+    settings.put(Setting.MANAGER, BenchUser.create().setting()); // else a first start asks for one
     return settings;
   }
 }

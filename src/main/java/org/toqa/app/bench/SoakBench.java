@@ -3,7 +3,6 @@ package org.toqa.app.bench;
 import java.net.URI;
 import java.time.Duration;
 import java.time.Instant;
-import java.util.EnumMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -97,10 +96,8 @@ final class SoakBench implements Callable<Integer> {
   }
 
   private Map<Setting, @Nullable String> settings() {
-    Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.put(Setting.SIMULATE, String.valueOf(robots.value()));
+    Map<Setting, @Nullable String> settings = BenchUser.create().settings(robots, map);
     settings.put(Setting.SPEED, speed);
-    settings.put(Setting.MAP, map.file());
     return settings;
   }
 }

@@ -177,7 +177,9 @@ final class SoakMeter {
    */
   Report report(double realSeconds) {
     Duration since = Duration.between(begin, lastObserved);
-    addSample(since);
+    if (samples.isEmpty() || samples.getLast().hours() < seconds(since) / 3600) {
+      addSample(since);
+    }
     Percentiles wait =
         new Percentiles(waits.values().stream().mapToDouble(SoakMeter::seconds).toArray());
     double robotSeconds = Math.max(1, robots.size() * seconds(since));
