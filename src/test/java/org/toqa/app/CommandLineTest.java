@@ -1,17 +1,22 @@
 package org.toqa.app;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import picocli.CommandLine;
 
-/** What the server's commands say to arguments that they cannot take. */
+/** What the server's commands say of themselves, and to arguments that they cannot take. */
 class CommandLineTest {
   static Stream<Arguments> wrongArguments() {
     return Stream.of(
@@ -25,6 +30,31 @@ class CommandLineTest {
         Arguments.of(List.of("bench", "swim"), "\"swim\" is not known"),
         Arguments.of(
             List.of("bench", "fleet", "--robots", "1"), "--robots 1: it must be from 2 to 500"));
+  }
+
+  static Stream<CommandLine> commands() {
+    return withSubcommands(Main.commandLine());
+  }
+
+  private static Stream<CommandLine> withSubcommands(CommandLine command) {
+    return Stream.concat(
+        Stream.of(command),
+        command.getSubcommands().values().stream().flatMap(CommandLineTest::withSubcommands));
+  }
+
+  /** Picocli tells what it cannot format to the standard error, and prints it unformatted. */
+  @ParameterizedTest
+  @MethodSource("commands")
+  void aHelpIsPrintedWithoutComplaint(CommandLine command) {
+    PrintStream standardError = System.err;
+    ByteArrayOutputStream said = new ByteArrayOutputStream();
+    System.setErr(new PrintStream(said, true, StandardCharsets.UTF_8));
+    try {
+      assertFalse(command.getUsageMessage().contains("%n"), command.getUsageMessage());
+    } finally {
+      System.setErr(standardError);
+    }
+    assertEquals("", said.toString(StandardCharsets.UTF_8), command.getCommandName());
   }
 
   @ParameterizedTest

@@ -32,11 +32,12 @@ import picocli.CommandLine.Spec;
       "Prints JSON: hours (simulated) and seconds (real), tasksDone, waitP50Seconds,",
       "waitP99Seconds and longestWaitSeconds (simulated, from a task's order to its",
       "first robots; there are always half as many more tasks than robots), emptyShare",
-      "(the share of their time in which robots had less than 5 % in their batteries),",
+      "(the share of their time in which robots had less than 5 %% in their batteries),",
       "chargerUse (the share of their time in which charging points charged), samples",
       "(each hour and at the end: tasksDone, databaseMb, the size of the database's",
-      "file, heapMb, memory in use), stuck (tasks and robots that did not get on for 30",
-      "simulated minutes, and what they wait for), leavesOut (what is not measured).",
+      "file, contentMb, its size if it were compacted, heapMb, memory in use), stuck",
+      "(tasks and robots that did not get on for 30 simulated minutes, and what they",
+      "wait for), leavesOut (what is not measured).",
       "",
       "Exits 1 if something is stuck."
     })

@@ -21,6 +21,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskState;
 import org.toqa.statistics.Percentiles;
+import org.toqa.store.H2FileSize;
 
 /** Measures what a fleet leaves behind in hours of work, and what does not get on. */
 final class SoakMeter {
@@ -61,9 +62,10 @@ final class SoakMeter {
    * How it was after so many hours.
    *
    * @param databaseMb what the data folder's database takes, in units of 10^6 bytes
+   * @param contentMb what of that is needed: its size if it were compacted
    * @param heapMb heap in use after a garbage collection, in the same units
    */
-  record Sample(double hours, int tasksDone, double databaseMb, double heapMb) {}
+  record Sample(double hours, int tasksDone, double databaseMb, double contentMb, double heapMb) {}
 
   /** What a task waits for, or what a robot does, that does not get on. */
   record Stuck(String who, double minutes, String what) {}
@@ -150,23 +152,21 @@ final class SoakMeter {
   }
 
   private void addSample(Duration since) {
+    H2FileSize database = databaseSize();
     samples.add(
         new Sample(
-            seconds(since) / 3600, tasksDone, databaseMegabytes(), HeapMemory.usedMegabytes()));
+            seconds(since) / 3600,
+            tasksDone,
+            database.bytes() / 1e6,
+            database.contentBytes() / 1e6,
+            HeapMemory.usedMegabytes()));
   }
 
-  private double databaseMegabytes() {
+  private H2FileSize databaseSize() {
     try (Stream<Path> files = Files.list(data)) {
-      return files.filter(file -> file.toString().endsWith(".db")).mapToLong(SoakMeter::size).sum()
-          / 1e6;
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
-  private static long size(Path file) {
-    try {
-      return Files.size(file);
+      Path file =
+          files.filter(path -> path.toString().endsWith(".mv.db")).findFirst().orElseThrow();
+      return H2FileSize.of(file);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
