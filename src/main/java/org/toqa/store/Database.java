@@ -4,11 +4,14 @@ import com.zaxxer.hikari.HikariConfig;
 import com.zaxxer.hikari.HikariDataSource;
 import com.zaxxer.hikari.metrics.micrometer.MicrometerMetricsTrackerFactory;
 import io.micrometer.core.instrument.MeterRegistry;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import javax.sql.DataSource;
 import org.flywaydb.core.Flyway;
+import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
 import org.jspecify.annotations.Nullable;
 
@@ -49,6 +52,8 @@ public final class Database implements AutoCloseable {
   /** Null where the database is not a file of this process. */
   private final @Nullable H2Compactor compactor;
 
+  private final boolean isMySql;
+
   private record Pool(HikariDataSource connections, Jdbi jdbi) implements AutoCloseable {
     static Pool of(HikariConfig config) {
       HikariDataSource connections = new HikariDataSource(config);
@@ -68,6 +73,7 @@ public final class Database implements AutoCloseable {
     readers = Pool.of(config(url, user, password, "toqa-readers", READER_CONNECTIONS, readLimit));
     sessions =
         Pool.of(config(url, user, password, "toqa-sessions", SESSION_CONNECTIONS, WRITE_LIMIT));
+    isMySql = url.startsWith(MYSQL);
     compactor = H2Url.isOwnFile(url) ? new H2Compactor(fleet.jdbi()) : null;
   }
 
@@ -202,6 +208,28 @@ public final class Database implements AutoCloseable {
   public void bindMetrics(MeterRegistry registry) {
     for (Pool pool : List.of(fleet, readers, sessions)) {
       pool.connections().setMetricsTrackerFactory(new MicrometerMetricsTrackerFactory(registry));
+    }
+  }
+
+  /**
+   * What it takes, as long as it is open.
+   *
+   * @throws UncheckedIOException its file cannot be read or copied
+   * @throws IllegalStateException it is H2's and no file, or another process's
+   */
+  public DatabaseSize size() {
+    return readers.jdbi().withHandle(h -> isMySql ? DatabaseSize.ofMySql(h) : sizeOfH2File(h));
+  }
+
+  private DatabaseSize sizeOfH2File(Handle h) {
+    if (compactor == null) {
+      throw new IllegalStateException("This database is no file of this process.");
+    }
+    String file = h.createQuery("select database_path()").mapTo(String.class).one();
+    try {
+      return DatabaseSize.ofH2File(Path.of(file + ".mv.db"));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

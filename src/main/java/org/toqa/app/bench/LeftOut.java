@@ -29,7 +29,7 @@ enum LeftOut {
       "Browsers and other clients.",
       "The time of warming up; what happened then is not judged."),
   SOAK(
-      "MySQL: the database is H2, in a folder of its own.",
+      "The logs of MySQL, where it is the database.",
       "Networks: robots and server are one process on one machine.",
       "Groups: every load is light enough for one robot, and is no wider than it.",
       "Faults of robots, people who hold or cancel, browsers and other clients.",

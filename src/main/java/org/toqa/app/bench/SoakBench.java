@@ -34,8 +34,8 @@ import picocli.CommandLine.Spec;
       "first robots; there are always half as many more tasks than robots), emptyShare",
       "(the share of their time in which robots had less than 5 %% in their batteries),",
       "chargerUse (the share of their time in which charging points charged), samples",
-      "(each hour and at the end: tasksDone, databaseMb, the size of the database's",
-      "file, contentMb, its size if it were compacted, heapMb, memory in use), stuck",
+      "(each hour and at the end: tasksDone, databaseMb, what the database takes,",
+      "contentMb, what it would if it were compacted, heapMb, memory in use), stuck",
       "(tasks and robots that did not get on for 30 simulated minutes, and what they",
       "wait for), leavesOut (what is not measured).",
       "",
@@ -60,6 +60,14 @@ final class SoakBench implements Callable<Integer> {
               + " ${DEFAULT-VALUE}).")
   private String speed = "";
 
+  @Option(
+      names = "--database",
+      paramLabel = "URL",
+      description =
+          "JDBC URL of an empty database, such as jdbc:mysql://HOST/NAME?user=U&password=P"
+              + " (default: H2 in a folder that is deleted afterwards).")
+  private @Nullable String database;
+
   @Mixin private SimulatedRobotsOption robots = new SimulatedRobotsOption(12, 1);
 
   @Mixin private SeedOption seed = new SeedOption();
@@ -80,7 +88,7 @@ final class SoakBench implements Callable<Integer> {
     SoakMeter meter =
         new SoakMeter(
             toqa.fleetClock(),
-            toqa.dataFolder(),
+            toqa::databaseSize,
             toqa.fleet().floors().getFirst().charging().size());
     Instant end = toqa.fleetClock().instant().plus(Duration.ofSeconds(Math.round(hours * 3600)));
     long begin = System.nanoTime();
@@ -99,6 +107,7 @@ final class SoakBench implements Callable<Integer> {
   private Map<Setting, @Nullable String> settings() {
     Map<Setting, @Nullable String> settings = BenchUser.create().settings(robots, map);
     settings.put(Setting.SPEED, speed);
+    settings.put(Setting.DATABASE_URL, database);
     return settings;
   }
 }

@@ -1,9 +1,5 @@
 package org.toqa.app.bench;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
@@ -12,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotState;
@@ -21,7 +18,7 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskState;
 import org.toqa.statistics.Percentiles;
-import org.toqa.store.H2FileSize;
+import org.toqa.store.DatabaseSize;
 
 /** Measures what a fleet leaves behind in hours of work, and what does not get on. */
 final class SoakMeter {
@@ -34,7 +31,7 @@ final class SoakMeter {
   private static final Duration SAMPLE_INTERVAL = Duration.ofHours(1);
 
   private final InstantSource fleetTime;
-  private final Path data;
+  private final Supplier<DatabaseSize> databaseSize;
   private final int chargers;
   private final Instant begin;
   private final Map<Long, Instant> orderedAt = new HashMap<>();
@@ -61,7 +58,7 @@ final class SoakMeter {
   /**
    * How it was after so many hours.
    *
-   * @param databaseMb what the data folder's database takes, in units of 10^6 bytes
+   * @param databaseMb what the database takes, in units of 10^6 bytes
    * @param contentMb what of that is needed: its size if it were compacted
    * @param heapMb heap in use after a garbage collection, in the same units
    */
@@ -91,12 +88,12 @@ final class SoakMeter {
       List<Stuck> stuck) {}
 
   /**
-   * @param data the folder of the server's data
+   * @param databaseSize what the server's database takes
    * @param chargers how many charging points the floor has
    */
-  SoakMeter(InstantSource fleetTime, Path data, int chargers) {
+  SoakMeter(InstantSource fleetTime, Supplier<DatabaseSize> databaseSize, int chargers) {
     this.fleetTime = fleetTime;
-    this.data = data;
+    this.databaseSize = databaseSize;
     this.chargers = chargers;
     this.begin = fleetTime.instant();
     this.lastObserved = begin;
@@ -152,24 +149,14 @@ final class SoakMeter {
   }
 
   private void addSample(Duration since) {
-    H2FileSize database = databaseSize();
+    DatabaseSize size = databaseSize.get();
     samples.add(
         new Sample(
             seconds(since) / 3600,
             tasksDone,
-            database.bytes() / 1e6,
-            database.contentBytes() / 1e6,
+            size.bytes() / 1e6,
+            size.contentBytes() / 1e6,
             HeapMemory.usedMegabytes()));
-  }
-
-  private H2FileSize databaseSize() {
-    try (Stream<Path> files = Files.list(data)) {
-      Path file =
-          files.filter(path -> path.toString().endsWith(".mv.db")).findFirst().orElseThrow();
-      return H2FileSize.of(file);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 
   /**

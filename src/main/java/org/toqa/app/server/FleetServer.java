@@ -3,7 +3,6 @@ package org.toqa.app.server;
 import com.github.benmanes.caffeine.cache.Ticker;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.ArrayDeque;
@@ -40,6 +39,7 @@ import org.toqa.sim.Participant;
 import org.toqa.sim.SimulatedFleet;
 import org.toqa.sim.VirtualClock;
 import org.toqa.store.Database;
+import org.toqa.store.DatabaseSize;
 import org.toqa.store.HistoryPruner;
 import org.toqa.store.JdbiAccountStore;
 import org.toqa.store.JdbiEventArchive;
@@ -72,6 +72,7 @@ public final class FleetServer implements AutoCloseable {
   private static final Duration SCHEDULE_PERIOD = Duration.ofSeconds(1);
 
   private final Configuration configuration;
+  private final Database database;
   private final VirtualClock fleetClock;
   private final Services services;
 
@@ -88,6 +89,7 @@ public final class FleetServer implements AutoCloseable {
 
   private FleetServer(
       Configuration configuration,
+      Database database,
       VirtualClock fleetTime,
       Services services,
       @Nullable TrueBodies bodies,
@@ -95,6 +97,7 @@ public final class FleetServer implements AutoCloseable {
       CompletionStage<String> failed,
       Deque<AutoCloseable> parts) {
     this.configuration = configuration;
+    this.database = database;
     this.fleetClock = fleetTime;
     this.services = services;
     this.bodies = bodies;
@@ -222,7 +225,8 @@ public final class FleetServer implements AutoCloseable {
             .applyToEither(
                 clock.whenBroken().thenApply(error -> "The clock has ended by " + error),
                 Function.identity());
-    return new FleetServer(configuration, clock, services, bodies, simulated, failed, parts);
+    return new FleetServer(
+        configuration, database, clock, services, bodies, simulated, failed, parts);
   }
 
   private static Database openDatabase(Configuration.DatabaseSettings settings) throws IOException {
@@ -264,9 +268,13 @@ public final class FleetServer implements AutoCloseable {
     return failed;
   }
 
-  /** Where it keeps its data. */
-  public Path dataFolder() {
-    return configuration.data();
+  /**
+   * What its database takes now.
+   *
+   * @throws java.io.UncheckedIOException its file cannot be read or copied
+   */
+  public DatabaseSize databaseSize() {
+    return database.size();
   }
 
   Configuration configuration() {

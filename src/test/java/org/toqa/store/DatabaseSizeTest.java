@@ -12,10 +12,12 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.h2.mvstore.MVMap;
 import org.h2.mvstore.MVStore;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.testbed.RealMySql;
 
-class H2FileSizeTest {
+class DatabaseSizeTest {
   @TempDir private Path folder;
 
   @Test
@@ -31,7 +33,7 @@ class H2FileSizeTest {
         }
         store.commit();
       }
-      H2FileSize inUse = H2FileSize.of(file);
+      DatabaseSize inUse = DatabaseSize.ofH2File(file);
 
       assertEquals(Files.size(file), inUse.bytes());
       assertTrue(inUse.bytes() > 5 * inUse.contentBytes(), inUse::toString);
@@ -40,9 +42,44 @@ class H2FileSizeTest {
   }
 
   @Test
+  void openDatabaseIsAtLeastItsContent() {
+    try (Database database = Database.open(Database.fileUrl(folder.resolve("toqa")), "toqa", "")) {
+      DatabaseSize size = database.size();
+
+      assertTrue(size.bytes() >= size.contentBytes() && size.contentBytes() > 0, size::toString);
+    }
+  }
+
+  @Test
+  @Tag("full")
+  void rowsOfMySqlAreCounted() throws Exception {
+    try (Database database = Database.open(RealMySql.newDatabase(), "", "")) {
+      long before = database.size().contentBytes();
+      database
+          .jdbi()
+          .useHandle(
+              h -> {
+                h.execute("create table filler (content mediumtext)");
+                h.execute("insert into filler values (repeat('x', 3000000))");
+              });
+      DatabaseSize size = database.size();
+
+      assertTrue(size.contentBytes() >= before + 3_000_000, size::toString);
+      assertTrue(size.bytes() >= size.contentBytes(), size::toString);
+    }
+  }
+
+  @Test
+  void databaseInMemoryHasNone() {
+    try (Database database = Database.inMemory("size")) {
+      assertThrows(IllegalStateException.class, database::size);
+    }
+  }
+
+  @Test
   void anotherFileIsRefused() throws Exception {
     Path file = Files.writeString(folder.resolve("toqa.mv.db"), "since " + Instant.EPOCH);
 
-    assertThrows(IOException.class, () -> H2FileSize.of(file));
+    assertThrows(IOException.class, () -> DatabaseSize.ofH2File(file));
   }
 }
