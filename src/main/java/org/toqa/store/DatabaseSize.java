@@ -3,6 +3,7 @@ package org.toqa.store;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.h2.mvstore.MVStoreException;
 import org.h2.mvstore.MVStoreTool;
 import org.jdbi.v3.core.Handle;
@@ -40,7 +41,15 @@ public record DatabaseSize(long bytes, long contentBytes) {
 
   /** Measures the tables of the MySQL database that a connection uses. */
   static DatabaseSize ofMySql(Handle h) {
-    h.execute("set session information_schema_stats_expiry = 0"); // else a day old
+    List<String> tables =
+        h.createQuery(
+                "select table_name from information_schema.tables where table_schema = database()")
+            .mapTo(String.class)
+            .list();
+    if (!tables.isEmpty()) { // else the figures are old
+      h.execute("analyze no_write_to_binlog table " + String.join(", ", tables));
+      h.execute("set session information_schema_stats_expiry = 0");
+    }
     return h.createQuery(
             """
             select coalesce(sum(data_length + index_length + data_free), 0) as bytes,
