@@ -6,6 +6,7 @@
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="task.title" var="title"><fmt:param value="${task.task.id}"/></fmt:message>
 <fmt:formatNumber value="${task.task.load}" maxFractionDigits="2" var="load"/>
+<c:set var="leftLoad" value="${task.state.isEnded() and not empty task.loadAt}"/>
 <c:set var="usualPriority" value="${task.task.priority == 10 or task.task.priority == 0 or task.task.priority == -10}"/>
 <t:page title="${title}" here="task" script="shared/live.js">
   <t:errors/>
@@ -55,7 +56,7 @@
           <c:param name="length" value="${task.task.size.length}"/>
           <c:param name="width" value="${task.task.size.width}"/>
           <c:forTokens items="start,goal" delims="," var="end">
-            <c:set var="place" value="${task.task[end]}"/>
+            <c:set var="place" value="${end == 'start' and leftLoad ? task.loadAt : task.task[end]}"/>
             <c:choose>
               <c:when test="${not empty place.station}"><c:param name="${end}Station" value="${place.station}"/></c:when>
               <c:otherwise><c:param name="${end}X" value="${place.position.x}"/><c:param name="${end}Y" value="${place.position.y}"/></c:otherwise>
@@ -75,8 +76,15 @@
       </article>
     </div>
   </div>
-  <article class="card" id="actions" data-live="task-actions" data-name="${task.task.id}" ${mayChange and not task.state.isEnded() ? '' : 'hidden'}>
+  <article class="card" id="actions" data-live="task-actions" data-name="${task.task.id}" ${mayChange and (leftLoad or not task.state.isEnded()) ? '' : 'hidden'}>
     <h2><fmt:message key="task.actions"/></h2>
+    <c:if test="${mayChange and leftLoad}">
+      <form class="choices" method="post" action="${root}/tasks/${task.task.id}/load-removed">
+        <t:csrf/>
+        <p><fmt:message key="task.loadRemoved.help"/></p>
+        <button class="outline"><fmt:message key="task.loadRemoved"/></button>
+      </form>
+    </c:if>
     <c:if test="${mayChange and not task.state.isEnded()}">
       <c:if test="${not empty task.needs}">
         <form class="choices" method="post" action="${root}/tasks/${task.task.id}/answer">

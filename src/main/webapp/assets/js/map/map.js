@@ -11,7 +11,7 @@ import {Following} from './following.js';
 import {drawBlockedCells, drawStandstills} from './hazards.js';
 import {updateLiveLists} from './live-lists.js';
 import {PoseInterpolator} from './pose-interpolator.js';
-import {drawRobots, drawTasks, replayedRobot} from './robots.js';
+import {drawLeftLoads, drawRobots, drawTasks, replayedRobot} from './robots.js';
 import {StateFilter} from './state-filter.js';
 
 const $ = (selector) => document.querySelector(selector);
@@ -96,6 +96,7 @@ class MapPage {
     const poseOf = (name) => this.#interpolator.poseOf(name, now);
     if (view) {
       drawBlockedCells(context, viewport, colours, this.#floor, view);
+      drawLeftLoads(context, viewport, colours, view.leftLoads);
     }
     const tasks = this.#state.tasksOn(this.#floor.name);
     drawTasks(context, viewport, colours, tasks);
@@ -132,7 +133,8 @@ class MapPage {
     const query = new URLSearchParams(location.search);
     const robot = this.#state.robot(query.get('robot'));
     const task = this.#state.task(query.get('task'));
-    const floor = robot?.floor ?? task?.floor;
+    const load = task ? undefined : this.#state.leftLoad(query.get('task'));
+    const floor = robot?.floor ?? task?.floor ?? load?.floor;
     if (floor && floor !== this.#floor.name) {
       $('#floor').value = floor;
       await this.#showFloor(floor);
@@ -141,6 +143,8 @@ class MapPage {
       this.#following.followRobot(robot);
     } else if (task) {
       this.#following.followTask(task);
+    } else if (load) {
+      this.#following.followLeftLoad(load);
     }
   }
 

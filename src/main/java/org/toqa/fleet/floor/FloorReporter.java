@@ -47,7 +47,12 @@ final class FloorReporter {
     state.robots.values().stream()
         .filter(state::hasReservedCells)
         .forEach(r -> kept.put(r.name(), CellRuns.of(state.traffic.allocatedCells(r.name()))));
-    return watch.view(state.hold, kept, state.chargers.faultyChargers(), state.chargerShortage);
+    return watch.view(
+        state.hold,
+        kept,
+        state.chargers.faultyChargers(),
+        state.leftLoads.views(),
+        state.chargerShortage);
   }
 
   RobotView view(FloorRobot robot) {

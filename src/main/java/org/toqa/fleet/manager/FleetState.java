@@ -83,6 +83,7 @@ final class FleetState {
   }
 
   void addEnded(TaskView task) {
+    ended.removeIf(before -> before.id() == task.id());
     ended.addFirst(task);
     if (ended.size() > ENDED_SHOWN) {
       ended.removeLast();

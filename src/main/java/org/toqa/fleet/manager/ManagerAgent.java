@@ -158,6 +158,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       Instant now) {
     FleetStore store = fleet.store;
     List<StoredRobot> stored = store.storedRobots();
+    List<OpenTask> leftLoads = store.tasksWithLeftLoads();
     stored.forEach(r -> fleet.robots.put(r.name(), r.record()));
     open.stream()
         .filter(t -> t.mission().state() == TaskState.QUEUED)
@@ -172,6 +173,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               holdCommands.floorHold(floor.name()),
               open.stream()
                   .filter(t -> t.mission().state() != TaskState.QUEUED)
+                  .filter(t -> t.mission().task().floor().equals(floor.name()))
+                  .toList(),
+              leftLoads.stream()
                   .filter(t -> t.mission().task().floor().equals(floor.name()))
                   .toList());
       health.expectStart();
@@ -244,7 +248,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
           robotCommands.forwardToFloor(
               m.robot(), m.replyTo(), new FloorMessage.SendHome(m.robot(), m.user(), m.replyTo()));
       case ManagerMessage.CommandTask m -> taskCommands.commandTask(m);
-      case ManagerMessage.TaskCommandStored m -> taskCommands.taskCommandStored(m.mission());
+      case ManagerMessage.TaskCommandStored m ->
+          taskCommands.taskCommandStored(m.mission(), m.at());
       case ManagerMessage.SetPause m -> {
         holdCommands.setPause(m);
         fleet.changed = true;

@@ -19,9 +19,11 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
+import org.toqa.fleet.FloorView;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
+import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.Mission;
@@ -324,14 +326,19 @@ final class TaskCommandHandler {
         },
         () -> {
           if (step.hasChanges()) {
-            self.tell(new ManagerMessage.TaskCommandStored(mission));
+            self.tell(new ManagerMessage.TaskCommandStored(mission, at));
           }
           m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(next)));
         },
         refusal -> m.replyTo().tell(StatusReply.error(refusal)));
   }
 
-  void taskCommandStored(Mission mission) {
+  void taskCommandStored(Mission mission, Instant at) {
+    if (mission.leftLoad().isPresent()) {
+      fleet
+          .floorAgent(mission.task().floor())
+          .ifPresent(floor -> floor.tell(new FloorMessage.LoadLeft(mission, at)));
+    }
     fleet
         .queue
         .get(mission.id())
@@ -346,6 +353,16 @@ final class TaskCommandHandler {
             fleet.reports.values().stream().flatMap(r -> r.missions().stream()))
         .filter(t -> t.id() == task)
         .findFirst()
-        .flatMap(t -> fleet.floorAgent(t.task().floor()));
+        .map(t -> t.task().floor())
+        .or(() -> floorWithLoadOf(task))
+        .flatMap(fleet::floorAgent);
+  }
+
+  private Optional<String> floorWithLoadOf(long task) {
+    return fleet.reports.values().stream()
+        .map(FloorEvent.FloorReport::floor)
+        .filter(floor -> floor.leftLoads().stream().anyMatch(load -> load.task() == task))
+        .map(FloorView::name)
+        .findFirst();
   }
 }

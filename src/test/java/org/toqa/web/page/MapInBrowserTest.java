@@ -87,7 +87,8 @@ class MapInBrowserTest extends PagesInBrowser {
     server
         .fleet()
         .changeFloor(
-            new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), null));
+            new FloorView(
+                "hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), List.of(), null));
 
     page.waitForCondition(() -> !pictureOf(page).equals(crowded));
     assertThat(page.locator("#attention")).not().containsText("Standstill");
@@ -135,7 +136,8 @@ class MapInBrowserTest extends PagesInBrowser {
     server
         .fleet()
         .changeFloor(
-            new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), null));
+            new FloorView(
+                "hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), List.of(), null));
     for (int width : List.of(1280, 390)) {
       Page page = loggedIn(width, 900, ColorScheme.LIGHT);
       assertThat(page.locator("#floors")).containsText("Floor hall");
