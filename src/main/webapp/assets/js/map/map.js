@@ -14,6 +14,8 @@ import {PoseInterpolator} from './pose-interpolator.js';
 import {drawLeftLoads, drawRobots, drawTasks, replayedRobot} from './robots.js';
 import {StateFilter} from './state-filter.js';
 
+const SMALLEST_FOOTPRINT = 0.255; // metres, the diameter of a robot of which nothing else is known
+
 const $ = (selector) => document.querySelector(selector);
 
 /** The map page: a floor with its robots and tasks, live or as a replay, and the lists beside it. */
@@ -66,7 +68,7 @@ class MapPage {
     if (isReplay) {
       this.#status.show();
       this.#canvas.requestFrame();
-      updateReplayLists(this.#robotsHere, this.#replay);
+      updateReplayLists(this.#robotsInReplay, this.#replay);
     } else {
       this.#showLive();
     }
@@ -111,9 +113,15 @@ class MapPage {
   #drawReplay(context, viewport, colours, now) {
     const isAdvancing = this.#replay.advance(now);
     const poseOf = (name) => this.#replay.poseOf(name);
-    const robots = this.#robotsHere.map((robot) => replayedRobot(robot, poseOf(robot.name)));
+    const robots = this.#robotsInReplay.map((robot) => replayedRobot(robot, poseOf(robot.name)));
     drawRobots(context, viewport, colours, robots, [], poseOf);
     return isAdvancing;
+  }
+
+  /** Those that are here now, and those that were and have been removed. */
+  get #robotsInReplay() {
+    const removed = this.#replay.robots.filter((name) => !this.#state.robot(name));
+    return [...this.#robotsHere, ...removed.map((name) => ({name, footprint: SMALLEST_FOOTPRINT}))];
   }
 
   get #robotsHere() {

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.CellRuns;
+import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 
 /** What a server that starts knows of robots that it does not hear. */
@@ -115,6 +116,30 @@ class FleetRestartTest extends HallFleetTest {
 
   private Map<String, CellRuns> silentRobotCells() {
     return stage.fleet.snapshots().latest().floors().getFirst().silentRobotCells();
+  }
+
+  @Test
+  void robotsAndTasksOfAFloorWhoseMapHasAnotherNameAreTold() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    long task = submit("West", "East");
+    stage.database.jdbi().useHandle(h -> h.execute("update tasks set floor = 'old hall'"));
+
+    stage.restart();
+
+    until(
+        view ->
+            view.alerts().stream()
+                .anyMatch(
+                    alert ->
+                        alert
+                            .english()
+                            .equals(
+                                "No map is named old hall any more, where 0 robots and 1 open tasks"
+                                    + " are: give its map that name again")));
+    until(view -> waitReason(view, task).startsWith("No map is named old hall any more"));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
   }
 
   private void assertApart(String one, String other) {

@@ -227,7 +227,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     }
     state.addToHistory(watch.updateObstacles(missions.cellsUnderLoads(), time));
     drives.applyTrafficDecisions();
-    state.addToHistory(watch.updateStandstills(holds::isRecentlyHeld));
+    state.addToHistory(watch.updateStandstills(holds::mayStand));
     if (state.changed) {
       reports.send();
     }

@@ -2,6 +2,7 @@ package org.toqa.fleet.manager;
 
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -33,6 +34,8 @@ import org.toqa.link.RobotLinkFactory;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
 import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
+import java.util.stream.Stream;
 
 /**
  * Takes tasks, keeps their queue, decides who carries what, and publishes snapshots of the whole
@@ -160,8 +163,12 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     List<StoredRobot> stored = store.storedRobots();
     List<OpenTask> leftLoads = store.tasksWithLeftLoads();
     stored.forEach(r -> fleet.robots.put(r.name(), r.record()));
+    findMissingFloors(floorMaps, open, stored);
     open.stream()
-        .filter(t -> t.mission().state() == TaskState.QUEUED)
+        .filter(
+            t ->
+                t.mission().state() == TaskState.QUEUED
+                    || fleet.missingFloors.containsKey(t.mission().task().floor()))
         .forEach(t -> fleet.queue.add(t.mission(), t.changedAt(), true));
     ActorRef<FloorEvent> floorEvents =
         getContext().messageAdapter(FloorEvent.class, ManagerMessage.FromFloor::new);
@@ -198,6 +205,24 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       fleet.distances.put(floor.name(), new FloorDistances(floor.grid()));
       fleet.dueFloors.add(floor.name());
     }
+  }
+
+  /** A map that has another name now leaves robots and tasks behind, which people must know. */
+  private void findMissingFloors(
+      List<FloorMap> floorMaps, List<OpenTask> open, List<StoredRobot> stored) {
+    List<String> robots = stored.stream().map(robot -> robot.record().floor()).toList();
+    List<String> tasks = open.stream().map(task -> task.mission().task().floor()).toList();
+    Stream.concat(robots.stream(), tasks.stream())
+        .filter(floor -> floorMaps.stream().noneMatch(map -> map.name().equals(floor)))
+        .distinct()
+        .forEach(
+            floor -> {
+              Sentence said =
+                  Phrase.FLOOR_IS_MISSING.with(
+                      floor, Collections.frequency(robots, floor), Collections.frequency(tasks, floor));
+              fleet.missingFloors.put(floor, said);
+              log.warn("{}", said.english());
+            });
   }
 
   @Override

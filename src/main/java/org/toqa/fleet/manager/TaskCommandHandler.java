@@ -5,10 +5,12 @@ import static java.util.Objects.requireNonNull;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -21,6 +23,7 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.floor.FloorEvent;
@@ -118,11 +121,21 @@ final class TaskCommandHandler {
     }
   }
 
-  /** What all robots carry together, kilograms. */
+  /**
+   * What all robots carry together, kilograms: no more than each says, once it is heard, and than a
+   * person entered.
+   */
   private double totalCapacity() {
-    return fleet.robots.isEmpty()
-        ? Double.MAX_VALUE
-        : fleet.robots.values().stream().mapToDouble(RobotRecord::maxLoad).sum();
+    if (fleet.robots.isEmpty()) {
+      return Double.MAX_VALUE;
+    }
+    Map<String, Double> told =
+        fleet.reports.values().stream()
+            .flatMap(report -> report.robots().stream())
+            .collect(Collectors.toMap(RobotView::name, RobotView::maxLoad));
+    return fleet.robots.values().stream()
+        .mapToDouble(r -> Math.min(r.maxLoad(), told.getOrDefault(r.name(), r.maxLoad())))
+        .sum();
   }
 
   void submitTasks(ManagerMessage.SubmitTasks m) {

@@ -76,6 +76,16 @@ class ReplayInBrowserTest extends PagesInBrowser {
   }
 
   @Test
+  void aRobotThatWasRemovedIsStillShown() {
+    server.fleet().changeRobots(all -> all.stream().filter(r -> !r.name().equals("r1")).toList());
+    openMap("map");
+    assertThat(page().locator("#robots li")).hasCount(2);
+    lookBack();
+
+    assertThat(thenRobots()).hasText(new String[] {"r2", "r1"});
+  }
+
+  @Test
   void aReaderGoesBackAndComesBack() {
     openMap("map");
     assertThat(page().locator("#robots li")).hasCount(3);
