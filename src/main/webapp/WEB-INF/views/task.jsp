@@ -89,7 +89,7 @@
       <c:if test="${not empty task.needs}">
         <form class="choices" method="post" action="${root}/tasks/${task.task.id}/answer">
           <t:csrf/>
-          <c:forEach items="${task.needs.answers}" var="answer"><button name="answer" value="<c:out value="${answer}"/>"><fmt:message key="task.answer.${answer == 'another robot' ? 'another' : answer}"/></button></c:forEach>
+          <c:forEach items="${task.needs.answers}" var="answer"><c:if test="${answer != 'cancel'}"><button name="answer" value="<c:out value="${answer}"/>"><fmt:message key="task.answer.${answer == 'another robot' ? 'another' : answer}"/></button></c:if></c:forEach>
         </form>
       </c:if>
       <form class="choices" method="post" action="${root}/tasks/${task.task.id}/${task.held ? 'resume' : 'hold'}">
@@ -109,12 +109,14 @@
       </form>
       <c:if test="${task.state != 'RETURNING'}">
         <c:set var="carrying" value="${task.state == 'CARRYING'}"/>
+        <c:set var="leaving" value="${not empty task.needs and task.needs.answers.contains('cancel')}"/>
         <details>
           <summary role="button" class="outline secondary"><fmt:message key="task.cancel"/></summary>
-          <form method="post" action="${root}/tasks/${task.task.id}/cancel">
+          <form method="post" action="${root}/tasks/${task.task.id}/${leaving ? 'answer' : 'cancel'}">
             <t:csrf/>
-            <p><fmt:message key="task.cancel.sure.${carrying ? 'carrying' : 'before'}"/></p>
-            <c:if test="${carrying}">
+            <p><fmt:message key="task.cancel.sure.${leaving ? 'leaving' : carrying ? 'carrying' : 'before'}"/></p>
+            <c:if test="${leaving}"><button class="danger" name="answer" value="cancel"><fmt:message key="task.answer.cancel"/></button></c:if>
+            <c:if test="${carrying and not leaving}">
               <div class="choices">
                 <button class="danger" name="load" value="here"><fmt:message key="task.cancel.here"/></button>
                 <button class="danger" name="load" value="back"><fmt:message key="task.cancel.back"/></button>

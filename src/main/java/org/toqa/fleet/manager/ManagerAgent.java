@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
 import org.apache.pekko.actor.typed.PostStop;
@@ -35,7 +36,6 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
-import java.util.stream.Stream;
 
 /**
  * Takes tasks, keeps their queue, decides who carries what, and publishes snapshots of the whole
@@ -219,7 +219,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             floor -> {
               Sentence said =
                   Phrase.FLOOR_IS_MISSING.with(
-                      floor, Collections.frequency(robots, floor), Collections.frequency(tasks, floor));
+                      floor,
+                      Collections.frequency(robots, floor),
+                      Collections.frequency(tasks, floor));
               fleet.missingFloors.put(floor, said);
               log.warn("{}", said.english());
             });

@@ -22,7 +22,6 @@ import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.fleet.FloorView;
-import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;

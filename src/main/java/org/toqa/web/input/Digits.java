@@ -7,6 +7,7 @@ import java.util.regex.Pattern;
 public final class Digits {
   private static final Pattern NUMBER =
       Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d{1,3})?");
+
   /** What can be nothing but a decimal comma: three digits behind one may be thousands. */
   private static final Pattern DECIMAL_COMMA = Pattern.compile("[+-]?\\d+,\\d{1,2}");
 

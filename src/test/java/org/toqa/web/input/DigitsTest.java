@@ -25,7 +25,15 @@ class DigitsTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"'2,5', 2.5", "'-10,25', -10.25", "'٢,٥', 2.5", "2.5, 2.5", "'1,000',", "'1,2,3',", "',5',"})
+  @CsvSource({
+    "'2,5', 2.5",
+    "'-10,25', -10.25",
+    "'٢,٥', 2.5",
+    "2.5, 2.5",
+    "'1,000',",
+    "'1,2,3',",
+    "',5',"
+  })
   void aCommaThatCanOnlyBeADecimalOneIsOneInAForm(String typed, @Nullable Double number) {
     assertEquals(Optional.ofNullable(number), Digits.enteredNumber(typed));
   }

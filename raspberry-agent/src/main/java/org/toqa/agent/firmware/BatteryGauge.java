@@ -17,7 +17,9 @@ final class BatteryGauge {
   /** Longer than a robot takes to set off or to turn, seconds. */
   private static final double TIME_CONSTANT = 20;
 
-  /** By volts of a cell at rest: usual values of lithium polymer cells; 0 is what is left at 3.3 V. */
+  /**
+   * By volts of a cell at rest: usual values of lithium polymer cells; 0 is what is left at 3.3 V.
+   */
   private static final NavigableMap<Double, Double> CHARGE =
       new TreeMap<>(
           Map.ofEntries(
