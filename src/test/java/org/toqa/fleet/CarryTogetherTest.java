@@ -1,6 +1,7 @@
 package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
@@ -82,6 +83,8 @@ class CarryTogetherTest {
         .await(
             view -> {
               assertEquals(List.of(), view.floors().getFirst().standstills());
+              String waits = String.valueOf(LiveFloor.task(view, task).waitingFor());
+              assertFalse(waits.contains(".;"), waits);
               return held.isDone() && live().clock.nanos() > until;
             });
 

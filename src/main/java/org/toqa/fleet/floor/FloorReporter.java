@@ -119,6 +119,10 @@ final class FloorReporter {
   private static Optional<Sentence> operationalWaitReason(FloorRobot robot) {
     return Optional.ofNullable(robot.hold.reason())
         .or(() -> Optional.ofNullable(robot.drive.waitReason()))
-        .or(() -> Optional.ofNullable(robot.groupStopReason()).map(Sentence::verbatim));
+        .or(
+            () ->
+                Optional.ofNullable(robot.groupStopReason())
+                    .map(said -> said.replaceFirst("\\.$", "")) // others may follow it
+                    .map(Sentence::verbatim));
   }
 }
