@@ -79,9 +79,9 @@
   <article class="card" id="actions" data-live="task-actions" data-name="${task.task.id}" ${mayChange and (leftLoad or not task.state.isEnded()) ? '' : 'hidden'}>
     <h2><fmt:message key="task.actions"/></h2>
     <c:if test="${mayChange and leftLoad}">
+      <p><fmt:message key="task.loadRemoved.help"/></p>
       <form class="choices" method="post" action="${root}/tasks/${task.task.id}/load-removed">
         <t:csrf/>
-        <p><fmt:message key="task.loadRemoved.help"/></p>
         <button class="outline"><fmt:message key="task.loadRemoved"/></button>
       </form>
     </c:if>
