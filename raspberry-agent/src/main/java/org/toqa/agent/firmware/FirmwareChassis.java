@@ -234,7 +234,7 @@ public final class FirmwareChassis implements Chassis {
         status.powerCycle() == 1 ? start : null,
         status.odometry(),
         unanswered == 0 ? twist : Twist.ZERO,
-        battery.charge(),
+        status.stopReasons().contains(StopReason.BATTERY) ? 0 : battery.charge(), // it says so
         hasRangeSensors ? status.ranges() : List.of(),
         faults());
   }
