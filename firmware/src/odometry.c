@@ -11,6 +11,8 @@ static const int64_t ALONG_Q16 =
 static const int64_t ASIDE_Q16 =
     (INT64_C(710) * BODY_WHEEL_RADIUS_UM * 65536 / 113) / (3 * BODY_COUNTS_PER_TURN);
 
+_Static_assert(BODY_WHEEL_RADIUS_UM < 65536, "2^48 of them are more than 64 bits");
+
 /* w = (v1 + v2 + v3)/(3 R): r/(3 R) turns of the body a turn of the wheels, times 2^16. */
 static const uint64_t HEADING_Q16 = (UINT64_C(1) << 48) * BODY_WHEEL_RADIUS_UM /
                                     (UINT64_C(3) * BODY_CENTRE_TO_WHEEL_UM * BODY_COUNTS_PER_TURN);

@@ -22,7 +22,7 @@
     <label><fmt:message key="history.robot"/>
       <select name="robot">
         <option value=""><fmt:message key="history.all"/></option>
-        <c:forEach items="${robots}" var="robot"><option dir="auto" ${param.robot == robot.name ? 'selected' : ''}><c:out value="${robot.name}"/></option></c:forEach>
+        <c:forEach items="${robots}" var="robot"><option dir="auto" ${param.robot == robot ? 'selected' : ''}><c:out value="${robot}"/></option></c:forEach>
       </select>
     </label>
     <label><fmt:message key="history.kind"/>

@@ -38,7 +38,7 @@
         <dt><fmt:message key="robot.battery"/></dt>
         <dd><c:choose><c:when test="${empty robot.telemetry.battery}"><span class="faint"><fmt:message key="robot.battery.unknown"/></span></c:when><c:otherwise><fmt:formatNumber value="${robot.telemetry.battery}" type="percent"/></c:otherwise></c:choose></dd>
         <c:if test="${not empty robot.work.charger}"><dt><fmt:message key="robot.charger"/></dt><dd><bdi><c:out value="${robot.work.charger}"/></bdi></dd></c:if>
-        <dt><fmt:message key="robot.maxLoad"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message></dd>
+        <dt><fmt:message key="robot.maxLoad"/></dt><dd><fmt:message key="common.kilograms"><fmt:param value="${maxLoad}"/></fmt:message><c:if test="${robot.record.maxLoad > robot.maxLoad}"><fmt:formatNumber value="${robot.record.maxLoad}" maxFractionDigits="2" var="entered"/>${" "}<span class="faint"><fmt:message key="robot.maxLoad.entered"><fmt:param value="${entered}"/></fmt:message></span></c:if></dd>
         <dt><fmt:message key="robot.footprint"/></dt><dd><fmt:message key="common.metres"><fmt:param value="${footprint}"/></fmt:message></dd>
         <dt><fmt:message key="robot.speed"/></dt><dd><fmt:message key="common.metresPerSecond"><fmt:param value="${speed}"/></fmt:message></dd>
         <dt><fmt:message key="robot.floor"/></dt><dd><bdi><c:out value="${robot.floor}"/></bdi></dd>

@@ -6,6 +6,7 @@
 <c:set var="root" value="${pageContext.request.contextPath}"/>
 <fmt:message key="task.title" var="title"><fmt:param value="${task.task.id}"/></fmt:message>
 <fmt:formatNumber value="${task.task.load}" maxFractionDigits="2" var="load"/>
+<c:set var="leftLoad" value="${task.state.isEnded() and not empty task.loadAt}"/>
 <c:set var="usualPriority" value="${task.task.priority == 10 or task.task.priority == 0 or task.task.priority == -10}"/>
 <t:page title="${title}" here="task" script="shared/live.js">
   <t:errors/>
@@ -55,7 +56,7 @@
           <c:param name="length" value="${task.task.size.length}"/>
           <c:param name="width" value="${task.task.size.width}"/>
           <c:forTokens items="start,goal" delims="," var="end">
-            <c:set var="place" value="${task.task[end]}"/>
+            <c:set var="place" value="${end == 'start' and leftLoad ? task.loadAt : task.task[end]}"/>
             <c:choose>
               <c:when test="${not empty place.station}"><c:param name="${end}Station" value="${place.station}"/></c:when>
               <c:otherwise><c:param name="${end}X" value="${place.position.x}"/><c:param name="${end}Y" value="${place.position.y}"/></c:otherwise>
@@ -75,13 +76,20 @@
       </article>
     </div>
   </div>
-  <article class="card" id="actions" data-live="task-actions" data-name="${task.task.id}" ${mayChange and not task.state.isEnded() ? '' : 'hidden'}>
+  <article class="card" id="actions" data-live="task-actions" data-name="${task.task.id}" ${mayChange and (leftLoad or not task.state.isEnded()) ? '' : 'hidden'}>
     <h2><fmt:message key="task.actions"/></h2>
+    <c:if test="${mayChange and leftLoad}">
+      <p><fmt:message key="task.loadRemoved.help"/></p>
+      <form class="choices" method="post" action="${root}/tasks/${task.task.id}/load-removed">
+        <t:csrf/>
+        <button class="outline"><fmt:message key="task.loadRemoved"/></button>
+      </form>
+    </c:if>
     <c:if test="${mayChange and not task.state.isEnded()}">
       <c:if test="${not empty task.needs}">
         <form class="choices" method="post" action="${root}/tasks/${task.task.id}/answer">
           <t:csrf/>
-          <c:forEach items="${task.needs.answers}" var="answer"><button name="answer" value="<c:out value="${answer}"/>"><fmt:message key="task.answer.${answer == 'another robot' ? 'another' : answer}"/></button></c:forEach>
+          <c:forEach items="${task.needs.answers}" var="answer"><c:if test="${answer != 'cancel'}"><button name="answer" value="<c:out value="${answer}"/>"><fmt:message key="task.answer.${answer == 'another robot' ? 'another' : answer}"/></button></c:if></c:forEach>
         </form>
       </c:if>
       <form class="choices" method="post" action="${root}/tasks/${task.task.id}/${task.held ? 'resume' : 'hold'}">
@@ -101,12 +109,14 @@
       </form>
       <c:if test="${task.state != 'RETURNING'}">
         <c:set var="carrying" value="${task.state == 'CARRYING'}"/>
+        <c:set var="leaving" value="${not empty task.needs and task.needs.answers.contains('cancel')}"/>
         <details>
           <summary role="button" class="outline secondary"><fmt:message key="task.cancel"/></summary>
-          <form method="post" action="${root}/tasks/${task.task.id}/cancel">
+          <form method="post" action="${root}/tasks/${task.task.id}/${leaving ? 'answer' : 'cancel'}">
             <t:csrf/>
-            <p><fmt:message key="task.cancel.sure.${carrying ? 'carrying' : 'before'}"/></p>
-            <c:if test="${carrying}">
+            <p><fmt:message key="task.cancel.sure.${leaving ? 'leaving' : carrying ? 'carrying' : 'before'}"/></p>
+            <c:if test="${leaving}"><button class="danger" name="answer" value="cancel"><fmt:message key="task.answer.cancel"/></button></c:if>
+            <c:if test="${carrying and not leaving}">
               <div class="choices">
                 <button class="danger" name="load" value="here"><fmt:message key="task.cancel.here"/></button>
                 <button class="danger" name="load" value="back"><fmt:message key="task.cancel.back"/></button>

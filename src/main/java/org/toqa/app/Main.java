@@ -1,6 +1,7 @@
 package org.toqa.app;
 
 import java.io.PrintWriter;
+import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.toqa.app.bench.BenchCommand;
@@ -55,9 +56,13 @@ public final class Main implements Runnable {
 
   private static int reportWrongArgument(ParameterException e) {
     CommandLine command = e.getCommandLine();
-    String sentence =
+    List<String> unknown =
         e instanceof UnmatchedArgumentException unmatched
-            ? unknownWordMessage(unmatched.getUnmatched().getFirst(), command)
+            ? unmatched.getUnmatched()
+            : command.getUnmatchedArguments(); // which says more than that others are missing
+    String sentence =
+        !unknown.isEmpty()
+            ? unknownWordMessage(unknown.getFirst(), command)
             : String.valueOf(e.getMessage()).lines().findFirst().orElse("");
     printError(
         command.getErr(),

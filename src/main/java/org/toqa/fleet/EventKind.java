@@ -14,6 +14,8 @@ public enum EventKind {
   TASK_HANDED_OVER("task.handed-over"),
   TASK_HELD("task.held"),
   TASK_LATE("task.late"),
+  TASK_LOAD_FETCHED("task.load-fetched"),
+  TASK_LOAD_REMOVED("task.load-removed"),
   TASK_PARKED("task.parked"),
   TASK_PRIORITISED("task.prioritised"),
   TASK_RESUMED("task.resumed"),
@@ -106,6 +108,8 @@ public enum EventKind {
       case MissionEvent.Prioritise ignored -> TASK_PRIORITISED;
       case MissionEvent.Answer ignored -> TASK_ANSWERED;
       case MissionEvent.HandOver ignored -> TASK_HANDED_OVER;
+      case MissionEvent.LoadFetched ignored -> TASK_LOAD_FETCHED;
+      case MissionEvent.RemoveLoad ignored -> TASK_LOAD_REMOVED;
     };
   }
 }

@@ -46,6 +46,9 @@ public interface FleetStore {
   /** Tasks that have not ended, in the order in which they came. */
   List<OpenTask> openTasks();
 
+  /** Ended tasks whose loads lie on the floor, in the order in which they came. */
+  List<OpenTask> tasksWithLeftLoads();
+
   /** The last drive that was stored for the robot. */
   Optional<StoredDrive> drive(String robot);
 
@@ -133,6 +136,7 @@ public interface FleetStore {
    */
   record MissionChange(Mission mission, Instant at, List<EventRecord> events) {}
 
+  /** One that has not ended, or whose load still lies on the floor. */
   record OpenTask(Mission mission, Instant changedAt) {}
 
   /**

@@ -6,6 +6,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
+import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.wording.Sentence;
 
 /**
@@ -15,6 +16,7 @@ import org.toqa.wording.Sentence;
  * @param obstacles where robots have seen something that the map does not show
  * @param silentRobotCells by name, the robots that are not heard of, with the cells that stay
  *     reserved for each
+ * @param leftLoads those of ended tasks that lie on the floor
  * @param chargerShortage null: the charging points are enough, as far as is known
  */
 public record FloorView(
@@ -24,12 +26,14 @@ public record FloorView(
     Map<String, CellRuns> silentRobotCells,
     List<StandstillView> standstills,
     List<FaultyCharger> faultyChargers,
+    List<LeftLoad> leftLoads,
     @Nullable ChargerShortage chargerShortage) {
 
   public FloorView {
     silentRobotCells = Map.copyOf(silentRobotCells);
     standstills = List.copyOf(standstills);
     faultyChargers = List.copyOf(faultyChargers);
+    leftLoads = List.copyOf(leftLoads);
   }
 
   /**
@@ -38,6 +42,14 @@ public record FloorView(
    * @param where metres, map frame
    */
   public record FaultyCharger(String name, Vec2 where, Instant since, Sentence text) {}
+
+  /**
+   * A load that an ended task left on the floor.
+   *
+   * @param where its middle, metres, map frame
+   */
+  public record LeftLoad(
+      long task, String name, Vec2 where, @Nullable LoadSize size, Sentence text) {}
 
   /**
    * Robots wait to charge.

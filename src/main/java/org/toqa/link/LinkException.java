@@ -26,7 +26,7 @@ final class LinkException extends Exception {
     this.trustFailure = refusal;
   }
 
-  /** One end does not trust the other. */
+  /** One end does not trust the other, or is not the one that it should be: somebody must come. */
   static LinkException trustFailure(Sentence sentence) {
     return new LinkException(sentence, true);
   }

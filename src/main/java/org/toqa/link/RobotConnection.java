@@ -16,6 +16,7 @@ import org.toqa.link.message.LinkCodec;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.trust.HandshakeException.Reason;
 import org.toqa.link.trust.LinkTls;
+import org.toqa.wording.Phrase;
 
 /** One TCP connection to a robot. The thread that made it reads; {@link #send} never waits. */
 final class RobotConnection implements AutoCloseable {
@@ -74,9 +75,7 @@ final class RobotConnection implements AutoCloseable {
               .formatted(robot, hello.version(), AgentMessage.VERSION));
     }
     if (!hello.robot().equals(robot)) {
-      throw new LinkException(
-          "At %s answers robot %s, not %s; correct the address or the name."
-              .formatted(hostAndPort, hello.robot(), robot));
+      throw LinkException.trustFailure(Phrase.HAS_ANOTHER_NAME.with(hostAndPort, robot));
     }
     if (!(hello.maxLoad() >= 0
         && hello.maxSpeed() > 0

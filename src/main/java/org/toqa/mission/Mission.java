@@ -94,6 +94,13 @@ public record Mission(
     return trouble == null ? null : trouble.place();
   }
 
+  /** Where its load lies on the floor though it has ended. */
+  public Optional<TaskPlace> leftLoad() {
+    return state == TaskState.CANCELLED || state == TaskState.FAILED
+        ? Optional.ofNullable(setDownPlace)
+        : Optional.empty();
+  }
+
   /** Where the load on board is carried. */
   public TaskPlace destination() {
     return ending == LoadChoice.BACK ? task.start() : task.goal();
@@ -134,6 +141,8 @@ public record Mission(
     return switch (event) {
       case MissionEvent.OperatorCommand command ->
           objectionTo(command).isPresent() ? unchangedStep() : applyCommand(command);
+      case MissionEvent.LoadFetched fetched ->
+          OperatorCommandRules.endLeftLoad(this, Phrase.LOAD_FETCHED.with(fetched.byTask()));
       case MissionEvent.OfRobot e -> isWorkingFor(e.robot()) ? applyRobotEvent(e) : unchangedStep();
     };
   }
@@ -146,6 +155,8 @@ public record Mission(
       case MissionEvent.Prioritise e -> OperatorCommandRules.prioritise(this, e);
       case MissionEvent.Answer e -> TroubleRules.answer(this, e);
       case MissionEvent.HandOver e -> OperatorCommandRules.handOver(this, e);
+      case MissionEvent.RemoveLoad e ->
+          OperatorCommandRules.endLeftLoad(this, Phrase.LOAD_REMOVED.with(e.user()));
     };
   }
 

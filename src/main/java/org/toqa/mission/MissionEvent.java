@@ -58,6 +58,13 @@ public sealed interface MissionEvent {
   /** The robot, which was in trouble, can go on. */
   record RobotRecovered(String robot) implements OfRobot {}
 
+  /**
+   * The load that the mission left on the floor is carried away for another task.
+   *
+   * @param byTask the id of that one
+   */
+  record LoadFetched(long byTask) implements MissionEvent {}
+
   /** What a person wants of the task; {@link Mission#objectionTo} tells whether it can be. */
   sealed interface OperatorCommand extends MissionEvent {
     String user();
@@ -93,4 +100,9 @@ public sealed interface MissionEvent {
    * @param newOwner the id of his account
    */
   record HandOver(String user, String newUser, long newOwner) implements OperatorCommand {}
+
+  /**
+   * A person says that the load which the ended mission left on the floor is not there any more.
+   */
+  record RemoveLoad(String user) implements OperatorCommand {}
 }

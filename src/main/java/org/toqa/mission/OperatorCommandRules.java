@@ -19,6 +19,10 @@ final class OperatorCommandRules {
       case MissionEvent.Prioritise ignored -> objectionToChange(mission);
       case MissionEvent.Answer answer -> objectionToAnswer(mission, answer);
       case MissionEvent.HandOver ignored -> objectionToChange(mission);
+      case MissionEvent.RemoveLoad ignored ->
+          mission.leftLoad().isPresent()
+              ? Optional.empty()
+              : Optional.of(Objection.of(Phrase.NO_LOAD_LEFT.with(mission.id())));
     };
   }
 
@@ -113,6 +117,12 @@ final class OperatorCommandRules {
             .step(
                 List.of(),
                 Phrase.TASK_HANDED_OVER.with(event.user(), mission.task().user(), event.newUser()));
+  }
+
+  static Mission.Step endLeftLoad(Mission mission, Sentence sentence) {
+    return mission.leftLoad().isPresent()
+        ? mission.withLoadAt(null).step(List.of(), sentence)
+        : mission.unchangedStep();
   }
 
   /** Robots that had arrived somewhere drive anew. */

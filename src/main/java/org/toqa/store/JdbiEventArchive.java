@@ -52,6 +52,12 @@ public final class JdbiEventArchive implements EventArchive {
         });
   }
 
+  @Override
+  public List<String> robots() {
+    return sql.withHandle(
+        h -> h.createQuery("select name from robots order by name").mapTo(String.class).list());
+  }
+
   private static void add(
       Map<String, Object> conditions, String condition, @Nullable Object value) {
     if (value != null) {

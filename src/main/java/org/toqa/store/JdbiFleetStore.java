@@ -182,6 +182,22 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
   }
 
   @Override
+  public List<OpenTask> tasksWithLeftLoads() {
+    return sql.withHandle(
+        h ->
+            TaskTable.withRobots(
+                h,
+                h.createQuery(
+                        "select "
+                            + TaskRow.COLUMNS
+                            + " from tasks where state in ('CANCELLED', 'FAILED')"
+                            + " and set_down_x is not null order by id")
+                    .mapTo(TaskRow.class)
+                    .list(),
+                TaskRow::toOpenTask));
+  }
+
+  @Override
   public List<TransportTask> addTasks(List<Submission> submissions) {
     return sql.inTransaction(
         h -> {

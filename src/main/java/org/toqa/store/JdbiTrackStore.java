@@ -27,6 +27,16 @@ public final class JdbiTrackStore implements TrackStore {
   }
 
   @Override
+  public List<String> robotsOf(String floor) {
+    return sql.withHandle(
+        h ->
+            h.createQuery("select name from robots where floor = :floor order by name")
+                .bind("floor", floor)
+                .mapTo(String.class)
+                .list());
+  }
+
+  @Override
   public void add(List<TrackPoint> points) {
     sql.inTransaction(
         h -> {

@@ -1,8 +1,8 @@
 import {updateLinkList} from '../shared/link-list.js';
-import {chargerEntry, chargerShortageEntry, refusalOf, robotEntry, standstillEntry, taskEntry} from './entries.js';
+import {chargerEntry, chargerShortageEntry, leftLoadEntry, refusalOf, robotEntry, standstillEntry, taskEntry} from './entries.js';
 
 /** What needs attention, the most urgent first. */
-const URGENCY = ['ERROR', 'question', 'standstill', 'LOST', 'NOT_LOCALISED', 'charger', 'alert'];
+const URGENCY = ['ERROR', 'question', 'standstill', 'LOST', 'NOT_LOCALISED', 'charger', 'load', 'alert'];
 const ALERT_STATES = new Set(['ERROR', 'NOT_LOCALISED', 'LOST']);
 
 /** Fills the list of what needs attention, and hides it where nothing does. */
@@ -11,6 +11,7 @@ export function updateAttentionList(section, {floors, tasks, robots}) {
     ...floors.flatMap(({standstills}) => standstills.map((one) => ranked('standstill', standstillEntry(one)))),
     ...floors.flatMap(({faultyChargers}) => faultyChargers.map((one) => ranked('charger', chargerEntry(one)))),
     ...floors.filter(({chargerShortage}) => chargerShortage).map((floor) => ranked('charger', chargerShortageEntry(floor))),
+    ...floors.flatMap(({leftLoads}) => leftLoads.map((one) => ranked('load', leftLoadEntry(one)))),
     ...tasks.filter(({needs}) => needs).map((task) => ranked('question', taskEntry(task))),
     ...robots
       .filter(needsAttention)

@@ -60,6 +60,18 @@ export function chargerShortageEntry({floor, chargerShortage}) {
   });
 }
 
+export function leftLoadEntry({task, name, text: sentence}) {
+  return {
+    key: `load ${task}`,
+    href: `tasks/${task}`,
+    state: 'CANCELLED',
+    letter: String(task),
+    title: name,
+    side: text('map.leftLoad'),
+    sentence,
+  };
+}
+
 function alertEntry(entry) {
   return {state: 'ERROR', letter: '!', side: '', ...entry};
 }

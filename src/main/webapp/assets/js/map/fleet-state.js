@@ -32,6 +32,17 @@ export class FleetState {
     return this.floors.find(({floor}) => floor === name);
   }
 
+  /**
+   * A load that an ended task left on its floor, with the floor's name; undefined: none.
+   *
+   * @param task id of the task, or its digits
+   */
+  leftLoad(task) {
+    return this.floors
+      .flatMap(({floor, leftLoads}) => leftLoads.map((load) => ({...load, floor})))
+      .find((load) => String(load.task) === String(task));
+  }
+
   robot(name) {
     return this.robots.find((robot) => robot.name === name);
   }

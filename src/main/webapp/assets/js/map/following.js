@@ -44,10 +44,15 @@ export class Following {
       .find((one) => isNear(this.#poseOf(one.name), radius(this.#canvas.viewport, one) + 4));
     const tasks = withTasks ? this.#state.tasksOn(floor).filter(isOpen) : [];
     const task = tasks.find((one) => isNear(one.loadAt ?? one.start, TOUCH) || isNear(one.goal, TOUCH));
+    const load = withTasks
+      ? this.#state.floor(floor)?.leftLoads.find((one) => isNear(one.where, TOUCH))
+      : undefined;
     if (robot) {
       this.followRobot(robot);
     } else if (task) {
       this.followTask(task);
+    } else if (load) {
+      this.followLeftLoad(load);
     }
   }
 
@@ -62,6 +67,10 @@ export class Following {
       return task && (this.#poseOf(task.robots[0]) ?? task.loadAt ?? task.start);
     };
     this.#follow(point, name, `tasks/${id}`);
+  }
+
+  followLeftLoad({task, name, where}) {
+    this.#follow(() => where, name, `tasks/${task}`);
   }
 
   #follow(point, name, href) {

@@ -11,8 +11,10 @@ import {Following} from './following.js';
 import {drawBlockedCells, drawStandstills} from './hazards.js';
 import {updateLiveLists} from './live-lists.js';
 import {PoseInterpolator} from './pose-interpolator.js';
-import {drawRobots, drawTasks, replayedRobot} from './robots.js';
+import {drawLeftLoads, drawRobots, drawTasks, replayedRobot} from './robots.js';
 import {StateFilter} from './state-filter.js';
+
+const SMALLEST_FOOTPRINT = 0.255; // metres, the diameter of a robot of which nothing else is known
 
 const $ = (selector) => document.querySelector(selector);
 
@@ -66,7 +68,7 @@ class MapPage {
     if (isReplay) {
       this.#status.show();
       this.#canvas.requestFrame();
-      updateReplayLists(this.#robotsHere, this.#replay);
+      updateReplayLists(this.#robotsInReplay, this.#replay);
     } else {
       this.#showLive();
     }
@@ -96,6 +98,7 @@ class MapPage {
     const poseOf = (name) => this.#interpolator.poseOf(name, now);
     if (view) {
       drawBlockedCells(context, viewport, colours, this.#floor, view);
+      drawLeftLoads(context, viewport, colours, view.leftLoads);
     }
     const tasks = this.#state.tasksOn(this.#floor.name);
     drawTasks(context, viewport, colours, tasks);
@@ -110,9 +113,15 @@ class MapPage {
   #drawReplay(context, viewport, colours, now) {
     const isAdvancing = this.#replay.advance(now);
     const poseOf = (name) => this.#replay.poseOf(name);
-    const robots = this.#robotsHere.map((robot) => replayedRobot(robot, poseOf(robot.name)));
+    const robots = this.#robotsInReplay.map((robot) => replayedRobot(robot, poseOf(robot.name)));
     drawRobots(context, viewport, colours, robots, [], poseOf);
     return isAdvancing;
+  }
+
+  /** Those that are here now, and those that were and have been removed. */
+  get #robotsInReplay() {
+    const removed = this.#replay.robots.filter((name) => !this.#state.robot(name));
+    return [...this.#robotsHere, ...removed.map((name) => ({name, footprint: SMALLEST_FOOTPRINT}))];
   }
 
   get #robotsHere() {
@@ -132,7 +141,8 @@ class MapPage {
     const query = new URLSearchParams(location.search);
     const robot = this.#state.robot(query.get('robot'));
     const task = this.#state.task(query.get('task'));
-    const floor = robot?.floor ?? task?.floor;
+    const load = task ? undefined : this.#state.leftLoad(query.get('task'));
+    const floor = robot?.floor ?? task?.floor ?? load?.floor;
     if (floor && floor !== this.#floor.name) {
       $('#floor').value = floor;
       await this.#showFloor(floor);
@@ -141,6 +151,8 @@ class MapPage {
       this.#following.followRobot(robot);
     } else if (task) {
       this.#following.followTask(task);
+    } else if (load) {
+      this.#following.followLeftLoad(load);
     }
   }
 

@@ -22,6 +22,13 @@ export function drawTasks(context, viewport, colours, tasks) {
   }
 }
 
+/** Draws loads that ended tasks left on the floor; how each is turned is not known. */
+export function drawLeftLoads(context, viewport, colours, loads) {
+  for (const load of loads) {
+    drawLoad(context, viewport.toScreen(load.where.x, load.where.y), 0, loadHalf(viewport, load), colours);
+  }
+}
+
 /** A robot as a replay shows it: of its state only whether it was moving is known. */
 export function replayedRobot(robot, pose) {
   return {...robot, state: pose?.isMoving ? 'DRIVING' : 'STOPPED', letter: '', route: [], task: null};

@@ -51,6 +51,11 @@ export class ReplayData {
     return this.#chunks.get(chunkOf(time))?.trajectories.get(robot)?.poseAt(time);
   }
 
+  /** The names of those that have a track at that time, also of robots that were removed since. */
+  robots(time) {
+    return [...(this.#chunks.get(chunkOf(time))?.trajectories.keys() ?? [])];
+  }
+
   /** The latest events before that time, newest first. */
   events(time) {
     const events = this.#chunks.get(chunkOf(time))?.events ?? [];

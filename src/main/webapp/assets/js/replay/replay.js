@@ -55,6 +55,11 @@ export class Replay {
     return this.#data.poseOf(robot, this.#time);
   }
 
+  /** The names of robots that have a track at the time shown. */
+  get robots() {
+    return this.#data.robots(this.#time);
+  }
+
   /** The latest events before the time shown, newest first. */
   get events() {
     return this.#data.events(this.#time);

@@ -240,7 +240,8 @@ class AllocatorContractTest {
   @ParameterizedTest
   @MethodSource("allocators")
   void noRobotTakesATaskAfterWhichItWouldNotGetToACharger(Allocator allocator) {
-    // 40 m to the load, 1 m with 1 kg, 39 m to the charger: 80 * 88.8 J + 9 J of 106,560 J = 6.7 %,
+    // 40 m to the load, 1 m with 1 kg, 39 m to the charger: 80 * 88.8 J + 1.5 J of 106,560 J = 6.7
+    // %,
     // and 5 % are kept in reserve
     assertEquals(
         List.of(

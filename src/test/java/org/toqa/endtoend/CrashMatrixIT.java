@@ -24,7 +24,7 @@ import org.toqa.testbed.Tally;
  * Server, daemons, database and links are cut or frozen at random moments while robots carry, alone
  * and together, and charge, and while people order, import, schedule, cancel and hold. Every task
  * that was accepted ends DONE once, or CANCELLED where that was accepted; what was refused is never
- * done; what is held really stands still.
+ * done; what is held really stands still, and no two bodies ever touch.
  *
  * <p>{@code -Dtoqa.crashes=200} for so many runs, {@code -Dtoqa.seed=17} to begin with another
  * seed: the same seed gives the same plan.
@@ -121,6 +121,7 @@ class CrashMatrixIT {
   /** Also of each kind of work, where the runs were enough for all. */
   private void allWasDone(int runsOfSite) {
     counts.merge("charges among crashes", (long) testbed.truth().charges(), Long::sum);
+    counts.merge("moments among crashes", testbed.truth().moments(), Long::sum);
     if (runsOfSite == RUNS_OF_A_SITE) {
       for (Work.Kind kind : Work.Kind.values()) {
         assertTrue(counts.getOrDefault(kind.plural() + " among crashes", 0L) > 0, kind::plural);

@@ -9,16 +9,19 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.LockSupport;
 import org.toqa.agent.chassis.SimulatedBodyFile;
 import org.toqa.agent.chassis.SimulatedBodyFile.Reading;
 
 /**
- * Where the bodies of a {@link CrashTestbed} really are, whoever simulates them, how long they have
- * stood there, and whether they were charged. It reads their files about every millisecond.
+ * Where the bodies of a {@link CrashTestbed} really are, whoever simulates them, how near they came
+ * to each other, how long they have stood there, and whether they were charged. It reads their
+ * files about every millisecond.
  */
 final class SiteTruth implements AutoCloseable {
   private static final double STILL = 0.002; // metres
@@ -29,6 +32,12 @@ final class SiteTruth implements AutoCloseable {
   /** Charging for a minute; no reading errs so much. */
   private static final double CHARGED = 0.02;
 
+  /** Of each body, metres: where their middles are nearer, two touch. */
+  private static final double DIAMETER = 0.255;
+
+  /** In a run of seconds there are thousands. */
+  private static final long LEAST_MOMENTS = 100;
+
   private static final Duration TIMEOUT = Duration.ofMinutes(3);
 
   private final Map<String, SimulatedBodyFile> files = new LinkedHashMap<>();
@@ -36,7 +45,16 @@ final class SiteTruth implements AutoCloseable {
   private final Map<String, Double> lowest = new ConcurrentHashMap<>();
   private final Thread reader;
   private final AtomicInteger charges = new AtomicInteger();
+  private final AtomicLong moments = new AtomicLong();
+  private volatile Approach nearest = new Approach(Double.POSITIVE_INFINITY, "none", "none");
   private volatile boolean closed;
+
+  /**
+   * How near two bodies came.
+   *
+   * @param metres between their middles
+   */
+  private record Approach(double metres, String one, String other) {}
 
   /** That a robot has not moved since then. */
   private record Standing(Reading since, Reading last) {
@@ -63,9 +81,44 @@ final class SiteTruth implements AutoCloseable {
 
   private void watch() {
     while (!closed) {
-      files.forEach((robot, file) -> file.read().ifPresent(now -> add(robot, now)));
+      Map<String, Reading> moment = readings();
+      moment.forEach(this::add);
+      if (moment.equals(readings())) { // else somebody moved between two of the readings
+        judge(moment);
+      }
       LockSupport.parkNanos(1_000_000);
     }
+  }
+
+  private Map<String, Reading> readings() {
+    Map<String, Reading> readings = new TreeMap<>();
+    files.forEach((robot, file) -> file.read().ifPresent(now -> readings.put(robot, now)));
+    return readings;
+  }
+
+  /** By centres and radii alone: all robots of a site are discs of the same size. */
+  private void judge(Map<String, Reading> moment) {
+    moments.incrementAndGet();
+    moment.forEach(
+        (one, here) ->
+            moment.forEach(
+                (other, there) -> {
+                  double metres = here.truePose().distanceTo(there.truePose());
+                  if (one.compareTo(other) < 0 && metres < nearest.metres()) {
+                    nearest = new Approach(metres, one, other);
+                  }
+                }));
+  }
+
+  /** No two bodies have ever touched, so far as could be seen. */
+  void assertApart() {
+    assertTrue(moments.get() > LEAST_MOMENTS, () -> "only " + moments + " moments were seen");
+    assertTrue(nearest.metres() >= DIAMETER, () -> "they touched: " + nearest);
+  }
+
+  /** At how many moments all bodies were seen at once. */
+  long moments() {
+    return moments.get();
   }
 
   private void add(String robot, Reading now) {

@@ -1,9 +1,11 @@
 package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -58,6 +60,35 @@ class CarryTogetherTest {
     FleetSnapshot carrying =
         live().await(view -> LiveFloor.isInState(view, task, TaskState.CARRYING));
     assertEquals(3, LiveFloor.task(carrying, task).robots().size());
+    untilDone(task);
+  }
+
+  /** Longer than a robot may stand without a word. */
+  @Test
+  @Timeout(300)
+  void aGroupThatStandsSinceAPersonHoldsAFollowerIsNoStandstill() throws Exception {
+    open(2);
+    long task = order(8);
+    FleetSnapshot carrying =
+        live()
+            .await(
+                view ->
+                    LiveFloor.isInState(view, task, TaskState.CARRYING)
+                        && view.robots().stream().allMatch(r -> r.state() == RobotState.DRIVING));
+    String follower = LiveFloor.task(carrying, task).robots().getLast();
+    var held = live().fleet.holdRobot(follower, "Max").toCompletableFuture();
+    long until = live().clock.nanos() + Duration.ofSeconds(60).toNanos();
+
+    live()
+        .await(
+            view -> {
+              assertEquals(List.of(), view.floors().getFirst().standstills());
+              String waits = String.valueOf(LiveFloor.task(view, task).waitingFor());
+              assertFalse(waits.contains(".;"), waits);
+              return held.isDone() && live().clock.nanos() > until;
+            });
+
+    live().fleet.resumeRobot(follower, "Max");
     untilDone(task);
   }
 

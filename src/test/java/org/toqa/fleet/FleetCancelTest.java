@@ -2,14 +2,19 @@ package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Instant;
 import java.util.List;
 import java.util.Objects;
 import org.junit.jupiter.api.Test;
+import org.toqa.fleet.FloorView.LeftLoad;
+import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.LoadChoice;
 import org.toqa.mission.MissionEvent;
+import org.toqa.mission.Reply;
 import org.toqa.mission.TaskState;
 
 /** Tasks that an operator cancels, in every state. */
@@ -97,5 +102,83 @@ class FleetCancelTest extends HallFleetTest {
 
     assertInstanceOf(Answer.Conflict.class, no);
     until(view -> task(view, task).state() == TaskState.DONE);
+  }
+
+  @Test
+  void aLoadThatWasSetDownIsDrivenRoundUntilSomebodySaysThatItIsGone() throws Exception {
+    long task = cancelledOnTheWayEast();
+    LeftLoad load = leftLoads().getFirst();
+    assertEquals(task, load.task());
+    until(view -> scriptedRobot("r1").position().distanceTo(WEST) < 1e-6);
+    stage.restart(); // and it is not forgotten
+    until(view -> robot(view, "r1").state() == RobotState.IDLE && !leftLoads(view).isEmpty());
+
+    long other = submit(new Where.Point(new Vec2(5.5, 1.5)), new Where.Point(new Vec2(13.5, 1.5)));
+    until(
+        view -> {
+          assertNotEquals(GRID.cellAt(load.where()), GRID.cellAt(scriptedRobot("r1").position()));
+          return task(view, other).state() == TaskState.DONE;
+        });
+
+    Instant ended = stage.store.task(task).orElseThrow().changedAt();
+    accepted(stage.fleet.commandTask(task, new MissionEvent.RemoveLoad("Max")));
+    until(view -> leftLoads(view).isEmpty());
+    assertEquals(null, stage.store.task(task).orElseThrow().loadAt());
+    assertEquals(ended, stage.store.task(task).orElseThrow().changedAt(), "it ended then");
+    assertInstanceOf(
+        Answer.Conflict.class,
+        answer(stage.fleet.commandTask(task, new MissionEvent.RemoveLoad("Max"))));
+    assertEquals(
+        List.of("Max said that the load does not lie on the floor any more"),
+        history("task.load-removed"));
+  }
+
+  @Test
+  void aLoadThatWasSetDownIsFetchedForAnotherTask() throws Exception {
+    long task = cancelledOnTheWayEast();
+    until(view -> scriptedRobot("r1").position().distanceTo(WEST) < 1e-6);
+
+    long again = submit(new Where.Point(leftLoads().getFirst().where()), new Where.Station("East"));
+    until(view -> task(view, again).state() == TaskState.DONE);
+
+    assertEquals(List.of(), leftLoads());
+    untilHistory(
+        "task.load-fetched", "The load that was left on the floor was fetched for task " + again);
+    assertEquals(null, stage.store.task(task).orElseThrow().loadAt());
+  }
+
+  @Test
+  void aLoadStaysKnownWhoseTaskIsCancelledBeforeItIsFetchedAgain() throws Exception {
+    long task = submit(new Where.Point(new Vec2(5.5, 1.5)), new Where.Point(new Vec2(13.5, 1.5)));
+    until(view -> task(view, task).state() == TaskState.CARRYING && isPast(8));
+    accepted(stage.fleet.takeOutOfService("r1", "Max")); // with the load on board
+    until(view -> task(view, task).needs() != null);
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Answer("Max", Reply.ANOTHER)));
+    until(view -> task(view, task).state() == TaskState.QUEUED);
+
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
+
+    until(view -> leftLoads(view).size() == 1 && leftLoads(view).getFirst().task() == task);
+  }
+
+  /** Its load is on the floor between the ends of the task. */
+  private long cancelledOnTheWayEast() throws Exception {
+    long task = submit(new Where.Point(new Vec2(5.5, 1.5)), new Where.Point(new Vec2(13.5, 1.5)));
+    until(view -> task(view, task).state() == TaskState.CARRYING && isPast(8));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", LoadChoice.HERE)));
+    until(view -> task(view, task).state() == TaskState.CANCELLED && !leftLoads(view).isEmpty());
+    return task;
+  }
+
+  private boolean isPast(double x) {
+    return scriptedRobot("r1").isDriving() && scriptedRobot("r1").position().x() > x;
+  }
+
+  private List<LeftLoad> leftLoads() {
+    return leftLoads(stage.fleet.snapshots().latest());
+  }
+
+  private static List<LeftLoad> leftLoads(FleetSnapshot view) {
+    return view.floors().stream().flatMap(floor -> floor.leftLoads().stream()).toList();
   }
 }

@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.CellRuns;
+import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 
 /** What a server that starts knows of robots that it does not hear. */
@@ -115,6 +117,58 @@ class FleetRestartTest extends HallFleetTest {
 
   private Map<String, CellRuns> silentRobotCells() {
     return stage.fleet.snapshots().latest().floors().getFirst().silentRobotCells();
+  }
+
+  @Test
+  void robotsAndTasksOfAFloorWhoseMapHasAnotherNameAreTold() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    long task = submit("West", "East");
+    stage.database.jdbi().useHandle(h -> h.execute("update tasks set floor = 'old hall'"));
+
+    stage.restart();
+
+    until(
+        view ->
+            view.alerts().stream()
+                .anyMatch(
+                    alert ->
+                        alert
+                            .english()
+                            .equals(
+                                "No map is named old hall any more, where 0 robots and 1 open tasks"
+                                    + " are: give its map that name again")));
+    until(view -> waitReason(view, task).startsWith("No map is named old hall any more"));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
+    until(view -> task(view, task).state() == TaskState.CANCELLED);
+  }
+
+  @Test
+  void deadlinesAreWatchedThoughATaskWaitsOnAFloorWithoutAMap() throws Exception {
+    until(view -> robot(view, "r1").state() == RobotState.IDLE);
+    accepted(stage.fleet.holdRobot("r1", "Max"));
+    long left = submit(dueIn(Duration.ofMinutes(2)));
+    long other = submit(dueIn(Duration.ofMinutes(2)));
+    stage
+        .database
+        .jdbi()
+        .useHandle(h -> h.execute("update tasks set floor = 'old hall' where id = ?", left));
+
+    stage.restart();
+
+    until(view -> view.tasks().size() == 2 && task(view, other).late() != null);
+  }
+
+  private TaskOrder dueIn(Duration time) {
+    return new TaskOrder(
+        "box",
+        1,
+        new TaskOrder.Where.Station("West"),
+        new TaskOrder.Where.Station("East"),
+        null,
+        0,
+        stage.now.plus(time),
+        null);
   }
 
   private void assertApart(String one, String other) {

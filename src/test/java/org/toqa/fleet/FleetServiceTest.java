@@ -151,4 +151,34 @@ class FleetServiceTest extends HallFleetTest {
         Answer.Unknown.class,
         stage.fleet.takeOutOfService("r9", "Max").toCompletableFuture().get(10, TimeUnit.SECONDS));
   }
+
+  @Test
+  void whoStandsInTheWayAndMustBeCarriedAwayNeedsAttention() throws Exception {
+    reopenWith("r2", DOOR, null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+    assertNull(robot(stage.fleet.snapshots().latest(), "r2").alert());
+
+    long task = submit("West", "East");
+
+    until(view -> robot(view, "r2").alert() != null);
+    assertEquals(
+        "Stands in the way of r1 and cannot be moved: carry it away, and say that it does not stand"
+            + " there any more",
+        String.valueOf(robot(stage.fleet.snapshots().latest(), "r2").alert()));
+    accepted(stage.fleet.putInService("r2", "Max"));
+    until(view -> task(view, task).state() == TaskState.DONE && robot(view, "r2").alert() == null);
+  }
+
+  @Test
+  void noMoreIsAcceptedThanRobotsSayThatTheyCarry() throws Exception {
+    accepted(
+        stage.fleet.changeRobot(
+            "r1", new RobotChange("127.0.0.1", 1, 50, "P1"), null, "Max")); // it says 5 kg
+    until(view -> robot(view, "r1").state() == RobotState.IDLE && robot(view, "r1").maxLoad() < 50);
+
+    Answer<TaskView> refused = answer(stage.fleet.submit(order(20), "Clara"));
+
+    assertEquals("load", assertInstanceOf(Answer.Rejected.class, refused).field());
+  }
 }

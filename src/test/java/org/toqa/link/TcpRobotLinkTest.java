@@ -91,9 +91,9 @@ class TcpRobotLinkTest {
       say(socket, HELLO.replace("\"r1\"", "\"r2\""));
 
       assertEquals(
-          "At 127.0.0.1:%d answers robot r2, not r1; correct the address or the name."
+          "The robot at 127.0.0.1:%d has another name than r1. Correct the address or the name."
               .formatted(robot.getLocalPort()),
-          heard.await(LinkRecorder.End.class).sentence());
+          heard.await(LinkRecorder.Refusal.class).sentence());
       assertNull(line(socket), "the connection is closed");
     }
   }

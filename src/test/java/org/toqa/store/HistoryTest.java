@@ -130,6 +130,16 @@ class HistoryTest extends DatabaseTest {
   }
 
   @Test
+  void robotsThatWereRemovedAreStillNamed() {
+    for (String name : List.of("r2", "r1")) {
+      store.saveRobot(new RobotRecord(name, "lab", "127.0.0.1", 7275, 5, null, false, null));
+    }
+    store.removeRobot("r1", List.of());
+
+    assertEquals(List.of("r1", "r2"), history.robots());
+  }
+
+  @Test
   void pagesFollowEachOtherWithoutGaps() {
     store.addEvents(
         IntStream.range(0, 25)

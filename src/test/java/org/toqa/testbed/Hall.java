@@ -78,6 +78,7 @@ public final class Hall {
                 new Vec2(10.95, 5.25),
                 START,
                 Phrase.CHARGER_IS_FAULTY.with("C1", "r2", Phrase.MINUTES.with(10)))),
+        List.of(),
         new ChargerShortage(2, 4, Phrase.TOO_FEW_CHARGERS.with(4.6, 2, 4)));
   }
 

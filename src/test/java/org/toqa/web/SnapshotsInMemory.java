@@ -114,7 +114,9 @@ public abstract class SnapshotsInMemory implements SnapshotFeed {
             new Answer.Unknown<>(Phrase.NO_SUCH_FLOOR.with(floor)));
       }
       floors =
-          List.of(new FloorView(floor, next, CellRuns.NONE, Map.of(), List.of(), List.of(), null));
+          List.of(
+              new FloorView(
+                  floor, next, CellRuns.NONE, Map.of(), List.of(), List.of(), List.of(), null));
       publish(latest.robots());
       return CompletableFuture.completedFuture(new Answer.Accepted<>(Optional.ofNullable(next)));
     } finally {

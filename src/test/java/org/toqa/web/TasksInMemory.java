@@ -269,7 +269,8 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
             ? null
             : new Trouble(
                 "r1", Phrase.IS_NOT_HEARD_OF.with(), new TaskPlace(new Vec2(2, 2), null), false);
-    return new Mission(view.task(), view.state(), carriers, view.held(), null, null, trouble);
+    TaskPlace left = view.state().isEnded() ? view.loadAt() : null;
+    return new Mission(view.task(), view.state(), carriers, view.held(), null, left, trouble);
   }
 
   /** Publishes that a robot of the task, which has the load on board, is lost. */

@@ -48,6 +48,13 @@ class LinkProtocolTest extends ConnectedRobotTest {
   }
 
   @Test
+  void aWebPageThatPostsACommandIsNotObeyed() throws Exception {
+    server.send("POST / HTTP/1.1\r\nHost: localhost\r\n\r\n".getBytes(StandardCharsets.UTF_8));
+
+    server.awaitEnd();
+  }
+
+  @Test
   void unknownFieldIsIgnored() {
     String drive =
         """

@@ -129,6 +129,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       startRobot(stored.record(), new OperatorSettings(!stored.outOfService(), stored.held()));
     }
     memory.robots().forEach(stored -> charging.recover(stored.charge()));
+    memory.leftLoads().forEach(ended -> state.leftLoads.update(ended.mission(), ended.changedAt()));
     memory.begunTasks().forEach(missions::recover);
     memory.robots().forEach(robotEventHandler::recover);
   }
@@ -145,6 +146,10 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     switch (message) {
       case FloorMessage.BeginTask m -> missions.beginTask(m);
       case FloorMessage.ExchangeTasks m -> missions.exchangeTasks(m);
+      case FloorMessage.LoadLeft m -> {
+        state.leftLoads.update(m.mission(), m.endedAt());
+        state.changed = true;
+      }
       case FloorMessage.CommandTask m -> missions.commandTask(m);
       case FloorMessage.StepStored m -> missions.stepStored(m.step());
       case FloorMessage.SetPause m -> holds.setPause(m.pause());
@@ -220,9 +225,9 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       homing.sendIdleHome(robot);
       drives.updateRobot(robot);
     }
-    state.addToHistory(watch.updateObstacles(time));
+    state.addToHistory(watch.updateObstacles(missions.cellsUnderLoads(), time));
     drives.applyTrafficDecisions();
-    state.addToHistory(watch.updateStandstills(holds::isRecentlyHeld));
+    state.addToHistory(watch.updateStandstills(holds::mayStand));
     if (state.changed) {
       reports.send();
     }

@@ -34,6 +34,9 @@ public sealed interface FloorMessage {
 
   record Move(long task, String from, String to, Sentence why) {}
 
+  /** The mission, which has ended without robots, has left its load on the floor. */
+  record LoadLeft(Mission mission, Instant endedAt) implements FloorMessage {}
+
   /** A person wants something of a task. */
   record CommandTask(
       long task,

@@ -4,6 +4,7 @@ import static java.util.stream.Collectors.toSet;
 
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -15,6 +16,7 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.MissionChange;
 import org.toqa.fleet.FleetStore.OpenTask;
 import org.toqa.fleet.TaskView;
+import org.toqa.geometry.Vec2;
 import org.toqa.mission.AssignedRobot;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionCommand;
@@ -150,8 +152,52 @@ final class FloorMissions {
   private Mission applyEvent(Mission mission, MissionEvent event) {
     Mission.Step step = mission.apply(event);
     Instant at = state.clock.instant();
-    saveSteps(step, at, EventRecord.of(step, event, at));
+    List<Mission.Step> steps = new ArrayList<>();
+    List<MissionChange> changes = new ArrayList<>();
+    if (step.hasChanges()) {
+      steps.add(step);
+      changes.add(change(step, event, at));
+    }
+    if (hasFetched(mission, step.mission())) {
+      MissionEvent fetched = new MissionEvent.LoadFetched(mission.id());
+      for (Mission left : state.leftLoads.at(mission.object().position())) {
+        Mission.Step end = left.apply(fetched);
+        steps.add(end);
+        changes.add(change(end, fetched, at));
+      }
+    }
+    if (!steps.isEmpty()) {
+      saveSteps(steps, changes);
+    }
     return step.mission();
+  }
+
+  /** A mission that has ended already stays ended at the time when it did. */
+  private MissionChange change(Mission.Step step, MissionEvent event, Instant at) {
+    return new MissionChange(
+        step.mission(),
+        state.leftLoads.endOf(step.mission().id()).orElse(at),
+        EventRecord.of(step, event, at));
+  }
+
+  private static boolean hasFetched(Mission before, Mission after) {
+    return before.state() != TaskState.CARRYING && after.state() == TaskState.CARRYING;
+  }
+
+  /** Cells that robots must not enter, since loads lie on them. */
+  BitSet cellsUnderLoads() {
+    List<Vec2> fetched =
+        state.missions.all().stream()
+            .map(OpenMissions.DatedMission::mission)
+            .filter(mission -> mission.state() != TaskState.RETURNING)
+            .map(mission -> mission.object().position())
+            .toList();
+    return state.leftLoads.blockedCells(
+        fetched,
+        cells ->
+            state.robots.keySet().stream()
+                .filter(state.traffic::hasRobot)
+                .anyMatch(robot -> state.traffic.allocatedCells(robot).intersects(cells)));
   }
 
   /** Stores the step; its commands are carried out when it is safe. */
@@ -164,6 +210,7 @@ final class FloorMissions {
   /** Stores steps that belong together, so that a crash finds all of them or none. */
   private void saveSteps(List<Mission.Step> steps, List<MissionChange> changes) {
     changes.forEach(change -> state.missions.put(change.mission(), change.at()));
+    changes.forEach(change -> state.leftLoads.update(change.mission(), change.at()));
     state.changed = true;
     state.writer.write(
         () -> state.store.saveMissions(changes),
@@ -184,7 +231,8 @@ final class FloorMissions {
 
   /** What this floor does not have goes back: perhaps it is in the queue by now. */
   void commandTask(FloorMessage.CommandTask m) {
-    Optional<Mission> known = state.missions.get(m.task());
+    Optional<Mission> known =
+        state.missions.get(m.task()).or(() -> state.leftLoads.missionOf(m.task()));
     if (known.isEmpty()) {
       reports.send();
       manager.tell(new FloorEvent.TaskUnknown(m.task(), m.command(), m.replyTo()));

@@ -1,13 +1,16 @@
 package org.toqa.fleet.floor;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
 import org.toqa.grid.CellRuns;
@@ -19,6 +22,10 @@ import org.toqa.wording.Sentence;
 
 /** What a floor tells the manager of itself, its robots and its tasks. */
 final class FloorReporter {
+  /** In these a robot does not move unless somebody comes. */
+  private static final Set<RobotState> MUST_BE_MOVED =
+      EnumSet.of(RobotState.OUT_OF_SERVICE, RobotState.ERROR, RobotState.LOST);
+
   private final FloorState state;
   private final FloorWatch watch;
   private final ActorRef<FloorEvent> manager;
@@ -47,7 +54,12 @@ final class FloorReporter {
     state.robots.values().stream()
         .filter(state::hasReservedCells)
         .forEach(r -> kept.put(r.name(), CellRuns.of(state.traffic.allocatedCells(r.name()))));
-    return watch.view(state.hold, kept, state.chargers.faultyChargers(), state.chargerShortage);
+    return watch.view(
+        state.hold,
+        kept,
+        state.chargers.faultyChargers(),
+        state.leftLoads.views(),
+        state.chargerShortage);
   }
 
   RobotView view(FloorRobot robot) {
@@ -61,7 +73,20 @@ final class FloorReporter {
             .missionOf(robot.name())
             .map(m -> state.formations.driveGoal(m, robot.name()))
             .orElse(robot.drive.goal());
-    return robot.view(work, path);
+    RobotView view = robot.view(work, path);
+    return view.alert() != null || !MUST_BE_MOVED.contains(view.state())
+        ? view
+        : blockedRobot(robot.name())
+            .map(blocked -> view.withAlert(Phrase.STANDS_IN_THE_WAY.with(blocked)))
+            .orElse(view);
+  }
+
+  /** The first robot that does not get on since this one stands in its way. */
+  private Optional<String> blockedRobot(String name) {
+    return state.robots.keySet().stream()
+        .filter(state.traffic::hasRobot)
+        .filter(other -> state.traffic.blockedBy(other).equals(Optional.of(name)))
+        .findFirst();
   }
 
   TaskView view(OpenMissions.DatedMission dated) {
@@ -94,6 +119,10 @@ final class FloorReporter {
   private static Optional<Sentence> operationalWaitReason(FloorRobot robot) {
     return Optional.ofNullable(robot.hold.reason())
         .or(() -> Optional.ofNullable(robot.drive.waitReason()))
-        .or(() -> Optional.ofNullable(robot.groupStopReason()).map(Sentence::verbatim));
+        .or(
+            () ->
+                Optional.ofNullable(robot.groupStopReason())
+                    .map(said -> said.replaceFirst("\\.$", "")) // others may follow it
+                    .map(Sentence::verbatim));
   }
 }

@@ -40,6 +40,7 @@ public final class FloorState {
   final ChargerWatch chargers;
   final Map<String, FloorRobot> robots = new TreeMap<>();
   final OpenMissions missions = new OpenMissions();
+  final LeftLoads leftLoads;
   final Formations formations;
 
   /** By an operator, of all its robots; null: they may drive. */
@@ -71,6 +72,7 @@ public final class FloorState {
     this.traffic = traffic;
     this.chargers = chargers;
     this.now = now;
+    this.leftLoads = new LeftLoads(floor.grid());
     this.formations = new Formations(this);
   }
 

@@ -12,6 +12,7 @@ import org.toqa.fleet.EventKind;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
+import org.toqa.fleet.FloorView.LeftLoad;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.floor.ObstacleMap.Obstacle;
@@ -75,10 +76,16 @@ final class FloorWatch {
     return isInOwnCell && away.norm() > 0 ? from.plus(away.times(diagonal / away.norm())) : percept;
   }
 
-  /** Tells the traffic which obstacles there are; to be called before it decides. */
-  List<HistoryLine> updateObstacles(Instant now) {
+  /**
+   * Tells the traffic which obstacles there are; to be called before it decides.
+   *
+   * @param loads cells under loads that lie on the floor
+   */
+  List<HistoryLine> updateObstacles(BitSet loads, Instant now) {
     List<Obstacle> gone = obstacles.forgetExpired(now);
-    traffic.setObstacles(obstacles.cells());
+    BitSet cells = obstacles.cells();
+    cells.or(loads);
+    traffic.setObstacles(cells);
     return gone.stream()
         .map(
             obstacle ->
@@ -122,6 +129,7 @@ final class FloorWatch {
       @Nullable Hold hold,
       Map<String, CellRuns> kept,
       List<FaultyCharger> faultyChargers,
+      List<LeftLoad> leftLoads,
       @Nullable ChargerShortage chargerShortage) {
     return new FloorView(
         floor.name(),
@@ -130,6 +138,7 @@ final class FloorWatch {
         kept,
         standstills.lasting(),
         faultyChargers,
+        leftLoads,
         chargerShortage);
   }
 

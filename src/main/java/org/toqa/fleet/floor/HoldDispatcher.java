@@ -83,8 +83,18 @@ final class HoldDispatcher {
         : state.formations.stopReason(mission);
   }
 
-  /** A robot on hold does not get on, and needs a while when it goes on. */
-  boolean isRecentlyHeld(String name) {
+  /**
+   * A robot on hold does not get on, and needs a while when it goes on; nor do those that carry a
+   * load together with it.
+   */
+  boolean mayStand(String name) {
+    return isRecentlyHeld(name)
+        || state.formations.carryingMission(name).stream()
+            .flatMap(mission -> mission.robots().stream())
+            .anyMatch(this::isRecentlyHeld);
+  }
+
+  private boolean isRecentlyHeld(String name) {
     FloorRobot robot = state.robots.get(name);
     return robot != null && robot.hold.lastHeld().plus(STARTS_WITHIN).isAfter(state.now);
   }

@@ -12,9 +12,11 @@ import org.toqa.fleet.StoredRobot;
  * @param pause null while the fleet is not paused
  * @param hold null while the floor is not on hold
  * @param begunTasks tasks that have robots
+ * @param leftLoads ended tasks whose loads lie on the floor
  */
 public record StoredFloorState(
     List<StoredRobot> robots,
     @Nullable Hold pause,
     @Nullable Hold hold,
-    List<OpenTask> begunTasks) {}
+    List<OpenTask> begunTasks,
+    List<OpenTask> leftLoads) {}

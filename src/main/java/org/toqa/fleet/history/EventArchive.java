@@ -16,6 +16,9 @@ public interface EventArchive {
    */
   List<Entry> events(Filter filter, long before, int limit);
 
+  /** The names of all robots that there are or were, in order. */
+  List<String> robots();
+
   /**
    * One line of the history and its place in it.
    *

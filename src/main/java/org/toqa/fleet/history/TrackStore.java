@@ -23,4 +23,7 @@ public interface TrackStore {
    * @param most how many points of the period are wanted at most; more than there are robots
    */
   FloorTracks tracksOf(List<String> robots, Instant from, Instant until, int most);
+
+  /** The names of all robots that are on the floor, or were when they were removed. */
+  List<String> robotsOf(String floor);
 }

@@ -58,6 +58,9 @@ final class FleetState {
   /** Tasks that were handed to their floors, which have not answered yet. */
   final Map<Long, TaskView> handedOver = new HashMap<>();
 
+  /** Floors that the store knows and no map is named as, with what is said of each. */
+  final Map<String, Sentence> missingFloors = new TreeMap<>();
+
   final Deque<TaskView> ended = new ArrayDeque<>();
 
   /** Floors whose robots or tasks have changed since their last round of allocation began. */
@@ -83,6 +86,7 @@ final class FleetState {
   }
 
   void addEnded(TaskView task) {
+    ended.removeIf(before -> before.id() == task.id());
     ended.addFirst(task);
     if (ended.size() > ENDED_SHOWN) {
       ended.removeLast();

@@ -74,6 +74,7 @@ final class LateTaskReporter {
         fleet
             .queue
             .first(FleetState.TASKS_CONSIDERED)
+            .filter(q -> fleet.distances.containsKey(q.task().floor()))
             .map(q -> FleetState.view(q, FleetState.LOOKING_FOR_ROBOT)),
         fleet.reports.values().stream().flatMap(r -> r.missions().stream()));
   }

@@ -2,10 +2,12 @@ package org.toqa.fleet.manager;
 
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.Behavior;
 import org.apache.pekko.actor.typed.PostStop;
@@ -33,6 +35,7 @@ import org.toqa.link.RobotLinkFactory;
 import org.toqa.mission.Mission;
 import org.toqa.mission.TaskState;
 import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /**
  * Takes tasks, keeps their queue, decides who carries what, and publishes snapshots of the whole
@@ -158,9 +161,14 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       Instant now) {
     FleetStore store = fleet.store;
     List<StoredRobot> stored = store.storedRobots();
+    List<OpenTask> leftLoads = store.tasksWithLeftLoads();
     stored.forEach(r -> fleet.robots.put(r.name(), r.record()));
+    findMissingFloors(floorMaps, open, stored);
     open.stream()
-        .filter(t -> t.mission().state() == TaskState.QUEUED)
+        .filter(
+            t ->
+                t.mission().state() == TaskState.QUEUED
+                    || fleet.missingFloors.containsKey(t.mission().task().floor()))
         .forEach(t -> fleet.queue.add(t.mission(), t.changedAt(), true));
     ActorRef<FloorEvent> floorEvents =
         getContext().messageAdapter(FloorEvent.class, ManagerMessage.FromFloor::new);
@@ -172,6 +180,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               holdCommands.floorHold(floor.name()),
               open.stream()
                   .filter(t -> t.mission().state() != TaskState.QUEUED)
+                  .filter(t -> t.mission().task().floor().equals(floor.name()))
+                  .toList(),
+              leftLoads.stream()
                   .filter(t -> t.mission().task().floor().equals(floor.name()))
                   .toList());
       health.expectStart();
@@ -194,6 +205,26 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       fleet.distances.put(floor.name(), new FloorDistances(floor.grid()));
       fleet.dueFloors.add(floor.name());
     }
+  }
+
+  /** A map that has another name now leaves robots and tasks behind, which people must know. */
+  private void findMissingFloors(
+      List<FloorMap> floorMaps, List<OpenTask> open, List<StoredRobot> stored) {
+    List<String> robots = stored.stream().map(robot -> robot.record().floor()).toList();
+    List<String> tasks = open.stream().map(task -> task.mission().task().floor()).toList();
+    Stream.concat(robots.stream(), tasks.stream())
+        .filter(floor -> floorMaps.stream().noneMatch(map -> map.name().equals(floor)))
+        .distinct()
+        .forEach(
+            floor -> {
+              Sentence said =
+                  Phrase.FLOOR_IS_MISSING.with(
+                      floor,
+                      Collections.frequency(robots, floor),
+                      Collections.frequency(tasks, floor));
+              fleet.missingFloors.put(floor, said);
+              log.warn("{}", said.english());
+            });
   }
 
   @Override
@@ -244,7 +275,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
           robotCommands.forwardToFloor(
               m.robot(), m.replyTo(), new FloorMessage.SendHome(m.robot(), m.user(), m.replyTo()));
       case ManagerMessage.CommandTask m -> taskCommands.commandTask(m);
-      case ManagerMessage.TaskCommandStored m -> taskCommands.taskCommandStored(m.mission());
+      case ManagerMessage.TaskCommandStored m ->
+          taskCommands.taskCommandStored(m.mission(), m.at());
       case ManagerMessage.SetPause m -> {
         holdCommands.setPause(m);
         fleet.changed = true;

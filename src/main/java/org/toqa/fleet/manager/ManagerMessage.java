@@ -158,7 +158,7 @@ public sealed interface ManagerMessage {
       implements ManagerMessage {}
 
   /** What a queued task has become is safe. */
-  record TaskCommandStored(Mission mission) implements ManagerMessage {}
+  record TaskCommandStored(Mission mission, Instant at) implements ManagerMessage {}
 
   record HoldRobot(
       String robot, boolean hold, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)

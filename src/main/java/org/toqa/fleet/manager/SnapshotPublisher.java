@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.toqa.allocation.PathLengths;
@@ -53,6 +54,7 @@ final class SnapshotPublisher {
     if (!storeHealth.isAvailable()) {
       alerts.add(StoreHealthCheck.DATABASE_AWAY);
     }
+    alerts.addAll(fleet.missingFloors.values());
     fleet.ended.forEach(t -> tasks.put(t.id(), t));
     firstQueuedTasks().forEach(t -> tasks.put(t.id(), t));
     for (FloorEvent.FloorReport report : fleet.reports.values()) {
@@ -95,7 +97,12 @@ final class SnapshotPublisher {
     return fleet
         .queue
         .first(QUEUED_SHOWN)
-        .map(q -> FleetState.view(q, rounds.waitReason(q, byFloor.get(q.task().floor()))))
+        .map(
+            q ->
+                FleetState.view(
+                    q,
+                    Optional.ofNullable(fleet.missingFloors.get(q.task().floor()))
+                        .orElseGet(() -> rounds.waitReason(q, byFloor.get(q.task().floor())))))
         .toList();
   }
 

@@ -5,10 +5,12 @@ import static java.util.Objects.requireNonNull;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -19,9 +21,11 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.Submission;
-import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.FloorView;
+import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
+import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.grid.FloorMap;
 import org.toqa.mission.Mission;
@@ -116,11 +120,21 @@ final class TaskCommandHandler {
     }
   }
 
-  /** What all robots carry together, kilograms. */
+  /**
+   * What all robots carry together, kilograms: no more than each says, once it is heard, and than a
+   * person entered.
+   */
   private double totalCapacity() {
-    return fleet.robots.isEmpty()
-        ? Double.MAX_VALUE
-        : fleet.robots.values().stream().mapToDouble(RobotRecord::maxLoad).sum();
+    if (fleet.robots.isEmpty()) {
+      return Double.MAX_VALUE;
+    }
+    Map<String, Double> told =
+        fleet.reports.values().stream()
+            .flatMap(report -> report.robots().stream())
+            .collect(Collectors.toMap(RobotView::name, RobotView::maxLoad));
+    return fleet.robots.values().stream()
+        .mapToDouble(r -> Math.min(r.maxLoad(), told.getOrDefault(r.name(), r.maxLoad())))
+        .sum();
   }
 
   void submitTasks(ManagerMessage.SubmitTasks m) {
@@ -324,14 +338,19 @@ final class TaskCommandHandler {
         },
         () -> {
           if (step.hasChanges()) {
-            self.tell(new ManagerMessage.TaskCommandStored(mission));
+            self.tell(new ManagerMessage.TaskCommandStored(mission, at));
           }
           m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(next)));
         },
         refusal -> m.replyTo().tell(StatusReply.error(refusal)));
   }
 
-  void taskCommandStored(Mission mission) {
+  void taskCommandStored(Mission mission, Instant at) {
+    if (mission.leftLoad().isPresent()) {
+      fleet
+          .floorAgent(mission.task().floor())
+          .ifPresent(floor -> floor.tell(new FloorMessage.LoadLeft(mission, at)));
+    }
     fleet
         .queue
         .get(mission.id())
@@ -346,6 +365,16 @@ final class TaskCommandHandler {
             fleet.reports.values().stream().flatMap(r -> r.missions().stream()))
         .filter(t -> t.id() == task)
         .findFirst()
-        .flatMap(t -> fleet.floorAgent(t.task().floor()));
+        .map(t -> t.task().floor())
+        .or(() -> floorWithLoadOf(task))
+        .flatMap(fleet::floorAgent);
+  }
+
+  private Optional<String> floorWithLoadOf(long task) {
+    return fleet.reports.values().stream()
+        .map(FloorEvent.FloorReport::floor)
+        .filter(floor -> floor.leftLoads().stream().anyMatch(load -> load.task() == task))
+        .map(FloorView::name)
+        .findFirst();
   }
 }

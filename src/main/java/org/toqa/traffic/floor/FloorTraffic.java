@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -272,6 +273,17 @@ public final class FloorTraffic {
   public @Nullable Sentence waitReason(String name) {
     WaitReason waitReason = robot(name).waitReason();
     return waitReason == null ? null : waitReason.sentence();
+  }
+
+  /**
+   * The robot that stands in its way and cannot be told to make room, if one does.
+   *
+   * @throws IllegalArgumentException if there is no such robot
+   */
+  public Optional<String> blockedBy(String name) {
+    return robot(name).waitReason() instanceof WaitReason.RobotNotMovable(String other, Vec2 _)
+        ? Optional.of(other)
+        : Optional.empty();
   }
 
   /**

@@ -62,6 +62,11 @@ public final class TaskResource extends ApiHandler {
         user -> read(request, (reader, fields) -> reader.readAnswer(user, fields.text("answer"))));
   }
 
+  public static void removeLoad(HttpServletRequest request, HttpServletResponse response)
+      throws IOException {
+    change(request, response, user -> new MissionEvent.RemoveLoad(user.name()));
+  }
+
   /** Reads a command from the body, if it has one. */
   @FunctionalInterface
   private interface BodyReader {

@@ -7,9 +7,11 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.history.FloorTracks;
 import org.toqa.fleet.history.TrackPoint;
+import org.toqa.fleet.history.TrackStore;
 import org.toqa.web.Texts;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.InputRules;
@@ -35,13 +37,14 @@ public final class TracksResource extends ApiHandler {
       throws IOException {
     String floor = floor(request).name();
     Span span = span(request);
-    List<String> robots =
+    Stream<String> present =
         services(request).fleet().snapshots().latest().robots().stream()
             .filter(robot -> robot.floor().equals(floor))
-            .map(RobotView::name)
-            .toList();
-    FloorTracks tracks =
-        services(request).tracks().tracksOf(robots, span.from(), span.until(), MAX_POINTS);
+            .map(RobotView::name);
+    TrackStore store = services(request).tracks();
+    List<String> robots =
+        Stream.concat(present, store.robotsOf(floor).stream()).distinct().toList();
+    FloorTracks tracks = store.tracksOf(robots, span.from(), span.until(), MAX_POINTS);
     Json.send(
         request,
         response,

@@ -49,7 +49,11 @@ record CsvFields(
     }
     Optional<Double> number = Digits.number(hasDecimalComma ? given.replace(',', '.') : given);
     if (number.isEmpty()) {
-      errors.add(column, texts.get("error.notANumber"));
+      errors.add(
+          column,
+          column.equals("priority")
+              ? texts.get("error.priority.range", InputRules.MAX_PRIORITY)
+              : texts.get("error.notANumber"));
     }
     return number.orElse(null);
   }

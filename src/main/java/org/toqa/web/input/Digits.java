@@ -7,6 +7,10 @@ import java.util.regex.Pattern;
 public final class Digits {
   private static final Pattern NUMBER =
       Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)([eE][+-]?\\d{1,3})?");
+
+  /** What can be nothing but a decimal comma: three digits behind one may be thousands. */
+  private static final Pattern DECIMAL_COMMA = Pattern.compile("[+-]?\\d+,\\d{1,2}");
+
   private static final int MAX_LENGTH = 40;
 
   private Digits() {}
@@ -17,6 +21,12 @@ public final class Digits {
     return number.length() <= MAX_LENGTH && NUMBER.matcher(number).matches()
         ? Optional.of(Double.valueOf(number))
         : Optional.empty();
+  }
+
+  /** The same, where nothing but a decimal comma can be meant by a comma. */
+  public static Optional<Double> enteredNumber(String typed) {
+    String entered = latin(typed);
+    return number(DECIMAL_COMMA.matcher(entered).matches() ? entered.replace(',', '.') : entered);
   }
 
   /**

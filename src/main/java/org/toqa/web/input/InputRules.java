@@ -31,7 +31,7 @@ public final class InputRules {
   private static final int MAX_TOKEN_NAME_LENGTH = 64;
   private static final int MAX_TOKEN_DAYS = 365;
   private static final int MAX_PORT = 65_535;
-  private static final int MAX_PRIORITY = 100;
+  static final int MAX_PRIORITY = 100;
 
   /** Kilograms. */
   private static final double MAX_LOAD = 100_000;

@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FloorView;
 import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.FloorView.FaultyCharger;
+import org.toqa.fleet.FloorView.LeftLoad;
 import org.toqa.fleet.FloorView.StandstillView;
 import org.toqa.geometry.Vec2;
 import org.toqa.web.api.HoldJson;
@@ -22,6 +23,7 @@ record FloorJson(
     List<KeptJson> kept,
     List<StandstillJson> standstills,
     List<FaultyCharger> faultyChargers,
+    List<LeftLoad> leftLoads,
     @Nullable ChargerShortage chargerShortage) {
 
   /** Cells that stay reserved for a lost robot. */
@@ -43,6 +45,7 @@ record FloorJson(
             .toList(),
         view.standstills().stream().map(StandstillJson::of).toList(),
         view.faultyChargers(),
+        view.leftLoads(),
         view.chargerShortage());
   }
 }

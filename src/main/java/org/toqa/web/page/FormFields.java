@@ -52,7 +52,7 @@ final class FormFields implements Fields {
     if (given == null) {
       return null;
     }
-    Optional<Double> number = Digits.number(given);
+    Optional<Double> number = Digits.enteredNumber(given);
     if (number.isEmpty()) {
       errors.add(shownAt, Texts.of(request).get("error.notANumber"));
     }

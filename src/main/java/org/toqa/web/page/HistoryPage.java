@@ -27,7 +27,7 @@ public final class HistoryPage extends PageHandler {
                 FAMILIES.stream(),
                 Caller.of(request).isManager() ? Stream.of(USERS) : Stream.empty())
             .toList());
-    request.setAttribute("robots", services(request).fleet().snapshots().latest().robots());
+    request.setAttribute("robots", services(request).history().robots());
     FieldErrors errors = new FieldErrors();
     HistoryQueryReader reader = new HistoryQueryReader(request, errors);
     Filter filter = reader.filter();

@@ -84,6 +84,14 @@ public final class TaskPage extends PageHandler {
         (reader, fields, user, task) -> reader.readAnswer(user, fields.text("answer")));
   }
 
+  public static void removeLoad(HttpServletRequest request, HttpServletResponse response)
+      throws ServletException, IOException {
+    change(
+        request,
+        response,
+        (reader, fields, user, task) -> new MissionEvent.RemoveLoad(user.name()));
+  }
+
   /** Reads a command from the fields of a form. */
   @FunctionalInterface
   private interface FormReader {

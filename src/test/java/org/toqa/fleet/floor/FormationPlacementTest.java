@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.BitSet;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Random;
@@ -13,8 +14,10 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.geometry.Pose;
+import org.toqa.grid.Cell;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.FloorReader;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.FloorTraffic;
@@ -45,6 +48,40 @@ class FormationPlacementTest {
       paths += round(start, goal, 2).isPresent() ? 1 : 0;
     }
     assertTrue(paths > lab.stations().size() / 2, paths + " of " + lab.stations().size());
+  }
+
+  /** The same walls in cells of 5 cm: every pose that is free there is free here. */
+  @Test
+  void aTeamHasNoLessRoomWhereCellsAreSmall() {
+    OccupancyGrid coarse = lab.grid();
+    int parts = (int) Math.round(coarse.resolution() / 0.05);
+    OccupancyGrid fine = divided(coarse, parts);
+    FormationPlacement finePlaces = new FormationPlacement(fine);
+    int paths = 0;
+    for (int i = 0; i < lab.stations().size() && paths < 3; i++) {
+      Place start = lab.stations().get(i);
+      Place goal = lab.stations().get((i + 5) % lab.stations().size());
+      if (round(start, goal, 2).isPresent()) {
+        paths++;
+        assertTrue(
+            finePlaces.find(start.position(), goal.position(), 2, null, RADIUS).isPresent(),
+            start + " to " + goal);
+      }
+    }
+    assertTrue(paths > 0);
+  }
+
+  private static OccupancyGrid divided(OccupancyGrid grid, int parts) {
+    int width = grid.width() * parts;
+    BitSet occupied = new BitSet();
+    for (int row = 0; row < grid.height() * parts; row++) {
+      for (int column = 0; column < width; column++) {
+        Cell cell = new Cell(column / parts, row / parts);
+        occupied.set(row * width + column, !grid.isFree(cell));
+      }
+    }
+    return new OccupancyGrid(
+        width, grid.height() * parts, grid.resolution() / parts, grid.origin(), occupied);
   }
 
   /** No robot is exactly where it was sent. */

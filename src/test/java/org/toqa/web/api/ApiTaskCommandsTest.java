@@ -107,4 +107,22 @@ class ApiTaskCommandsTest extends ApiTestServer {
     assertTrue(queued.get("needs").isNull());
     assertEquals(2, queued.get("loadAt").get("x").doubleValue());
   }
+
+  @Test
+  void aLoadThatWasLeftIsSaidToBeGoneOnce() {
+    long task = add(token);
+    String path = "api/v1/tasks/" + task;
+    assertEquals(409, post(token, path + "/load-removed", "").statusCode());
+    server.fleet().changeTask(task, TaskState.CARRYING, List.of("r1"), "picked up");
+    server.fleet().loseRobotOf(task);
+    post(token, path + "/answer", "{\"answer\":\"cancel\"}");
+    assertEquals("CANCELLED", JSON.readTree(get(path).body()).get("state").stringValue());
+    assertEquals(2, JSON.readTree(get(path).body()).get("loadAt").get("x").doubleValue());
+
+    HttpResponse<String> gone = post(token, path + "/load-removed", "");
+
+    assertEquals(200, gone.statusCode(), gone.body());
+    assertTrue(JSON.readTree(gone.body()).get("loadAt").isNull());
+    assertEquals(409, post(token, path + "/load-removed", "").statusCode());
+  }
 }

@@ -2,6 +2,8 @@ package org.toqa.web.input;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -20,5 +22,19 @@ class DigitsTest {
   })
   void numbersOfTheArabicScriptAreReadAsThoseOfTheLatinOne(String typed, String latin) {
     assertEquals(latin, Digits.latin(typed));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "'2,5', 2.5",
+    "'-10,25', -10.25",
+    "'٢,٥', 2.5",
+    "2.5, 2.5",
+    "'1,000',",
+    "'1,2,3',",
+    "',5',"
+  })
+  void aCommaThatCanOnlyBeADecimalOneIsOneInAForm(String typed, @Nullable Double number) {
+    assertEquals(Optional.ofNullable(number), Digits.enteredNumber(typed));
   }
 }

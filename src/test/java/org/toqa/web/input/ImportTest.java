@@ -180,6 +180,7 @@ class ImportTest {
           load     | 2,5              | Enter a number, such as 2.5
           load     | =1+1             | Enter a number, such as 2.5
           priority | 1.5              | The priority is a whole number
+          priority | high             | The priority is a whole number
           deadline | soon             | Enter a date and time
           deadline | 2001-01-01 10:00 | This time has passed.
           length   | 1                | Enter both length and width

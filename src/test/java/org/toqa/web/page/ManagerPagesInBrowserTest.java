@@ -43,6 +43,7 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
                 Map.of("r2", new CellRuns(List.of(687, 1))),
                 List.of(),
                 List.of(),
+                List.of(),
                 null));
     page.getByText("Release its place").click();
     assertThat(page.getByText("Confirm release")).isVisible();

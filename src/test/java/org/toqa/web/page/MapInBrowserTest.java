@@ -11,10 +11,13 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.FloorView;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.CellRuns;
 import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.testbed.Hall;
 import org.toqa.web.WebTestServer;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** The live map in a real browser. */
 class MapInBrowserTest extends PagesInBrowser {
@@ -87,10 +90,45 @@ class MapInBrowserTest extends PagesInBrowser {
     server
         .fleet()
         .changeFloor(
-            new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), null));
+            new FloorView(
+                "hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), List.of(), null));
 
     page.waitForCondition(() -> !pictureOf(page).equals(crowded));
     assertThat(page.locator("#attention")).not().containsText("Standstill");
+  }
+
+  @Test
+  void aLoadOnTheFloorIsShownAndFollowed() {
+    Page page = loggedIn(1280, 900, ColorScheme.LIGHT);
+    assertThat(page.locator("#robots li")).hasCount(6);
+    Object before = pictureOf(page);
+
+    server
+        .fleet()
+        .changeFloor(
+            new FloorView(
+                "hall",
+                null,
+                CellRuns.NONE,
+                Map.of(),
+                List.of(),
+                List.of(),
+                List.of(
+                    new FloorView.LeftLoad(
+                        77,
+                        "Drums",
+                        new Vec2(9, 4),
+                        null,
+                        Phrase.LEFT_LOAD.with(Sentence.of(new Vec2(9, 4))))),
+                null));
+
+    page.waitForCondition(() -> !pictureOf(page).equals(before));
+    assertThat(page.locator("#attention")).containsText("Drums");
+    assertThat(page.locator("#attention")).containsText("lies on the floor at (9.00, 4.00)");
+    assertFits(page, "map-left-load", DESK, PHONE);
+    DESK.show(page);
+    page.navigate(server.root() + "map?task=77");
+    assertThat(page.locator("#following")).containsText("Drums");
   }
 
   @Test
@@ -135,7 +173,8 @@ class MapInBrowserTest extends PagesInBrowser {
     server
         .fleet()
         .changeFloor(
-            new FloorView("hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), null));
+            new FloorView(
+                "hall", null, CellRuns.NONE, Map.of(), List.of(), List.of(), List.of(), null));
     for (int width : List.of(1280, 390)) {
       Page page = loggedIn(width, 900, ColorScheme.LIGHT);
       assertThat(page.locator("#floors")).containsText("Floor hall");

@@ -76,6 +76,16 @@ class ReplayInBrowserTest extends PagesInBrowser {
   }
 
   @Test
+  void aRobotThatWasRemovedIsStillShown() {
+    server.fleet().changeRobots(all -> all.stream().filter(r -> !r.name().equals("r1")).toList());
+    openMap("map");
+    assertThat(page().locator("#robots li")).hasCount(2);
+    lookBack();
+
+    assertThat(thenRobots()).hasText(new String[] {"r2", "r1"});
+  }
+
+  @Test
   void aReaderGoesBackAndComesBack() {
     openMap("map");
     assertThat(page().locator("#robots li")).hasCount(3);
@@ -129,6 +139,7 @@ class ReplayInBrowserTest extends PagesInBrowser {
     assertEquals(slider().getAttribute("max"), slider().inputValue());
     button("−10 s").click();
     assertThat(button("Play")).isEnabled();
+    page().getByLabel("Speed").selectOption("1×"); // so that nobody is too slow to see it
     button("Play").click();
     assertThat(button("Pause")).isVisible();
   }

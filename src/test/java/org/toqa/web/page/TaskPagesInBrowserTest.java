@@ -1,6 +1,7 @@
 package org.toqa.web.page;
 
 import static com.microsoft.playwright.assertions.PlaywrightAssertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.microsoft.playwright.Locator;
 import com.microsoft.playwright.Page;
@@ -44,6 +45,34 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
     server.fleet().changeTask(1, TaskState.DONE, List.of("r1"), "r1 has parked.");
     assertThat(page.locator(".history li")).hasCount(3);
     assertThat(page.locator("[aria-current=step]")).hasText("Done");
+  }
+
+  @Test
+  void aTaskThatAsksIsCancelledInOnePlaceAndItsLoadIsSaidToBeGone() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks/new");
+    page.getByLabel("Task name").fill("Drums");
+    page.getByLabel("Load (kg)").fill("2,5");
+    page.locator("#startStation").selectOption("Dock A");
+    page.locator("#goalStation").selectOption("Shelf 3");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
+    assertThat(page.locator("h1")).hasText("Drums");
+    assertThat(page.getByText("2.5 kg")).isVisible();
+    server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
+    server.fleet().loseRobotOf(1);
+    assertThat(button(page, "Wait for the robot")).isVisible();
+    assertThat(button(page, "Cancel task and leave the load")).isHidden();
+    assertThat(page.getByText("Set load down here")).hasCount(0);
+    click(page.getByText("Cancel task", new Page.GetByTextOptions().setExact(true)));
+    assertFits(page, "task-cancel-leaving", DESK, PHONE);
+    click(button(page, "Cancel task and leave the load"));
+
+    assertThat(page.getByText("Load location")).isVisible();
+    assertFits(page, "task-left-load", DESK, PHONE);
+    String again = page.getByRole(AriaRole.LINK, link("Duplicate task")).getAttribute("href");
+    assertTrue(again.contains("startX=2.0"), again);
+    click(button(page, "Load is not there any more"));
+    assertThat(page.getByText("Load location")).hasCount(0);
+    assertThat(button(page, "Load is not there any more")).hasCount(0);
   }
 
   @Test

@@ -21,8 +21,8 @@ public record SimulatedBattery(double initialLevel, List<Vec2> chargers) {
 
   private static final double DRAIN_A_METRE = 1 / 1_440.0;
 
-  /** Assumed: 9 J of the battery's 106,560 J, for the rolling resistance of each kilogram. */
-  private static final double DRAIN_A_METRE_AND_KILOGRAM = 9 / 106_560.0;
+  /** Assumed: 1.5 J of the battery's 106,560 J, for the rolling resistance of each kilogram. */
+  private static final double DRAIN_A_METRE_AND_KILOGRAM = 1.5 / 106_560.0;
 
   /** An empty battery is full after half an hour. */
   private static final double CHARGE_A_SECOND = 1 / 1_800.0;

@@ -1,6 +1,9 @@
 package org.toqa.agent.connection;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Objects;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -27,6 +30,8 @@ public final class PeerConnection implements AutoCloseable {
   private final String robot;
   private final LineChannel channel;
   private final Listener listener;
+  private static final Pattern HTTP_REQUEST = Pattern.compile("[A-Z]+ \\S+ HTTP/");
+
   private final Thread reader;
   private volatile @Nullable String endReason;
 
@@ -73,14 +78,23 @@ public final class PeerConnection implements AutoCloseable {
     channel.close();
   }
 
+  private static boolean isHttpRequest(LineReader.Line line) {
+    return line instanceof LineReader.Text(byte[] utf8)
+        && HTTP_REQUEST.matcher(new String(utf8, StandardCharsets.ISO_8859_1)).lookingAt();
+  }
+
   private void readLines() {
     try {
       listener.handle(new ConnectionEvent.Opened(this));
       for (LineReader.Line line = channel.readLine(); line != null; line = channel.readLine()) {
+        if (isHttpRequest(line)) { // by a web page, whose body could be a message
+          endReason = "it speaks HTTP";
+          break;
+        }
         listener.handle(
             new ConnectionEvent.LineReceived(this, LinkCodec.decodeServerMessage(line)));
       }
-      endReason = "the server closed it";
+      endReason = Objects.requireNonNullElse(endReason, "the server closed it");
     } catch (IOException e) {
       endReason = String.valueOf(e.getMessage());
     } catch (InterruptedException e) {

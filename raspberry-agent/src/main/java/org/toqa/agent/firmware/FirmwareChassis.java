@@ -36,11 +36,6 @@ public final class FirmwareChassis implements Chassis {
   private static final ThreeWheelKinematics WHEELS = ThreeWheelKinematics.DEFAULT;
   private static final double RADIANS_A_COUNT = 2 * Math.PI / Odometry.COUNTS_PER_WHEEL_TURN;
 
-  /** Four lithium cells. */
-  static final double EMPTY_VOLTS = 13.2;
-
-  private static final double FULL_VOLTS = 16.8;
-
   /** Exchanges until a microcontroller that was just switched on answers. */
   private static final int FIRST_EXCHANGES = 100;
 
@@ -73,6 +68,7 @@ public final class FirmwareChassis implements Chassis {
   private final String caption;
   private final @Nullable Pose start;
   private final boolean hasRangeSensors;
+  private final BatteryGauge battery = new BatteryGauge();
   private FirmwareStatus status;
   private Twist twist = Twist.ZERO;
   private FirmwareCommand lastCommand = STANDSTILL;
@@ -109,6 +105,7 @@ public final class FirmwareChassis implements Chassis {
     this.start = start;
     this.hasRangeSensors = hasRangeSensors;
     status = awaitFirstStatus(nanos);
+    battery.update(status.batteryVolts(), 0);
     sequence = status.sequence();
   }
 
@@ -202,11 +199,13 @@ public final class FirmwareChassis implements Chassis {
   private void update(FirmwareStatus now) {
     unanswered = 0;
     if (now.powerCycle() != status.powerCycle()) {
+      battery.reset();
       isCaptionSent = false;
       twist = Twist.ZERO;
     } else {
       twist = twistBetween(status, now).orElse(twist);
     }
+    battery.update(now.batteryVolts(), (now.stampMillis() - status.stampMillis()) / 1e3);
     if (now.answer() == Answer.OUT_OF_RANGE || now.answer() == Answer.UNKNOWN_KIND) {
       log.warn("The robot's microcontroller refused a command: {}", now.answer());
     }
@@ -235,7 +234,7 @@ public final class FirmwareChassis implements Chassis {
         status.powerCycle() == 1 ? start : null,
         status.odometry(),
         unanswered == 0 ? twist : Twist.ZERO,
-        Math.clamp((status.batteryVolts() - EMPTY_VOLTS) / (FULL_VOLTS - EMPTY_VOLTS), 0, 1),
+        status.stopReasons().contains(StopReason.BATTERY) ? 0 : battery.charge(), // it says so
         hasRangeSensors ? status.ranges() : List.of(),
         faults());
   }

@@ -155,7 +155,7 @@ class SimulatedChassisTest {
       body.setLoad(5);
       double loaded = before - empty - run(body, new Twist(0.25, 0, 0), 60 * SECOND).battery();
 
-      assertEquals(15 * 5 * 9 / 106_560.0, loaded - empty, 1e-5); // 15 m, 5 kg, 9 J/m/kg
+      assertEquals(15 * 5 * 1.5 / 106_560.0, loaded - empty, 1e-5); // 15 m, 5 kg, 1.5 J/m/kg
     }
   }
 

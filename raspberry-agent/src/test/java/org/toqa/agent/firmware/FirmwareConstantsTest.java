@@ -58,7 +58,7 @@ class FirmwareConstantsTest {
 
   @Test
   void batteryIsEmptyAtTheSameVoltage() throws IOException {
-    assertEquals(FirmwareChassis.EMPTY_VOLTS, constant("battery.h", "BATTERY_LOW_MV") / 1e3);
+    assertEquals(BatteryGauge.EMPTY_VOLTS, constant("battery.h", "BATTERY_LOW_MV") / 1e3);
   }
 
   /** Between two segments the daemon's own reference may jump more than the firmware's. */

@@ -1,0 +1,63 @@
+package org.toqa.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.agent.chassis.SimulatedBattery;
+import org.toqa.agent.chassis.SimulatedChassis;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Twist;
+
+/** The judge of a site sees what it is to see. */
+@Timeout(60)
+class SiteTruthTest {
+  private static final long TICK = 20_000_000;
+
+  @TempDir private Path folder;
+  private long nanos;
+
+  @Test
+  void bodiesThatTouchAreSeenAlsoWhenTheyPartAgain() throws Exception {
+    try (SimulatedChassis one = body("one", 1);
+        SimulatedChassis other = body("other", 1.4);
+        SiteTruth truth =
+            new SiteTruth(Map.of("one", folder.resolve("one"), "other", folder.resolve("other")))) {
+      drive(other, truth, 0);
+      drive(one, truth, 0.1);
+      truth.assertApart();
+
+      drive(one, truth, 0.25); // 1.25 m and a little from 1.4 m: less than 0.255 m
+      drive(one, truth, -0.25);
+
+      String said = assertThrows(AssertionError.class, truth::assertApart).getMessage();
+      assertTrue(said.startsWith("they touched") && said.contains("other"), said);
+    }
+  }
+
+  private SimulatedChassis body(String name, double x) throws IOException {
+    Path home = Files.createDirectory(folder.resolve(name));
+    SimulatedChassis body =
+        new SimulatedChassis(home.resolve("body"), new Pose(x, 1, 0), SimulatedBattery.FULL, 0, 1);
+    body.exchange(Twist.ZERO, nanos);
+    return body;
+  }
+
+  /** For a second of the body's, then until it has been seen to stand there. */
+  private void drive(SimulatedChassis body, SiteTruth truth, double speed) throws Exception {
+    for (int i = 0; i < 100; i++) {
+      body.exchange(i < 50 ? new Twist(speed, 0, 0) : Twist.ZERO, nanos += TICK);
+    }
+    long seen = truth.moments();
+    while (truth.moments() < seen + 110) {
+      TimeUnit.MILLISECONDS.sleep(5);
+    }
+  }
+}
