@@ -77,16 +77,19 @@ final class FloorWatch {
 
   /** Tells the traffic which obstacles there are; to be called before it decides. */
   List<HistoryLine> updateObstacles(Instant now) {
-    List<Obstacle> gone = obstacles.forgetExpired(now);
+    List<HistoryLine> lines = new ArrayList<>();
+    for (Obstacle gone : obstacles.forgetExpired(now)) {
+      lines.add(line(EventKind.FLOOR_OBSTACLE_GONE, gone, Phrase.OBSTACLE_GONE));
+    }
+    for (Obstacle doubted : obstacles.takeDoubted()) {
+      lines.add(line(EventKind.FLOOR_OBSTACLE_DOUBTED, doubted, Phrase.OBSTACLE_DOUBTED));
+    }
     traffic.setObstacles(obstacles.cells());
-    return gone.stream()
-        .map(
-            obstacle ->
-                new HistoryLine(
-                    EventKind.FLOOR_OBSTACLE_GONE,
-                    obstacle.seenBy(),
-                    Phrase.OBSTACLE_GONE.with(sentence(obstacle))))
-        .toList();
+    return lines;
+  }
+
+  private HistoryLine line(EventKind kind, Obstacle obstacle, Phrase phrase) {
+    return new HistoryLine(kind, obstacle.seenBy(), phrase.with(sentence(obstacle)));
   }
 
   /**
