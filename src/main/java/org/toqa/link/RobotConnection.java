@@ -30,6 +30,9 @@ final class RobotConnection implements AutoCloseable {
 
   private static final Duration UNREADABLE_LOG_INTERVAL = Duration.ofSeconds(10);
 
+  /** Between two looks at a connection whose lines come faster than they are read. */
+  private static final long CROWDED_NANOS = 1_000_000;
+
   private static final int QUEUED_LINES = 1_000;
 
   private final RobotAddress address;
@@ -123,7 +126,7 @@ final class RobotConnection implements AutoCloseable {
           line = next;
           superseded++;
         }
-        waitForTurn();
+        waitForTurn(superseded > 0);
         AgentMessage message = decode(line);
         if (message != null) {
           return new Received(message, superseded, (int) (unreadable - readable));
@@ -146,8 +149,11 @@ final class RobotConnection implements AutoCloseable {
     return line;
   }
 
-  private void waitForTurn() {
-    long nanos = pace.acquire(System.nanoTime());
+  /**
+   * @param isCrowded lines come faster than they are read: others are read first
+   */
+  private void waitForTurn(boolean isCrowded) {
+    long nanos = Math.max(pace.acquire(System.nanoTime()), isCrowded ? CROWDED_NANOS : 0);
     if (nanos > 0) {
       try {
         TimeUnit.NANOSECONDS.sleep(nanos);
