@@ -24,12 +24,13 @@ class CleanTextTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {
-    "\u001b[1;31mred\u001b[0m",
-    "\u009b31mred",
-    "\u001b]8;;http://x\u001b\\red",
-    "\u001bcred"
-  })
+  @ValueSource(
+      strings = {
+        "\u001b[1;31mred\u001b[0m",
+        "\u009b31mred",
+        "\u001b]8;;http://x\u001b\\red",
+        "\u001bcred"
+      })
   void terminalsAreToldNothing(String foreign) {
     assertEquals("red", CleanText.of(foreign));
   }
