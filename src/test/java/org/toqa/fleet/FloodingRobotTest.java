@@ -1,14 +1,18 @@
 package org.toqa.fleet;
 
+import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
+import ch.qos.logback.classic.LoggerContext;
+import ch.qos.logback.classic.joran.JoranConfigurator;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.ConsoleAppender;
 import ch.qos.logback.core.OutputStreamAppender;
+import ch.qos.logback.core.encoder.Encoder;
+import ch.qos.logback.core.joran.spi.JoranException;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -217,13 +221,7 @@ class FloodingRobotTest {
     ByteArrayOutputStream written = new ByteArrayOutputStream();
     OutputStreamAppender<ILoggingEvent> appender = new OutputStreamAppender<>();
     appender.setContext(root.getLoggerContext());
-    PatternLayoutEncoder encoder = new PatternLayoutEncoder();
-    encoder.setContext(root.getLoggerContext());
-    ConsoleAppender<ILoggingEvent> console =
-        (ConsoleAppender<ILoggingEvent>) root.getAppender("STDERR");
-    encoder.setPattern(((PatternLayoutEncoder) console.getEncoder()).getPattern());
-    encoder.start();
-    appender.setEncoder(encoder);
+    appender.setEncoder(shippedEncoder());
     appender.setOutputStream(written);
     appender.start();
     root.addAppender(appender);
@@ -251,6 +249,16 @@ class FloodingRobotTest {
             fault ->
                 assertFalse(
                     (fault.code() + fault.text()).matches("(?s).*[\\p{Cntrl}\u202e\u2028].*")));
+  }
+
+  /** As logback.xml has it, whatever other tests did with the log of this process. */
+  private static Encoder<ILoggingEvent> shippedEncoder() throws JoranException {
+    LoggerContext context = new LoggerContext();
+    JoranConfigurator configurator = new JoranConfigurator();
+    configurator.setContext(context);
+    configurator.doConfigure(requireNonNull(FloodingRobotTest.class.getResource("/logback.xml")));
+    Logger root = context.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
+    return ((ConsoleAppender<ILoggingEvent>) root.getAppender("STDERR")).getEncoder();
   }
 
   private void flood(String lines) {
