@@ -3,6 +3,8 @@ package org.toqa.link;
 import java.io.IOException;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -20,9 +22,6 @@ import org.toqa.wording.Phrase;
 
 /** One TCP connection to a robot. The thread that made it reads; {@link #send} never waits. */
 final class RobotConnection implements AutoCloseable {
-  /** A robot is at most so wide, metres. */
-  private static final double MAX_FOOTPRINT = 10;
-
   private static final Logger log = LoggerFactory.getLogger(RobotConnection.class);
 
   /**
@@ -30,12 +29,30 @@ final class RobotConnection implements AutoCloseable {
    */
   private static final Duration SILENCE_TIMEOUT = Duration.ofSeconds(5);
 
+  private static final Duration UNREADABLE_LOG_INTERVAL = Duration.ofSeconds(10);
+
+  /** Between two looks at a connection whose lines come faster than they are read. */
+  private static final long CROWDED_NANOS = 1_000_000;
+
   private static final int QUEUED_LINES = 1_000;
 
   private final RobotAddress address;
   private final String robot;
   private final String hostAndPort;
   private final LineChannel channel;
+  private final ReadingPace pace = new ReadingPace(System.nanoTime());
+
+  /** A line that was read already, to see whether it supersedes the one before. */
+  private LineReader.@Nullable Line ahead;
+
+  private long unreadable;
+  private long unreadableLogged = System.nanoTime() - UNREADABLE_LOG_INTERVAL.toNanos();
+
+  /**
+   * @param superseded states that were passed over before it, for newer ones had come
+   * @param unreadable lines that were passed over before it, for they said nothing that counts
+   */
+  record Received(AgentMessage message, int superseded, int unreadable) {}
 
   /**
    * Connects; waits for it.
@@ -77,41 +94,41 @@ final class RobotConnection implements AutoCloseable {
     if (!hello.robot().equals(robot)) {
       throw LinkException.trustFailure(Phrase.HAS_ANOTHER_NAME.with(hostAndPort, robot));
     }
-    if (!(hello.maxLoad() >= 0
-        && hello.maxSpeed() > 0
-        && hello.maxTurnRate() > 0
-        && isValidFootprint(hello.footprint()))) {
-      throw new LinkException(
-          "%s says that it carries %s kg, drives %s m/s, turns %s rad/s and is %s m wide; correct its configuration."
-              .formatted(
-                  robot,
-                  hello.maxLoad(),
-                  hello.maxSpeed(),
-                  hello.maxTurnRate(),
-                  hello.footprint()));
+    Optional<String> objection = RobotFigures.objection(hello);
+    if (objection.isPresent()) {
+      throw new LinkException(objection.get());
     }
     return hello;
   }
 
-  private static boolean isValidFootprint(double metres) {
-    return metres > 0 && metres <= MAX_FOOTPRINT;
+  private AgentMessage readMessage() throws LinkException {
+    return readNext().message();
   }
 
   /**
-   * The next valid message; waits for it.
+   * The next valid message, of several states that have come the newest; waits for it.
    *
    * @throws LinkException if the connection ends, or nothing comes for too long
    */
-  AgentMessage readMessage() throws LinkException {
+  Received readNext() throws LinkException {
+    int superseded = 0;
+    long readable = unreadable;
     try {
       while (true) {
-        LineReader.Line line = channel.readLine();
-        if (line == null) {
-          throw new LinkException("%s closed the connection.".formatted(robot));
+        LineReader.Line line = nextLine();
+        while (channel.hasLine()) {
+          LineReader.Line next = nextLine();
+          if (!StateLines.isSuperseded(line, next)) {
+            ahead = next;
+            break;
+          }
+          line = next;
+          superseded++;
         }
+        waitForTurn(superseded > 0);
         AgentMessage message = decode(line);
         if (message != null) {
-          return message;
+          return new Received(message, superseded, (int) (unreadable - readable));
         }
       }
     } catch (SocketTimeoutException e) {
@@ -119,6 +136,29 @@ final class RobotConnection implements AutoCloseable {
           "%s has said nothing for %d s.".formatted(robot, SILENCE_TIMEOUT.toSeconds()));
     } catch (IOException e) {
       throw failure(e);
+    }
+  }
+
+  private LineReader.Line nextLine() throws IOException, LinkException {
+    LineReader.Line line = ahead == null ? channel.readLine() : ahead;
+    ahead = null;
+    if (line == null) {
+      throw new LinkException("%s closed the connection.".formatted(robot));
+    }
+    return line;
+  }
+
+  /**
+   * @param isCrowded lines come faster than they are read: others are read first
+   */
+  private void waitForTurn(boolean isCrowded) {
+    long nanos = Math.max(pace.acquire(System.nanoTime()), isCrowded ? CROWDED_NANOS : 0);
+    if (nanos > 0) {
+      try {
+        TimeUnit.NANOSECONDS.sleep(nanos);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt(); // the next read sees it
+      }
     }
   }
 
@@ -146,11 +186,25 @@ final class RobotConnection implements AutoCloseable {
 
   private @Nullable AgentMessage decode(LineReader.Line line) {
     return switch (LinkCodec.decodeAgentMessage(line)) {
-      case DecodeResult.Decoded<AgentMessage>(AgentMessage message) -> message;
+      case DecodeResult.Decoded<AgentMessage>(AgentMessage message) -> {
+        Optional<String> objection = RobotFigures.objection(message);
+        objection.ifPresent(this::logUnreadable);
+        yield objection.isPresent() ? null : message;
+      }
       case DecodeResult.Invalid<AgentMessage>(long _, String reason) -> {
-        log.warn("{}: a line of the robot was ignored: {}", robot, reason);
+        logUnreadable(reason);
         yield null;
       }
     };
+  }
+
+  /** Of many lines a few. */
+  private void logUnreadable(String reason) {
+    unreadable++;
+    long now = System.nanoTime();
+    if (now - unreadableLogged >= UNREADABLE_LOG_INTERVAL.toNanos()) {
+      log.warn("{}: a line of the robot was ignored, number {}: {}", robot, unreadable, reason);
+      unreadableLogged = now;
+    }
   }
 }

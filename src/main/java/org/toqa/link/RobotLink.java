@@ -12,7 +12,8 @@ import org.toqa.wording.Sentence;
  *   <li>{@link Listener#connected} brings the robot's hello.
  *   <li>{@link #send} queues a message and never waits; what is sent while there is no connection
  *       is dropped, since the next hello tells what the robot knows.
- *   <li>{@link Listener#received} brings what the robot says.
+ *   <li>{@link Listener#received} brings what the robot says; of states that come faster than they
+ *       can be read the newest.
  *   <li>{@link Listener#disconnected} or {@link Listener#refused} says why the connection ended or
  *       could not be made; the link goes on trying until {@link #close}.
  * </ol>
@@ -30,7 +31,18 @@ public interface RobotLink extends AutoCloseable {
   interface Listener {
     void connected(Hello hello);
 
-    void received(AgentMessage message);
+    /**
+     * @return false: the robot says more than can be taken, so the connection is to end
+     */
+    boolean received(AgentMessage message);
+
+    /**
+     * Some of what the robot said was passed over.
+     *
+     * @param states for newer ones had come already
+     * @param unreadable lines that make no sense
+     */
+    void passedOver(int states, int unreadable);
 
     /**
      * @param why for the log

@@ -2,6 +2,7 @@ package org.toqa.link;
 
 import org.jspecify.annotations.Nullable;
 import org.toqa.link.message.ServerMessage;
+import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /** A link that connects, listens, and connects again, on a virtual thread of its own. */
@@ -53,18 +54,32 @@ final class TcpRobotLink implements RobotLink {
   }
 
   private void runConnection() throws LinkException {
+    long connectedAt = System.nanoTime();
     try (RobotConnection opened = RobotConnection.open(address, connector)) {
       var hello = opened.readHello();
-      backoff.reset();
       lastFailure = null;
       connection = opened;
       listener.connected(hello);
       while (!closed) {
-        listener.received(opened.readMessage());
+        RobotConnection.Received next = opened.readNext();
+        if (next.superseded() + next.unreadable() > 0) {
+          listener.passedOver(next.superseded(), next.unreadable());
+        }
+        if (!listener.received(next.message())) {
+          throw new LinkException(Phrase.SENDS_MORE_THAN_CAN_BE_TAKEN.with(address.robot()));
+        }
       }
     } finally {
       connection = null;
+      if (isLasting(connectedAt)) {
+        backoff.reset();
+      }
     }
+  }
+
+  /** One that ends sooner is made again later and later: a robot may do so all the time. */
+  private static boolean isLasting(long connectedAt) {
+    return System.nanoTime() - connectedAt > Backoff.LONGEST.toNanos() * 2;
   }
 
   /** Once for each reason, not once for each attempt. */

@@ -1,6 +1,7 @@
 package org.toqa.web;
 
 import io.micrometer.core.instrument.Counter;
+import io.micrometer.core.instrument.FunctionCounter;
 import io.micrometer.core.instrument.Gauge;
 import io.micrometer.core.instrument.MeterRegistry;
 import io.micrometer.core.instrument.MultiGauge;
@@ -23,6 +24,7 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.toqa.fleet.FleetSnapshot;
+import org.toqa.fleet.RobotMessageKind;
 import org.toqa.fleet.RobotState;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.SnapshotFeed;
@@ -84,6 +86,20 @@ public final class Metrics implements AutoCloseable {
     Gauge.builder(name, feed, f -> value.applyAsDouble(f.latest()))
         .description(description)
         .register(registry);
+  }
+
+  /**
+   * From now on it is also told how much of what robots say is left out.
+   *
+   * @param count since the start, by the kind of message; any thread may ask
+   */
+  public void bindPassedOver(ToDoubleFunction<RobotMessageKind> count) {
+    for (RobotMessageKind kind : RobotMessageKind.values()) {
+      FunctionCounter.builder("toqa.robot.messages.left.out", kind, count)
+          .description("Messages of robots beyond what one may say")
+          .tag("kind", kind.label())
+          .register(registry);
+    }
   }
 
   /** For parts that measure themselves. */

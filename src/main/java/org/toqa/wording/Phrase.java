@@ -91,6 +91,21 @@ public enum Phrase {
   NOT_LOCALISED,
   OUT_OF_SERVICE,
   REFUSED_A_COMMAND,
+  CLEAR_NOT_ANSWERED,
+  STOP_LASTS,
+
+  // What a robot says too much of
+  SENDS_TOO_MUCH,
+  SENDS_NORMALLY,
+  SENDS_MORE_THAN_CAN_BE_TAKEN,
+  STATES_OF_ROBOT,
+  LINES_OF_ROBOT,
+  ENDS_OF_ROBOT,
+  ANSWERS_OF_ROBOT,
+  CONNECTIONS_OF_ROBOT,
+  OBSTACLES_OF_ROBOT,
+  EVENTS_OF_ROBOT,
+  MESSAGES_OF_ROBOT,
 
   // What a robot does
   TRYING_TO_REACH,
@@ -166,6 +181,7 @@ public enum Phrase {
   STANDSTILL_OVER,
   SEES_OBSTACLE,
   OBSTACLE_GONE,
+  OBSTACLE_DOUBTED,
 
   // What keeps a robot from going on with its task, after its name
   IS_NOT_HEARD_OF,

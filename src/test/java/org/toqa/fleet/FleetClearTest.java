@@ -96,6 +96,61 @@ class FleetClearTest extends HallFleetTest {
   }
 
   @Test
+  void aClearThatIsLostIsSentAgain() throws Exception {
+    carryAndStop();
+    scriptedRobot("r1").loseClears(2);
+    accepted(stage.fleet.clearStops("r1", SWITCH, "Max"));
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+    assertEquals(List.of(List.of("STOP_SWITCH")), clears());
+    assertEquals(List.of(), history("robot.stop-not-cleared"));
+  }
+
+  @Test
+  void aClearThatIsNeverAnsweredIsGivenUpAndTold() throws Exception {
+    carryAndStop();
+    scriptedRobot("r1").loseClears(100);
+    accepted(stage.fleet.clearStops("r1", SWITCH, "Max"));
+
+    untilHistory(
+        "robot.stop-not-cleared",
+        "r1 did not answer, so its stop is not cleared. Look at the robot again, then clear it"
+            + " again.");
+    scriptedRobot("r1").loseClears(0);
+    stage.pass(Duration.ofSeconds(10));
+    assertEquals(List.of(), clears(), "later it is not sent");
+    assertEquals(1, history("robot.stop-not-cleared").size());
+  }
+
+  @Test
+  void aClearThatWentWithItsConnectionIsNotSentOverTheNext() throws Exception {
+    carryAndStop();
+    scriptedRobot("r1").loseClears(1);
+    accepted(stage.fleet.clearStops("r1", SWITCH, "Max"));
+    scriptedRobot("r1").loseConnection();
+    stage.awaitQuiescence();
+    scriptedRobot("r1").speakAgain();
+
+    until(view -> history("robot.stop-not-cleared").size() == 1);
+    stage.pass(Duration.ofSeconds(10));
+    assertEquals(List.of(), clears());
+    assertEquals(1, history("robot.stop-not-cleared").size());
+  }
+
+  @Test
+  void aStopWhoseCauseLastsIsToldToWhoClearedIt() throws Exception {
+    carryAndStop();
+    accepted(stage.fleet.clearStops("r1", SWITCH, "Max"));
+    until(view -> !clears().isEmpty());
+    scriptedRobot("r1").stopItself("STOP_SWITCH");
+
+    untilHistory(
+        "robot.stop-not-cleared",
+        "r1 is still stopped although it was cleared (STOP_SWITCH): the cause is still there, or"
+            + " it stopped again. Look at the robot again.");
+  }
+
+  @Test
   void robotsThatAreUnknownHaveNoStops() throws Exception {
     assertEquals(
         new Answer.Unknown<>(Phrase.NO_SUCH_ROBOT.with("r7")),

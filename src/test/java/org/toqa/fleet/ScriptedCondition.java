@@ -4,6 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage.Fault;
+import org.toqa.motion.Segment;
 
 /** What a test lets be so with a scripted robot, until it lets it be otherwise. */
 final class ScriptedCondition {
@@ -16,6 +17,9 @@ final class ScriptedCondition {
   /** Metres across. */
   double footprint = ScriptedRobot.FOOTPRINT;
 
+  /** Metres; it sees through all of a hall. */
+  double sensorRange = 20;
+
   /** Metres a second. */
   double maxSpeed = ScriptedRobot.MAX_SPEED;
 
@@ -27,5 +31,10 @@ final class ScriptedCondition {
   boolean stuck;
   boolean endsBeforeNextChange;
   boolean refusesClear;
+  int lostClears;
   @Nullable Fault fault;
+
+  boolean canDrive(Segment segment) {
+    return segment.v() <= maxSpeed + 1e-9 && Math.abs(segment.w()) <= maxTurnRate + 1e-9;
+  }
 }

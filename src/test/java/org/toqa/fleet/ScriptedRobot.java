@@ -142,6 +142,11 @@ public final class ScriptedRobot {
     condition.refusesClear = true;
   }
 
+  /** So many commands to clear do not reach it. */
+  synchronized void loseClears(int number) {
+    condition.lostClears = number;
+  }
+
   synchronized void repair() {
     condition.fault = null;
   }
@@ -250,9 +255,16 @@ public final class ScriptedRobot {
     if (!connected) {
       return;
     }
+    if (message instanceof Clear && condition.lostClears-- > 0) {
+      return;
+    }
     if (message instanceof AckDone ack) {
       drive.acknowledge(ack);
-    } else if (message instanceof Command command && command.seq() > lastSeq) {
+    } else if (message instanceof Command command) {
+      if (message instanceof Ping || command.seq() <= lastSeq) {
+        say(new Ack(command.seq()));
+        return;
+      }
       lastSeq = command.seq();
       boolean isChange = command instanceof Extend || command instanceof Release;
       if (isChange && (condition.endsBeforeNextChange || !drive.hasTrajectory())) {
@@ -281,23 +293,13 @@ public final class ScriptedRobot {
           case Extend e -> e.segments();
           default -> List.of();
         };
-    return segments.stream().anyMatch(this::isTooFast);
-  }
-
-  /** For itself, or as a leader for one that follows it. */
-  private boolean isTooFast(Segment segment) {
-    return !canDrive(segment) || formation.followers().stream().anyMatch(f -> !f.canDrive(segment));
-  }
-
-  private boolean canDrive(Segment segment) {
-    return segment.v() <= condition.maxSpeed + 1e-9
-        && Math.abs(segment.w()) <= condition.maxTurnRate + 1e-9;
+    return !segments.stream().allMatch(condition::canDrive)
+        || formation.followers().stream()
+            .anyMatch(follower -> !segments.stream().allMatch(follower.condition::canDrive));
   }
 
   private void obey(Command command) {
-    if (!(command instanceof Ping)) {
-      obeyed.add(command);
-    }
+    obeyed.add(command);
     switch (command) {
       case Lead l -> formation.lead(l);
       case Follow f -> {
@@ -363,6 +365,7 @@ public final class ScriptedRobot {
         condition.maxSpeed,
         condition.maxTurnRate,
         condition.footprint,
+        condition.sensorRange,
         true,
         pose,
         mode(),

@@ -120,8 +120,13 @@ final class SteppedLinks implements RobotLinkFactory {
     }
 
     @Override
-    public void received(AgentMessage message) {
-      listener.received(message);
+    public void passedOver(int states, int unreadable) {
+      listener.passedOver(states, unreadable);
+    }
+
+    @Override
+    public boolean received(AgentMessage message) {
+      boolean isTaken = listener.received(message);
       synchronized (this) {
         switch (message) {
           case Ack(long seq) -> unanswered.remove(seq);
@@ -130,6 +135,7 @@ final class SteppedLinks implements RobotLinkFactory {
           default -> {}
         }
       }
+      return isTaken;
     }
 
     @Override

@@ -19,8 +19,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.link.message.AgentMessage.Ack;
 import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.State;
 import org.toqa.link.message.ServerMessage.Ping;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
@@ -191,6 +194,112 @@ class TcpRobotLinkTest {
     robot.setSoTimeout(600); // longer than the first wait for another attempt
     assertThrows(SocketTimeoutException.class, () -> robot.accept().close());
     assertTrue(heard.isEmpty(), heard::toString);
+  }
+
+  @Test
+  void ofStatesThatComeVeryFastTheNewestIsTold() throws Exception {
+    int flood = 200_000;
+    try (Socket socket = greet()) {
+      StringBuilder lines = new StringBuilder();
+      for (int i = 0; i < flood; i++) {
+        lines.append(state(i, "")).append('\n');
+        if (i % 1_000 == 0 || i == flood - 1) {
+          socket.getOutputStream().write(lines.toString().getBytes(StandardCharsets.UTF_8));
+          lines.setLength(0);
+        }
+      }
+
+      heard.await(State.class, state -> state.stamp() == flood - 1);
+      assertTrue(heard.passedOver() > flood * 0.9, heard.passedOver() + " were not even read");
+    }
+  }
+
+  @Test
+  void whatIsSaidBetweenStatesAndFaultsThatChangeAreTold() throws Exception {
+    String fault = "{\"code\":\"HOT\",\"text\":\"It is hot.\"}";
+    try (Socket socket = greet()) {
+      say(
+          socket,
+          String.join(
+              "\n",
+              state(1, ""),
+              state(2, ""),
+              state(3, fault),
+              state(4, fault),
+              "{\"type\":\"ack\",\"seq\":5}",
+              state(6, ""),
+              state(7, "")));
+
+      heard.await(State.class, s -> s.stamp() == 2);
+      heard.await(State.class, s -> s.stamp() == 4);
+      assertEquals(new Ack(5), heard.next());
+      heard.await(State.class, s -> s.stamp() == 7);
+    }
+  }
+
+  @Test
+  void robotThatSaysMoreThanCanBeTakenIsLeft() throws Exception {
+    try (Socket socket = greet()) {
+      heard.setFull();
+      say(socket, "{\"type\":\"ack\",\"seq\":1}");
+
+      assertEquals(
+          "r1 sends more than the server can take, so the connection was closed.",
+          heard.await(LinkRecorder.End.class).sentence());
+      assertNull(line(socket), "the connection is closed");
+    }
+  }
+
+  @Test
+  void robotThatConnectsAndEndsAgainAndAgainIsConnectedLaterEachTime() throws Exception {
+    long begin = System.nanoTime();
+    for (int i = 0; i < 5; i++) {
+      greet().close();
+      heard.await(LinkRecorder.End.class);
+    }
+
+    // 0.25 + 0.5 + 1 + 2 s
+    assertTrue(System.nanoTime() - begin > 3_700_000_000L, "it is given no pause");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "\"pose\":{\"x\":1e9,\"y\":0.5,\"theta\":0}",
+        "\"pose\":{\"x\":NaN,\"y\":0.5,\"theta\":0}",
+        "\"pose\":{\"x\":1e999,\"y\":0.5,\"theta\":0}",
+        "\"pose\":{\"x\":-Infinity,\"y\":0.5,\"theta\":0}",
+        "\"battery\":7",
+        "\"ranges\":[-1]",
+        "\"obstacles\":[{\"x\":0.5,\"y\":-1e7}]",
+        "\"twist\":{\"v\":1e6,\"w\":0}"
+      })
+  void figuresThatCannotBeTrueAreRefused(String figure) throws Exception {
+    String field = figure.substring(0, figure.indexOf(':'));
+    try (Socket socket = greet()) {
+      say(socket, state(1, "").replaceAll(field + ":(\\{[^}]*\\}|\\[[^]]*\\]|[^,}]*)", figure));
+      say(socket, state(2, ""));
+
+      assertEquals(2, heard.await(State.class).stamp());
+    }
+  }
+
+  @Test
+  void robotThatSeesFartherThanAnySensorIsRefused() throws Exception {
+    try (Socket socket = robot.accept()) {
+      say(socket, HELLO.replace("\"maxLoad\"", "\"sensorRange\":1e6,\"maxLoad\""));
+
+      String sentence = heard.await(LinkRecorder.End.class).sentence();
+      assertTrue(sentence.endsWith("sees 1000000.0 m; correct its configuration."), sentence);
+    }
+  }
+
+  private static String state(long stamp, String errors) {
+    return """
+        {"type":"state","stamp":%d,"localised":true,"pose":{"x":0.5,"y":0.5,"theta":0},\
+        "twist":{"v":0,"w":0},"mode":"IDLE","task":null,"phase":0,"role":"ALONE","drive":0,\
+        "segment":0,"released":0,"battery":0.8,"ranges":[],"obstacles":[],"errors":[%s]}"""
+        .formatted(stamp, errors);
   }
 
   private Socket greet() throws IOException, InterruptedException {

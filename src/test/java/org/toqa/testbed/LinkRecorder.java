@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Predicate;
 import org.toqa.link.RobotLink;
 import org.toqa.link.message.AgentMessage;
@@ -15,6 +16,8 @@ import org.toqa.wording.Sentence;
 public final class LinkRecorder implements RobotLink.Listener {
   private static final long LIMIT_SECONDS = 20;
 
+  private final AtomicLong passedOver = new AtomicLong();
+  private volatile boolean isFull;
   private final BlockingQueue<Object> told = new LinkedBlockingQueue<>();
 
   /** That the link ended. */
@@ -29,8 +32,24 @@ public final class LinkRecorder implements RobotLink.Listener {
   }
 
   @Override
-  public void received(AgentMessage message) {
+  public boolean received(AgentMessage message) {
     told.add(message);
+    return !isFull;
+  }
+
+  @Override
+  public void passedOver(int states, int unreadable) {
+    passedOver.addAndGet(states);
+  }
+
+  /** From now on it can take nothing more. */
+  public void setFull() {
+    isFull = true;
+  }
+
+  /** How many states newer ones superseded. */
+  public long passedOver() {
+    return passedOver.get();
   }
 
   @Override

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.toqa.fleet.RobotMessageKind;
 import org.toqa.fleet.RobotState;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.TaskState;
@@ -58,6 +59,17 @@ class MetricsTest {
     assertEquals(0, metrics.get("toqa_fleet_paused"));
     clerk.post("fleet/pause", Map.of());
     assertEquals(1, metrics().get("toqa_fleet_paused"));
+  }
+
+  @Test
+  void whatIsLeftOutOfWhatRobotsSayIsCounted() {
+    try (Metrics metrics = new Metrics(server.fleet().snapshots())) {
+      metrics.bindPassedOver(kind -> kind == RobotMessageKind.STATE ? 7 : 0);
+
+      String text = metrics.scrape();
+      assertTrue(text.contains("toqa_robot_messages_left_out_total{kind=\"state\"} 7.0"), text);
+      assertTrue(text.contains("toqa_robot_messages_left_out_total{kind=\"obstacle\"} 0.0"), text);
+    }
   }
 
   @Test

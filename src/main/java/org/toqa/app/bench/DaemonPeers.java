@@ -171,6 +171,7 @@ final class DaemonPeers implements AutoCloseable {
         0.5,
         3.5,
         0.255,
+        0.8,
         true,
         place,
         Mode.FOLLOWING,

@@ -177,6 +177,7 @@ public final class FleetServer implements AutoCloseable {
     Metrics metrics = new Metrics(fleet.snapshots());
     parts.push(metrics);
     database.bindMetrics(metrics.registry());
+    metrics.bindPassedOver(fleet::passedOver);
     Scheduler scheduler = new Scheduler(schedules, store, fleet, wallClock);
     parts.push(new PeriodicWork("schedules", SCHEDULE_PERIOD, scheduler::runDueSchedules));
     JdbiTrackStore tracks = new JdbiTrackStore(database.jdbi());

@@ -58,6 +58,7 @@ final class ClearCommandHandler {
       reject(m, objection);
       return;
     }
+    robot.cleared.begin(m.reasons(), state.now);
     robot.agent.tell(new RobotMessage.Clear(m.reasons()));
     m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(reports.view(robot))));
   }

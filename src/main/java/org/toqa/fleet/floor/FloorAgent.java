@@ -156,6 +156,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
       case FloorMessage.HoldFloor m -> holds.setFloorHold(m.hold());
       case FloorMessage.HoldRobot m -> operatorCommands.holdRobot(m);
       case FloorMessage.ResumeStored m -> operatorCommands.resumeStored(m);
+      case FloorMessage.ResumeNotStored m -> operatorCommands.resumeNotStored(m);
       case FloorMessage.ClearStops m -> clearCommands.clearStops(m);
       case FloorMessage.ClearStored m -> clearCommands.clearStored(m.command());
       case FloorMessage.SendHome m -> operatorCommands.sendHome(m);
@@ -202,13 +203,15 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   }
 
   private FloorRobot startRobot(RobotRecord record, OperatorSettings settings) {
-    AgentHealth.of(getContext().getSystem()).expectStart();
+    AgentHealth health = AgentHealth.of(getContext().getSystem());
+    health.expectStart();
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
                 RobotAgent.of(record, robotEvents, state.store, links, state.now, state.runtime),
                 "robot-" + ++joined);
-    FloorRobot robot = new FloorRobot(record, settings, agent, state.now);
+    FloorRobot robot =
+        new FloorRobot(record, settings, agent, new StoreLimit(health, () -> state.now), state.now);
     state.robots.put(record.name(), robot);
     state.changed = true;
     return robot;
@@ -220,12 +223,13 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     charging.update();
     state.formations.updateTraffic();
     for (FloorRobot robot : state.robots.values()) {
+      robotEventHandler.updateStoreLimit(robot);
       missions.checkRobot(robot);
       holds.updateHold(robot);
       homing.sendIdleHome(robot);
       drives.updateRobot(robot);
     }
-    state.addToHistory(watch.updateObstacles(missions.cellsUnderLoads(), time));
+    state.addRobotLines(watch.updateObstacles(missions.cellsUnderLoads(), time));
     drives.applyTrafficDecisions();
     state.addToHistory(watch.updateStandstills(holds::mayStand));
     if (state.changed) {

@@ -16,6 +16,7 @@ import org.toqa.fleet.robot.RobotEvent;
 import org.toqa.geometry.Pose;
 import org.toqa.mission.Mission;
 import org.toqa.mission.MissionEvent;
+import org.toqa.persistence.StoreException;
 import org.toqa.wording.Sentence;
 
 /**
@@ -69,6 +70,14 @@ public sealed interface FloorMessage {
    * @param resume number of the resume
    */
   record ResumeStored(HoldRobot command, long resume) implements FloorMessage {}
+
+  /**
+   * That the robot may go on can never be stored.
+   *
+   * @param resume number of the resume
+   */
+  record ResumeNotStored(HoldRobot command, long resume, StoreException refusal)
+      implements FloorMessage {}
 
   /**
    * A person clears the stops of a robot's hardware.

@@ -8,8 +8,11 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.pattern.StatusReply;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
@@ -24,6 +27,7 @@ import org.toqa.mission.MissionEvent;
 import org.toqa.mission.Objection;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TaskState;
+import org.toqa.persistence.StoreException;
 
 /**
  * Lets a floor's missions go on: an event makes a step, the step is stored, and only then its
@@ -70,7 +74,8 @@ final class FloorMissions {
                         null,
                         EventRecord.SYSTEM,
                         text))
-            .toList());
+            .toList(),
+        refusal -> {});
     reports.send(); // first, so that the task is in every snapshot
     manager.tell(new FloorEvent.TaskBegun(m.mission().id()));
   }
@@ -95,7 +100,7 @@ final class FloorMissions {
       steps.add(step);
       changes.add(new MissionChange(step.mission(), at, EventRecord.of(step, event, at)));
     }
-    saveSteps(steps, changes);
+    saveSteps(steps, changes, refusal -> {});
     reports.send();
   }
 
@@ -150,6 +155,11 @@ final class FloorMissions {
   }
 
   private Mission applyEvent(Mission mission, MissionEvent event) {
+    return applyEvent(mission, event, refusal -> {});
+  }
+
+  private Mission applyEvent(
+      Mission mission, MissionEvent event, Consumer<StoreException> refused) {
     Mission.Step step = mission.apply(event);
     Instant at = state.clock.instant();
     List<Mission.Step> steps = new ArrayList<>();
@@ -167,7 +177,7 @@ final class FloorMissions {
       }
     }
     if (!steps.isEmpty()) {
-      saveSteps(steps, changes);
+      saveSteps(steps, changes, refused);
     }
     return step.mission();
   }
@@ -201,20 +211,23 @@ final class FloorMissions {
   }
 
   /** Stores the step; its commands are carried out when it is safe. */
-  private void saveSteps(Mission.Step step, Instant at, List<EventRecord> events) {
+  private void saveSteps(
+      Mission.Step step, Instant at, List<EventRecord> events, Consumer<StoreException> refused) {
     if (step.hasChanges()) {
-      saveSteps(List.of(step), List.of(new MissionChange(step.mission(), at, events)));
+      saveSteps(List.of(step), List.of(new MissionChange(step.mission(), at, events)), refused);
     }
   }
 
   /** Stores steps that belong together, so that a crash finds all of them or none. */
-  private void saveSteps(List<Mission.Step> steps, List<MissionChange> changes) {
+  private void saveSteps(
+      List<Mission.Step> steps, List<MissionChange> changes, Consumer<StoreException> refused) {
     changes.forEach(change -> state.missions.put(change.mission(), change.at()));
     changes.forEach(change -> state.leftLoads.update(change.mission(), change.at()));
     state.changed = true;
     state.writer.write(
         () -> state.store.saveMissions(changes),
-        () -> steps.forEach(step -> self.tell(new FloorMessage.StepStored(step))));
+        () -> steps.forEach(step -> self.tell(new FloorMessage.StepStored(step))),
+        refused);
   }
 
   void stepStored(Mission.Step step) {
@@ -247,11 +260,18 @@ final class FloorMissions {
       m.replyTo().tell(StatusReply.success(Answer.conflict(objection.get())));
       return;
     }
-    Mission next = applyEvent(known.get(), m.command());
+    AtomicReference<@Nullable StoreException> refused = new AtomicReference<>();
+    Mission next = applyEvent(known.get(), m.command(), refused::set);
     reports.send();
     TaskView view = reports.view(new OpenMissions.DatedMission(next, state.clock.instant()));
-    state.writer.write(
-        () -> {}, () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+    state.writer.write(() -> {}, () -> m.replyTo().tell(reply(view, refused.get())));
+  }
+
+  private static StatusReply<Answer<TaskView>> reply(
+      TaskView view, @Nullable StoreException refusal) {
+    return refusal == null
+        ? StatusReply.success(new Answer.Accepted<>(view))
+        : StatusReply.error(refusal);
   }
 
   private void carryOut(Mission.Step step, MissionCommand command) {

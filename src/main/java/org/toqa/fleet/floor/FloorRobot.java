@@ -47,13 +47,24 @@ final class FloorRobot {
   /** That an obstacle on its path stops it. */
   final ConditionTimer obstructed = new ConditionTimer();
 
+  /** What a person cleared. */
+  final ClearedStops cleared = new ClearedStops();
+
+  /** How much of it is stored. */
+  final StoreLimit storing;
+
   private RobotRecord record;
 
   /**
    * @param now since when it is not heard
    */
   FloorRobot(
-      RobotRecord record, OperatorSettings settings, ActorRef<RobotMessage> agent, Instant now) {
+      RobotRecord record,
+      OperatorSettings settings,
+      ActorRef<RobotMessage> agent,
+      StoreLimit storing,
+      Instant now) {
+    this.storing = storing;
     this.record = record;
     this.settings = settings;
     this.agent = agent;

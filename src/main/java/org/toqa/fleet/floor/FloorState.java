@@ -15,6 +15,7 @@ import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FloorView.ChargerShortage;
 import org.toqa.fleet.Hold;
+import org.toqa.fleet.RobotMessageKind;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.floor.FloorWatch.HistoryLine;
 import org.toqa.geometry.Pose;
@@ -111,6 +112,37 @@ public final class FloorState {
       changed = true;
       addToHistory(historyEvent(remark.kind(), remark.robot(), EventRecord.SYSTEM, remark.text()));
     }
+  }
+
+  /** The same of what robots saw or said: of one that causes very many, a part. */
+  void addRobotLines(List<HistoryLine> lines) {
+    addToHistory(lines.stream().filter(line -> mayAddLine(line.robot())).toList());
+  }
+
+  /** Whether the history takes one more line that this robot causes. */
+  boolean mayAddLine(String robot) {
+    FloorRobot cause = robots.get(robot);
+    return switch (cause == null ? StoreLimit.Verdict.WRITE : cause.storing.judgeLine()) {
+      case WRITE -> true;
+      case LEAVE_OUT -> false;
+      case LEAVE_OUT_AND_TELL -> {
+        addFlood(robot, RobotMessageKind.EVENT);
+        yield false;
+      }
+    };
+  }
+
+  /** Tells people that a robot says too much. */
+  void addFlood(String robot, RobotMessageKind kind) {
+    addSystemLine(
+        EventKind.ROBOT_SENDS_TOO_MUCH,
+        robot,
+        Phrase.SENDS_TOO_MUCH.with(robot, kind.phrase().with()));
+  }
+
+  /** A line that this program adds by itself. */
+  void addSystemLine(EventKind kind, String robot, Sentence text) {
+    addToHistory(historyEvent(kind, robot, EventRecord.SYSTEM, text));
   }
 
   public static <T> Answer<T> unknownRobot(String robot) {

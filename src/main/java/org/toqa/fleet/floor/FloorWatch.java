@@ -82,18 +82,21 @@ final class FloorWatch {
    * @param loads cells under loads that lie on the floor
    */
   List<HistoryLine> updateObstacles(BitSet loads, Instant now) {
-    List<Obstacle> gone = obstacles.forgetExpired(now);
+    List<HistoryLine> lines = new ArrayList<>();
+    for (Obstacle gone : obstacles.forgetExpired(now)) {
+      lines.add(line(EventKind.FLOOR_OBSTACLE_GONE, gone, Phrase.OBSTACLE_GONE));
+    }
+    for (Obstacle doubted : obstacles.takeDoubted()) {
+      lines.add(line(EventKind.FLOOR_OBSTACLE_DOUBTED, doubted, Phrase.OBSTACLE_DOUBTED));
+    }
     BitSet cells = obstacles.cells();
     cells.or(loads);
     traffic.setObstacles(cells);
-    return gone.stream()
-        .map(
-            obstacle ->
-                new HistoryLine(
-                    EventKind.FLOOR_OBSTACLE_GONE,
-                    obstacle.seenBy(),
-                    Phrase.OBSTACLE_GONE.with(sentence(obstacle))))
-        .toList();
+    return lines;
+  }
+
+  private HistoryLine line(EventKind kind, Obstacle obstacle, Phrase phrase) {
+    return new HistoryLine(kind, obstacle.seenBy(), phrase.with(sentence(obstacle)));
   }
 
   /**

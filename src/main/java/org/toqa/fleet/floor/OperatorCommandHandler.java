@@ -138,13 +138,24 @@ final class OperatorCommandHandler {
       RobotView view = reports.view(robot);
       state.writer.write(
           () -> state.store.saveHold(m.robot(), true, events),
-          () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+          () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))),
+          refusal -> m.replyTo().tell(StatusReply.error(refusal)));
     } else {
       long number = resume.begin();
       state.writer.write(
           () -> state.store.saveHold(m.robot(), false, events),
-          () -> self.tell(new FloorMessage.ResumeStored(m, number)));
+          () -> self.tell(new FloorMessage.ResumeStored(m, number)),
+          refusal -> self.tell(new FloorMessage.ResumeNotStored(m, number, refusal)));
     }
+  }
+
+  /** It stays on hold, and may be let go on anew. */
+  void resumeNotStored(FloorMessage.ResumeNotStored m) {
+    FloorRobot robot = state.robots.get(m.command().robot());
+    if (robot != null) {
+      var _ = robot.settings.resume.complete(m.resume());
+    }
+    m.command().replyTo().tell(StatusReply.error(m.refusal()));
   }
 
   void resumeStored(FloorMessage.ResumeStored m) {
@@ -197,7 +208,8 @@ final class OperatorCommandHandler {
     RobotView view = reports.view(robot);
     state.writer.write(
         () -> state.store.addEvents(List.of(event)),
-        () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))));
+        () -> m.replyTo().tell(StatusReply.success(new Answer.Accepted<>(view))),
+        refusal -> m.replyTo().tell(StatusReply.error(refusal)));
   }
 
   void setInService(FloorMessage.SetInService m) {

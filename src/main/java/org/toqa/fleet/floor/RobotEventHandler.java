@@ -2,10 +2,10 @@ package org.toqa.fleet.floor;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import org.toqa.fleet.EventKind;
-import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.LastPlace;
 import org.toqa.fleet.StoredRobot;
@@ -73,11 +73,12 @@ final class RobotEventHandler {
       case RobotEvent.DriveWithdrawn m -> driveWithdrawn(robot, m.drive());
       case RobotEvent.DriveAccepted m -> driveAccepted(robot, m.drive());
       case RobotEvent.CommandRejected m -> commandRejected(robot, m);
-      case RobotEvent.ClearRejected m ->
-          addToHistory(
-              robot,
-              EventKind.ROBOT_STOP_NOT_CLEARED,
-              Phrase.REFUSED_A_COMMAND.with(robot.name(), m.reason()));
+      case RobotEvent.ClearRejected m -> {
+        robot.cleared.settle();
+        addToHistory(robot, EventKind.ROBOT_STOP_NOT_CLEARED, m.why());
+      }
+      case RobotEvent.FloodBegan m -> state.addFlood(robot.name(), m.kind());
+      case RobotEvent.FloodEnded m -> addFloodEnd(robot);
     }
   }
 
@@ -156,6 +157,7 @@ final class RobotEventHandler {
   private void stateReported(FloorRobot robot, AgentMessage.State said) {
     robot.reported.setReport(said, state.clock.instant());
     recordRefusedConnections(robot);
+    recordLastingStops(robot, said);
     RobotEvent.CommandRejected refusal = robot.reported.takeRejectedChange();
     if (refusal != null && Objects.equals(refusal.changing(), said.drive())) {
       abandonCommand(robot, refusal.reason());
@@ -185,7 +187,7 @@ final class RobotEventHandler {
           robot.name(), said.pose(), robot.reported.footprint(), state.now);
     }
     if (said.localised()) {
-      state.addToHistory(
+      state.addRobotLines(
           watch.addPercepts(
               robot.name(),
               said.pose().position(),
@@ -198,12 +200,35 @@ final class RobotEventHandler {
   /** So that who starts before the robot is heard again knows where it is. */
   private void storePlace(FloorRobot robot, Pose pose) {
     Pose stored = robot.drive.storedPlace();
-    if (stored == null || stored.distanceTo(pose) > SAME_PLACE) {
+    boolean isElsewhere = stored == null || stored.distanceTo(pose) > SAME_PLACE;
+    if (isElsewhere && robot.storing.takesPlace()) {
       robot.drive.setStoredPlace(pose);
       String name = robot.name();
       double diameter = robot.reported.footprint();
       long drive = robot.drive.lastNumber();
       state.writer.write(() -> state.store.savePlace(name, pose, diameter, drive), () -> {});
+    }
+  }
+
+  /** To be called at each tick. */
+  void updateStoreLimit(FloorRobot robot) {
+    if (robot.storing.detectRecovery()) {
+      addFloodEnd(robot);
+    }
+  }
+
+  private void addFloodEnd(FloorRobot robot) {
+    state.addSystemLine(
+        EventKind.ROBOT_SENDS_NORMALLY, robot.name(), Phrase.SENDS_NORMALLY.with(robot.name()));
+  }
+
+  private void recordLastingStops(FloorRobot robot, AgentMessage.State said) {
+    List<String> lasting = robot.cleared.takeLasting(said.errors(), state.now);
+    if (!lasting.isEmpty()) {
+      addToHistory(
+          robot,
+          EventKind.ROBOT_STOP_NOT_CLEARED,
+          Phrase.STOP_LASTS.with(robot.name(), String.join(", ", lasting)));
     }
   }
 
@@ -224,7 +249,9 @@ final class RobotEventHandler {
   }
 
   private void addToHistory(FloorRobot robot, EventKind kind, Sentence text) {
-    state.addToHistory(state.historyEvent(kind, robot.name(), EventRecord.SYSTEM, text));
+    if (state.mayAddLine(robot.name())) {
+      state.addSystemLine(kind, robot.name(), text);
+    }
   }
 
   private static boolean isBraking(FloorRobot robot) {

@@ -38,6 +38,7 @@ import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.PairingOrder;
 import org.toqa.fleet.RobotChange;
+import org.toqa.fleet.RobotMessageKind;
 import org.toqa.fleet.RobotOrder;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.ScheduleStore;
@@ -341,6 +342,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public List<Sentence> failures() {
     return monitor.failures();
+  }
+
+  /** How many messages of robots were left out, by their kind, since the start. */
+  public long passedOver(RobotMessageKind kind) {
+    return health.passedOver(kind);
   }
 
   /** Completes when the agents have ended though nobody closed them: nothing moves any more. */

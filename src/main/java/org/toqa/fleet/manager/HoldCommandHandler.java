@@ -76,7 +76,10 @@ final class HoldCommandHandler {
           event(at, EventKind.FLEET_PAUSED, m.user(), Phrase.ALL_PAUSED.with(m.user()));
       resume.cancel();
       applyPause(next);
-      writer.write(() -> store.savePause(next, List.of(event)), () -> answer(m.replyTo(), next));
+      writer.write(
+          () -> store.savePause(next, List.of(event)),
+          () -> answer(m.replyTo(), next),
+          refusal -> m.replyTo().tell(StatusReply.error(refusal)));
     } else {
       EventRecord event =
           event(at, EventKind.FLEET_RESUMED, m.user(), Phrase.ALL_LET_GO_ON.with(m.user()));
@@ -86,6 +89,10 @@ final class HoldCommandHandler {
           () -> {
             manager.tell(new ManagerMessage.PauseEnded(number));
             answer(m.replyTo(), null);
+          },
+          refusal -> {
+            manager.tell(new ManagerMessage.PauseLasts(number));
+            m.replyTo().tell(StatusReply.error(refusal));
           });
     }
   }
@@ -99,6 +106,11 @@ final class HoldCommandHandler {
     if (resume.complete(number)) {
       applyPause(null);
     }
+  }
+
+  /** The resume of that number can never be stored: all stay paused, and may be resumed anew. */
+  void pauseLasts(long number) {
+    var _ = resume.complete(number);
   }
 
   private void applyPause(@Nullable Hold next) {
@@ -126,7 +138,9 @@ final class HoldCommandHandler {
       floorResume.cancel();
       applyFloorHold(floor, next);
       writer.write(
-          () -> store.saveFloorHold(floor, next, List.of(event)), () -> answer(m.replyTo(), next));
+          () -> store.saveFloorHold(floor, next, List.of(event)),
+          () -> answer(m.replyTo(), next),
+          refusal -> m.replyTo().tell(StatusReply.error(refusal)));
     } else {
       EventRecord event =
           event(
@@ -137,6 +151,10 @@ final class HoldCommandHandler {
           () -> {
             manager.tell(new ManagerMessage.FloorHoldEnded(floor, number));
             answer(m.replyTo(), null);
+          },
+          refusal -> {
+            manager.tell(new ManagerMessage.FloorHoldLasts(floor, number));
+            m.replyTo().tell(StatusReply.error(refusal));
           });
     }
   }
@@ -145,6 +163,14 @@ final class HoldCommandHandler {
     PendingResume floorResume = floorResumes.get(m.floor());
     if (floorResume != null && floorResume.complete(m.number())) {
       applyFloorHold(m.floor(), null);
+    }
+  }
+
+  /** As {@link #pauseLasts}. */
+  void floorHoldLasts(ManagerMessage.FloorHoldLasts m) {
+    PendingResume floorResume = floorResumes.get(m.floor());
+    if (floorResume != null) {
+      var _ = floorResume.complete(m.number());
     }
   }
 

@@ -286,6 +286,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
         fleet.changed = true;
       }
       case ManagerMessage.HoldFloor m -> holdCommands.setFloorHold(m);
+      case ManagerMessage.PauseLasts m -> holdCommands.pauseLasts(m.number());
+      case ManagerMessage.FloorHoldLasts m -> holdCommands.floorHoldLasts(m);
       case ManagerMessage.FloorHoldEnded m -> holdCommands.floorHoldEnded(m);
       case ManagerMessage.FromFloor m -> handle(m.event());
       case ManagerMessage.AllocationDecided m -> rounds.allocationDecided(m);

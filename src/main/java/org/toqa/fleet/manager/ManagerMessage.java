@@ -185,6 +185,13 @@ public sealed interface ManagerMessage {
    */
   record PauseEnded(long number) implements ManagerMessage {}
 
+  /**
+   * That they go on can never be stored.
+   *
+   * @param number of the resume
+   */
+  record PauseLasts(long number) implements ManagerMessage {}
+
   /** A person puts a floor's robots on hold, or lets them go on. */
   record HoldFloor(
       String floor,
@@ -199,6 +206,13 @@ public sealed interface ManagerMessage {
    * @param number of the resume
    */
   record FloorHoldEnded(String floor, long number) implements ManagerMessage {}
+
+  /**
+   * That the floor's robots go on can never be stored.
+   *
+   * @param number of the resume
+   */
+  record FloorHoldLasts(String floor, long number) implements ManagerMessage {}
 
   /** What a floor tells. */
   record FromFloor(FloorEvent event) implements ManagerMessage {}

@@ -11,10 +11,13 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.LongAdder;
 import org.apache.pekko.actor.typed.ActorSystem;
 import org.apache.pekko.actor.typed.Extension;
 import org.apache.pekko.actor.typed.ExtensionId;
 import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.RobotMessageKind;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -70,6 +73,9 @@ public final class AgentHealth implements Extension {
 
   /** Changes that were left out, and when; the newest last. */
   private final Map<Sentence, Long> leftOut = new LinkedHashMap<>();
+
+  /** Of what robots said, by its kind: how many were left out. */
+  private final Map<RobotMessageKind, LongAdder> passedOver = new ConcurrentHashMap<>();
 
   /** When the oldest tick was told that agents have not done; null: they have done all. */
   private @Nullable Long tickedAt;
@@ -146,6 +152,16 @@ public final class AgentHealth implements Extension {
   public synchronized List<Sentence> warnings(long nanos) {
     leftOut.values().removeIf(at -> nanos - at > LEFT_OUT_SHOWN.toNanos());
     return List.copyOf(leftOut.keySet());
+  }
+
+  void recordPassedOver(RobotMessageKind kind, long count) {
+    passedOver.computeIfAbsent(kind, _ -> new LongAdder()).add(count);
+  }
+
+  /** How many messages of that kind were left out, of all robots, since the start. */
+  public long passedOver(RobotMessageKind kind) {
+    LongAdder count = passedOver.get(kind);
+    return count == null ? 0 : count.sum();
   }
 
   public synchronized void recordTick(long nanos) {

@@ -2,10 +2,6 @@ package org.toqa.fleet.robot;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalLong;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -28,15 +24,12 @@ import org.toqa.link.RobotLinkFactory;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.ServerMessage;
-import org.toqa.mission.Phase;
-import org.toqa.motion.Segment;
-import org.toqa.motion.Trajectory;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
- * The server's side of one robot: it owns the link, the sequence numbers and the record of the last
- * drive, pings every 500 ms, and notices silence.
+ * The server's side of one robot: it owns the link, pings every 500 ms, notices silence, and hands
+ * on no more of what the robot says than a floor has to know.
  *
  * <p>A drive is stored before it is sent. Holds, resumes and cancels do not wait for that; a cancel
  * also drops what waits. What is told while the link is down is dropped: the next hello says what
@@ -48,24 +41,20 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private RobotRecord robot;
   private final ActorRef<RobotEvent> floor;
-  private final FleetStore store;
-  private final StoreWriter writer;
   private final RobotLinkFactory links;
   private RobotLink link;
 
+  /** Of the present link. */
+  private LinkInbox inbox;
+
   private final CommandQueue commands = new CommandQueue(this::send);
-  private Optional<StoredDrive> drive = Optional.empty();
-  private boolean driveKnown;
+  private final UnansweredCommands unanswered = new UnansweredCommands();
+  private final DriveSender drives;
+  private final ClearSender clears;
+  private final ReportForwarder reports;
   private @Nullable Hello hello;
 
   private Instant now;
-
-  /** The drives that commands not yet answered are to change, by the commands' numbers. */
-  private final Map<Long, Long> changing = new HashMap<>();
-
-  /** The number of the last clear. */
-  private long lastClear;
-
   private final SilenceDetector silence;
   private Instant lastPing = Instant.MIN;
 
@@ -95,24 +84,24 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     super(context);
     this.robot = robot;
     this.floor = floor;
-    this.store = store;
+    this.links = links;
     this.now = now;
     this.silence = new SilenceDetector(now);
     AgentHealth health = AgentHealth.of(context.getSystem());
-    this.writer =
+    StoreWriter writer =
         new StoreWriter(
             robot.name(),
             runtime,
             change -> health.recordLeftOut(change, runtime.monotonicNanos()));
-    ActorRef<RobotMessage> self = context.getSelf();
-    writer.write(
-        () -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot.name()))), () -> {});
-    this.links = links;
-    this.link = openLink();
+    this.drives = new DriveSender(robot.name(), store, writer, commands, floor, context.getSelf());
+    this.clears = new ClearSender(robot.name(), commands::send);
+    this.reports = new ReportForwarder(robot.name(), floor, health, () -> this.now);
+    this.inbox = openInbox(context.getSelf());
+    this.link = links.open(robot.address(), inbox);
   }
 
-  private RobotLink openLink() {
-    return links.open(robot.address(), new LinkListener(getContext().getSelf()));
+  private static LinkInbox openInbox(ActorRef<RobotMessage> self) {
+    return new LinkInbox(filled -> self.tell(new RobotMessage.InboxFilled(filled)));
   }
 
   @Override
@@ -125,21 +114,22 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private Behavior<RobotMessage> handle(RobotMessage message) {
     switch (message) {
-      case RobotMessage.Drive m -> startDrive(m);
+      case RobotMessage.Drive m -> drives.start(m);
       case RobotMessage.Lead m ->
           commands.sendInOrder(
               0, (n, _) -> new ServerMessage.Lead(n, m.task(), m.tolerance(), m.followers()));
-      case RobotMessage.Follow m -> follow(m);
-      case RobotMessage.Extend m -> extend(m);
-      case RobotMessage.Release m -> release(m.released());
-      case RobotMessage.CommandStored m -> commandStored(m.id());
-      case RobotMessage.CommandNotStored m -> commandNotStored(m);
-      case RobotMessage.Cancel m -> cancel(m);
+      case RobotMessage.Follow m -> drives.follow(m);
+      case RobotMessage.Extend m -> drives.extend(m);
+      case RobotMessage.Release m -> drives.release(m.released());
+      case RobotMessage.CommandStored m -> drives.commandStored(m.id());
+      case RobotMessage.CommandNotStored m -> drives.commandNotStored(m);
+      case RobotMessage.Cancel m -> drives.cancel(m);
       case RobotMessage.Hold m ->
           commands.send(m.hold() ? ServerMessage.Hold::new : ServerMessage.Resume::new);
       case RobotMessage.Clear m -> clear(m);
       case RobotMessage.Locate m -> commands.send(n -> new ServerMessage.Locate(n, m.pose()));
       case RobotMessage.Acknowledge m -> send(new ServerMessage.AckDone(m.drive()));
+      case RobotMessage.InboxFilled m -> takeInbox(m.inbox());
       case RobotMessage.LinkOpened m -> connected(m.hello());
       case RobotMessage.MessageReceived m -> messageReceived(m.message());
       case RobotMessage.LinkClosed m -> {
@@ -160,123 +150,30 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     return this;
   }
 
+  /** Of a link that was closed nothing counts any more. */
+  private void takeInbox(LinkInbox filled) {
+    try {
+      RobotMessage next = filled.poll();
+      if (next != null && filled == inbox) {
+        reports.recordPassedOver(filled.takePassedOver());
+        handle(next);
+      }
+    } finally { // or nothing would ever be taken again
+      filled.finish();
+    }
+  }
+
   /** Who cleared a stop looked at the robot now: what cannot be sent at once is not sent later. */
   private void clear(RobotMessage.Clear m) {
     if (hello == null || commands.isWaiting()) {
-      floor.tell(new RobotEvent.ClearRejected(robot.name(), "The robot could not be told."));
-      return;
-    }
-    lastClear = commands.nextNumber();
-    commands.send(new ServerMessage.Clear(lastClear, m.reasons().stream().sorted().toList()));
-  }
-
-  private void startDrive(RobotMessage.Drive m) {
-    begin(
-        new StoredDrive(commands.nextNumber(), m.task(), m.phase(), m.trajectory()),
-        (n, _) ->
-            new ServerMessage.Drive(
-                n,
-                m.task(),
-                m.phase().number(),
-                m.trajectory().start(),
-                m.trajectory().segments(),
-                m.released(),
-                m.last(),
-                m.load()));
-  }
-
-  /** What it drives then is its leader's affair, so its own trajectory is empty. */
-  private void follow(RobotMessage.Follow m) {
-    begin(
-        new StoredDrive(
-            commands.nextNumber(), m.task(), Phase.TO_GOAL, new Trajectory(m.pose(), List.of())),
-        (n, _) ->
-            new ServerMessage.Follow(
-                n, m.task(), m.leader(), m.fingerprint(), m.offset(), m.tolerance()));
-  }
-
-  private void begin(StoredDrive next, CommandQueue.DriveCommand command) {
-    storeThenSend(next, null, commands.addBegin(next.seq(), command));
-    floor.tell(new RobotEvent.DriveBegun(robot.name(), next));
-  }
-
-  private void extend(RobotMessage.Extend m) {
-    if (drive.isEmpty()) {
-      return;
-    }
-    StoredDrive old = drive.get();
-    List<Segment> segments = new ArrayList<>(old.trajectory().segments().subList(0, m.from()));
-    segments.addAll(m.segments());
-    Trajectory trajectory = new Trajectory(old.trajectory().start(), segments);
-    storeThenSend(
-        new StoredDrive(old.seq(), old.task(), old.phase(), trajectory),
-        old.seq(),
-        commands.addChange(
-            old.seq(),
-            (n, d) ->
-                new ServerMessage.Extend(n, d, m.from(), m.segments(), m.released(), m.last())));
-  }
-
-  private void release(int released) {
-    drive.ifPresent(
-        old ->
-            commands.sendInOrder(old.seq(), (n, d) -> new ServerMessage.Release(n, d, released)));
-  }
-
-  /**
-   * @param changing the drive that the command is to change; null: it begins one
-   * @param id of the command in the queue
-   */
-  private void storeThenSend(StoredDrive next, @Nullable Long changing, long id) {
-    drive = Optional.of(next);
-    ActorRef<RobotMessage> self = getContext().getSelf();
-    writer.write(
-        () -> store.saveDrive(robot.name(), next),
-        () -> self.tell(new RobotMessage.CommandStored(id)),
-        refusal ->
-            self.tell(
-                new RobotMessage.CommandNotStored(
-                    id, changing, String.valueOf(refusal.getMessage()))));
-  }
-
-  private void commandStored(long id) {
-    commands.setStored(id);
-    sendStored();
-  }
-
-  private void sendStored() {
-    for (OptionalLong overtaken = commands.sendStored();
-        overtaken.isPresent();
-        overtaken = commands.sendStored()) {
-      long number = overtaken.getAsLong();
-      Optional<StoredDrive> last = drive.filter(d -> d.seq() == number);
-      if (last.isPresent()) {
-        renumber(last.get());
-      } else {
-        commands.drop(number); // another one comes after it
-      }
+      rejectClear(Phrase.CLEAR_NOT_ANSWERED.with(robot.name()));
+    } else {
+      clears.begin(commands.nextNumber(), m.reasons(), now);
     }
   }
 
-  private void renumber(StoredDrive old) {
-    StoredDrive next =
-        new StoredDrive(commands.nextNumber(), old.task(), old.phase(), old.trajectory());
-    storeThenSend(next, null, commands.renumberFirst(next.seq()));
-    floor.tell(new RobotEvent.DriveBegun(robot.name(), next));
-  }
-
-  private void cancel(RobotMessage.Cancel m) {
-    commands
-        .clear()
-        .ifPresent(number -> floor.tell(new RobotEvent.DriveWithdrawn(robot.name(), number)));
-    commands.send(n -> new ServerMessage.Cancel(n, m.task()));
-  }
-
-  /** It is not sent, and is to the floor as if the robot had refused it. */
-  private void commandNotStored(RobotMessage.CommandNotStored m) {
-    commands.dropNotStored(m.id());
-    sendStored();
-    floor.tell(new RobotEvent.CommandRejected(robot.name(), m.changing(), m.reason()));
+  private void rejectClear(Sentence why) {
+    floor.tell(new RobotEvent.ClearRejected(robot.name(), why));
   }
 
   private void connected(Hello said) {
@@ -288,7 +185,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         said.phase());
     hello = said;
     commands.clear(); // what was meant for the last connection: the floor decides anew
-    changing.clear();
+    unanswered.clear();
+    reports.setConnection(said);
+    clears.reconnected(said.lastSeq()).ifPresent(this::rejectClear);
     silence.recordHeard(now);
     silence.endSilence();
     commands.raiseNumber(said.lastSeq());
@@ -297,51 +196,68 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   }
 
   private void driveLoaded(Optional<StoredDrive> stored) {
-    driveKnown = true;
-    if (drive.isEmpty()) {
-      drive = stored;
-      commands.raiseNumber(stored.map(StoredDrive::seq).orElse(0L));
-    }
+    drives.setLoaded(stored);
     tellConnected();
   }
 
   private void tellConnected() {
-    if (hello != null && driveKnown) {
-      floor.tell(new RobotEvent.Connected(robot.name(), hello, drive));
+    if (hello != null && drives.isLoaded()) {
+      floor.tell(new RobotEvent.Connected(robot.name(), hello, drives.drive()));
     }
   }
 
   private void messageReceived(AgentMessage message) {
     silence.recordHeard(now);
-    if (silence.isSilent() && hello != null && driveKnown) {
+    if (silence.isSilent() && hello != null && drives.isLoaded()) {
       silence.endSilence();
       log.info("{}: heard again.", robot.name());
       floor.tell(new RobotEvent.HeardAgain(robot.name()));
     }
     switch (message) {
-      case AgentMessage.State state ->
-          floor.tell(new RobotEvent.StateReported(robot.name(), state));
-      case AgentMessage.Done done ->
-          floor.tell(
-              new RobotEvent.PhaseEnded(
-                  robot.name(),
-                  new AgentMessage.PhaseEnd(done.task(), done.phase(), done.drive())));
-      case AgentMessage.Reject reject -> {
-        log.info("{}: refused command {}: {}", robot.name(), reject.seq(), reject.reason());
-        floor.tell(
-            reject.seq() == lastClear
-                ? new RobotEvent.ClearRejected(robot.name(), reject.reason())
-                : new RobotEvent.CommandRejected(
-                    robot.name(), changing.remove(reject.seq()), reject.reason()));
-      }
+      case AgentMessage.State state -> reports.receive(state);
+      case AgentMessage.Done done -> phaseEnded(done);
+      case AgentMessage.Reject reject -> rejected(reject);
+      case AgentMessage.Ack(long seq) -> acknowledged(seq);
       case AgentMessage.Hello ignored -> {}
       case AgentMessage.FollowerReport ignored -> {}
-      case AgentMessage.Ack(long acknowledged) -> {
-        changing.remove(acknowledged);
-        if (drive.isPresent() && drive.get().seq() == acknowledged) {
-          floor.tell(new RobotEvent.DriveAccepted(robot.name(), acknowledged));
-        }
-      }
+    }
+  }
+
+  private void phaseEnded(AgentMessage.Done done) {
+    if (reports.takesPhaseEnd()) {
+      reports.flush();
+      floor.tell(
+          new RobotEvent.PhaseEnded(
+              robot.name(), new AgentMessage.PhaseEnd(done.task(), done.phase(), done.drive())));
+    }
+  }
+
+  private void rejected(AgentMessage.Reject reject) {
+    Optional<OptionalLong> awaited = unanswered.take(reject.seq());
+    if (awaited.isEmpty() && !reports.takesStrayAnswer()) {
+      return;
+    }
+    log.info("{}: refused command {}: {}", robot.name(), reject.seq(), reject.reason());
+    if (clears.settle(reject.seq())) {
+      rejectClear(Phrase.REFUSED_A_COMMAND.with(robot.name(), reject.reason()));
+    } else if (awaited.isPresent()) {
+      reports.flush();
+      OptionalLong changed = awaited.get();
+      floor.tell(
+          new RobotEvent.CommandRejected(
+              robot.name(), changed.isPresent() ? changed.getAsLong() : null, reject.reason()));
+    }
+  }
+
+  private void acknowledged(long seq) {
+    if (unanswered.take(seq).isEmpty()) {
+      var _ = reports.takesStrayAnswer();
+      return;
+    }
+    clears.settle(seq);
+    if (drives.drive().filter(drive -> drive.seq() == seq).isPresent()) {
+      reports.flush();
+      floor.tell(new RobotEvent.DriveAccepted(robot.name(), seq));
     }
   }
 
@@ -350,6 +266,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       log.warn("{}: connection lost: {}", robot.name(), why);
     }
     hello = null;
+    reports.setConnection(null);
   }
 
   private void reconnect(RobotRecord paired) {
@@ -357,7 +274,8 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     disconnected("it was paired anew");
     floor.tell(new RobotEvent.Disconnected(robot.name(), "it was paired anew"));
     robot = paired;
-    link = openLink();
+    inbox = openInbox(getContext().getSelf());
+    link = links.open(robot.address(), inbox);
   }
 
   private void tick(Instant time) {
@@ -365,6 +283,8 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     if (hello != null && !lastPing.plus(PING_INTERVAL).isAfter(now)) {
       ping();
     }
+    reports.update();
+    clears.repeat(now).ifPresent(this::rejectClear);
     if (silence.detectSilence(now)) {
       floor.tell(new RobotEvent.FellSilent(robot.name(), silence.lastHeard()));
     }
@@ -377,10 +297,8 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private void send(ServerMessage message) {
     if (hello != null) {
-      switch (message) {
-        case ServerMessage.Extend extend -> changing.put(extend.seq(), extend.drive());
-        case ServerMessage.Release release -> changing.put(release.seq(), release.drive());
-        default -> {}
+      if (message instanceof ServerMessage.Command command) {
+        unanswered.add(command);
       }
       link.send(message);
     }
@@ -388,30 +306,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
 
   private Behavior<RobotMessage> stopped() {
     link.close();
-    writer.close();
+    drives.close();
     return this;
-  }
-
-  /** Turns the link's calls into messages. */
-  private record LinkListener(ActorRef<RobotMessage> self) implements RobotLink.Listener {
-    @Override
-    public void connected(Hello said) {
-      self.tell(new RobotMessage.LinkOpened(said));
-    }
-
-    @Override
-    public void received(AgentMessage message) {
-      self.tell(new RobotMessage.MessageReceived(message));
-    }
-
-    @Override
-    public void disconnected(String sentence) {
-      self.tell(new RobotMessage.LinkClosed(sentence));
-    }
-
-    @Override
-    public void refused(Sentence sentence) {
-      self.tell(new RobotMessage.LinkRefused(sentence));
-    }
   }
 }

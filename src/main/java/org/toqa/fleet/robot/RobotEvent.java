@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.RobotMessageKind;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.PhaseEnd;
@@ -42,7 +43,13 @@ public sealed interface RobotEvent {
   record DriveAccepted(String robot, long drive) implements RobotEvent {}
 
   /** What a person cleared is not cleared. */
-  record ClearRejected(String robot, String reason) implements RobotEvent {}
+  record ClearRejected(String robot, Sentence why) implements RobotEvent {}
+
+  /** It says so much of that kind that a part is left out. */
+  record FloodBegan(String robot, RobotMessageKind kind) implements RobotEvent {}
+
+  /** It says no more than it may again. */
+  record FloodEnded(String robot) implements RobotEvent {}
 
   /**
    * @param changing the drive that the refused command was to change, if it was such a one

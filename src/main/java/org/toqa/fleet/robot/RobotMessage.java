@@ -79,6 +79,9 @@ public sealed interface RobotMessage {
   /** What followed from the end of this drive is stored. */
   record Acknowledge(long drive) implements RobotMessage {}
 
+  /** There is something in the inbox of this link. */
+  record InboxFilled(LinkInbox inbox) implements RobotMessage {}
+
   record LinkOpened(Hello hello) implements RobotMessage {}
 
   record MessageReceived(AgentMessage message) implements RobotMessage {}

@@ -99,6 +99,11 @@ public final class LineChannel implements AutoCloseable {
     return lines.readLine();
   }
 
+  /** Whether the next line has come already; for the thread that reads. */
+  public boolean hasLine() {
+    return lines != null && lines.hasLine();
+  }
+
   @Override
   public void close() {
     writer.interrupt();

@@ -46,6 +46,7 @@ public sealed interface AgentMessage {
    * @param maxSpeed metres a second
    * @param maxTurnRate radians a second
    * @param footprint diameter in metres
+   * @param sensorRange metres that its range sensors see from its rim; 0: it has none
    * @param localised whether the robot trusts its pose; if not, it drives nothing until {@code
    *     locate}
    * @param pose map frame
@@ -62,6 +63,7 @@ public sealed interface AgentMessage {
       double maxSpeed,
       double maxTurnRate,
       double footprint,
+      double sensorRange,
       boolean localised,
       Pose pose,
       Mode mode,
@@ -107,7 +109,15 @@ public sealed interface AgentMessage {
       List<Double> ranges,
       List<Vec2> obstacles,
       List<Fault> errors)
-      implements AgentMessage {}
+      implements AgentMessage {
+
+    /** The same, as if it had seen these obstacles only. */
+    public State withObstacles(List<Vec2> seen) {
+      return new State(
+          stamp, localised, pose, twist, mode, task, phase, role, drive, segment, released, battery,
+          ranges, seen, errors);
+    }
+  }
 
   /**
    * @param v metres a second, forward

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class LineReader {
 
-  private static final int BUFFER_BYTES = 8 * 1024;
+  private static final int BUFFER_BYTES = 32 * 1024;
 
   private final InputStream in;
   private final byte[] buffer = new byte[BUFFER_BYTES];
@@ -65,6 +65,11 @@ public final class LineReader {
         return length < LinkCodec.MAX_LINE_BYTES ? new Text(line) : new TooLong(length + 1);
       }
     }
+  }
+
+  /** Whether the next line has come already, so that {@link #readLine} does not wait. */
+  public boolean hasLine() {
+    return lineFeedIndex() >= 0;
   }
 
   private boolean fill() throws IOException {

@@ -5,10 +5,11 @@ import com.fasterxml.jackson.annotation.Nulls;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.toqa.text.CleanText;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
+import tools.jackson.core.JsonToken;
 import tools.jackson.core.StreamReadConstraints;
 import tools.jackson.core.StreamReadFeature;
 import tools.jackson.core.json.JsonFactory;
@@ -16,20 +17,18 @@ import tools.jackson.databind.DeserializationContext;
 import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.MapperFeature;
-import tools.jackson.databind.cfg.CoercionAction;
-import tools.jackson.databind.cfg.CoercionInputShape;
 import tools.jackson.databind.cfg.EnumFeature;
 import tools.jackson.databind.deser.std.StdScalarDeserializer;
 import tools.jackson.databind.json.JsonMapper;
 import tools.jackson.databind.module.SimpleModule;
 import tools.jackson.databind.node.ObjectNode;
-import tools.jackson.databind.type.LogicalType;
 
 /**
  * Messages of the robot link as lines: one JSON object, UTF-8, ended by a line feed, at most {@link
  * #MAX_LINE_BYTES} long. Reading never throws: whatever a peer sends becomes a message that is
- * complete, well typed and finite in every number, or a sentence about what is wrong with it.
- * Fields that are not known are ignored; a field of the record that is not sent is an error.
+ * complete, well typed, finite in every number and clean in every text ({@link CleanText}), or a
+ * sentence about what is wrong with it. Fields that are not known are ignored; a field of the
+ * record that is not sent is an error.
  */
 public final class LinkCodec {
 
@@ -44,6 +43,9 @@ public final class LinkCodec {
 
   /** Radians a second; what a daemon that does not tell it refuses, if its file says nothing. */
   private static final double MAX_TURN_RATE_NOT_SENT = 3.5;
+
+  /** Metres; what a daemon that does not tell it sees: {@code avoidance.RangeSensors}. */
+  private static final double SENSOR_RANGE_NOT_SENT = 0.8;
 
   private static final int LONGEST_ECHO = 40;
 
@@ -66,18 +68,11 @@ public final class LinkCodec {
           .enable(EnumFeature.FAIL_ON_NUMBERS_FOR_ENUMS)
           .changeDefaultNullHandling(
               nulls -> nulls.withValueNulls(Nulls.FAIL).withContentNulls(Nulls.FAIL))
-          .withCoercionConfig(
-              LogicalType.Textual,
-              text ->
-                  Stream.of(
-                          CoercionInputShape.Integer,
-                          CoercionInputShape.Float,
-                          CoercionInputShape.Boolean)
-                      .forEach(shape -> text.setCoercion(shape, CoercionAction.Fail)))
           .addModule(
               new SimpleModule()
                   .addDeserializer(double.class, new PlainNumber())
-                  .addDeserializer(Double.class, new PlainNumber()))
+                  .addDeserializer(Double.class, new PlainNumber())
+                  .addDeserializer(String.class, new PlainText()))
           .build();
 
   private LinkCodec() {}
@@ -185,7 +180,10 @@ public final class LinkCodec {
   private static void addMissingFields(JsonNode message) {
     switch (message.path("type").asString("")) {
       case "drive" -> addIfMissing(message, "load", 0);
-      case "hello" -> addIfMissing(message, "maxTurnRate", MAX_TURN_RATE_NOT_SENT);
+      case "hello" -> {
+        addIfMissing(message, "maxTurnRate", MAX_TURN_RATE_NOT_SENT);
+        addIfMissing(message, "sensorRange", SENSOR_RANGE_NOT_SENT);
+      }
       case "state" ->
           message.path("errors").valueStream().forEach(error -> addIfMissing(error, "clearable"));
       default -> {}
@@ -246,7 +244,7 @@ public final class LinkCodec {
   }
 
   private static String shortened(String text) {
-    return text.length() <= LONGEST_ECHO ? text : text.substring(0, LONGEST_ECHO) + "...";
+    return CleanText.of(text, LONGEST_ECHO);
   }
 
   /** Takes numbers only, where the library would also take the text "NaN". */
@@ -260,6 +258,20 @@ public final class LinkCodec {
       return parser.currentToken().isNumeric()
           ? parser.getDoubleValue()
           : (Double) context.handleUnexpectedToken(context.constructType(Double.class), parser);
+    }
+  }
+
+  /** Takes texts only, and makes them fit for logs and pages. */
+  private static final class PlainText extends StdScalarDeserializer<String> {
+    PlainText() {
+      super(String.class);
+    }
+
+    @Override
+    public String deserialize(JsonParser parser, DeserializationContext context) {
+      return parser.currentToken() == JsonToken.VALUE_STRING
+          ? CleanText.of(parser.getString())
+          : (String) context.handleUnexpectedToken(context.constructType(String.class), parser);
     }
   }
 }

@@ -3,6 +3,7 @@ package org.toqa.fleet.floor;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -120,6 +121,85 @@ class ObstacleMapTest {
     ofHall.addPercepts("r1", everywhere, NOBODY, START);
 
     assertEquals(ObstacleMap.MAX_CELLS, ofHall.cells().cardinality());
+  }
+
+  @Test
+  void aRobotThatSeesObstaclesEverywhereTakesNoPlaceFromOthers() {
+    OccupancyGrid hall = new OccupancyGrid(100, 100, 1, Vec2.ZERO, new BitSet());
+    ObstacleMap ofHall = new ObstacleMap(hall);
+    List<Vec2> everywhere = new ArrayList<>();
+    for (int i = 0; i < 5_000; i++) {
+      everywhere.add(hall.centre(hall.cell(i)));
+    }
+    ofHall.addPercepts("r1", everywhere, NOBODY, START);
+
+    ofHall.addPercepts("r2", List.of(hall.centre(hall.cell(9_999))), NOBODY, START);
+
+    assertTrue(ofHall.cells().get(9_999));
+  }
+
+  @Test
+  void whatOneRobotAloneSeesForLongIsDoubtedAndToldOnce() {
+    Vec2 there = new Vec2(3.5, 0.5);
+    Obstacle obstacle = map.addPercepts("r1", List.of(there), NOBODY, START).getFirst();
+    Instant end = watch(START, ObstacleMap.BELIEVE_ONE_FOR.minusSeconds(1), there);
+    assertEquals(cells(new Cell(3, 2)), map.cells());
+    assertEquals(List.of(), map.takeDoubted());
+
+    end = watch(end, Duration.ofSeconds(30), there);
+
+    assertEquals(new BitSet(), map.cells());
+    assertEquals(List.of(obstacle), map.takeDoubted());
+    assertEquals(List.of(), map.takeDoubted());
+    assertEquals(List.of(), map.forgetExpired(end), "it is still seen");
+  }
+
+  @Test
+  void whoSeesSomethingElseBesideItIsDoubtedTheSame() {
+    Instant now = START;
+    for (int i = 0; i < 60; i++) { // each cell rests for a minute in between
+      for (double x : new double[] {3.5, 4.5, 5.5}) {
+        map.addPercepts("r1", List.of(new Vec2(x, 0.5)), NOBODY, now);
+        map.forgetExpired(now);
+        now = now.plusSeconds(20);
+      }
+    }
+
+    assertEquals(new BitSet(), map.cells());
+  }
+
+  @Test
+  void whatAnotherOneSeesTooIsBelievedAnew() {
+    Vec2 there = new Vec2(3.5, 0.5);
+    Instant end = watch(START, ObstacleMap.BELIEVE_ONE_FOR.plusSeconds(30), there);
+    assertEquals(new BitSet(), map.cells());
+
+    map.addPercepts("r2", List.of(there), NOBODY, end);
+    assertEquals(cells(new Cell(3, 2)), map.cells());
+    watch(end, Duration.ofMinutes(5), there);
+    assertEquals(cells(new Cell(3, 2)), map.cells(), "r2 has gone, but was right");
+  }
+
+  @Test
+  void whoLooksAwayForAWhileIsBelievedAnew() {
+    Vec2 there = new Vec2(3.5, 0.5);
+    Instant end =
+        watch(START, ObstacleMap.BELIEVE_ONE_FOR.plusSeconds(30), there)
+            .plus(ObstacleMap.REMEMBER_FOR);
+    map.forgetExpired(end);
+
+    map.addPercepts("r1", List.of(there), NOBODY, end);
+
+    assertEquals(cells(new Cell(3, 2)), map.cells());
+  }
+
+  private Instant watch(Instant begin, Duration time, Vec2 there) {
+    Instant now = begin;
+    for (; !now.isAfter(begin.plus(time)); now = now.plusSeconds(10)) {
+      map.addPercepts("r1", List.of(there), NOBODY, now);
+      map.forgetExpired(now);
+    }
+    return now;
   }
 
   private static BitSet cells(Cell... cells) {

@@ -20,8 +20,6 @@ import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.DriveSpeeds;
-import org.toqa.motion.Segment;
-import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.mapf.LacamJointPlanner;
 
@@ -39,58 +37,16 @@ final class DrivenFloor {
   /** What planning is taken to last from one look at the time to the next, on every machine. */
   private static final long NANOS_A_LOOK = 1_000;
 
-  /** So near to its goal, metres, a robot has to come. */
-  private static final double ARRIVED = 0.03;
-
   private static final Pattern WAITING_FOR =
       Pattern.compile("^Waiting for (r\\d+)( to leave the goal)?");
 
   final OccupancyGrid grid;
   final FloorTraffic traffic;
-  final Map<String, Body> bodies = new TreeMap<>();
+  final Map<String, DrivenBody> bodies = new TreeMap<>();
   final Set<String> lost = new TreeSet<>();
   private final SplittableRandom chance;
   private final AtomicLong looks = new AtomicLong();
   Instant now = Instant.EPOCH;
-
-  /** A robot as it really is. */
-  static final class Body {
-    Pose pose;
-    final double diameter;
-    @Nullable Trajectory trajectory;
-    int released;
-    int completed;
-    boolean last;
-    double inSegment;
-    boolean isStuck;
-    @Nullable Vec2 goal;
-
-    /** Metres a second; it cannot drive faster. */
-    double maxSpeed = Double.POSITIVE_INFINITY;
-
-    /** Who drives with it. */
-    @Nullable FormationFootprint group;
-
-    Body(Pose pose, double diameter) {
-      this.pose = pose;
-      this.diameter = diameter;
-    }
-
-    List<PlacedDisc> discs() {
-      return group == null
-          ? List.of(new PlacedDisc(pose.position(), diameter / 2))
-          : group.discs(pose);
-    }
-
-    /** Where what it carries is. */
-    Vec2 carries() {
-      return group == null ? pose.position() : group.shape().loadAt(pose).position();
-    }
-
-    double arrived(OccupancyGrid grid) {
-      return group == null ? ARRIVED : FormationLattice.goalTolerance(grid) + ARRIVED;
-    }
-  }
 
   DrivenFloor(OccupancyGrid grid, long seed) {
     this.grid = grid;
@@ -114,7 +70,7 @@ final class DrivenFloor {
     return new OccupancyGrid(unit.width(), unit.height(), 0.3, Vec2.ZERO, unit.occupied());
   }
 
-  Body body(String robot) {
+  DrivenBody body(String robot) {
     return Objects.requireNonNull(bodies.get(robot), robot);
   }
 
@@ -131,7 +87,7 @@ final class DrivenFloor {
   }
 
   void putAt(String robot, Pose pose, double diameter) {
-    Body body = new Body(pose, diameter);
+    DrivenBody body = new DrivenBody(pose, diameter);
     bodies.put(robot, body);
     traffic.reportStanding(robot, body.pose, diameter, now);
     traffic.setMovable(robot, true);
@@ -188,7 +144,7 @@ final class DrivenFloor {
    * @param radians askew, at most
    */
   void stopBesidePath(String robot, double metres, double radians) {
-    Body body = body(robot);
+    DrivenBody body = body(robot);
     body.trajectory = null;
     Pose onPath = body.pose;
     for (int tries = 0; tries < 20; tries++) {
@@ -206,12 +162,12 @@ final class DrivenFloor {
   }
 
   boolean isAt(String robot, Cell cell) {
-    Body body = body(robot);
+    DrivenBody body = body(robot);
     return body.trajectory == null && body.pose.position().distanceTo(grid.centre(cell)) < 1e-3;
   }
 
   boolean isArrived(String robot) {
-    Body body = body(robot);
+    DrivenBody body = body(robot);
     return body.goal == null
         || (body.trajectory == null && body.carries().distanceTo(body.goal) < body.arrived(grid));
   }
@@ -244,11 +200,11 @@ final class DrivenFloor {
     now = now.plusMillis((long) (STEP * 1000));
     bodies.forEach(this::report);
     traffic.decide(now).forEach(this::obey);
-    bodies.values().forEach(this::move);
+    bodies.values().forEach(body -> body.move(STEP, chance));
     check();
   }
 
-  private void report(String name, Body body) {
+  private void report(String name, DrivenBody body) {
     if (body.trajectory == null) {
       traffic.reportStanding(name, body.pose, body.diameter, now);
     } else {
@@ -257,89 +213,25 @@ final class DrivenFloor {
   }
 
   private void obey(DriveCommand decision) {
-    Body body = body(decision.robot());
-    change(body, decision);
-    if (body.trajectory != null) {
-      require(
-          body.trajectory.segments().stream().allMatch(s -> s.v() < body.maxSpeed + 1e-9),
-          decision.robot() + " was told to drive faster than it can");
-    }
-  }
-
-  private static void change(Body body, DriveCommand decision) {
-    switch (decision) {
-      case DriveCommand.Begin begin -> {
-        require(body.trajectory == null, decision.robot() + " was told to begin while it drives");
-        require(
-            begin.trajectory().start().distanceTo(body.pose) < (body.group == null ? 1e-6 : 0.01),
-            decision.robot() + " was told to begin elsewhere");
-        body.trajectory = begin.trajectory();
-        body.released = begin.released();
-        body.completed = 0;
-        body.inSegment = 0;
-        body.last = begin.endsAtGoal();
-      }
-      case DriveCommand.Extend extend -> {
-        Trajectory trajectory =
-            Objects.requireNonNull(
-                body.trajectory, () -> decision.robot() + " was told to go on while it is stopped");
-        require(
-            extend.from() >= body.released, decision.robot() + ": a released section was changed");
-        List<Segment> segments = new ArrayList<>(trajectory.segments().subList(0, extend.from()));
-        segments.addAll(extend.segments());
-        body.trajectory = new Trajectory(trajectory.start(), segments);
-        body.released = extend.released();
-        body.last = extend.endsAtGoal();
-      }
-      case DriveCommand.Release release -> {
-        require(release.released() > body.released, decision.robot() + ": released less");
-        body.released = release.released();
-      }
-    }
-  }
-
-  private void move(Body body) {
-    Trajectory trajectory = body.trajectory;
-    if (trajectory == null || body.isStuck) {
-      return;
-    }
-    double left = STEP * (chance.nextInt(4) == 0 ? 0 : chance.nextDouble(0.3, 1));
-    while (left > 0 && body.completed < body.released) {
-      double t = trajectory.segments().get(body.completed).t();
-      double used = Math.min(left, t - body.inSegment);
-      body.inSegment += used;
-      left -= used;
-      if (body.inSegment >= t - 1e-12) {
-        body.completed++;
-        body.inSegment = 0;
-      }
-    }
-    Pose at = trajectory.poseAfter(body.completed);
-    body.pose =
-        body.completed < trajectory.segments().size()
-            ? at.advanced(trajectory.segments().get(body.completed).twist(), body.inSegment)
-            : at;
-    if (body.last && body.completed == trajectory.segments().size()) {
-      body.trajectory = null;
-    }
+    body(decision.robot()).obey(decision);
   }
 
   private void check() {
-    List<Map.Entry<String, Body>> all = new ArrayList<>(bodies.entrySet());
+    List<Map.Entry<String, DrivenBody>> all = new ArrayList<>(bodies.entrySet());
     for (int i = 0; i < all.size(); i++) {
-      Body a = all.get(i).getValue();
+      DrivenBody a = all.get(i).getValue();
       require(
           a.discs().stream().allMatch(this::isOffTheWalls),
           all.get(i).getKey() + " touches a wall at " + a.pose);
       for (int j = i + 1; j < all.size(); j++) {
-        Body b = all.get(j).getValue();
+        DrivenBody b = all.get(j).getValue();
         String pair = all.get(i).getKey() + " and " + all.get(j).getKey();
         require(gap(a, b) > -1e-6, pair + " overlap at " + a.pose + ", " + b.pose + " at " + now);
       }
     }
   }
 
-  private static double gap(Body a, Body b) {
+  private static double gap(DrivenBody a, DrivenBody b) {
     return a.discs().stream()
         .flatMapToDouble(
             one ->
@@ -403,7 +295,7 @@ final class DrivenFloor {
   Map<String, String> reasons() {
     Map<String, String> reasons = new HashMap<>();
     for (String robot : bodies.keySet()) {
-      Body body = body(robot);
+      DrivenBody body = body(robot);
       if (!isArrived(robot) || body.trajectory != null) {
         reasons.put(robot, reason(robot) + " at " + body.pose + " for " + body.goal);
       }
@@ -411,7 +303,7 @@ final class DrivenFloor {
     return reasons;
   }
 
-  private static void require(boolean holds, String sentence) {
+  static void require(boolean holds, String sentence) {
     if (!holds) {
       throw new AssertionError(sentence);
     }

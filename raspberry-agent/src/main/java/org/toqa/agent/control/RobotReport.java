@@ -5,6 +5,7 @@ import java.util.stream.Stream;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.config.AgentConfig;
 import org.toqa.agent.storage.JournalEntry;
+import org.toqa.avoidance.RangeSensors;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
@@ -44,6 +45,7 @@ public record RobotReport(
         config.limits().speed(),
         config.limits().turnRate(),
         config.footprint(),
+        RangeSensors.FARTHEST,
         isLocalised,
         pose,
         mode,

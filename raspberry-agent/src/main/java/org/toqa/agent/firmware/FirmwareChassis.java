@@ -42,6 +42,9 @@ public final class FirmwareChassis implements Chassis {
   /** Exchanges without an answer, 200 ms, until the daemon says so. */
   private static final int SILENT_EXCHANGES = 10;
 
+  /** Exchanges in which a clear is sent at most, 0.5 s: so long a person's word is good. */
+  private static final int CLEAR_SENDS = 25;
+
   private static final FirmwareCommand STANDSTILL = new Velocity(Twist.ZERO);
 
   /** A body that is stopped is sent commands no oftener; its time limit for one is 200 ms. */
@@ -82,6 +85,19 @@ public final class FirmwareChassis implements Chassis {
 
   /** Codes of faults, until the next exchange. */
   private Set<String> clearRequested = Set.of();
+
+  /** What a person cleared, until the microcontroller has answered that. */
+  private @Nullable PendingClear pendingClear;
+
+  /**
+   * A clear that was sent. It is sent again under its own number, which the microcontroller obeys
+   * once, and nothing else is sent before it is answered: so it clears nothing that came later.
+   *
+   * @param sequence of its frame
+   * @param powerCycle of the microcontroller that stopped the robot
+   * @param sends how often it was sent
+   */
+  private record PendingClear(Clear clear, int sequence, int powerCycle, int sends) {}
 
   /**
    * Finds the microcontroller.
@@ -128,7 +144,7 @@ public final class FirmwareChassis implements Chassis {
     }
     exchangedNanos = nanos;
     lastCommand = command;
-    sequence = (sequence + 1) % FrameCodec.SEQUENCES;
+    numberNext(command);
     try {
       FrameCodec.decode(transport.exchange(FrameCodec.encode(command, sequence), nanos))
           .ifPresentOrElse(this::update, () -> unanswered++);
@@ -140,6 +156,22 @@ public final class FirmwareChassis implements Chassis {
     quality.recordExchange(unanswered == 0);
     logFailures(nanos);
     return reading();
+  }
+
+  /** A clear that is sent again keeps its number. */
+  private void numberNext(FirmwareCommand command) {
+    PendingClear pending = pendingClear;
+    if (pending != null) {
+      pendingClear =
+          new PendingClear(
+              pending.clear(), pending.sequence(), pending.powerCycle(), pending.sends() + 1);
+      sequence = pending.sequence();
+      return;
+    }
+    sequence = (sequence + 1) % FrameCodec.SEQUENCES;
+    if (command instanceof Clear clear && clear.byPerson()) {
+      pendingClear = new PendingClear(clear, sequence, status.powerCycle(), 1);
+    }
   }
 
   private void logFailures(long nanos) {
@@ -174,6 +206,14 @@ public final class FirmwareChassis implements Chassis {
   }
 
   private FirmwareCommand nextCommand(Twist wanted) {
+    PendingClear pending = pendingClear;
+    if (pending != null && pending.sends() < CLEAR_SENDS) {
+      return pending.clear();
+    }
+    if (pending != null) {
+      log.warn("The robot's microcontroller did not answer a clear; it was given up.");
+      pendingClear = null;
+    }
     Set<String> cleared = clearRequested;
     clearRequested = Set.of();
     Set<StopReason> byPerson =
@@ -210,6 +250,11 @@ public final class FirmwareChassis implements Chassis {
       log.warn("The robot's microcontroller refused a command: {}", now.answer());
     }
     status = now;
+    PendingClear pending = pendingClear;
+    if (pending != null
+        && (now.sequence() == pending.sequence() || now.powerCycle() != pending.powerCycle())) {
+      pendingClear = null;
+    }
   }
 
   private static Optional<Twist> twistBetween(FirmwareStatus before, FirmwareStatus now) {

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
@@ -146,10 +147,75 @@ class FirmwareChassisTest {
     tick(Twist.ZERO, 1);
     chassis.clearStops(Set.of("STOP_EDGE", "STOP_POWER_UP"));
     sent.clear();
+    tick(Twist.ZERO, 1);
+    answerLast();
     tick(Twist.ZERO, 2);
 
     assertSent(new Clear(Set.of(StopReason.EDGE), true), sent.getFirst());
     assertSent(new Clear(Set.of(StopReason.POWER_UP, StopReason.LINK), false), sent.getLast());
+  }
+
+  /** Nothing else is sent meanwhile: as an older number it would be obeyed once more. */
+  @Test
+  void aClearIsSentUnderItsNumberUntilItIsAnswered() throws IOException {
+    answer = GoldenFrame.of("status").getLast();
+    tick(Twist.ZERO, 1);
+    chassis.clearStops(Set.of("STOP_EDGE"));
+    sent.clear();
+    tick(Twist.ZERO, 5);
+
+    assertSent(new Clear(Set.of(StopReason.EDGE), true), sent.getFirst());
+    sent.forEach(frame -> assertArrayEquals(sent.getFirst(), frame));
+    answerLast();
+    tick(Twist.ZERO, 1);
+    sent.clear();
+    tick(Twist.ZERO, 1);
+    assertSent(new Clear(Set.of(StopReason.POWER_UP, StopReason.LINK), false), sent.getLast());
+  }
+
+  @Test
+  void aClearThatIsNeverAnsweredIsGivenUp() throws IOException {
+    answer = GoldenFrame.of("status").getLast();
+    tick(Twist.ZERO, 1);
+    chassis.clearStops(Set.of("STOP_EDGE"));
+    sent.clear();
+    tick(Twist.ZERO, 2 * SECOND);
+
+    assertEquals(SECOND / 2, sent.stream().filter(f -> Arrays.equals(f, sent.getFirst())).count());
+  }
+
+  @Test
+  void aClearIsForTheMicrocontrollerThatStoppedOnly() throws IOException {
+    answer = GoldenFrame.of("status").getLast();
+    tick(Twist.ZERO, 1);
+    chassis.clearStops(Set.of("STOP_EDGE"));
+    tick(Twist.ZERO, 1);
+    answer = sealed(GoldenFrame.of("status").getLast(), 8, (byte) 99); // it was switched off and on
+    tick(Twist.ZERO, 1);
+    sent.clear();
+    tick(Twist.ZERO, 5);
+
+    assertTrue(
+        sent.stream()
+            .noneMatch(
+                f ->
+                    Arrays.equals(
+                        f,
+                        FrameCodec.encode(new Clear(Set.of(StopReason.EDGE), true), f[3] & 0xff))));
+  }
+
+  /** The microcontroller has received the last frame. */
+  private void answerLast() {
+    answer = sealed(answer, 3, sent.getLast()[3]);
+  }
+
+  private static byte[] sealed(byte[] frame, int index, byte value) {
+    byte[] changed = frame.clone();
+    changed[index] = value;
+    ByteBuffer.wrap(changed)
+        .order(ByteOrder.LITTLE_ENDIAN)
+        .putShort(62, (short) Crc16.of(changed, 62));
+    return changed;
   }
 
   private static void assertSent(FirmwareCommand command, byte[] frame) {

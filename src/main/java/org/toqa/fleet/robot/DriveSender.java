@@ -1,0 +1,180 @@
+package org.toqa.fleet.robot;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalLong;
+import org.apache.pekko.actor.typed.ActorRef;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.FleetStore.StoredDrive;
+import org.toqa.fleet.StoreWriter;
+import org.toqa.link.message.ServerMessage;
+import org.toqa.mission.Phase;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/**
+ * Sends a robot its drives: each, and each change of it, is stored before it is sent. Confined to
+ * the robot's agent.
+ */
+final class DriveSender implements AutoCloseable {
+  private final String robot;
+  private final FleetStore store;
+  private final StoreWriter writer;
+  private final CommandQueue commands;
+  private final ActorRef<RobotEvent> floor;
+  private final ActorRef<RobotMessage> self;
+  private Optional<StoredDrive> drive = Optional.empty();
+  private boolean isLoaded;
+
+  /**
+   * Asks the store for the last drive; {@link #setLoaded} brings it.
+   *
+   * @param writer closed with this
+   */
+  DriveSender(
+      String robot,
+      FleetStore store,
+      StoreWriter writer,
+      CommandQueue commands,
+      ActorRef<RobotEvent> floor,
+      ActorRef<RobotMessage> self) {
+    this.robot = robot;
+    this.store = store;
+    this.writer = writer;
+    this.commands = commands;
+    this.floor = floor;
+    this.self = self;
+    writer.write(() -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot))), () -> {});
+  }
+
+  void setLoaded(Optional<StoredDrive> stored) {
+    isLoaded = true;
+    if (drive.isEmpty()) {
+      drive = stored;
+      commands.raiseNumber(stored.map(StoredDrive::seq).orElse(0L));
+    }
+  }
+
+  /** Whether the last drive is known. */
+  boolean isLoaded() {
+    return isLoaded;
+  }
+
+  /** The last drive that the robot was sent or is being sent. */
+  Optional<StoredDrive> drive() {
+    return drive;
+  }
+
+  void start(RobotMessage.Drive m) {
+    begin(
+        new StoredDrive(commands.nextNumber(), m.task(), m.phase(), m.trajectory()),
+        (n, _) ->
+            new ServerMessage.Drive(
+                n,
+                m.task(),
+                m.phase().number(),
+                m.trajectory().start(),
+                m.trajectory().segments(),
+                m.released(),
+                m.last(),
+                m.load()));
+  }
+
+  /** What it drives then is its leader's affair, so its own trajectory is empty. */
+  void follow(RobotMessage.Follow m) {
+    begin(
+        new StoredDrive(
+            commands.nextNumber(), m.task(), Phase.TO_GOAL, new Trajectory(m.pose(), List.of())),
+        (n, _) ->
+            new ServerMessage.Follow(
+                n, m.task(), m.leader(), m.fingerprint(), m.offset(), m.tolerance()));
+  }
+
+  private void begin(StoredDrive next, CommandQueue.DriveCommand command) {
+    storeThenSend(next, null, commands.addBegin(next.seq(), command));
+    floor.tell(new RobotEvent.DriveBegun(robot, next));
+  }
+
+  void extend(RobotMessage.Extend m) {
+    if (drive.isEmpty()) {
+      return;
+    }
+    StoredDrive old = drive.get();
+    List<Segment> segments = new ArrayList<>(old.trajectory().segments().subList(0, m.from()));
+    segments.addAll(m.segments());
+    Trajectory trajectory = new Trajectory(old.trajectory().start(), segments);
+    storeThenSend(
+        new StoredDrive(old.seq(), old.task(), old.phase(), trajectory),
+        old.seq(),
+        commands.addChange(
+            old.seq(),
+            (n, d) ->
+                new ServerMessage.Extend(n, d, m.from(), m.segments(), m.released(), m.last())));
+  }
+
+  void release(int released) {
+    drive.ifPresent(
+        old ->
+            commands.sendInOrder(old.seq(), (n, d) -> new ServerMessage.Release(n, d, released)));
+  }
+
+  /**
+   * @param changing the drive that the command is to change; null: it begins one
+   * @param id of the command in the queue
+   */
+  private void storeThenSend(StoredDrive next, @Nullable Long changing, long id) {
+    drive = Optional.of(next);
+    writer.write(
+        () -> store.saveDrive(robot, next),
+        () -> self.tell(new RobotMessage.CommandStored(id)),
+        refusal ->
+            self.tell(
+                new RobotMessage.CommandNotStored(
+                    id, changing, String.valueOf(refusal.getMessage()))));
+  }
+
+  void commandStored(long id) {
+    commands.setStored(id);
+    sendStored();
+  }
+
+  private void sendStored() {
+    for (OptionalLong overtaken = commands.sendStored();
+        overtaken.isPresent();
+        overtaken = commands.sendStored()) {
+      long number = overtaken.getAsLong();
+      Optional<StoredDrive> last = drive.filter(d -> d.seq() == number);
+      if (last.isPresent()) {
+        renumber(last.get());
+      } else {
+        commands.drop(number); // another one comes after it
+      }
+    }
+  }
+
+  private void renumber(StoredDrive old) {
+    StoredDrive next =
+        new StoredDrive(commands.nextNumber(), old.task(), old.phase(), old.trajectory());
+    storeThenSend(next, null, commands.renumberFirst(next.seq()));
+    floor.tell(new RobotEvent.DriveBegun(robot, next));
+  }
+
+  void cancel(RobotMessage.Cancel m) {
+    commands.clear().ifPresent(number -> floor.tell(new RobotEvent.DriveWithdrawn(robot, number)));
+    commands.send(n -> new ServerMessage.Cancel(n, m.task()));
+  }
+
+  /** It is not sent, and is to the floor as if the robot had refused it. */
+  void commandNotStored(RobotMessage.CommandNotStored m) {
+    commands.dropNotStored(m.id());
+    sendStored();
+    floor.tell(new RobotEvent.CommandRejected(robot, m.changing(), m.reason()));
+  }
+
+  @Override
+  public void close() {
+    writer.close();
+  }
+}

@@ -1,0 +1,98 @@
+package org.toqa.link;
+
+import java.util.Optional;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.State;
+
+/** Which figures of a robot cannot be true, so that nothing is believed of such a message. */
+final class RobotFigures {
+  /** A robot is at most so wide, metres. */
+  private static final double MAX_FOOTPRINT = 10;
+
+  /** A robot's sensors see at most so far, metres. */
+  private static final double MAX_SENSOR_RANGE = 30;
+
+  /** From the map's origin, metres. */
+  private static final double MAX_COORDINATE = 100_000;
+
+  /** Metres a second, radians a second. */
+  private static final double MAX_SPEED = 100;
+
+  private RobotFigures() {}
+
+  /**
+   * What is wrong with the capabilities that a robot tells, with all of them.
+   *
+   * @return a sentence
+   */
+  static Optional<String> objection(Hello hello) {
+    boolean isPossible =
+        hello.maxLoad() >= 0
+            && isWithin(hello.maxSpeed(), MAX_SPEED)
+            && isWithin(hello.maxTurnRate(), MAX_SPEED)
+            && isWithin(hello.footprint(), MAX_FOOTPRINT)
+            && hello.sensorRange() >= 0
+            && hello.sensorRange() <= MAX_SENSOR_RANGE;
+    return isPossible
+        ? Optional.empty()
+        : Optional.of(
+            "%s says that it carries %s kg, drives %s m/s, turns %s rad/s, is %s m wide and sees %s m; correct its configuration."
+                .formatted(
+                    hello.robot(),
+                    hello.maxLoad(),
+                    hello.maxSpeed(),
+                    hello.maxTurnRate(),
+                    hello.footprint(),
+                    hello.sensorRange()));
+  }
+
+  private static boolean isWithin(double value, double max) {
+    return value > 0 && value <= max;
+  }
+
+  /**
+   * What is wrong with a message.
+   *
+   * @return a sentence
+   */
+  static Optional<String> objection(AgentMessage message) {
+    return switch (message) {
+      case Hello hello when !isOnEarth(hello.pose()) -> Optional.of(farAway("pose", "hello"));
+      case State state -> objection(state);
+      default -> Optional.empty();
+    };
+  }
+
+  private static Optional<String> objection(State state) {
+    if (!isOnEarth(state.pose())) {
+      return Optional.of(farAway("pose", "state"));
+    }
+    if (!state.obstacles().stream().allMatch(RobotFigures::isOnEarth)) {
+      return Optional.of(farAway("obstacle", "state"));
+    }
+    if (!(state.battery() >= 0 && state.battery() <= 1)) {
+      return Optional.of("The battery of the state is not from 0 to 1.");
+    }
+    if (Math.max(Math.abs(state.twist().v()), Math.abs(state.twist().w())) > MAX_SPEED) {
+      return Optional.of("The twist of the state is faster than any robot.");
+    }
+    return state.ranges().stream().allMatch(range -> range >= 0)
+        ? Optional.empty()
+        : Optional.of("A range of the state is less than 0.");
+  }
+
+  private static String farAway(String what, String message) {
+    return "The %s of the %s is more than 100 km from the map's origin.".formatted(what, message);
+  }
+
+  private static boolean isOnEarth(Pose pose) {
+    return isOnEarth(pose.position());
+  }
+
+  private static boolean isOnEarth(Vec2 point) {
+    return Math.max(Math.abs(point.x()), Math.abs(point.y())) <= MAX_COORDINATE;
+  }
+}

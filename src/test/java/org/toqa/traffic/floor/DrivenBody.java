@@ -1,0 +1,128 @@
+package org.toqa.traffic.floor;
+
+import static org.toqa.traffic.floor.DrivenFloor.require;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
+
+/** A robot of a {@link DrivenFloor} as it really is; it drives what it is told, and looks on. */
+final class DrivenBody {
+  /** So near to its goal, metres, a robot has to come. */
+  private static final double ARRIVED = 0.03;
+
+  Pose pose;
+  final double diameter;
+  @Nullable Trajectory trajectory;
+  int released;
+  int completed;
+  boolean last;
+  double inSegment;
+  boolean isStuck;
+  @Nullable Vec2 goal;
+
+  /** Metres a second; it cannot drive faster. */
+  double maxSpeed = Double.POSITIVE_INFINITY;
+
+  /** Who drives with it. */
+  @Nullable FormationFootprint group;
+
+  DrivenBody(Pose pose, double diameter) {
+    this.pose = pose;
+    this.diameter = diameter;
+  }
+
+  List<PlacedDisc> discs() {
+    return group == null
+        ? List.of(new PlacedDisc(pose.position(), diameter / 2))
+        : group.discs(pose);
+  }
+
+  /** Where what it carries is. */
+  Vec2 carries() {
+    return group == null ? pose.position() : group.shape().loadAt(pose).position();
+  }
+
+  double arrived(OccupancyGrid grid) {
+    return group == null ? ARRIVED : FormationLattice.goalTolerance(grid) + ARRIVED;
+  }
+
+  /** Takes a command, if that is one that it may be given now. */
+  void obey(DriveCommand decision) {
+    change(decision);
+    if (trajectory != null) {
+      require(
+          trajectory.segments().stream().allMatch(s -> s.v() < maxSpeed + 1e-9),
+          decision.robot() + " was told to drive faster than it can");
+    }
+  }
+
+  private void change(DriveCommand decision) {
+    switch (decision) {
+      case DriveCommand.Begin begin -> {
+        require(trajectory == null, decision.robot() + " was told to begin while it drives");
+        require(
+            begin.trajectory().start().distanceTo(pose) < (group == null ? 1e-6 : 0.01),
+            decision.robot() + " was told to begin elsewhere");
+        trajectory = begin.trajectory();
+        released = begin.released();
+        completed = 0;
+        inSegment = 0;
+        last = begin.endsAtGoal();
+      }
+      case DriveCommand.Extend extend -> {
+        Trajectory old =
+            Objects.requireNonNull(
+                trajectory, () -> decision.robot() + " was told to go on while it is stopped");
+        require(extend.from() >= released, decision.robot() + ": a released section was changed");
+        List<Segment> segments = new ArrayList<>(old.segments().subList(0, extend.from()));
+        segments.addAll(extend.segments());
+        trajectory = new Trajectory(old.start(), segments);
+        released = extend.released();
+        last = extend.endsAtGoal();
+      }
+      case DriveCommand.Release release -> {
+        require(release.released() > released, decision.robot() + ": released less");
+        released = release.released();
+      }
+    }
+  }
+
+  /**
+   * Drives on, as late as chance will have it.
+   *
+   * @param seconds that have passed
+   */
+  void move(double seconds, SplittableRandom chance) {
+    Trajectory driven = trajectory;
+    if (driven == null || isStuck) {
+      return;
+    }
+    double left = seconds * (chance.nextInt(4) == 0 ? 0 : chance.nextDouble(0.3, 1));
+    while (left > 0 && completed < released) {
+      double t = driven.segments().get(completed).t();
+      double used = Math.min(left, t - inSegment);
+      inSegment += used;
+      left -= used;
+      if (inSegment >= t - 1e-12) {
+        completed++;
+        inSegment = 0;
+      }
+    }
+    Pose at = driven.poseAfter(completed);
+    pose =
+        completed < driven.segments().size()
+            ? at.advanced(driven.segments().get(completed).twist(), inSegment)
+            : at;
+    if (last && completed == driven.segments().size()) {
+      trajectory = null;
+    }
+  }
+}
