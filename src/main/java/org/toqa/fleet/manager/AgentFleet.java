@@ -17,6 +17,7 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.apache.pekko.actor.BootstrapSetup;
@@ -30,6 +31,7 @@ import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetRuntime;
@@ -65,6 +67,11 @@ import scala.concurrent.ExecutionContext;
 public final class AgentFleet implements Fleet, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(AgentFleet.class);
   private static final Duration ANSWER_LIMIT = Duration.ofSeconds(10);
+
+  /** Of all checks of orders together, so that they leave processors to the fleet. */
+  private static final int PLANNING_THREADS =
+      Math.max(2, Runtime.getRuntime().availableProcessors() / 2);
+
   private static final Config CONFIG =
       ConfigFactory.parseString(
           """
@@ -85,6 +92,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   private final Schedules schedules;
   private final FleetRuntime runtime;
   private final PendingSubmissions pendingSubmissions = new PendingSubmissions();
+  private final OrderChecks checks;
   private final ActorSystem<ManagerMessage> system;
   private final AgentHealth health;
   private final FleetMonitor monitor;
@@ -138,6 +146,11 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 List.of(),
                 store.pause().orElse(null),
                 List.of()));
+    this.checks =
+        new OrderChecks(
+            runtime.boundedExecutor("path", PLANNING_THREADS),
+            rules.checksPerUser(),
+            runtime::nanoTime);
     ClassLoader loader = AgentFleet.class.getClassLoader();
     BootstrapSetup setup =
         BootstrapSetup.create(CONFIG.withFallback(ConfigFactory.load(loader)))
@@ -154,7 +167,8 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 now,
                 runtime,
                 latestSnapshot,
-                pendingSubmissions),
+                pendingSubmissions,
+                checks),
             "toqa",
             runtime
                 .agentExecutor()
@@ -209,14 +223,20 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
     long deadline = TaskSubmitter.deadline(runtime.nanoTime());
-    return ask(replyTo -> new ManagerMessage.SubmitTask(order, user, key, deadline, replyTo));
+    return askChecked(
+        user,
+        (check, replyTo) ->
+            new ManagerMessage.SubmitTask(order, user, key, deadline, check, replyTo));
   }
 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
       List<TaskOrder> orders, String user, List<UUID> keys) {
     long deadline = TaskSubmitter.deadline(runtime.nanoTime());
-    return ask(replyTo -> new ManagerMessage.SubmitTasks(orders, user, keys, deadline, replyTo));
+    return askChecked(
+        user,
+        (check, replyTo) ->
+            new ManagerMessage.SubmitTasks(orders, user, keys, deadline, check, replyTo));
   }
 
   @Override
@@ -227,12 +247,14 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<List<BatchAnswer.Rejection>> rejections(
       List<TaskOrder> orders, String user) {
-    return ask(replyTo -> new ManagerMessage.ValidateOrders(orders, user, replyTo));
+    return askChecked(
+        user, (check, replyTo) -> new ManagerMessage.ValidateOrders(orders, user, check, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
-    return ask(replyTo -> new ManagerMessage.PreviewTask(order, user, replyTo));
+    return askChecked(
+        user, (check, replyTo) -> new ManagerMessage.PreviewTask(order, user, check, replyTo));
   }
 
   @Override
@@ -317,6 +339,20 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user) {
     return ask(replyTo -> new ManagerMessage.HoldFloor(floor, false, user, replyTo));
+  }
+
+  /** The same for what has to be checked first: a user has few of these at once. */
+  private <T> CompletionStage<T> askChecked(
+      String user,
+      BiFunction<OrderChecks.Check, ActorRef<StatusReply<T>>, ManagerMessage> message) {
+    OrderChecks.Check check;
+    try {
+      check = checks.begin(user);
+    } catch (CheckRefusedException e) {
+      return CompletableFuture.failedFuture(e);
+    }
+    return this.<T>ask(replyTo -> message.apply(check, replyTo))
+        .whenComplete((answer, failure) -> check.close());
   }
 
   private <T> CompletionStage<T> ask(Function<ActorRef<StatusReply<T>>, ManagerMessage> message) {

@@ -42,6 +42,7 @@ public sealed interface ManagerMessage {
       String user,
       UUID idempotencyKey,
       long deadline,
+      OrderChecks.Check check,
       ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements ManagerMessage {}
 
@@ -53,12 +54,14 @@ public sealed interface ManagerMessage {
       String user,
       List<UUID> idempotencyKeys,
       long deadline,
+      OrderChecks.Check check,
       ActorRef<StatusReply<BatchAnswer>> replyTo)
       implements ManagerMessage {}
 
   record ValidateOrders(
       List<TaskOrder> orders,
       String user,
+      OrderChecks.Check check,
       ActorRef<StatusReply<List<BatchAnswer.Rejection>>> replyTo)
       implements ManagerMessage {}
 
@@ -84,7 +87,10 @@ public sealed interface ManagerMessage {
       implements ManagerMessage {}
 
   record PreviewTask(
-      TaskOrder order, String user, ActorRef<StatusReply<Answer<TaskPreview>>> replyTo)
+      TaskOrder order,
+      String user,
+      OrderChecks.Check check,
+      ActorRef<StatusReply<Answer<TaskPreview>>> replyTo)
       implements ManagerMessage {}
 
   record TaskStored(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo)

@@ -13,6 +13,7 @@ import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.planning.SearchLimit;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.DubinsCurve;
 import org.toqa.motion.Segment;
@@ -101,6 +102,7 @@ final class FormationSearch {
   Optional<Trajectory> trajectory() {
     enter();
     while (!openList.isEmpty()) {
+      SearchLimit.check();
       int state = openList.pop();
       if (!reached.get(state)) {
         continue;

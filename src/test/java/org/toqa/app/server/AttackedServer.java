@@ -76,7 +76,6 @@ final class AttackedServer implements AutoCloseable {
   private AttackedServer(Path data, Map<Setting, @Nullable String> more)
       throws IOException, ConfigurationException, SQLException {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.putAll(more);
     settings.put(Setting.PORT, "0");
     settings.put(Setting.DATA, data.toString());
     settings.put(Setting.MANAGER, MANAGER + ":" + WebTestServer.PASSWORD);
@@ -84,6 +83,8 @@ final class AttackedServer implements AutoCloseable {
     settings.put(Setting.REQUESTS_PER_SECOND, "0");
     settings.put(Setting.SIMULATE, "2");
     settings.put(Setting.SPEED, "10");
+    settings.put(Setting.SESSIONS_PER_USER, "10000");
+    settings.putAll(more);
     Configuration configuration =
         Configuration.of(
             WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(settings)));
@@ -108,7 +109,7 @@ final class AttackedServer implements AutoCloseable {
 
   /**
    * @param data an empty folder
-   * @param more settings beside those that it needs itself
+   * @param more settings beside those that it has itself, or other than those
    */
   static AttackedServer start(Path data, Map<Setting, @Nullable String> more)
       throws IOException, ConfigurationException, SQLException {

@@ -27,6 +27,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.app.config.Setting;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 import tools.jackson.databind.JsonNode;
@@ -52,7 +53,13 @@ class CrowdTest {
 
   @BeforeEach
   void start() throws Exception {
-    server = AttackedServer.start(data);
+    server =
+        AttackedServer.start(
+            data,
+            Map.of(
+                Setting.STREAMS_PER_USER, "" + STREAMS,
+                Setting.STREAMS_PER_ADDRESS, "" + STREAMS,
+                Setting.REQUEST_SECONDS, "600"));
     manager = server.signedIn(AttackedServer.MANAGER);
     tasks = new CarriedTasks(manager, "Carried through the crowd");
   }
