@@ -53,10 +53,7 @@ class FleetHoldTest extends HallFleetTest {
                     .whenComplete((answer, failure) -> answered.add("task"));
           }
           var _ =
-              stage
-                  .fleet
-                  .pauseAll("Max")
-                  .whenComplete((answer, failure) -> answered.add("pause"));
+              stage.fleet.pauseAll("Max").whenComplete((answer, failure) -> answered.add("pause"));
         });
 
     assertEquals(101, answered.size());

@@ -58,23 +58,22 @@ class AccountStoreTest {
   @Test
   void ofMoreLoginsThanAUserMayHaveTheLeastUsedEnds() {
     Account ada = accounts.add("Ada", "hash", Role.CLERK, "boss").orElseThrow();
-    String first = sessions.begin(ada, Session.Kind.BROWSER, ORIGIN).secret();
+    String first = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
     now = now.plus(Duration.ofMinutes(5));
-    String second = sessions.begin(ada, Session.Kind.BROWSER, ORIGIN).secret();
+    String second = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
     now = now.plus(Duration.ofMinutes(5));
-    String program = sessions.begin(ada, Session.Kind.API, ORIGIN).secret();
-    String third = sessions.begin(ada, Session.Kind.BROWSER, ORIGIN).secret();
+    String program = sessions.begin(ada, Kind.API, ORIGIN).secret();
+    String third = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
     now = now.plus(Duration.ofMinutes(5));
-    assertTrue(sessions.authenticate(Session.Carrier.COOKIE, first).isPresent());
+    assertTrue(sessions.authenticate(Carrier.COOKIE, first).isPresent());
 
-    String fourth = sessions.begin(ada, Session.Kind.BROWSER, ORIGIN).secret();
+    String fourth = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
 
-    assertTrue(sessions.authenticate(Session.Carrier.COOKIE, second).isEmpty(), "the least used");
+    assertTrue(sessions.authenticate(Carrier.COOKIE, second).isEmpty(), "the least used");
     for (String kept : List.of(first, third, fourth)) {
-      assertTrue(sessions.authenticate(Session.Carrier.COOKIE, kept).isPresent());
+      assertTrue(sessions.authenticate(Carrier.COOKIE, kept).isPresent());
     }
-    assertTrue(
-        sessions.authenticate(Session.Carrier.BEARER, program).isPresent(), "another kind");
+    assertTrue(sessions.authenticate(Carrier.BEARER, program).isPresent(), "another kind");
   }
 
   @Test

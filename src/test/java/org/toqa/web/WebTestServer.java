@@ -186,7 +186,8 @@ public final class WebTestServer implements AutoCloseable {
             schedules, name -> accounts.accountByName(name).map(Account::id).orElse(null));
     database.sessions().setSqlLogger(new QueryCounter());
     SessionStore sessions =
-        new JdbiSessionStore(database.sessions(), InstantSource.system(), Duration.ofDays(7), SESSIONS_PER_USER);
+        new JdbiSessionStore(
+            database.sessions(), InstantSource.system(), Duration.ofDays(7), SESSIONS_PER_USER);
     PasswordLinks links =
         new PasswordLinks(
             accounts,

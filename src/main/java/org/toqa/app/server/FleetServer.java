@@ -166,7 +166,11 @@ public final class FleetServer implements AutoCloseable {
         () -> clock.isSound() ? Optional.empty() : Optional.of(Phrase.CLOCK_STANDS.with()));
     fleet.addCheck(MemoryWatch.ofThisProcess()::check);
     SessionStore sessions =
-        new JdbiSessionStore(database.sessions(), wallClock, configuration.sessionLimit(), configuration.limits().sessionsPerUser());
+        new JdbiSessionStore(
+            database.sessions(),
+            wallClock,
+            configuration.sessionLimit(),
+            configuration.limits().sessionsPerUser());
     PasswordLinks passwordLinks =
         new PasswordLinks(
             accounts,

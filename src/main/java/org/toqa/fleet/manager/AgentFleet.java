@@ -2,8 +2,6 @@ package org.toqa.fleet.manager;
 
 import static java.util.Objects.requireNonNull;
 
-import com.typesafe.config.Config;
-import com.typesafe.config.ConfigFactory;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
@@ -20,7 +18,6 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import org.apache.pekko.actor.BootstrapSetup;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.ActorSystem;
 import org.apache.pekko.actor.typed.javadsl.AskPattern;
@@ -56,7 +53,6 @@ import org.toqa.link.RobotLinkFactory;
 import org.toqa.mission.MissionEvent;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
-import scala.concurrent.ExecutionContext;
 
 /**
  * The fleet as a system of agents: one manager, one agent a floor, one a robot.
@@ -67,25 +63,6 @@ import scala.concurrent.ExecutionContext;
 public final class AgentFleet implements Fleet, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(AgentFleet.class);
   private static final Duration ANSWER_LIMIT = Duration.ofSeconds(10);
-
-  /** Of all checks of orders together, so that they leave processors to the fleet. */
-  private static final int PLANNING_THREADS =
-      Math.max(2, Runtime.getRuntime().availableProcessors() / 2);
-
-  private static final Config CONFIG =
-      ConfigFactory.parseString(
-          """
-          pekko {
-            loggers = ["org.apache.pekko.event.slf4j.Slf4jLogger"]
-            logging-filter = "org.apache.pekko.event.slf4j.Slf4jLoggingFilter"
-            loglevel = "WARNING"
-            stdout-loglevel = "OFF"
-            log-dead-letters = off
-            log-dead-letters-during-shutdown = off
-            jvm-exit-on-fatal-error = off
-            coordinated-shutdown.run-by-jvm-shutdown-hook = off
-          }
-          """);
 
   private final List<FloorMap> floors;
   private final LatestSnapshot latestSnapshot;
@@ -146,15 +123,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 List.of(),
                 store.pause().orElse(null),
                 List.of()));
-    this.checks =
-        new OrderChecks(
-            runtime.boundedExecutor("path", PLANNING_THREADS),
-            rules.checksPerUser(),
-            runtime::nanoTime);
-    ClassLoader loader = AgentFleet.class.getClassLoader();
-    BootstrapSetup setup =
-        BootstrapSetup.create(CONFIG.withFallback(ConfigFactory.load(loader)))
-            .withClassloader(loader);
+    this.checks = OrderChecks.of(runtime, rules.checksPerUser());
     this.system =
         ActorSystem.create(
             ManagerAgent.of(
@@ -170,11 +139,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 pendingSubmissions,
                 checks),
             "toqa",
-            runtime
-                .agentExecutor()
-                .map(ExecutionContext::fromExecutor)
-                .map(setup::withDefaultExecutionContext)
-                .orElse(setup));
+            AgentSystemSetup.of(runtime));
     this.schedules = new StoredSchedules(scheduleStore, this, clock);
     this.health = AgentHealth.of(system);
     awaitStart();

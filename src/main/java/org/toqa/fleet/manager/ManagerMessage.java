@@ -9,6 +9,7 @@ import java.util.UUID;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.dispatch.ControlMessage;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Decision;
@@ -180,9 +181,9 @@ public sealed interface ManagerMessage {
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
-  /** A person pauses all robots, or lets them go on. */
+  /** A person pauses all robots, or lets them go on. It overtakes what came before it. */
   record SetPause(boolean pause, String user, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
-      implements ManagerMessage {}
+      implements ManagerMessage, ControlMessage {}
 
   /**
    * That they go on is safe.
@@ -191,13 +192,13 @@ public sealed interface ManagerMessage {
    */
   record PauseEnded(long number) implements ManagerMessage {}
 
-  /** A person puts a floor's robots on hold, or lets them go on. */
+  /** A person puts a floor's robots on hold, or lets them go on. It overtakes likewise. */
   record HoldFloor(
       String floor,
       boolean hold,
       String user,
       ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
-      implements ManagerMessage {}
+      implements ManagerMessage, ControlMessage {}
 
   /**
    * That the floor's robots go on is safe.

@@ -13,6 +13,7 @@ import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.CheckRefusedException.Reason;
+import org.toqa.fleet.FleetRuntime;
 import org.toqa.planning.SearchLimit;
 import org.toqa.traffic.Deadline;
 
@@ -34,6 +35,9 @@ final class OrderChecks {
   /** With what is stored afterwards shorter than any caller waits for the answer. */
   static final Duration LIMIT = Duration.ofSeconds(6);
 
+  /** Of all checks of orders together, so that they leave processors to the fleet. */
+  private static final int THREADS = Math.max(2, Runtime.getRuntime().availableProcessors() / 2);
+
   /** Whose work the fleet's own is; no user has that name. */
   private static final String FLEET = "";
 
@@ -48,6 +52,15 @@ final class OrderChecks {
     private final Deque<Runnable> waiting = new ArrayDeque<>();
     private int open;
     private int running;
+  }
+
+  /**
+   * Those of a fleet.
+   *
+   * @param perUser how many checks of one user are open at once
+   */
+  static OrderChecks of(FleetRuntime runtime, int perUser) {
+    return new OrderChecks(runtime.boundedExecutor("path", THREADS), perUser, runtime::nanoTime);
   }
 
   /**

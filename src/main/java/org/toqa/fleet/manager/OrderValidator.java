@@ -62,11 +62,7 @@ final class OrderValidator {
    * @return the task, its id not known yet; or the sentence against it, with the order's field
    */
   CompletionStage<Answer<TransportTask>> checkTask(
-      TaskOrder order,
-      String user,
-      Instant now,
-      double totalCapacity,
-      OrderChecks.Check check) {
+      TaskOrder order, String user, Instant now, double totalCapacity, OrderChecks.Check check) {
     Answer<TransportTask> resolved = resolveTask(order, user, now, totalCapacity);
     return resolved instanceof Answer.Accepted<TransportTask>(TransportTask task)
         ? checkPath(task, check)
@@ -104,8 +100,7 @@ final class OrderValidator {
       TransportTask task, OrderChecks.Check check) {
     OccupancyGrid grid = floor(task.floor()).orElseThrow().grid();
     return paths
-        .findPath(
-            grid, task.start().position(), task.goal().position(), 2 * SMALLEST_RADIUS, check)
+        .findPath(grid, task.start().position(), task.goal().position(), 2 * SMALLEST_RADIUS, check)
         .thenApply(
             path ->
                 switch (path) {

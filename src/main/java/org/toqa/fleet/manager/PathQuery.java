@@ -36,8 +36,8 @@ import org.toqa.wording.Sentence;
  * the turn of the check that it is for.
  *
  * <p>An answer depends on the immutable grid that is asked about, and on nothing else: the last
- * answers are kept by grid and question, and a floor that gets another grid is asked about anew.
- * A plan that fails, or does not end in time, is not kept.
+ * answers are kept by grid and question, and a floor that gets another grid is asked about anew. A
+ * plan that fails, or does not end in time, is not kept.
  */
 final class PathQuery {
   private static final int MAX_ANSWERS = 2_000;
@@ -110,9 +110,7 @@ final class PathQuery {
       OccupancyGrid grid, Vec2 start, Vec2 goal, double diameter, OrderChecks.Check check) {
     PathKey key = new PathKey(new FloorKey(grid, diameter), start, goal);
     FloorPath known = paths.getIfPresent(key);
-    return known == null
-        ? check.run(() -> plan(key))
-        : CompletableFuture.completedFuture(known);
+    return known == null ? check.run(() -> plan(key)) : CompletableFuture.completedFuture(known);
   }
 
   private FloorPath plan(PathKey key) {

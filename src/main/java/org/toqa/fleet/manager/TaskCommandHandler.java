@@ -180,8 +180,7 @@ final class TaskCommandHandler {
   private CompletableFuture<BatchValidation.Result> checkConcurrently(
       List<TaskOrder> orders, String user, OrderChecks.Check check) {
     BatchValidation batch =
-        new BatchValidation(
-            validator, orders, user, fleet.clock.instant(), totalCapacity(), check);
+        new BatchValidation(validator, orders, user, fleet.clock.instant(), totalCapacity(), check);
     return CompletableFuture.completedFuture(null)
         .thenComposeAsync(_ -> batch.run(), fleet.runtime.threadPerTaskExecutor("batch"));
   }

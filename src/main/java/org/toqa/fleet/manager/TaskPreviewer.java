@@ -28,8 +28,7 @@ final class TaskPreviewer {
    * @param grid of the task's floor
    * @param check of the preview
    */
-  TaskPreviewer(
-      Allocator allocator, PathQuery paths, OccupancyGrid grid, OrderChecks.Check check) {
+  TaskPreviewer(Allocator allocator, PathQuery paths, OccupancyGrid grid, OrderChecks.Check check) {
     this.allocator = allocator;
     this.paths = paths;
     this.grid = grid;

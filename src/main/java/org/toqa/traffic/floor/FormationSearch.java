@@ -13,13 +13,13 @@ import org.toqa.geometry.Twist;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.OccupancyGrid;
-import org.toqa.planning.SearchLimit;
 import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.DubinsCurve;
 import org.toqa.motion.Segment;
 import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
 import org.toqa.planning.OpenList;
+import org.toqa.planning.SearchLimit;
 
 /**
  * Looks for the path that a formation can be led along: A* for the leader over the points of a

@@ -8,7 +8,9 @@ import org.toqa.accounts.AddressBlock;
 import org.toqa.web.ConcurrencyLimit;
 import org.toqa.web.ConcurrencyLimits;
 
-/** One stream's place among those of its user, of its address and of all. Closing it gives it up. */
+/**
+ * One stream's place among those of its user, of its address and of all. Closing it gives it up.
+ */
 final class StreamPlaces implements AutoCloseable {
   private record Place(ConcurrencyLimit limit, String holder) {}
 

@@ -59,14 +59,13 @@ public final class NewTaskPage extends PageHandler {
   /** Where to go when the task, or the schedule, is there; empty: an error says why it is not. */
   private static Optional<String> submit(
       HttpServletRequest request, FieldErrors errors, Instant now) {
-    return
-        isImmediate(request)
-            ? readForm(request, errors, fields -> TaskOrderReader.readEntered(fields, now))
-                .flatMap(order -> submit(order, request, errors))
-                .map(task -> "/tasks/" + task.id())
-            : readForm(request, errors, fields -> ScheduleReader.readForm(fields, now))
-                .flatMap(order -> schedule(order, request, errors))
-                .map(schedule -> "/schedules?added=" + schedule.id());
+    return isImmediate(request)
+        ? readForm(request, errors, fields -> TaskOrderReader.readEntered(fields, now))
+            .flatMap(order -> submit(order, request, errors))
+            .map(task -> "/tasks/" + task.id())
+        : readForm(request, errors, fields -> ScheduleReader.readForm(fields, now))
+            .flatMap(order -> schedule(order, request, errors))
+            .map(schedule -> "/schedules?added=" + schedule.id());
   }
 
   private static boolean isImmediate(HttpServletRequest request) {

@@ -47,8 +47,7 @@ public final class AddressLimitFilter extends HttpFilter {
       chain.doFilter(request, response);
       return;
     }
-    ConcurrencyLimit limit =
-        Services.of(request.getServletContext()).concurrency().requests();
+    ConcurrencyLimit limit = Services.of(request.getServletContext()).concurrency().requests();
     String address = AddressBlock.of(request.getRemoteAddr());
     if (!limit.tryAcquire(address)) {
       response.setHeader("Retry-After", "1");

@@ -131,7 +131,9 @@ public final class Routes {
           get("/statistics", CLERK, StatisticsPage::show),
           get("/history", CLERK, HistoryPage::show),
           get("/api", SIGNED_IN, ApiDocumentPage::show),
-          get("/api/v1/health", ANONYMOUS, HealthResource::get).with(BEFORE_FIRST_START).with(URGENT),
+          get("/api/v1/health", ANONYMOUS, HealthResource::get)
+              .with(BEFORE_FIRST_START)
+              .with(URGENT),
           post("/api/v1/session", ANONYMOUS, SessionResource::begin),
           delete("/api/v1/session", SIGNED_IN, SessionResource::end),
           post("/api/v1/forgotten-password", ANONYMOUS, PasswordResetResource::sendLink),

@@ -112,7 +112,11 @@ class PauseUnderAttackTest {
       HttpResponse<String> byApi = manager.sendJson("POST", "api/v1/fleet/pause", "{}", csrf);
       HttpResponse<String> byPage = manager.postWithoutToken("fleet/pause", Map.of("_csrf", csrf));
       HttpResponse<String> ofOne =
-          manager.sendJson("POST", "api/v1/robots/" + robots().get(0).get("name").asString() + "/hold", "{}", csrf);
+          manager.sendJson(
+              "POST",
+              "api/v1/robots/" + robots().get(0).get("name").asString() + "/hold",
+              "{}",
+              csrf);
       long seconds = TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - begun);
 
       assertEquals(200, byApi.statusCode(), byApi.body());

@@ -19,9 +19,9 @@ import org.toqa.web.WebTestServer;
 class ChecksRefusedTest {
   private static final String TASK =
       """
-      {"name": "box", "load": 1, "start": {"station": "Dock A"}, "goal": {"station": "Dock B"}}
+      {"name": "box", "load": 1, "start": {"station": "Dock A"}, "goal": {"station": "Shelf 3"}}
       """;
-  private static final String TABLE = "name,load,start,goal\nbox,1,Dock A,Dock B\n";
+  private static final String TABLE = "name,load,start,goal\nbox,1,Dock A,Shelf 3\n";
 
   private WebTestServer server;
   private TestClient clerk;
@@ -82,7 +82,8 @@ class ChecksRefusedTest {
     HttpResponse<String> refused =
         clerk.post(
             "tasks/new",
-            Map.of("name", "My box", "load", "1", "start", "Dock A", "goal", "Dock B"));
+            Map.of(
+                "name", "My box", "load", "1", "startStation", "Dock A", "goalStation", "Shelf 3"));
 
     assertEquals(429, refused.statusCode());
     assertTrue(refused.body().contains("Nothing was accepted: send this one again"), refused::body);
