@@ -64,6 +64,15 @@ final class AttackedServer implements AutoCloseable {
           "select floor from floor_holds",
           "select id from fleet_pause");
 
+  /** Of what attackers have more than people have. */
+  private static final List<Setting> UNLIMITED =
+      List.of(
+          Setting.REQUESTS_AT_ONCE,
+          Setting.CHECKS_PER_USER,
+          Setting.STREAMS_PER_USER,
+          Setting.STREAMS_PER_ADDRESS,
+          Setting.SESSIONS_PER_USER);
+
   private final LogRecording log;
   private final WebServer web;
   private final FleetServer toqa;
@@ -83,7 +92,9 @@ final class AttackedServer implements AutoCloseable {
     settings.put(Setting.REQUESTS_PER_SECOND, "0");
     settings.put(Setting.SIMULATE, "2");
     settings.put(Setting.SPEED, "10");
-    settings.put(Setting.SESSIONS_PER_USER, "10000");
+    for (Setting limit : UNLIMITED) {
+      settings.put(limit, "10000");
+    }
     settings.putAll(more);
     Configuration configuration =
         Configuration.of(

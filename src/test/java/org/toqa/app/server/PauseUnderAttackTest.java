@@ -50,8 +50,8 @@ class PauseUnderAttackTest {
   private static final int CHECKS_PER_USER = 8;
   private static final int PREVIEWERS = 3 * CHECKS_PER_USER;
 
-  /** A guard for a loaded machine; alone it takes a fraction of a second. */
-  private static final long GUARD_SECONDS = 20;
+  /** A guard for a loaded machine; alone it takes about a second. */
+  private static final long GUARD_SECONDS = 60;
 
   @TempDir private Path data;
 
@@ -92,7 +92,6 @@ class PauseUnderAttackTest {
   void everyRobotStandsWhenSomebodyPausesAll() throws Exception {
     CarriedTasks tasks = new CarriedTasks(manager, "Carried until the pause");
     await("a robot drives", () -> states().contains(RobotState.DRIVING.name()));
-    String csrf = manager.csrf();
     try (ExecutorService threads = Executors.newVirtualThreadPerTaskExecutor()) {
       AtomicInteger previewed = new AtomicInteger();
       AtomicInteger refused = new AtomicInteger();
@@ -109,21 +108,19 @@ class PauseUnderAttackTest {
 
       tasks.goOn();
       long begun = System.nanoTime();
-      HttpResponse<String> byApi = manager.sendJson("POST", "api/v1/fleet/pause", "{}", csrf);
-      HttpResponse<String> byPage = manager.postWithoutToken("fleet/pause", Map.of("_csrf", csrf));
-      HttpResponse<String> ofOne =
-          manager.sendJson(
-              "POST",
-              "api/v1/robots/" + robots().get(0).get("name").asString() + "/hold",
-              "{}",
-              csrf);
+      TestClient newcomer = server.signedIn(AttackedServer.MANAGER);
+      String csrf = newcomer.csrf();
+      HttpResponse<String> byApi = newcomer.sendJson("POST", "api/v1/fleet/pause", "{}", csrf);
+      HttpResponse<String> byPage = newcomer.postWithoutToken("fleet/pause", Map.of("_csrf", csrf));
+      String hold = "api/v1/robots/" + robots().get(0).get("name").asString() + "/hold";
+      HttpResponse<String> ofOne = newcomer.sendJson("POST", hold, "{}", csrf);
       long seconds = TimeUnit.NANOSECONDS.toSeconds(System.nanoTime() - begun);
 
       assertEquals(200, byApi.statusCode(), byApi.body());
       assertEquals(303, byPage.statusCode(), byPage.body());
       assertEquals(200, ofOne.statusCode(), ofOne.body());
       assertTrue(seconds < GUARD_SECONDS, () -> "after " + seconds + " s");
-      assertEquals(200, manager.get("api/v1/health").statusCode());
+      assertEquals(200, server.stranger().get("api/v1/health").statusCode());
       await("no robot drives", () -> !states().contains(RobotState.DRIVING.name()));
       assertTrue(refused.get() > 0);
       isOver.set(true);
