@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
@@ -14,7 +15,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
@@ -46,6 +46,10 @@ class PauseUnderAttackTest {
 
   private static final int ADDRESSES = 5;
   private static final int CONNECTIONS = 600;
+
+  /** Of those that everybody else has. */
+  private static final int RESERVED = 150;
+
   private static final int STREAMS_PER_USER = 30;
   private static final int CHECKS_PER_USER = 8;
   private static final int PREVIEWERS = 3 * CHECKS_PER_USER;
@@ -56,7 +60,7 @@ class PauseUnderAttackTest {
   @TempDir private Path data;
 
   private final AtomicBoolean isOver = new AtomicBoolean();
-  private final List<Socket> slow = new CopyOnWriteArrayList<>();
+  private final AtomicInteger slowCount = new AtomicInteger();
   private final List<AutoCloseable> streams = new ArrayList<>();
   private AttackedServer server;
   private TestClient manager;
@@ -82,9 +86,6 @@ class PauseUnderAttackTest {
     for (AutoCloseable stream : streams) {
       stream.close();
     }
-    for (Socket socket : slow) {
-      socket.close();
-    }
     server.close();
   }
 
@@ -100,10 +101,11 @@ class PauseUnderAttackTest {
         threads.execute(() -> preview(attackersCsrf, previewed, refused));
       }
       openStreams();
-      for (int i = 0; i < SLOW; i++) {
-        slow.add(connect(2 + i % ADDRESSES));
+      for (int i = 0; i < ADDRESSES; i++) {
+        int host = 2 + i;
+        threads.execute(() -> holdOpen(host));
       }
-      threads.execute(this::trickle);
+      await("the server is full", () -> slowCount.get() >= CONNECTIONS - RESERVED);
       await("previews are made and refused", () -> previewed.get() > 0 && refused.get() > 0);
 
       tasks.goOn();
@@ -159,38 +161,55 @@ class PauseUnderAttackTest {
     assertEquals(STREAMS_PER_USER, open);
   }
 
-  private Socket connect(int host) throws IOException {
-    Socket socket =
-        new Socket(
-            InetAddress.ofLiteral(server.root().getHost()),
-            server.root().getPort(),
-            InetAddress.ofLiteral("127.0.0." + host),
-            0);
-    socket
-        .getOutputStream()
-        .write("POST / HTTP/1.1\r\nHost: localhost\r\nConte".getBytes(StandardCharsets.US_ASCII));
-    return socket;
-  }
-
-  /** A letter from each now and then; who is cut comes again. */
-  private void trickle() {
+  /** One address keeps its connections: a letter now and then, and who is cut comes again. */
+  private void holdOpen(int host) {
+    List<Socket> sockets = new ArrayList<>();
     while (!isOver.get()) {
-      for (int i = 0; i < slow.size() && !isOver.get(); i++) {
+      sockets.removeIf(this::isCut);
+      while (sockets.size() < SLOW / ADDRESSES && !isOver.get()) {
         try {
-          slow.get(i).getOutputStream().write('n');
-        } catch (IOException cut) {
-          reconnect(i);
+          sockets.add(connect(host));
+          slowCount.incrementAndGet();
+        } catch (IOException full) {
+          break;
         }
       }
       LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(500));
     }
+    sockets.forEach(PauseUnderAttackTest::close);
   }
 
-  private void reconnect(int place) {
+  private boolean isCut(Socket socket) {
     try {
-      slow.set(place, connect(2 + place % ADDRESSES));
-    } catch (IOException refused) {
-      // again in the next round
+      socket.getOutputStream().write('n');
+      return false;
+    } catch (IOException cut) {
+      slowCount.decrementAndGet();
+      close(socket);
+      return true;
+    }
+  }
+
+  private Socket connect(int host) throws IOException {
+    Socket socket = new Socket();
+    try {
+      socket.bind(new InetSocketAddress(InetAddress.ofLiteral("127.0.0." + host), 0));
+      socket.connect(new InetSocketAddress(server.root().getHost(), server.root().getPort()), 1000);
+      socket
+          .getOutputStream()
+          .write("POST / HTTP/1.1\r\nHost: localhost\r\nConte".getBytes(StandardCharsets.US_ASCII));
+      return socket;
+    } catch (IOException full) {
+      close(socket);
+      throw full;
+    }
+  }
+
+  private static void close(Socket socket) {
+    try {
+      socket.close();
+    } catch (IOException gone) {
+      // so it is closed
     }
   }
 

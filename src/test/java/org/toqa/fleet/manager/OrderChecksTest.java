@@ -34,10 +34,10 @@ class OrderChecksTest {
   @Test
   void aFloodOfOneUserComesBetweenNobodyElsesOrderAndItsCheckMoreThanOnce() {
     for (int i = 0; i < PER_USER; i++) {
-      order("Flood");
+      var _ = order("Flood");
     }
-    order("Clara");
-    order("Max");
+    var _ = order("Clara");
+    var _ = order("Max");
 
     threads.forEach(Runnable::run);
 
@@ -48,7 +48,7 @@ class OrderChecksTest {
   @Test
   void whatTheFleetAsksHasItsTurnToo() {
     for (int i = 0; i < PER_USER; i++) {
-      order("Flood");
+      var _ = order("Flood");
     }
     checks.fleetExecutor().execute(() -> done.add("fleet"));
 
