@@ -26,7 +26,8 @@ public interface SessionStore {
 
   /**
    * Begins a session of somebody who has logged in. Expired sessions of all users are removed with
-   * it.
+   * it; and of that user's of its kind, where they are more than he may have, the one that was not
+   * used for longest.
    *
    * @param kind not {@code TOKEN}
    */
@@ -41,6 +42,9 @@ public interface SessionStore {
    */
   NewSession issueToken(
       Account account, String name, Set<Scope> scopes, Session.Origin origin, Duration lifetime);
+
+  /** Whether that account has fewer tokens than it may have. */
+  boolean mayIssueToken(long accountId);
 
   /**
    * Whose secret it is, while it is good; what was read last while the store does not answer. It

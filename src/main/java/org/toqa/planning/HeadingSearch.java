@@ -17,6 +17,7 @@ import java.util.List;
  */
 final class HeadingSearch {
   private static final int UNKNOWN = Integer.MAX_VALUE;
+  private static final int EXPANSIONS_A_CHECK = 1024;
 
   private final MoveGraph graph;
   private final OctileSearch toGoal;
@@ -86,6 +87,9 @@ final class HeadingSearch {
 
   private void expand(int state) {
     expandedCount++;
+    if (expandedCount % EXPANSIONS_A_CHECK == 0) {
+      SearchLimit.check();
+    }
     int cell = state >> 3;
     int moves = graph.moves(cell);
     for (int turn = -largestTurn; turn <= largestTurn && turn < 4; turn++) {

@@ -12,6 +12,7 @@ import java.util.Arrays;
  */
 final class OctileSearch {
   static final int UNREACHABLE = Integer.MAX_VALUE;
+  private static final int EXPANSIONS_A_CHECK = 1024;
 
   private final int[] g;
 
@@ -74,6 +75,9 @@ final class OctileSearch {
 
   private void expand(int cell, int closed) {
     expandedCount++;
+    if (expandedCount % EXPANSIONS_A_CHECK == 0) {
+      SearchLimit.check();
+    }
     for (int moves = graph.moves(cell); moves != 0; moves &= moves - 1) {
       int heading = Integer.numberOfTrailingZeros(moves);
       int next = graph.target(cell, heading);

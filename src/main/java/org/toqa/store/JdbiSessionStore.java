@@ -41,21 +41,63 @@ public final class JdbiSessionStore implements SessionStore {
   private final SqlExecutor sql;
   private final InstantSource clock;
   private final Duration limit;
+  private final int perUser;
   private final FallbackCache<String, AuthenticatedSession> lastKnown = new FallbackCache<>();
 
   /**
    * @param limit how long after its begin a login ends for good, in whatever use it is
+   * @param perUser how many logins of each kind, and tokens, one user has at most
    */
-  public JdbiSessionStore(Jdbi jdbi, InstantSource clock, Duration limit) {
+  public JdbiSessionStore(Jdbi jdbi, InstantSource clock, Duration limit, int perUser) {
     this.sql = new SqlExecutor(jdbi);
     this.clock = clock;
     this.limit = limit;
+    this.perUser = perUser;
   }
 
   @Override
   public NewSession begin(Account user, Kind kind, Origin origin) {
     Duration life = kind.idleLimit().filter(idle -> idle.compareTo(limit) < 0).orElse(limit);
-    return sql.inTransaction(handle -> insert(handle, user, kind, null, Scope.ALL, origin, life));
+    return sql.inTransaction(
+        handle -> {
+          NewSession begun = insert(handle, user, kind, null, Scope.ALL, origin, life);
+          endLeastUsed(handle, user, kind);
+          return begun;
+        });
+  }
+
+  private void endLeastUsed(Handle handle, Account user, Kind kind) {
+    handle
+        .createQuery(
+            """
+            select id from sessions where user_id = :user and kind = :kind
+            order by seen_at desc, id desc limit :more offset :kept
+            """)
+        .bind("user", user.id())
+        .bind("kind", kind.name())
+        .bind("more", MAX_LISTED)
+        .bind("kept", perUser)
+        .mapTo(Long.class)
+        .list()
+        .forEach(id -> handle.execute("delete from sessions where id = ?", id));
+  }
+
+  @Override
+  public boolean mayIssueToken(long userId) {
+    return sql.withHandle(
+        handle ->
+            handle
+                    .createQuery(
+                        """
+                        select count(*) from sessions
+                         where user_id = :user and kind = :kind and expires_at > :now
+                        """)
+                    .bind("user", userId)
+                    .bind("kind", Kind.TOKEN.name())
+                    .bind("now", clock.instant())
+                    .mapTo(Integer.class)
+                    .one()
+                < perUser);
   }
 
   @Override

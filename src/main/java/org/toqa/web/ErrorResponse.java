@@ -5,11 +5,13 @@ import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
 import java.util.Optional;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.persistence.StoreException;
 
 /** The answer to a request that is refused: a problem for the API, else a page. */
 public final class ErrorResponse {
   private static final int UNPROCESSABLE = 422;
+  private static final int TOO_MANY_REQUESTS = 429;
   private static final String SENTENCE = ErrorResponse.class.getName();
 
   private ErrorResponse() {}
@@ -46,6 +48,29 @@ public final class ErrorResponse {
       case REFUSED -> texts.get("problem.cannotBeStored", String.valueOf(failure.getMessage()));
       case TOO_SLOW -> texts.get("problem.databaseTooSlow");
     };
+  }
+
+  /**
+   * The status of an order that was not checked; tells the caller when to send it again.
+   *
+   * @param response whose body is not begun
+   */
+  public static int status(HttpServletResponse response, CheckRefusedException refusal) {
+    response.setHeader("Retry-After", Long.toString(refusal.reason().pause().toSeconds()));
+    return switch (refusal.reason()) {
+      case TOO_MANY -> TOO_MANY_REQUESTS;
+      case OUT_OF_TIME -> HttpServletResponse.SC_SERVICE_UNAVAILABLE;
+    };
+  }
+
+  /** What people are told of it. */
+  public static String sentence(HttpServletRequest request, CheckRefusedException refusal) {
+    return Texts.of(request)
+        .get(
+            switch (refusal.reason()) {
+              case TOO_MANY -> "problem.tooManyChecks";
+              case OUT_OF_TIME -> "problem.checkTooLong";
+            });
   }
 
   /** What {@link #send} was given, while the error is shown. */

@@ -1,10 +1,12 @@
 package org.toqa.web;
 
 import java.time.Duration;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.persistence.StoreException;
 
 /** Waits for the fleet on behalf of a request. */
@@ -15,6 +17,7 @@ public final class FleetAnswers {
 
   /**
    * @throws StoreException when nothing was done, since the store did not answer
+   * @throws CheckRefusedException when nothing was done, since an order was not checked
    * @throws FleetUnavailableException when there is no answer within ten seconds; the command may
    *     still have been stored
    */
@@ -25,10 +28,15 @@ public final class FleetAnswers {
       Thread.currentThread().interrupt();
       throw new FleetUnavailableException(e);
     } catch (ExecutionException e) {
-      if (e.getCause() instanceof StoreException refused) {
-        throw refused;
+      Throwable cause = e.getCause();
+      if (cause instanceof CompletionException && cause.getCause() != null) {
+        cause = cause.getCause();
       }
-      throw new FleetUnavailableException(e);
+      switch (cause) {
+        case StoreException refused -> throw refused;
+        case CheckRefusedException refused -> throw refused;
+        case null, default -> throw new FleetUnavailableException(e);
+      }
     } catch (TimeoutException e) {
       throw new FleetUnavailableException(e);
     }

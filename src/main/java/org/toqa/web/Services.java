@@ -29,6 +29,7 @@ public record Services(
     PasswordHasher passwordHasher,
     Metrics metrics,
     RequestLimit requestLimit,
+    ConcurrencyLimits concurrency,
     InstantSource clock,
     Authenticator authenticator,
     IdempotentSubmitter submitter,

@@ -3,6 +3,8 @@ package org.toqa.fleet;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -35,6 +37,27 @@ class FleetHoldTest extends HallFleetTest {
     until(view -> task(view, task).state() == TaskState.DONE);
     assertEquals(List.of("Max put the task on hold"), history("task.held"));
     assertEquals(List.of("Max resumed the task"), history("task.resumed"));
+  }
+
+  @Test
+  void aPauseOvertakesWhatWasAskedBefore() throws Exception {
+    List<String> answered = new ArrayList<>();
+    stage.holdUp(
+        Duration.ZERO,
+        () -> {
+          for (int i = 0; i < 100; i++) {
+            var _ =
+                stage
+                    .fleet
+                    .commandTask(10_000 + i, new MissionEvent.Hold("Max"))
+                    .whenComplete((answer, failure) -> answered.add("task"));
+          }
+          var _ =
+              stage.fleet.pauseAll("Max").whenComplete((answer, failure) -> answered.add("pause"));
+        });
+
+    assertEquals(101, answered.size());
+    assertTrue(answered.indexOf("pause") < 20, () -> "after " + answered.indexOf("pause"));
   }
 
   @Test

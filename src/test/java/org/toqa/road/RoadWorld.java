@@ -148,6 +148,7 @@ final class RoadWorld {
         usual.tls(),
         usual.proxy(),
         usual.requestsPerSecond(),
+        usual.limits(),
         usual.sessionLimit(),
         usual.data(),
         usual.map(),

@@ -35,6 +35,7 @@ class AccountStoreTest {
 
   private Instant now = START;
   private static final Duration LIMIT = Duration.ofDays(7);
+  private static final int PER_USER = 3;
 
   private Jdbi jdbi;
   private AccountStore accounts;
@@ -50,8 +51,42 @@ class AccountStoreTest {
     jdbi = Jdbi.create(url, "sa", "");
     DatabaseTypes.register(jdbi);
     accounts = new JdbiAccountStore(jdbi, () -> now);
-    sessions = new JdbiSessionStore(jdbi, () -> now, LIMIT);
+    sessions = new JdbiSessionStore(jdbi, () -> now, LIMIT, PER_USER);
     resets = new JdbiPasswordResetStore(jdbi, () -> now);
+  }
+
+  @Test
+  void ofMoreLoginsThanAUserMayHaveTheLeastUsedEnds() {
+    Account ada = accounts.add("Ada", "hash", Role.CLERK, "boss").orElseThrow();
+    String first = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    now = now.plus(Duration.ofMinutes(5));
+    String second = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    now = now.plus(Duration.ofMinutes(5));
+    String program = sessions.begin(ada, Kind.API, ORIGIN).secret();
+    String third = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+    now = now.plus(Duration.ofMinutes(5));
+    assertTrue(sessions.authenticate(Carrier.COOKIE, first).isPresent());
+
+    String fourth = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
+
+    assertTrue(sessions.authenticate(Carrier.COOKIE, second).isEmpty(), "the least used");
+    for (String kept : List.of(first, third, fourth)) {
+      assertTrue(sessions.authenticate(Carrier.COOKIE, kept).isPresent());
+    }
+    assertTrue(sessions.authenticate(Carrier.BEARER, program).isPresent(), "another kind");
+  }
+
+  @Test
+  void aUserHasSoManyTokensAndNoneEndsByItself() {
+    Account ada = accounts.add("Ada", "hash", Role.CLERK, "boss").orElseThrow();
+    for (int i = 0; i < PER_USER; i++) {
+      assertTrue(sessions.mayIssueToken(ada.id()));
+      sessions.issueToken(ada, "ci " + i, Set.of(Scope.READ), ORIGIN, Duration.ofDays(2));
+    }
+
+    assertFalse(sessions.mayIssueToken(ada.id()));
+    now = now.plus(Duration.ofDays(3));
+    assertTrue(sessions.mayIssueToken(ada.id()), "they have expired");
   }
 
   @Test
@@ -167,7 +202,7 @@ class AccountStoreTest {
         Set.of(Scope.TASKS),
         sessions.authenticate(Carrier.BEARER, token).orElseThrow().session().scopes());
     // a shorter limit holds for what began before it too
-    SessionStore shorter = new JdbiSessionStore(jdbi, () -> now, Duration.ofHours(1));
+    SessionStore shorter = new JdbiSessionStore(jdbi, () -> now, Duration.ofHours(1), PER_USER);
     String second = sessions.begin(ada, Kind.BROWSER, ORIGIN).secret();
     now = now.plus(Duration.ofHours(2));
     assertTrue(sessions.find(Carrier.COOKIE, second).isPresent());

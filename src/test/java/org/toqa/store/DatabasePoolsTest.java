@@ -128,6 +128,7 @@ class DatabasePoolsTest extends FleetDatabaseTest {
   }
 
   private JdbiSessionStore sessions() {
-    return new JdbiSessionStore(database.sessions(), InstantSource.system(), Duration.ofDays(1));
+    return new JdbiSessionStore(
+        database.sessions(), InstantSource.system(), Duration.ofDays(1), 50);
   }
 }

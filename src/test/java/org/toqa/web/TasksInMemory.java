@@ -13,6 +13,7 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.TaskArchive;
@@ -46,6 +47,7 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
   private final List<EventRecord> events = new ArrayList<>();
   private final Function<String, @Nullable Long> accountId;
   private boolean silent;
+  private CheckRefusedException.@Nullable Reason refused;
 
   TasksInMemory(Function<String, @Nullable Long> accountId) {
     this.accountId = accountId;
@@ -56,6 +58,11 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
     silent = true;
   }
 
+  /** From now on no order and no preview is checked to its end. */
+  public void refuseChecks(CheckRefusedException.Reason reason) {
+    refused = reason;
+  }
+
   /** As before the first robot and the first task; only versions and the time go on. */
   void forgetAll() {
     lock.lock();
@@ -64,6 +71,7 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
       keys.clear();
       events.clear();
       silent = false;
+      refused = null;
       forgetSnapshot();
     } finally {
       lock.unlock();
@@ -117,6 +125,9 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
 
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
+    if (refused != null) {
+      return CompletableFuture.failedFuture(new CheckRefusedException(refused));
+    }
     if (silent) {
       return CompletableFuture.failedFuture(new StoreException("no store", null));
     }
@@ -152,6 +163,9 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
       List<TaskOrder> orders, String user, List<UUID> keys) {
+    if (refused != null) {
+      return CompletableFuture.failedFuture(new CheckRefusedException(refused));
+    }
     if (silent) {
       return CompletableFuture.failedFuture(new StoreException("no store", null));
     }
@@ -223,6 +237,9 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
   /** Two carry it, straight from start to goal. */
   @Override
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
+    if (refused != null) {
+      return CompletableFuture.failedFuture(new CheckRefusedException(refused));
+    }
     lock.lock();
     try {
       Answer<TransportTask> checked = checked(order, user);

@@ -58,6 +58,14 @@ public final class WebTestServer implements AutoCloseable {
   private static final List<String> WORK =
       List.of("robot_use", "tracks", "events", "drives", "schedules", "tasks", "robots");
 
+  /** Live streams. */
+  public static final int STREAMS_PER_USER = 20;
+
+  public static final int STREAMS_PER_ADDRESS = 30;
+
+  /** Of each kind. */
+  private static final int SESSIONS_PER_USER = 200;
+
   private static final RequestLimit NO_LIMIT = new RequestLimit(0, Ticker.systemTicker());
 
   private static final String PASSWORD_HASH = PASSWORDS.hash(PASSWORD);
@@ -178,7 +186,8 @@ public final class WebTestServer implements AutoCloseable {
             schedules, name -> accounts.accountByName(name).map(Account::id).orElse(null));
     database.sessions().setSqlLogger(new QueryCounter());
     SessionStore sessions =
-        new JdbiSessionStore(database.sessions(), InstantSource.system(), Duration.ofDays(7));
+        new JdbiSessionStore(
+            database.sessions(), InstantSource.system(), Duration.ofDays(7), SESSIONS_PER_USER);
     PasswordLinks links =
         new PasswordLinks(
             accounts,
@@ -201,6 +210,7 @@ public final class WebTestServer implements AutoCloseable {
             PASSWORDS,
             new Metrics(fleet.snapshots()),
             limit,
+            ConcurrencyLimits.of(1000, STREAMS_PER_USER, STREAMS_PER_ADDRESS, 8192),
             InstantSource.system(),
             Authenticator.of(accounts, PASSWORDS, InstantSource.system()),
             new IdempotentSubmitter(fleet, fleet),

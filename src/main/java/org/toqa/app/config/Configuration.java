@@ -19,6 +19,7 @@ import org.toqa.fleet.ChargingRules;
  * @param tls what the pages are encrypted with; null: they are not
  * @param proxy the address of the proxy that says for whom it asks; null: none
  * @param requestsPerSecond how many requests of one caller are answered a second; 0: all
+ * @param limits how much anybody may have at once
  * @param sessionLimit how long after its begin a login ends for good
  * @param data the folder for what the server keeps
  * @param map the floor's map
@@ -44,6 +45,7 @@ public record Configuration(
     @Nullable TlsFiles tls,
     @Nullable InetAddress proxy,
     int requestsPerSecond,
+    Limits limits,
     Duration sessionLimit,
     Path data,
     Path map,
@@ -62,6 +64,29 @@ public record Configuration(
     boolean plainLinks,
     Level logLevel,
     LogFormat logFormat) {
+
+  /**
+   * How much of the server one user, one address or all together may have at once. Addresses of
+   * IPv6 count by /64.
+   *
+   * @param requestsAtOnce of one address, that are being answered
+   * @param checksPerUser orders and previews that are being checked
+   * @param streamsPerUser live streams
+   * @param streamsPerAddress live streams
+   * @param connections TCP connections, of all together
+   * @param connectionsPerAddress TCP connections, but those of the proxy
+   * @param requestTime how long a request may take to come in, header and body together
+   * @param sessionsPerUser logins of browsers, logins of programs, and tokens: so many of each
+   */
+  public record Limits(
+      int requestsAtOnce,
+      int checksPerUser,
+      int streamsPerUser,
+      int streamsPerAddress,
+      int connections,
+      int connectionsPerAddress,
+      Duration requestTime,
+      int sessionsPerUser) {}
 
   /**
    * @param url JDBC

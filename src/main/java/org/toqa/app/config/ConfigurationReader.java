@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Policy;
 import org.toqa.app.config.Configuration.DatabaseSettings;
 import org.toqa.app.config.Configuration.FirstManager;
+import org.toqa.app.config.Configuration.Limits;
 import org.toqa.app.config.Configuration.LogFormat;
 import org.toqa.app.config.Configuration.MailSecurity;
 import org.toqa.app.config.Configuration.MailServer;
@@ -58,6 +59,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         tls(),
         proxy(),
         wholeNumber(Setting.REQUESTS_PER_SECOND),
+        limits(),
         Duration.ofHours(wholeNumber(Setting.SESSION_HOURS)),
         data,
         map(shippedMap),
@@ -76,6 +78,18 @@ record ConfigurationReader(List<SettingSource> layers) {
         flag(Setting.PLAIN_LINKS),
         logLevel(),
         logFormat());
+  }
+
+  private Limits limits() throws ConfigurationException {
+    return new Limits(
+        wholeNumber(Setting.REQUESTS_AT_ONCE),
+        wholeNumber(Setting.CHECKS_PER_USER),
+        wholeNumber(Setting.STREAMS_PER_USER),
+        wholeNumber(Setting.STREAMS_PER_ADDRESS),
+        wholeNumber(Setting.CONNECTIONS),
+        wholeNumber(Setting.CONNECTIONS_PER_ADDRESS),
+        Duration.ofSeconds(wholeNumber(Setting.REQUEST_SECONDS)),
+        wholeNumber(Setting.SESSIONS_PER_USER));
   }
 
   private List<Double> batteries() throws ConfigurationException {

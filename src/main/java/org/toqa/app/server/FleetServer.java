@@ -51,6 +51,7 @@ import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
 import org.toqa.web.AllowedHosts;
+import org.toqa.web.ConcurrencyLimits;
 import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Metrics;
 import org.toqa.web.PasswordLinks;
@@ -152,7 +153,8 @@ public final class FleetServer implements AutoCloseable {
             new FleetRules(
                 configuration.reassignAfter(),
                 configuration.charging(),
-                configuration.simulationSpeed()),
+                configuration.simulationSpeed(),
+                configuration.limits().checksPerUser()),
             wallClock,
             clock.instant());
     parts.push(fleet);
@@ -167,7 +169,11 @@ public final class FleetServer implements AutoCloseable {
         () -> clock.isSound() ? Optional.empty() : Optional.of(Phrase.CLOCK_STANDS.with()));
     fleet.addCheck(MemoryWatch.ofThisProcess()::check);
     SessionStore sessions =
-        new JdbiSessionStore(database.sessions(), wallClock, configuration.sessionLimit());
+        new JdbiSessionStore(
+            database.sessions(),
+            wallClock,
+            configuration.sessionLimit(),
+            configuration.limits().sessionsPerUser());
     PasswordLinks passwordLinks =
         new PasswordLinks(
             accounts,
@@ -211,6 +217,7 @@ public final class FleetServer implements AutoCloseable {
             passwords,
             metrics,
             new RequestLimit(configuration.requestsPerSecond(), Ticker.systemTicker()),
+            concurrency(configuration.limits()),
             wallClock,
             Authenticator.of(
                 accounts, passwords, new SteadyClock(wallClock.instant(), System::nanoTime)),
@@ -228,6 +235,14 @@ public final class FleetServer implements AutoCloseable {
                 Function.identity());
     return new FleetServer(
         configuration, database, clock, services, bodies, simulated, failed, parts);
+  }
+
+  private static ConcurrencyLimits concurrency(Configuration.Limits limits) {
+    return ConcurrencyLimits.of(
+        limits.requestsAtOnce(),
+        limits.streamsPerUser(),
+        limits.streamsPerAddress(),
+        limits.connections());
   }
 
   private static Database openDatabase(Configuration.DatabaseSettings settings) throws IOException {

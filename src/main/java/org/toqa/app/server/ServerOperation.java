@@ -15,6 +15,17 @@ import org.toqa.app.config.SettingSource;
 /** What a command does while the complete server runs in this process. */
 @FunctionalInterface
 public interface ServerOperation {
+  /** What one user at one address needs more of than people do. */
+  List<Setting> UNLIMITED =
+      List.of(
+          Setting.REQUESTS_AT_ONCE,
+          Setting.CHECKS_PER_USER,
+          Setting.STREAMS_PER_USER,
+          Setting.STREAMS_PER_ADDRESS,
+          Setting.CONNECTIONS_PER_ADDRESS);
+
+  /** The most that each of them may be. */
+  String MUCH = "10000";
 
   /**
    * @param address where the web pages are, with a slash at its end
@@ -26,7 +37,7 @@ public interface ServerOperation {
 
   /**
    * Does this with a server of its own: with its data in a folder that is deleted afterwards, on
-   * any free port, without a limit of requests, and with nothing in the log but errors.
+   * any free port, without limits of requests, and with nothing in the log but errors.
    *
    * @param settings those that differ from the defaults
    * @return the exit code of the process
@@ -41,6 +52,7 @@ public interface ServerOperation {
       all.put(Setting.DATA, data.path().toString());
       all.put(Setting.PORT, "0");
       all.put(Setting.REQUESTS_PER_SECOND, "0");
+      UNLIMITED.forEach(setting -> all.put(setting, MUCH));
       all.put(Setting.LOG_LEVEL, "ERROR");
       List<SettingSource> layers = List.of(SettingSource.fromCommandLine(all));
       return runWith(Configuration.of(WebappFolder.shippedMap(), layers), webapp, stop);

@@ -34,7 +34,7 @@ import org.toqa.web.Services;
  * The thread that bound it calls the rest.
  */
 final class WebServer implements AutoCloseable {
-  /** How long a connection may be idle, milliseconds. */
+  /** How long a connection may be silent, milliseconds. */
   private static final int CONNECTION_TIMEOUT_MS = 20_000;
 
   private final Tomcat tomcat;
@@ -57,7 +57,7 @@ final class WebServer implements AutoCloseable {
     int port = configuration.port();
     Tomcat tomcat = new Tomcat();
     tomcat.setBaseDir(Files.createDirectories(configuration.data().resolve("tomcat")).toString());
-    tomcat.setConnector(connector(address, port, configuration.tls()));
+    tomcat.setConnector(connector(address, port, configuration));
     answerUnreadableRequests(tomcat);
     trustProxy(tomcat, configuration.proxy());
     WebServer server = new WebServer(tomcat, context(tomcat, webapp), address);
@@ -70,15 +70,17 @@ final class WebServer implements AutoCloseable {
     }
   }
 
-  private static Connector connector(
-      InetAddress address, int port, Configuration.@Nullable TlsFiles tls) throws IOException {
-    Connector connector = new Connector("org.apache.coyote.http11.Http11NioProtocol");
+  private static Connector connector(InetAddress address, int port, Configuration configuration)
+      throws IOException {
+    Connector connector =
+        new Connector(LimitedHttpProtocol.of(configuration.limits(), configuration.proxy()));
     connector.setPort(port);
     connector.setProperty("address", address.getHostAddress());
     connector.setProperty("useVirtualThreads", "true");
     connector.setProperty("connectionTimeout", String.valueOf(CONNECTION_TIMEOUT_MS));
     connector.setThrowOnFailure(true);
     connector.setXpoweredBy(false);
+    Configuration.TlsFiles tls = configuration.tls();
     if (tls != null) {
       CertificateWithKey.read(tls);
       enableTls(connector, tls);

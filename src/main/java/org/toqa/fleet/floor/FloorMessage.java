@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Set;
 import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.dispatch.ControlMessage;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
@@ -50,14 +51,14 @@ public sealed interface FloorMessage {
    *
    * @param pause null: they go on
    */
-  record SetPause(@Nullable Hold pause) implements FloorMessage {}
+  record SetPause(@Nullable Hold pause) implements FloorMessage, ControlMessage {}
 
   /**
    * The floor's robots hold, or go on.
    *
    * @param hold null: they go on
    */
-  record HoldFloor(@Nullable Hold hold) implements FloorMessage {}
+  record HoldFloor(@Nullable Hold hold) implements FloorMessage, ControlMessage {}
 
   /** A person puts a robot on hold, or lets it go on. */
   record HoldRobot(

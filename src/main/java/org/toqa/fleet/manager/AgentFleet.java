@@ -2,8 +2,6 @@ package org.toqa.fleet.manager;
 
 import static java.util.Objects.requireNonNull;
 
-import com.typesafe.config.Config;
-import com.typesafe.config.ConfigFactory;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
@@ -17,9 +15,9 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Supplier;
-import org.apache.pekko.actor.BootstrapSetup;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.apache.pekko.actor.typed.ActorSystem;
 import org.apache.pekko.actor.typed.javadsl.AskPattern;
@@ -30,6 +28,7 @@ import org.slf4j.LoggerFactory;
 import org.toqa.allocation.Allocator;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetRules;
 import org.toqa.fleet.FleetRuntime;
@@ -55,7 +54,6 @@ import org.toqa.link.RobotLinkFactory;
 import org.toqa.mission.MissionEvent;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
-import scala.concurrent.ExecutionContext;
 
 /**
  * The fleet as a system of agents: one manager, one agent a floor, one a robot.
@@ -66,26 +64,13 @@ import scala.concurrent.ExecutionContext;
 public final class AgentFleet implements Fleet, AutoCloseable {
   private static final Logger log = LoggerFactory.getLogger(AgentFleet.class);
   private static final Duration ANSWER_LIMIT = Duration.ofSeconds(10);
-  private static final Config CONFIG =
-      ConfigFactory.parseString(
-          """
-          pekko {
-            loggers = ["org.apache.pekko.event.slf4j.Slf4jLogger"]
-            logging-filter = "org.apache.pekko.event.slf4j.Slf4jLoggingFilter"
-            loglevel = "WARNING"
-            stdout-loglevel = "OFF"
-            log-dead-letters = off
-            log-dead-letters-during-shutdown = off
-            jvm-exit-on-fatal-error = off
-            coordinated-shutdown.run-by-jvm-shutdown-hook = off
-          }
-          """);
 
   private final List<FloorMap> floors;
   private final LatestSnapshot latestSnapshot;
   private final Schedules schedules;
   private final FleetRuntime runtime;
   private final PendingSubmissions pendingSubmissions = new PendingSubmissions();
+  private final OrderChecks checks;
   private final ActorSystem<ManagerMessage> system;
   private final AgentHealth health;
   private final FleetMonitor monitor;
@@ -139,10 +124,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 List.of(),
                 store.pause().orElse(null),
                 List.of()));
-    ClassLoader loader = AgentFleet.class.getClassLoader();
-    BootstrapSetup setup =
-        BootstrapSetup.create(CONFIG.withFallback(ConfigFactory.load(loader)))
-            .withClassloader(loader);
+    this.checks = OrderChecks.of(runtime, rules.checksPerUser());
     this.system =
         ActorSystem.create(
             ManagerAgent.of(
@@ -155,13 +137,10 @@ public final class AgentFleet implements Fleet, AutoCloseable {
                 now,
                 runtime,
                 latestSnapshot,
-                pendingSubmissions),
+                pendingSubmissions,
+                checks),
             "toqa",
-            runtime
-                .agentExecutor()
-                .map(ExecutionContext::fromExecutor)
-                .map(setup::withDefaultExecutionContext)
-                .orElse(setup));
+            AgentSystemSetup.of(runtime));
     this.schedules = new StoredSchedules(scheduleStore, this, clock);
     this.health = AgentHealth.of(system);
     awaitStart();
@@ -210,14 +189,20 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<TaskView>> submit(TaskOrder order, String user, UUID key) {
     long deadline = TaskSubmitter.deadline(runtime.nanoTime());
-    return ask(replyTo -> new ManagerMessage.SubmitTask(order, user, key, deadline, replyTo));
+    return askChecked(
+        user,
+        (check, replyTo) ->
+            new ManagerMessage.SubmitTask(order, user, key, deadline, check, replyTo));
   }
 
   @Override
   public CompletionStage<BatchAnswer> submitAll(
       List<TaskOrder> orders, String user, List<UUID> keys) {
     long deadline = TaskSubmitter.deadline(runtime.nanoTime());
-    return ask(replyTo -> new ManagerMessage.SubmitTasks(orders, user, keys, deadline, replyTo));
+    return askChecked(
+        user,
+        (check, replyTo) ->
+            new ManagerMessage.SubmitTasks(orders, user, keys, deadline, check, replyTo));
   }
 
   @Override
@@ -228,12 +213,14 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<List<BatchAnswer.Rejection>> rejections(
       List<TaskOrder> orders, String user) {
-    return ask(replyTo -> new ManagerMessage.ValidateOrders(orders, user, replyTo));
+    return askChecked(
+        user, (check, replyTo) -> new ManagerMessage.ValidateOrders(orders, user, check, replyTo));
   }
 
   @Override
   public CompletionStage<Answer<TaskPreview>> preview(TaskOrder order, String user) {
-    return ask(replyTo -> new ManagerMessage.PreviewTask(order, user, replyTo));
+    return askChecked(
+        user, (check, replyTo) -> new ManagerMessage.PreviewTask(order, user, check, replyTo));
   }
 
   @Override
@@ -318,6 +305,20 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   @Override
   public CompletionStage<Answer<Optional<Hold>>> resumeFloor(String floor, String user) {
     return ask(replyTo -> new ManagerMessage.HoldFloor(floor, false, user, replyTo));
+  }
+
+  /** The same for what has to be checked first: a user has few of these at once. */
+  private <T> CompletionStage<T> askChecked(
+      String user,
+      BiFunction<OrderChecks.Check, ActorRef<StatusReply<T>>, ManagerMessage> message) {
+    OrderChecks.Check check;
+    try {
+      check = checks.begin(user);
+    } catch (CheckRefusedException e) {
+      return CompletableFuture.failedFuture(e);
+    }
+    return this.<T>ask(replyTo -> message.apply(check, replyTo))
+        .whenComplete((answer, failure) -> check.close());
   }
 
   private <T> CompletionStage<T> ask(Function<ActorRef<StatusReply<T>>, ManagerMessage> message) {

@@ -14,13 +14,15 @@ import org.toqa.wording.Sentence;
  * Checks many orders at once. It waits for their paths, so that is done on a thread of its own.
  *
  * @param totalCapacity what all robots carry together, kilograms
+ * @param check of all of them together
  */
 record BatchValidation(
     OrderValidator validator,
     List<TaskOrder> orders,
     String user,
     Instant now,
-    double totalCapacity) {
+    double totalCapacity,
+    OrderChecks.Check check) {
 
   /**
    * @param tasks of the orders that are good; their ids are not known yet
@@ -43,7 +45,7 @@ record BatchValidation(
           checked.thenCompose(
               _ ->
                   validator
-                      .checkTask(orders.get(index), user, now, totalCapacity)
+                      .checkTask(orders.get(index), user, now, totalCapacity, check)
                       .thenAccept(answer -> add(answer, index, tasks, rejections)));
     }
     return checked.thenApply(_ -> new Result(tasks, rejections));

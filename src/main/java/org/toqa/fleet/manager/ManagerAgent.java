@@ -45,10 +45,6 @@ import org.toqa.wording.Sentence;
 final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private static final Logger log = LoggerFactory.getLogger(ManagerAgent.class);
 
-  /** Of all checks of orders together, so that they leave processors to the fleet. */
-  private static final int PLANNING_THREADS =
-      Math.max(2, Runtime.getRuntime().availableProcessors() / 2);
-
   private final FleetState fleet;
   private final AgentHealth health;
   private final StoreHealthCheck storeHealth;
@@ -72,7 +68,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       Instant now,
       FleetRuntime runtime,
       LatestSnapshot latest,
-      PendingSubmissions pendingSubmissions) {
+      PendingSubmissions pendingSubmissions,
+      OrderChecks checks) {
     return Supervision.resuming(
         Phrase.MANAGER_PART.with(),
         ManagerMessage.class,
@@ -90,7 +87,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
                     now,
                     runtime,
                     latest,
-                    pendingSubmissions)));
+                    pendingSubmissions,
+                    checks)));
   }
 
   private ManagerAgent(
@@ -104,7 +102,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       Instant now,
       FleetRuntime runtime,
       LatestSnapshot latest,
-      PendingSubmissions pendingSubmissions) {
+      PendingSubmissions pendingSubmissions,
+      OrderChecks checks) {
     super(context);
     this.health = AgentHealth.of(context.getSystem());
     this.fleet =
@@ -121,7 +120,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.holdCommands = new HoldCommandHandler(store, fleet.writer, clock, self, fleet.floors);
     List<OpenTask> open = store.openTasks();
     Set<Long> toldBefore = open.stream().map(t -> t.mission().id()).collect(Collectors.toSet());
-    PathQuery paths = new PathQuery(runtime.boundedExecutor("path", PLANNING_THREADS));
+    PathQuery paths = new PathQuery(checks.fleetExecutor());
     OrderValidator validator = new OrderValidator(floorMaps, paths);
     this.lateTasks = new LateTaskReporter(fleet, new DeadlineWatch(rules.pace(), toldBefore), self);
     this.rounds = new AllocationRounds(fleet, allocator, paths, self);

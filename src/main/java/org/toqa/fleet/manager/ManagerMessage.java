@@ -9,6 +9,7 @@ import java.util.UUID;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.apache.pekko.actor.typed.ActorRef;
+import org.apache.pekko.dispatch.ControlMessage;
 import org.apache.pekko.pattern.StatusReply;
 import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.Decision;
@@ -42,6 +43,7 @@ public sealed interface ManagerMessage {
       String user,
       UUID idempotencyKey,
       long deadline,
+      OrderChecks.Check check,
       ActorRef<StatusReply<Answer<TaskView>>> replyTo)
       implements ManagerMessage {}
 
@@ -53,12 +55,14 @@ public sealed interface ManagerMessage {
       String user,
       List<UUID> idempotencyKeys,
       long deadline,
+      OrderChecks.Check check,
       ActorRef<StatusReply<BatchAnswer>> replyTo)
       implements ManagerMessage {}
 
   record ValidateOrders(
       List<TaskOrder> orders,
       String user,
+      OrderChecks.Check check,
       ActorRef<StatusReply<List<BatchAnswer.Rejection>>> replyTo)
       implements ManagerMessage {}
 
@@ -84,7 +88,10 @@ public sealed interface ManagerMessage {
       implements ManagerMessage {}
 
   record PreviewTask(
-      TaskOrder order, String user, ActorRef<StatusReply<Answer<TaskPreview>>> replyTo)
+      TaskOrder order,
+      String user,
+      OrderChecks.Check check,
+      ActorRef<StatusReply<Answer<TaskPreview>>> replyTo)
       implements ManagerMessage {}
 
   record TaskStored(TransportTask task, ActorRef<StatusReply<Answer<TaskView>>> replyTo)
@@ -174,9 +181,9 @@ public sealed interface ManagerMessage {
   record SendHome(String robot, String user, ActorRef<StatusReply<Answer<RobotView>>> replyTo)
       implements ManagerMessage {}
 
-  /** A person pauses all robots, or lets them go on. */
+  /** A person pauses all robots, or lets them go on. It overtakes what came before it. */
   record SetPause(boolean pause, String user, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
-      implements ManagerMessage {}
+      implements ManagerMessage, ControlMessage {}
 
   /**
    * That they go on is safe.
@@ -192,13 +199,13 @@ public sealed interface ManagerMessage {
    */
   record PauseLasts(long number) implements ManagerMessage {}
 
-  /** A person puts a floor's robots on hold, or lets them go on. */
+  /** A person puts a floor's robots on hold, or lets them go on. It overtakes likewise. */
   record HoldFloor(
       String floor,
       boolean hold,
       String user,
       ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo)
-      implements ManagerMessage {}
+      implements ManagerMessage, ControlMessage {}
 
   /**
    * That the floor's robots go on is safe.

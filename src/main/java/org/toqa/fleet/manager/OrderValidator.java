@@ -58,13 +58,14 @@ final class OrderValidator {
    * Checks an order for a task. Paths are planned on another thread, so the answer may come later.
    *
    * @param totalCapacity what all robots carry together, kilograms
+   * @param check of this order
    * @return the task, its id not known yet; or the sentence against it, with the order's field
    */
   CompletionStage<Answer<TransportTask>> checkTask(
-      TaskOrder order, String user, Instant now, double totalCapacity) {
+      TaskOrder order, String user, Instant now, double totalCapacity, OrderChecks.Check check) {
     Answer<TransportTask> resolved = resolveTask(order, user, now, totalCapacity);
     return resolved instanceof Answer.Accepted<TransportTask>(TransportTask task)
-        ? checkPath(task)
+        ? checkPath(task, check)
         : CompletableFuture.completedFuture(resolved);
   }
 
@@ -95,10 +96,11 @@ final class OrderValidator {
     return new Answer.Accepted<>(order.task(from, to, floor.get().name(), user, now));
   }
 
-  private CompletionStage<Answer<TransportTask>> checkPath(TransportTask task) {
+  private CompletionStage<Answer<TransportTask>> checkPath(
+      TransportTask task, OrderChecks.Check check) {
     OccupancyGrid grid = floor(task.floor()).orElseThrow().grid();
     return paths
-        .findPath(grid, task.start().position(), task.goal().position(), 2 * SMALLEST_RADIUS)
+        .findPath(grid, task.start().position(), task.goal().position(), 2 * SMALLEST_RADIUS, check)
         .thenApply(
             path ->
                 switch (path) {

@@ -32,28 +32,29 @@ import org.toqa.wording.Sentence;
 
 /**
  * What planning says of a floor without other robots: whether one robot has a path, and whether
- * several have room round a load. Any thread may ask; nothing is planned on the asking one.
+ * several have room round a load. Any thread may ask; nothing is planned on the asking one, but in
+ * the turn of the check that it is for.
  *
  * <p>An answer depends on the immutable grid that is asked about, and on nothing else: the last
- * answers are kept by grid and question, and a floor that gets another grid is asked about anew.
- * Equal questions at once are planned once; a plan that fails is not kept.
+ * answers are kept by grid and question, and a floor that gets another grid is asked about anew. A
+ * plan that fails, or does not end in time, is not kept.
  */
 final class PathQuery {
   private static final int MAX_ANSWERS = 2_000;
   private static final int MAX_FLOORS = 32;
   private static final String ROBOT = "robot";
 
-  private final AsyncCache<PathKey, FloorPath> paths;
+  private final Cache<PathKey, FloorPath> paths;
   private final AsyncCache<TeamKey, Optional<Sentence>> teams;
   private final Cache<FloorKey, EmptyFloor> emptyFloors;
 
   /**
-   * @param planning what plans; it may plan several things beside each other
+   * @param planning what plans for the fleet; it may plan several things beside each other
    */
   PathQuery(Executor planning) {
-    paths = Caffeine.newBuilder().maximumSize(MAX_ANSWERS).executor(planning).buildAsync();
+    paths = Caffeine.newBuilder().maximumSize(MAX_ANSWERS).executor(Runnable::run).build();
     teams = Caffeine.newBuilder().maximumSize(MAX_ANSWERS).executor(planning).buildAsync();
-    emptyFloors = Caffeine.newBuilder().maximumSize(MAX_FLOORS).executor(planning).build();
+    emptyFloors = Caffeine.newBuilder().maximumSize(MAX_FLOORS).executor(Runnable::run).build();
   }
 
   /**
@@ -103,30 +104,54 @@ final class PathQuery {
    * @param start metres, map frame
    * @param goal metres, map frame; in another cell
    * @param diameter of the robot, metres
+   * @param check what it is asked for
    */
   CompletableFuture<FloorPath> findPath(
-      OccupancyGrid grid, Vec2 start, Vec2 goal, double diameter) {
-    return paths.get(
-        new PathKey(new FloorKey(grid, diameter), start, goal), key -> emptyFloor(key).plan(key));
+      OccupancyGrid grid, Vec2 start, Vec2 goal, double diameter, OrderChecks.Check check) {
+    PathKey key = new PathKey(new FloorKey(grid, diameter), start, goal);
+    FloorPath known = paths.getIfPresent(key);
+    return known == null ? check.run(() -> plan(key)) : CompletableFuture.completedFuture(known);
   }
 
-  private EmptyFloor emptyFloor(PathKey key) {
-    return emptyFloors.get(key.floor(), EmptyFloor::new);
+  private FloorPath plan(PathKey key) {
+    FloorPath planned = emptyFloors.get(key.floor(), EmptyFloor::new).plan(key);
+    paths.put(key, planned);
+    return planned;
   }
 
   /**
-   * Why robots have no room for a task; empty if they have, or one does it.
+   * Why robots have no room for a task; empty if they have, or one does it. The fleet asks.
    *
    * @param question about this mission
    */
   CompletableFuture<Optional<Sentence>> objectionToTeam(
       OccupancyGrid grid, Mission mission, TeamQuestion question) {
+    return question.robots() < 2
+        ? CompletableFuture.completedFuture(Optional.empty())
+        : teams.get(new TeamKey(grid, question), _ -> objection(grid, mission, question));
+  }
+
+  /** The same for an order or preview. */
+  CompletableFuture<Optional<Sentence>> objectionToTeam(
+      OccupancyGrid grid, Mission mission, TeamQuestion question, OrderChecks.Check check) {
     if (question.robots() < 2) {
       return CompletableFuture.completedFuture(Optional.empty());
     }
-    return teams.get(
-        new TeamKey(grid, question),
-        key -> new TeamRoomCheck(grid).objection(mission, question.robots(), question.diameter()));
+    TeamKey key = new TeamKey(grid, question);
+    Optional<Sentence> known = teams.synchronous().getIfPresent(key);
+    return known == null
+        ? check.run(() -> remember(key, objection(grid, mission, question)))
+        : CompletableFuture.completedFuture(known);
+  }
+
+  private Optional<Sentence> remember(TeamKey key, Optional<Sentence> objection) {
+    teams.synchronous().put(key, objection);
+    return objection;
+  }
+
+  private static Optional<Sentence> objection(
+      OccupancyGrid grid, Mission mission, TeamQuestion question) {
+    return new TeamRoomCheck(grid).objection(mission, question.robots(), question.diameter());
   }
 
   /** A floor on which one robot is alone. Any thread may plan on it. */

@@ -2,14 +2,16 @@ package org.toqa.fleet.manager;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.HashMap;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Submitted orders whose checks are running: whichever check ends first, they go on in the order in
- * which they came. Confined to one agent.
+ * Submitted orders whose checks are running: whichever check ends first, those of one user go on in
+ * the order in which they came, and wait for no other user's. Confined to one agent.
  */
 final class PendingOrders {
-  private final Deque<Pending> inOrder = new ArrayDeque<>();
+  private final Map<String, Deque<Pending>> byUser = new HashMap<>();
 
   /** An order, and what its check has said once it has ended. */
   static final class Pending {
@@ -27,7 +29,7 @@ final class PendingOrders {
 
   Pending add(ManagerMessage.SubmitTask request) {
     Pending pending = new Pending(request);
-    inOrder.addLast(pending);
+    byUser.computeIfAbsent(request.user(), _ -> new ArrayDeque<>()).addLast(pending);
     return pending;
   }
 
@@ -35,13 +37,17 @@ final class PendingOrders {
     checked.order().result = checked;
   }
 
-  /** The order that came first, if it has been checked, goes out; null where it has not. */
-  ManagerMessage.@Nullable OrderChecked pollChecked() {
-    Pending first = inOrder.peekFirst();
-    if (first == null || first.result == null) {
+  /** The user's order that came first, if it has been checked, goes out; null where it has not. */
+  ManagerMessage.@Nullable OrderChecked pollChecked(String user) {
+    Deque<Pending> inOrder = byUser.get(user);
+    Pending first = inOrder == null ? null : inOrder.peekFirst();
+    if (inOrder == null || first == null || first.result == null) {
       return null;
     }
     inOrder.removeFirst();
+    if (inOrder.isEmpty()) {
+      byUser.remove(user);
+    }
     return first.result;
   }
 }

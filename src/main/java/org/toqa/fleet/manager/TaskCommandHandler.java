@@ -80,7 +80,7 @@ final class TaskCommandHandler {
   void submitTask(ManagerMessage.SubmitTask m) {
     CompletionStage<Answer<TransportTask>> check;
     try {
-      check = checkOrder(m.order(), m.user());
+      check = checkOrder(m.order(), m.user(), m.check());
     } catch (RuntimeException e) { // it holds up no later order
       m.replyTo().tell(StatusReply.error(e));
       throw e;
@@ -88,20 +88,24 @@ final class TaskCommandHandler {
     PendingOrders.Pending pending = pendingOrders.add(m);
     var _ =
         check.whenComplete(
-            (checked, failure) ->
-                self.tell(new ManagerMessage.OrderChecked(pending, checked, failure)));
+            (checked, failure) -> {
+              m.check().close();
+              self.tell(new ManagerMessage.OrderChecked(pending, checked, failure));
+            });
   }
 
-  private CompletionStage<Answer<TransportTask>> checkOrder(TaskOrder order, String user) {
-    return validator.checkTask(order, user, fleet.clock.instant(), totalCapacity());
+  private CompletionStage<Answer<TransportTask>> checkOrder(
+      TaskOrder order, String user, OrderChecks.Check check) {
+    return validator.checkTask(order, user, fleet.clock.instant(), totalCapacity(), check);
   }
 
-  /** Adopts all orders that are checked and before which none waits for its check. */
+  /** Adopts all orders of its user that are checked and before which none waits for its check. */
   void orderChecked(ManagerMessage.OrderChecked m) {
     pendingOrders.setResult(m);
-    for (ManagerMessage.OrderChecked next = pendingOrders.pollChecked();
+    String user = m.order().request().user();
+    for (ManagerMessage.OrderChecked next = pendingOrders.pollChecked(user);
         next != null;
-        next = pendingOrders.pollChecked()) {
+        next = pendingOrders.pollChecked(user)) {
       adopt(next);
     }
   }
@@ -147,9 +151,10 @@ final class TaskCommandHandler {
 
   private void check(ManagerMessage.SubmitTasks m) {
     var _ =
-        checkConcurrently(m.orders(), m.user())
+        checkConcurrently(m.orders(), m.user(), m.check())
             .whenComplete(
                 (checked, failure) -> {
+                  m.check().close();
                   if (failure == null) {
                     self.tell(new ManagerMessage.OrdersChecked(m, checked));
                   } else {
@@ -176,7 +181,7 @@ final class TaskCommandHandler {
 
   void validateOrders(ManagerMessage.ValidateOrders m) {
     var _ =
-        checkConcurrently(m.orders(), m.user())
+        checkConcurrently(m.orders(), m.user(), m.check())
             .whenComplete(
                 (checked, failure) ->
                     m.replyTo()
@@ -187,9 +192,9 @@ final class TaskCommandHandler {
   }
 
   private CompletableFuture<BatchValidation.Result> checkConcurrently(
-      List<TaskOrder> orders, String user) {
+      List<TaskOrder> orders, String user, OrderChecks.Check check) {
     BatchValidation batch =
-        new BatchValidation(validator, orders, user, fleet.clock.instant(), totalCapacity());
+        new BatchValidation(validator, orders, user, fleet.clock.instant(), totalCapacity(), check);
     return CompletableFuture.completedFuture(null)
         .thenComposeAsync(_ -> batch.run(), fleet.runtime.threadPerTaskExecutor("batch"));
   }
@@ -202,7 +207,7 @@ final class TaskCommandHandler {
 
   void previewTask(ManagerMessage.PreviewTask m) {
     var _ =
-        checkOrder(m.order(), m.user())
+        checkOrder(m.order(), m.user(), m.check())
             .whenComplete(
                 (checked, failure) -> {
                   if (failure != null) {
@@ -231,10 +236,8 @@ final class TaskCommandHandler {
             List.of(),
             fleet.candidates(floor.name()));
     var _ =
-        CompletableFuture.completedFuture(null)
-            .thenComposeAsync(
-                _ -> new TaskPreviewer(allocator, paths, floor.grid()).preview(task, problem),
-                fleet.runtime.threadPerTaskExecutor("preview"))
+        new TaskPreviewer(allocator, paths, floor.grid(), request.check())
+            .preview(task, problem)
             .whenComplete(
                 (preview, failure) ->
                     request

@@ -15,28 +15,37 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.TransportTask;
 
 /**
- * Tells what would become of a task that nobody has asked for yet. It waits for plans: give it a
- * thread of its own.
+ * Tells what would become of a task that nobody has asked for yet. Any thread may ask; nothing is
+ * computed on the asking one.
  */
 final class TaskPreviewer {
   private final Allocator allocator;
   private final PathQuery paths;
   private final OccupancyGrid grid;
+  private final OrderChecks.Check check;
 
   /**
    * @param grid of the task's floor
+   * @param check of the preview
    */
-  TaskPreviewer(Allocator allocator, PathQuery paths, OccupancyGrid grid) {
+  TaskPreviewer(Allocator allocator, PathQuery paths, OccupancyGrid grid, OrderChecks.Check check) {
     this.allocator = allocator;
     this.paths = paths;
     this.grid = grid;
+    this.check = check;
   }
 
   /**
    * @param problem of the floor, where this task is the only one that waits
    */
   CompletableFuture<TaskPreview> preview(TransportTask task, AllocationProblem problem) {
-    Decision decision = allocator.allocate(problem).getFirst();
+    return check
+        .run(() -> allocator.allocate(problem).getFirst())
+        .thenCompose(decision -> preview(task, problem, decision));
+  }
+
+  private CompletableFuture<TaskPreview> preview(
+      TransportTask task, AllocationProblem problem, Decision decision) {
     List<String> chosen = chosen(decision);
     int robots =
         chosen.isEmpty()
@@ -45,7 +54,7 @@ final class TaskPreviewer {
     return path(task)
         .thenCombine(
             paths.objectionToTeam(
-                grid, Mission.queued(task), question(task, chosen, robots, problem)),
+                grid, Mission.queued(task), question(task, chosen, robots, problem), check),
             (path, noRoom) ->
                 noRoom
                     .map(objection -> new TaskPreview(robots, List.of(), objection, path))
@@ -83,7 +92,8 @@ final class TaskPreviewer {
             grid,
             task.start().position(),
             task.goal().position(),
-            2 * OrderValidator.SMALLEST_RADIUS)
+            2 * OrderValidator.SMALLEST_RADIUS,
+            check)
         .thenApply(
             path ->
                 switch (path) {

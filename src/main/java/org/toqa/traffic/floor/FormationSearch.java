@@ -19,6 +19,7 @@ import org.toqa.motion.Segment;
 import org.toqa.motion.SegmentFitter;
 import org.toqa.motion.Trajectory;
 import org.toqa.planning.OpenList;
+import org.toqa.planning.SearchLimit;
 
 /**
  * Looks for the path that a formation can be led along: A* for the leader over the points of a
@@ -101,6 +102,7 @@ final class FormationSearch {
   Optional<Trajectory> trajectory() {
     enter();
     while (!openList.isEmpty()) {
+      SearchLimit.check();
       int state = openList.pop();
       if (!reached.get(state)) {
         continue;

@@ -4,6 +4,7 @@ import jakarta.servlet.ServletException;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.io.IOException;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.persistence.StoreException;
 import org.toqa.web.ErrorResponse;
 import org.toqa.web.Handler;
@@ -20,6 +21,9 @@ public record ProblemHandler(Handler handler) implements Handler {
       e.problem().send(request, response);
     } catch (StoreException e) {
       Problem.of(ErrorResponse.status(e), ErrorResponse.sentence(request, e))
+          .send(request, response);
+    } catch (CheckRefusedException e) {
+      Problem.of(ErrorResponse.status(response, e), ErrorResponse.sentence(request, e))
           .send(request, response);
     }
   }

@@ -112,6 +112,8 @@ public final class UserCommands {
       errors.add("form", texts.get("problem.notYourToken"));
     } else if (!caller.session().mayCreateTokens()) {
       errors.add("form", texts.get("problem.tokenInBrowser"));
+    } else if (!services.sessions().mayIssueToken(user.id())) {
+      errors.add("form", texts.get("error.token.tooMany"));
     }
     if (errors.isEmpty()) {
       checkPassword(caller, user, passwordField, order.password());

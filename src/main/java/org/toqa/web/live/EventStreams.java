@@ -40,6 +40,7 @@ public final class EventStreams implements AutoCloseable {
    * them.
    *
    * @param changesOnly whether the reader puts snapshots together from what changed
+   * @param places are given up at its end
    * @param lastId what the reader says it has; an id that is none counts as nothing
    */
   void start(
@@ -48,6 +49,7 @@ public final class EventStreams implements AutoCloseable {
       Caller caller,
       Locale locale,
       boolean changesOnly,
+      StreamPlaces places,
       @Nullable String lastId) {
     Thread thread =
         Thread.ofVirtual()
@@ -61,7 +63,7 @@ public final class EventStreams implements AutoCloseable {
                     changesOnly,
                     lastId,
                     threads::size));
-    async.addListener(new StreamEndListener(thread, services.metrics()));
+    async.addListener(new StreamEndListener(thread, places, services.metrics()));
     threads.add(thread);
     services.metrics().recordStreamStart();
     thread.start();
@@ -75,15 +77,18 @@ public final class EventStreams implements AutoCloseable {
   /** The container ended the request, perhaps because the reader has gone: so ends its thread. */
   private final class StreamEndListener implements AsyncListener {
     private final Thread thread;
+    private final StreamPlaces places;
     private final Metrics metrics;
 
-    StreamEndListener(Thread thread, Metrics metrics) {
+    StreamEndListener(Thread thread, StreamPlaces places, Metrics metrics) {
       this.thread = thread;
+      this.places = places;
       this.metrics = metrics;
     }
 
     @Override
     public void onComplete(AsyncEvent event) {
+      places.close();
       if (threads.remove(thread)) {
         metrics.recordStreamEnd();
       }

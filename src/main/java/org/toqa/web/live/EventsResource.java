@@ -4,6 +4,7 @@ import jakarta.servlet.AsyncContext;
 import jakarta.servlet.http.HttpServletRequest;
 import jakarta.servlet.http.HttpServletResponse;
 import java.util.Objects;
+import java.util.Optional;
 import org.toqa.web.Texts;
 import org.toqa.web.access.Caller;
 import org.toqa.web.api.ApiHandler;
@@ -11,6 +12,8 @@ import org.toqa.web.api.Problem;
 
 /** Live events: the fleet's snapshots as a stream. */
 public final class EventsResource extends ApiHandler {
+  /** After which a stream may have ended. */
+  private static final String RETRY_SECONDS = "10";
 
   public static void stream(HttpServletRequest request, HttpServletResponse response) {
     if (request.getMethod().equals("HEAD")) {
@@ -18,6 +21,16 @@ public final class EventsResource extends ApiHandler {
       return;
     }
     boolean changesOnly = wantsChangesOnly(request);
+    StreamPlaces places = new StreamPlaces();
+    Optional<StreamPlaces.Refusal> refusal =
+        places.take(
+            services(request).concurrency(), Caller.of(request).name(), request.getRemoteAddr());
+    if (refusal.isPresent()) {
+      response.setHeader("Retry-After", RETRY_SECONDS);
+      throw Problem.of(
+              429, Texts.of(request).get(refusal.get().key(), refusal.get().max(), RETRY_SECONDS))
+          .exception();
+    }
     setHeaders(response);
     AsyncContext async = request.startAsync();
     async.setTimeout(0);
@@ -28,6 +41,7 @@ public final class EventsResource extends ApiHandler {
             Caller.of(request),
             Texts.of(request).locale(),
             changesOnly,
+            places,
             request.getHeader("Last-Event-ID"));
   }
 

@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.TaskView;
 import org.toqa.web.IdempotentSubmitter;
 import org.toqa.web.Texts;
@@ -33,7 +34,14 @@ public final class ImportPage extends PageHandler {
   public static void submit(HttpServletRequest request, HttpServletResponse response)
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
-    Optional<List<TaskView>> tasks = importTable(request, errors);
+    Optional<List<TaskView>> tasks;
+    try {
+      tasks = importTable(request, errors);
+    } catch (CheckRefusedException e) {
+      request.setAttribute("idempotencyKey", UUID.randomUUID());
+      showRefused(request, response, "import", FILE, e);
+      return;
+    }
     if (tasks.isPresent()) {
       redirect(request, response, "/tasks?imported=" + tasks.get().size());
     } else {

@@ -11,6 +11,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.UUID;
 import org.toqa.accounts.Account;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.KeyedAnswer;
 import org.toqa.fleet.Schedule;
 import org.toqa.fleet.TaskOrder;
@@ -37,14 +38,15 @@ public final class NewTaskPage extends PageHandler {
       throws ServletException, IOException {
     FieldErrors errors = new FieldErrors();
     Instant now = services(request).clock().instant();
-    Optional<String> next =
-        isImmediate(request)
-            ? readForm(request, errors, fields -> TaskOrderReader.readEntered(fields, now))
-                .flatMap(order -> submit(order, request, errors))
-                .map(task -> "/tasks/" + task.id())
-            : readForm(request, errors, fields -> ScheduleReader.readForm(fields, now))
-                .flatMap(order -> schedule(order, request, errors))
-                .map(schedule -> "/schedules?added=" + schedule.id());
+    Optional<String> next;
+    try {
+      next = submit(request, errors, now);
+    } catch (CheckRefusedException e) {
+      addFloorAttributes(request);
+      request.setAttribute("idempotencyKey", idempotencyKey(request));
+      showRefused(request, response, "new-task", FORM, e);
+      return;
+    }
     if (next.isPresent()) {
       redirect(request, response, next.get());
     } else {
@@ -52,6 +54,18 @@ public final class NewTaskPage extends PageHandler {
       request.setAttribute("idempotencyKey", idempotencyKey(request));
       showAgain(request, response, "new-task", errors);
     }
+  }
+
+  /** Where to go when the task, or the schedule, is there; empty: an error says why it is not. */
+  private static Optional<String> submit(
+      HttpServletRequest request, FieldErrors errors, Instant now) {
+    return isImmediate(request)
+        ? readForm(request, errors, fields -> TaskOrderReader.readEntered(fields, now))
+            .flatMap(order -> submit(order, request, errors))
+            .map(task -> "/tasks/" + task.id())
+        : readForm(request, errors, fields -> ScheduleReader.readForm(fields, now))
+            .flatMap(order -> schedule(order, request, errors))
+            .map(schedule -> "/schedules?added=" + schedule.id());
   }
 
   private static boolean isImmediate(HttpServletRequest request) {

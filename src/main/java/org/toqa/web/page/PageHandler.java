@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.util.Optional;
 import java.util.function.Function;
 import org.toqa.fleet.Answer;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.mission.Question;
 import org.toqa.web.ErrorResponse;
@@ -27,7 +28,7 @@ abstract class PageHandler {
   private static final int UNPROCESSABLE = 422;
 
   /** The name under which an error of the whole form is filed. */
-  private static final String FORM = "form";
+  static final String FORM = "form";
 
   static Services services(HttpServletRequest request) {
     return Services.of(request.getServletContext());
@@ -65,6 +66,19 @@ abstract class PageHandler {
       HttpServletRequest request, HttpServletResponse response, String view, FieldErrors errors)
       throws ServletException, IOException {
     showAgain(request, response, view, errors, CONFLICT);
+  }
+
+  /** Shows the form again to who is to send it later: what it orders was not checked. */
+  static void showRefused(
+      HttpServletRequest request,
+      HttpServletResponse response,
+      String view,
+      String field,
+      CheckRefusedException refusal)
+      throws ServletException, IOException {
+    FieldErrors errors = new FieldErrors();
+    errors.add(field, ErrorResponse.sentence(request, refusal));
+    showAgain(request, response, view, errors, ErrorResponse.status(response, refusal));
   }
 
   private static void showAgain(

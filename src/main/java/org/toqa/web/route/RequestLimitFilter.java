@@ -36,7 +36,7 @@ public final class RequestLimitFilter extends HttpFilter {
     Credential.of(request).ifPresent(shown -> remember(request, shown, caller.isPresent()));
     boolean isAnswered =
         caller.isPresent()
-            ? tryAcquire(request, response, "user " + caller.get().name())
+            ? tryAcquire(request, response, name(request, "user " + caller.get().name()))
             : request.getAttribute(COUNTED) != null || tryAcquireByAddress(request, response);
     if (isAnswered) {
       chain.doFilter(request, response);
@@ -51,7 +51,12 @@ public final class RequestLimitFilter extends HttpFilter {
   static boolean tryAcquireByAddress(HttpServletRequest request, HttpServletResponse response)
       throws IOException {
     request.setAttribute(COUNTED, true);
-    return tryAcquire(request, response, "address " + request.getRemoteAddr());
+    return tryAcquire(request, response, name(request, "address " + request.getRemoteAddr()));
+  }
+
+  /** What is urgent is counted by itself, so that nothing else that he asks for uses it up. */
+  private static String name(HttpServletRequest request, String caller) {
+    return Routes.isUrgent(request) ? caller + " (urgent)" : caller;
   }
 
   private static boolean tryAcquire(

@@ -5,6 +5,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Scope;
 import org.toqa.web.Handler;
@@ -32,7 +34,9 @@ public record Route(
     /** It is answered also while there is no manager yet. */
     BEFORE_FIRST_START,
     /** Its form sends a file. */
-    MULTIPART
+    MULTIPART,
+    /** It stops robots, or tells how the server is: what else is asked for does not hold it up. */
+    URGENT
   }
 
   /** Routes of the API answer in JSON, the others in pages. */
@@ -45,7 +49,13 @@ public record Route(
   }
 
   Route with(Option option) {
-    return new Route(method, path, permission, scope, handler, Set.of(option));
+    return new Route(
+        method,
+        path,
+        permission,
+        scope,
+        handler,
+        Stream.concat(options.stream(), Stream.of(option)).collect(Collectors.toUnmodifiableSet()));
   }
 
   /** The pattern of the Servlet specification (12.2) under which the container knows the path. */

@@ -6,7 +6,9 @@ import static org.toqa.web.access.Permission.MANAGER;
 import static org.toqa.web.access.Permission.SIGNED_IN;
 import static org.toqa.web.route.Route.Option.BEFORE_FIRST_START;
 import static org.toqa.web.route.Route.Option.MULTIPART;
+import static org.toqa.web.route.Route.Option.URGENT;
 
+import jakarta.servlet.http.HttpServletRequest;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -106,16 +108,16 @@ public final class Routes {
           post("/robots/{name}/locate", MANAGER, RobotPage::locate),
           post("/robots/{name}/out-of-service", MANAGER, RobotPage::takeOutOfService),
           post("/robots/{name}/in-service", MANAGER, RobotPage::putInService),
-          post("/robots/{name}/hold", MANAGER, RobotPage::hold),
+          post("/robots/{name}/hold", MANAGER, RobotPage::hold).with(URGENT),
           post("/robots/{name}/resume", MANAGER, RobotPage::resume),
           post("/robots/{name}/clear", MANAGER, RobotPage::clear),
           post("/robots/{name}/home", MANAGER, RobotPage::sendHome),
           post("/robots/{name}/pair", MANAGER, RobotPage::pair),
           post("/robots/{name}/change", MANAGER, RobotPage::change),
           post("/robots/{name}/remove", MANAGER, RobotPage::remove),
-          post("/fleet/pause", CLERK, FleetForms::pause),
+          post("/fleet/pause", CLERK, FleetForms::pause).with(URGENT),
           post("/fleet/resume", MANAGER, FleetForms::resume),
-          post("/floors/{floor}/hold", MANAGER, FloorForms::hold),
+          post("/floors/{floor}/hold", MANAGER, FloorForms::hold).with(URGENT),
           post("/floors/{floor}/resume", MANAGER, FloorForms::resume),
           get("/users", SIGNED_IN, UsersPage::show),
           post("/users", MANAGER, UsersPage::add),
@@ -130,7 +132,9 @@ public final class Routes {
           get("/statistics", CLERK, StatisticsPage::show),
           get("/history", CLERK, HistoryPage::show),
           get("/api", SIGNED_IN, ApiDocumentPage::show),
-          get("/api/v1/health", ANONYMOUS, HealthResource::get).with(BEFORE_FIRST_START),
+          get("/api/v1/health", ANONYMOUS, HealthResource::get)
+              .with(BEFORE_FIRST_START)
+              .with(URGENT),
           post("/api/v1/session", ANONYMOUS, SessionResource::begin),
           delete("/api/v1/session", SIGNED_IN, SessionResource::end),
           post("/api/v1/forgotten-password", ANONYMOUS, PasswordResetResource::sendLink),
@@ -165,7 +169,7 @@ public final class Routes {
           post("/api/v1/robots/{name}/locate", MANAGER, RobotResource::locate),
           post("/api/v1/robots/{name}/out-of-service", MANAGER, RobotResource::takeOutOfService),
           post("/api/v1/robots/{name}/in-service", MANAGER, RobotResource::putInService),
-          post("/api/v1/robots/{name}/hold", MANAGER, RobotResource::hold),
+          post("/api/v1/robots/{name}/hold", MANAGER, RobotResource::hold).with(URGENT),
           post("/api/v1/robots/{name}/resume", MANAGER, RobotResource::resume),
           post("/api/v1/robots/{name}/clear", MANAGER, RobotResource::clear),
           post("/api/v1/robots/{name}/home", MANAGER, RobotResource::sendHome),
@@ -188,9 +192,9 @@ public final class Routes {
           get("/api/v1/statistics/series.csv", CLERK, StatisticsCsvResource::series),
           get("/api/v1/statistics/robots.csv", CLERK, StatisticsCsvResource::robots),
           get("/api/v1/fleet", CLERK, FleetResource::get),
-          post("/api/v1/fleet/pause", CLERK, FleetResource::pause),
+          post("/api/v1/fleet/pause", CLERK, FleetResource::pause).with(URGENT),
           post("/api/v1/fleet/resume", MANAGER, FleetResource::resume),
-          post("/api/v1/floors/{floor}/hold", MANAGER, FloorResource::hold),
+          post("/api/v1/floors/{floor}/hold", MANAGER, FloorResource::hold).with(URGENT),
           post("/api/v1/floors/{floor}/resume", MANAGER, FloorResource::resume));
 
   private Routes() {}
@@ -233,6 +237,14 @@ public final class Routes {
     return path.startsWith("/api/v1/tasks") || path.startsWith("/api/v1/schedules")
         ? Scope.TASKS
         : Scope.MANAGE;
+  }
+
+  /** Whether what is asked for is held up by nothing else. */
+  static boolean isUrgent(HttpServletRequest request) {
+    return find(RequestPath.of(request))
+        .flatMap(match -> match.route(request.getMethod()))
+        .filter(route -> route.has(URGENT))
+        .isPresent();
   }
 
   /**

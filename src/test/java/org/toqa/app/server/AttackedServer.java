@@ -64,6 +64,15 @@ final class AttackedServer implements AutoCloseable {
           "select floor from floor_holds",
           "select id from fleet_pause");
 
+  /** Of what attackers have more than people have. */
+  private static final List<Setting> UNLIMITED =
+      List.of(
+          Setting.REQUESTS_AT_ONCE,
+          Setting.CHECKS_PER_USER,
+          Setting.STREAMS_PER_USER,
+          Setting.STREAMS_PER_ADDRESS,
+          Setting.SESSIONS_PER_USER);
+
   private final LogRecording log;
   private final WebServer web;
   private final FleetServer toqa;
@@ -76,7 +85,6 @@ final class AttackedServer implements AutoCloseable {
   private AttackedServer(Path data, Map<Setting, @Nullable String> more)
       throws IOException, ConfigurationException, SQLException {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.putAll(more);
     settings.put(Setting.PORT, "0");
     settings.put(Setting.DATA, data.toString());
     settings.put(Setting.MANAGER, MANAGER + ":" + WebTestServer.PASSWORD);
@@ -84,6 +92,10 @@ final class AttackedServer implements AutoCloseable {
     settings.put(Setting.REQUESTS_PER_SECOND, "0");
     settings.put(Setting.SIMULATE, "2");
     settings.put(Setting.SPEED, "10");
+    for (Setting limit : UNLIMITED) {
+      settings.put(limit, "10000");
+    }
+    settings.putAll(more);
     Configuration configuration =
         Configuration.of(
             WebappFolder.shippedMap(WEBAPP), List.of(SettingSource.fromCommandLine(settings)));
@@ -108,7 +120,7 @@ final class AttackedServer implements AutoCloseable {
 
   /**
    * @param data an empty folder
-   * @param more settings beside those that it needs itself
+   * @param more settings beside those that it has itself, or other than those
    */
   static AttackedServer start(Path data, Map<Setting, @Nullable String> more)
       throws IOException, ConfigurationException, SQLException {

@@ -39,7 +39,12 @@ class OrderValidatorTest {
             null,
             null);
     return new OrderValidator(List.of(floor), new PathQuery(Runnable::run))
-        .checkTask(order, "clerk", Instant.EPOCH, 100)
+        .checkTask(
+            order,
+            "clerk",
+            Instant.EPOCH,
+            100,
+            new OrderChecks(Runnable::run, 1, System::nanoTime).begin("clerk"))
         .toCompletableFuture()
         .join();
   }

@@ -13,6 +13,8 @@ class PathQueryTest {
   private static final Vec2 WEST = new Vec2(0.5, 0.5);
   private static final Vec2 EAST = new Vec2(4.5, 0.5);
 
+  private final OrderChecks.Check check =
+      new OrderChecks(Runnable::run, 1, System::nanoTime).begin("Clara");
   private final PathQuery paths = new PathQuery(Runnable::run);
 
   @Test
@@ -36,6 +38,6 @@ class PathQueryTest {
   }
 
   private FloorPath path(OccupancyGrid grid) {
-    return paths.findPath(grid, WEST, EAST, DIAMETER).join();
+    return paths.findPath(grid, WEST, EAST, DIAMETER, check).join();
   }
 }

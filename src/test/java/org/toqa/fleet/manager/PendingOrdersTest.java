@@ -29,22 +29,39 @@ class PendingOrdersTest {
   }
 
   @Test
-  void whoseCheckEndsFirstWaitsForWhoCameFirst() {
-    ManagerMessage.OrderChecked first = checked();
-    ManagerMessage.OrderChecked second = checked();
+  void nobodyWaitsForTheCheckOfAnotherUsersOrder() {
+    checked("Clara");
+    ManagerMessage.OrderChecked other = checked("Max");
 
-    orders.setResult(second);
-    assertNull(orders.pollChecked());
+    orders.setResult(other);
 
-    orders.setResult(first);
-    assertSame(first, orders.pollChecked());
-    assertSame(second, orders.pollChecked());
-    assertNull(orders.pollChecked());
+    assertSame(other, orders.pollChecked("Max"));
+    assertNull(orders.pollChecked("Clara"));
   }
 
-  private ManagerMessage.OrderChecked checked() {
+  @Test
+  void whoseCheckEndsFirstWaitsForWhoCameFirst() {
+    ManagerMessage.OrderChecked first = checked("Clara");
+    ManagerMessage.OrderChecked second = checked("Clara");
+
+    orders.setResult(second);
+    assertNull(orders.pollChecked("Clara"));
+
+    orders.setResult(first);
+    assertSame(first, orders.pollChecked("Clara"));
+    assertSame(second, orders.pollChecked("Clara"));
+    assertNull(orders.pollChecked("Clara"));
+  }
+
+  private ManagerMessage.OrderChecked checked(String user) {
     ManagerMessage.SubmitTask request =
-        new ManagerMessage.SubmitTask(ORDER, "Clara", UUID.randomUUID(), 0, caller);
+        new ManagerMessage.SubmitTask(
+            ORDER,
+            user,
+            UUID.randomUUID(),
+            0,
+            new OrderChecks(Runnable::run, 1, System::nanoTime).begin(user),
+            caller);
     return new ManagerMessage.OrderChecked(
         orders.add(request), new Answer.Unknown<>(Sentence.verbatim("No.")), null);
   }

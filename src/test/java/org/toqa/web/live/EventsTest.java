@@ -17,6 +17,7 @@ import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
@@ -107,6 +108,50 @@ class EventsTest {
       try (BufferedReader late = open(clerk, "?changes=true", id)) {
         assertEquals("snapshot", value("event: ", late), "it missed something");
       }
+    }
+  }
+
+  @Test
+  void aUserHasSoManyStreamsAtOnceAndThenHisNextWhenOneHasEnded() throws IOException {
+    List<BufferedReader> streams = new ArrayList<>();
+    for (int i = 0; i < WebTestServer.STREAMS_PER_USER; i++) {
+      streams.add(open(clerk, ""));
+    }
+
+    HttpResponse<String> refused = clerk.get("api/v1/events");
+
+    assertEquals(429, refused.statusCode());
+    assertEquals("10", refused.headers().firstValue("Retry-After").orElse(""));
+    assertTrue(refused.body().contains("You have 20 live views open"), refused.body());
+    HttpResponse<String> inArabic =
+        clerk.send(clerk.request("api/v1/events").header("Accept-Language", "ar").build());
+    assertTrue(inArabic.body().contains("لديك 20"), inArabic.body());
+    assertEquals(200, clerk.send("HEAD", "api/v1/events").statusCode());
+    streams.getFirst().close();
+    driveTo(1); // the server finds that nobody reads
+    awaitStreams(WebTestServer.STREAMS_PER_USER - 1);
+    open(clerk, "").close();
+    for (BufferedReader stream : streams) {
+      stream.close();
+    }
+  }
+
+  @Test
+  void anAddressHasSoManyStreamsWhoeverReadsThem() throws IOException {
+    List<BufferedReader> streams = new ArrayList<>();
+    try (TestClient manager = TestClient.signedIn(server.root(), WebTestServer.MANAGER)) {
+      for (int i = 0; i < WebTestServer.STREAMS_PER_ADDRESS; i++) {
+        streams.add(open(i < WebTestServer.STREAMS_PER_USER ? clerk : manager, ""));
+      }
+
+      HttpResponse<String> refused = manager.get("api/v1/events");
+
+      assertEquals(429, refused.statusCode());
+      assertTrue(refused.body().contains("From your address 30 live views"), refused.body());
+      assertEquals(200, manager.get("map").statusCode());
+    }
+    for (BufferedReader stream : streams) {
+      stream.close();
     }
   }
 

@@ -2,7 +2,7 @@ package org.toqa.web.route;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import ch.qos.logback.classic.Logger;
@@ -180,9 +180,40 @@ class RateLimitTest {
     String csrf = clerk.csrf();
     exhaust(clerk);
 
-    assertEquals(429, clerk.postWithoutToken("fleet/pause", Map.of("_csrf", csrf)).statusCode());
+    assertEquals(
+        429,
+        clerk
+            .sendJson(
+                "POST",
+                "api/v1/tasks",
+                """
+                {"name": "box", "load": 1, "start": {"station": "Dock A"},
+                 "goal": {"station": "Dock B"}}
+                """,
+                csrf)
+            .statusCode());
 
-    assertNull(server.fleet().latest().pause());
+    assertEquals(List.of(), server.fleet().latest().tasks());
+  }
+
+  @Test
+  void robotsAreStoppedHoweverFastTheSameUserAsksForOtherThings() {
+    String csrf = clerk.csrf();
+    String managersCsrf = manager.csrf();
+    exhaust(clerk);
+    exhaust(manager);
+
+    assertEquals(303, clerk.postWithoutToken("fleet/pause", Map.of("_csrf", csrf)).statusCode());
+    assertNotNull(server.fleet().latest().pause());
+    assertEquals(
+        200, manager.sendJson("POST", "api/v1/fleet/pause", "{}", managersCsrf).statusCode());
+    for (int i = 1; i < AT_ONCE; i++) {
+      clerk.postWithoutToken("fleet/pause", Map.of("_csrf", csrf));
+    }
+    assertEquals(
+        429,
+        clerk.postWithoutToken("fleet/pause", Map.of("_csrf", csrf)).statusCode(),
+        "that has a limit of its own");
   }
 
   @Test
