@@ -28,4 +28,28 @@ final class ScriptedCondition {
   boolean endsBeforeNextChange;
   boolean refusesClear;
   @Nullable Fault fault;
+
+  /** Whether it stands too far beside its path. */
+  boolean offPath;
+
+  boolean canMove() {
+    return !stuck && !offPath && fault == null;
+  }
+
+  /**
+   * What it says of that.
+   *
+   * @param groupStopReason null: it is in no group, or that drives
+   */
+  List<Fault> faults(@Nullable String groupStopReason) {
+    if (fault != null) {
+      return List.of(fault);
+    }
+    if (offPath) {
+      return List.of(new Fault("OFF_WAY", "The robot is 0.20 m off its path; it stands."));
+    }
+    return groupStopReason == null
+        ? List.of()
+        : List.of(new Fault("FORMATION_STOPPED", groupStopReason));
+  }
 }
