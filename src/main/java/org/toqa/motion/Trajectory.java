@@ -11,8 +11,7 @@ import org.toqa.geometry.Pose;
 public record Trajectory(Pose start, List<Segment> segments) {
   /**
    * Metres that a robot may be beside the trajectory that it drives. It is a part of the robot
-   * link's contract: a robot that is farther from it stands and says so, and the server keeps so
-   * much more room round every robot.
+   * link's contract: a robot that is farther from it stands and says so.
    */
   public static final double MAX_DEVIATION = 0.05;
 
