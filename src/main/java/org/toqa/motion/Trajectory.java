@@ -9,6 +9,11 @@ import org.toqa.geometry.Pose;
  * @param start map frame, as all poses on it
  */
 public record Trajectory(Pose start, List<Segment> segments) {
+  /**
+   * Metres that a robot may be beside the trajectory that it drives. It is a part of the robot
+   * link's contract: a robot that is farther from it stands and says so.
+   */
+  public static final double MAX_DEVIATION = 0.05;
 
   public Trajectory {
     segments = List.copyOf(segments);

@@ -34,7 +34,31 @@ final class ScriptedCondition {
   int lostClears;
   @Nullable Fault fault;
 
+  /** Whether it stands too far beside its path. */
+  boolean offPath;
+
   boolean canDrive(Segment segment) {
     return segment.v() <= maxSpeed + 1e-9 && Math.abs(segment.w()) <= maxTurnRate + 1e-9;
+  }
+
+  boolean canMove() {
+    return !stuck && !offPath && fault == null;
+  }
+
+  /**
+   * What it says of that.
+   *
+   * @param groupStopReason null: it is in no group, or that drives
+   */
+  List<Fault> faults(@Nullable String groupStopReason) {
+    if (fault != null) {
+      return List.of(fault);
+    }
+    if (offPath) {
+      return List.of(new Fault("OFF_WAY", "The robot is 0.20 m off its path; it stands."));
+    }
+    return groupStopReason == null
+        ? List.of()
+        : List.of(new Fault("FORMATION_STOPPED", groupStopReason));
   }
 }

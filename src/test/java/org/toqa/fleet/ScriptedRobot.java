@@ -127,6 +127,12 @@ public final class ScriptedRobot {
     return condition.endsBeforeNextChange;
   }
 
+  /** It comes aside by so much, metres on the map, and stands until it has a new drive. */
+  synchronized void shove(Vec2 by) {
+    pose = new Pose(pose.x() + by.x(), pose.y() + by.y(), pose.theta());
+    condition.offPath = true;
+  }
+
   /** From now on its body cannot drive. */
   synchronized void breakDown(String code) {
     condition.fault = new Fault(code, "It cannot drive.");
@@ -207,9 +213,8 @@ public final class ScriptedRobot {
     }
     steps++;
     boolean mayMove =
-        !condition.stuck
+        condition.canMove()
             && !held
-            && condition.fault == null
             && steps % condition.stepsPerSegment == 0
             && formation.missing() == null;
     keepPlace();
@@ -313,7 +318,10 @@ public final class ScriptedRobot {
         formation.cancel();
       }
       case Resume r -> held = false;
-      case Drive d -> drive.start(d);
+      case Drive d -> {
+        condition.offPath = false;
+        drive.start(d);
+      }
       case Extend e -> drive.extend(e);
       case Release r -> drive.release(r);
       case Cancel c -> {
@@ -346,15 +354,9 @@ public final class ScriptedRobot {
   }
 
   private List<Fault> faults() {
-    if (condition.fault != null) {
-      return List.of(condition.fault);
-    }
     String missing = formation.missing();
-    return missing == null
-        ? List.of()
-        : List.of(
-            new Fault(
-                "FORMATION_STOPPED", "The group has stopped: " + missing + " does not answer."));
+    return condition.faults(
+        missing == null ? null : "The group has stopped: " + missing + " does not answer.");
   }
 
   private Hello hello() {

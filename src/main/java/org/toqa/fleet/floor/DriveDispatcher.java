@@ -23,6 +23,12 @@ final class DriveDispatcher {
   /** The code by which a robot reports that an obstacle stops it. */
   private static final String OBSTACLE = "OBSTACLE";
 
+  /** A robot that was put back onto its path has gone on by then. */
+  private static final Duration OFF_PATH_PATIENCE = Duration.ofSeconds(1);
+
+  /** The code by which a robot reports that it stands because it is too far beside its path. */
+  private static final String OFF_WAY = "OFF_WAY";
+
   private final FloorState state;
   private final FloorMissions missions;
 
@@ -47,6 +53,7 @@ final class DriveDispatcher {
     boolean isStray =
         (isOnOtherDrive && !(robot.settings.isInService() && isSteppingAside(robot)))
             || updateObstructed(robot)
+            || updateOffPath(robot)
             || isDriveUnwanted(robot);
     if (isStray) {
       cancelUnwantedDrive(robot);
@@ -90,9 +97,18 @@ final class DriveDispatcher {
     boolean isStopped =
         report.role() == Role.ALONE
             && report.mode() == Mode.DRIVING
-            && report.errors().stream().anyMatch(fault -> fault.code().equals(OBSTACLE))
+            && report.hasError(OBSTACLE)
             && state.traffic.isObstacleAhead(robot.name());
     return robot.obstructed.update(isStopped, OBSTACLE_PATIENCE, state.now);
+  }
+
+  /**
+   * Whether it stands beside its path and will not go on by that: it begins anew from where it is.
+   */
+  private boolean updateOffPath(FloorRobot robot) {
+    LastReport report = robot.reported.report();
+    boolean isOff = report.mode() == Mode.DRIVING && !report.moving() && report.hasError(OFF_WAY);
+    return robot.offPath.update(isOff, OFF_PATH_PATIENCE, state.now);
   }
 
   /** Nobody wants its drive any more, as when a returning robot is needed elsewhere. */

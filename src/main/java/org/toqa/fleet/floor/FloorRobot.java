@@ -47,6 +47,9 @@ final class FloorRobot {
   /** That an obstacle on its path stops it. */
   final ConditionTimer obstructed = new ConditionTimer();
 
+  /** That it stands because it is too far beside its path. */
+  final ConditionTimer offPath = new ConditionTimer();
+
   /** What a person cleared. */
   final ClearedStops cleared = new ClearedStops();
 

@@ -90,6 +90,11 @@ record LastReport(
     return new LastReport(localised, newPose, battery, mode, role, moving, drive, task, errors, at);
   }
 
+  /** Whether one of its errors has this code. */
+  boolean hasError(String code) {
+    return errors.stream().anyMatch(fault -> fault.code().equals(code));
+  }
+
   /** What readers see of it. */
   Telemetry telemetry() {
     return new Telemetry(pose, battery, errors, at);

@@ -108,14 +108,16 @@ final class DriveRun {
     return isCancelled ? 0 : trajectory().releasedCount();
   }
 
-  /** That the robot is too far from the reference; empty while it is not. */
+  /** That the robot stands because it is too far beside its path; empty while it does not. */
   Optional<Fault> fault() {
-    return runner.isOffTrajectory()
+    return runner.isOffPath()
         ? Optional.of(
             new Fault(
                 "OFF_WAY",
                 String.format(
-                    Locale.ROOT, "The robot is %.2f m off its path.", runner.trackingError())))
+                    Locale.ROOT,
+                    "The robot is %.2f m off its path; it stands.",
+                    runner.deviation())))
         : Optional.empty();
   }
 }

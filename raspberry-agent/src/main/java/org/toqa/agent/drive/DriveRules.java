@@ -12,6 +12,7 @@ import org.toqa.link.message.ServerMessage.Extend;
 import org.toqa.link.message.ServerMessage.Locate;
 import org.toqa.link.message.ServerMessage.Release;
 import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
 
 /**
  * What a robot refuses to drive, whoever asks for it. Each rule answers with the sentence that goes
@@ -20,7 +21,7 @@ import org.toqa.motion.Segment;
 public final class DriveRules {
 
   /** Metres that a robot may be from its drive's start. */
-  private static final double START_METRES = 0.10;
+  private static final double START_METRES = Trajectory.MAX_DEVIATION;
 
   private static final double START_RADIANS = Math.toRadians(10);
 

@@ -1,19 +1,26 @@
 package org.toqa.agent.drive;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
+import java.util.List;
 import org.toqa.formation.FollowerLaw;
 import org.toqa.formation.Gains;
 import org.toqa.formation.SingleIntegratorLaw;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Twist;
+import org.toqa.geometry.Vec2;
+import org.toqa.motion.Trajectory;
 
 /**
  * Drives a robot along a {@link ReferenceTrajectory}: the reference runs ahead, the robot is
  * steered after it, and where it is stopped the robot is corrected towards it until it is within
- * {@link #SETTLED_METRES}. The reference waits for a robot that falls behind, so that a blocked
- * robot is not left alone by it.
+ * {@link #SETTLED_METRES}. The reference slows down for a robot that falls behind or comes aside,
+ * and waits for it, so that a blocked robot is not left alone by it.
+ *
+ * <p>A robot that is more than {@link Trajectory#MAX_DEVIATION} beside its path stands, for nobody
+ * has kept that place free; it goes on when it is put back, or by another drive from where it is.
  */
 public final class SegmentRunner {
 
@@ -24,9 +31,18 @@ public final class SegmentRunner {
   private static final double HYSTERESIS = 3;
 
   /** From this error on the reference slows down; at the second it waits. */
-  private static final double SLOWING_METRES = 0.05;
+  private static final double SLOWING_METRES = 0.02;
 
-  private static final double WAITING_METRES = 0.15;
+  private static final double WAITING_METRES = Trajectory.MAX_DEVIATION;
+
+  /** A robot that stands beside its path goes on when it is as near to that again. */
+  private static final double RETURNED_METRES = Trajectory.MAX_DEVIATION / 2;
+
+  /** Of the path before and behind the reference, where the robot is looked for. */
+  private static final double PATH_METRES = 0.3;
+
+  /** Between two points of the path behind the reference. */
+  private static final double TRAIL_SPACING = 0.01;
 
   /**
    * Ticks after which a body is as fast as commanded: one until the next exchange, two of motor
@@ -41,8 +57,13 @@ public final class SegmentRunner {
   private final ReferenceTrajectory trajectory;
   private final ObstacleAvoider avoider;
   private final Deque<Pose> pastReferences = new ArrayDeque<>();
+
+  /** The path that the reference has left behind, as points, the newest last. */
+  private final Deque<Vec2> trail = new ArrayDeque<>();
+
   private boolean settled;
-  private double trackingError;
+  private double deviation;
+  private boolean isOffPath;
 
   public SegmentRunner(ReferenceTrajectory trajectory) {
     this(trajectory, new ObstacleAvoider(0));
@@ -55,20 +76,21 @@ public final class SegmentRunner {
     this.trajectory = trajectory;
     this.avoider = avoider;
     pastReferences.add(trajectory.pose());
+    trail.add(trajectory.pose().position());
   }
 
   public ReferenceTrajectory trajectory() {
     return trajectory;
   }
 
-  /** Metres between the robot and where it should be by now; never negative. */
-  public double trackingError() {
-    return trackingError;
+  /** Metres between the robot and its path; never negative. */
+  public double deviation() {
+    return deviation;
   }
 
-  /** Whether the robot is so far from the reference that the reference waits for it. */
-  public boolean isOffTrajectory() {
-    return trackingError > WAITING_METRES;
+  /** Whether the robot stands because it is too far beside its path. */
+  public boolean isOffPath() {
+    return isOffPath;
   }
 
   /** Whether the robot is stopped at the end of the last segment. */
@@ -86,15 +108,37 @@ public final class SegmentRunner {
    * @return the velocity to command, in the robot's frame
    */
   public Twist steer(Pose actual, double seconds, double pace) {
-    trackingError = pastReferences.getFirst().distanceTo(actual);
-    double slack = (WAITING_METRES - trackingError) / (WAITING_METRES - SLOWING_METRES);
-    trajectory.advance(seconds, Math.min(pace, Math.clamp(slack, 0, 1)));
+    double error = pastReferences.getFirst().distanceTo(actual);
+    deviation = error <= RETURNED_METRES ? error : distanceToPath(actual.position());
+    isOffPath = deviation > (isOffPath ? RETURNED_METRES : Trajectory.MAX_DEVIATION);
+    double slack = (WAITING_METRES - error) / (WAITING_METRES - SLOWING_METRES);
+    trajectory.advance(seconds, isOffPath ? 0 : Math.min(pace, Math.clamp(slack, 0, 1)));
+    leaveTrail(trajectory.pose().position());
     Pose reference = avoider.corrected(trajectory.pose());
+    Pose followed = delayedReference(reference);
     settled = trajectory.isStanding() && isNear(reference, actual, settled ? HYSTERESIS : 1);
-    return settled
+    return settled || isOffPath
         ? Twist.ZERO
-        : TRACKING.velocity(
-            delayedReference(reference), avoider.corrected(trajectory.twist()), actual);
+        : TRACKING.velocity(followed, avoider.corrected(trajectory.twist()), actual);
+  }
+
+  private void leaveTrail(Vec2 point) {
+    if (point.distanceTo(trail.getLast()) >= TRAIL_SPACING) {
+      trail.addLast(point);
+      if (trail.size() > PATH_METRES / TRAIL_SPACING) {
+        trail.removeFirst();
+      }
+    }
+  }
+
+  private double distanceToPath(Vec2 point) {
+    List<Vec2> path = new ArrayList<>(trail);
+    trajectory.posesAhead(PATH_METRES).forEach(pose -> path.add(pose.position()));
+    double nearest = point.distanceTo(path.getFirst());
+    for (int i = 1; i < path.size(); i++) {
+      nearest = Math.min(nearest, point.distanceToLine(path.get(i - 1), path.get(i)));
+    }
+    return nearest;
   }
 
   private Pose delayedReference(Pose reference) {
