@@ -5,9 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
@@ -41,20 +43,27 @@ class FleetHoldTest extends HallFleetTest {
 
   @Test
   void aPauseOvertakesWhatWasAskedBefore() throws Exception {
-    List<String> answered = new ArrayList<>();
+    List<String> answered = Collections.synchronizedList(new ArrayList<>());
+    List<CompletableFuture<?>> asked = new ArrayList<>();
     stage.holdUp(
         Duration.ZERO,
         () -> {
           for (int i = 0; i < 100; i++) {
-            var _ =
+            asked.add(
                 stage
                     .fleet
                     .commandTask(10_000 + i, new MissionEvent.Hold("Max"))
-                    .whenComplete((answer, failure) -> answered.add("task"));
+                    .whenComplete((answer, failure) -> answered.add("task"))
+                    .toCompletableFuture());
           }
-          var _ =
-              stage.fleet.pauseAll("Max").whenComplete((answer, failure) -> answered.add("pause"));
+          asked.add(
+              stage
+                  .fleet
+                  .pauseAll("Max")
+                  .whenComplete((answer, failure) -> answered.add("pause"))
+                  .toCompletableFuture());
         });
+    CompletableFuture.allOf(asked.toArray(CompletableFuture[]::new)).get(60, TimeUnit.SECONDS);
 
     assertEquals(101, answered.size());
     assertTrue(answered.indexOf("pause") < 20, () -> "after " + answered.indexOf("pause"));

@@ -87,6 +87,12 @@ final class ScriptedFormation {
             .orElse(null);
   }
 
+  /** Why it stands; null: it leads none, or that drives. */
+  @Nullable String stopReason() {
+    String missing = missing();
+    return missing == null ? null : "The group has stopped: " + missing + " does not answer.";
+  }
+
   Role role() {
     if (following != null) {
       return Role.FOLLOWER;

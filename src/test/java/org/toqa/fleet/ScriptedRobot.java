@@ -353,12 +353,6 @@ public final class ScriptedRobot {
     return drive.number() == 0 ? Mode.IDLE : Mode.DRIVING;
   }
 
-  private List<Fault> faults() {
-    String missing = formation.missing();
-    return condition.faults(
-        missing == null ? null : "The group has stopped: " + missing + " does not answer.");
-  }
-
   private Hello hello() {
     return new Hello(
         AgentMessage.VERSION,
@@ -397,6 +391,6 @@ public final class ScriptedRobot {
         condition.battery,
         List.of(),
         condition.obstacles,
-        faults());
+        condition.faults(formation.stopReason()));
   }
 }

@@ -186,18 +186,18 @@ public sealed interface ManagerMessage {
       implements ManagerMessage, ControlMessage {}
 
   /**
-   * That they go on is safe.
+   * That they go on is safe. It comes before what is asked afterwards, as do all that end a resume.
    *
    * @param number of the resume
    */
-  record PauseEnded(long number) implements ManagerMessage {}
+  record PauseEnded(long number) implements ManagerMessage, ControlMessage {}
 
   /**
    * That they go on can never be stored.
    *
    * @param number of the resume
    */
-  record PauseLasts(long number) implements ManagerMessage {}
+  record PauseLasts(long number) implements ManagerMessage, ControlMessage {}
 
   /** A person puts a floor's robots on hold, or lets them go on. It overtakes likewise. */
   record HoldFloor(
@@ -212,14 +212,14 @@ public sealed interface ManagerMessage {
    *
    * @param number of the resume
    */
-  record FloorHoldEnded(String floor, long number) implements ManagerMessage {}
+  record FloorHoldEnded(String floor, long number) implements ManagerMessage, ControlMessage {}
 
   /**
    * That the floor's robots go on can never be stored.
    *
    * @param number of the resume
    */
-  record FloorHoldLasts(String floor, long number) implements ManagerMessage {}
+  record FloorHoldLasts(String floor, long number) implements ManagerMessage, ControlMessage {}
 
   /** What a floor tells. */
   record FromFloor(FloorEvent event) implements ManagerMessage {}

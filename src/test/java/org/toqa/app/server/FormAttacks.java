@@ -35,6 +35,7 @@ final class FormAttacks {
       Set.of(
           "/first-start",
           "/tasks/{id}/answer",
+          "/tasks/{id}/load-removed",
           "/fleet/resume",
           "/robots/{name}/clear",
           "/schedules/{id}/resume",

@@ -89,7 +89,7 @@ final class FormCases {
         FormCase.of(
             "robots/Absent",
             "/robots/{name}/change",
-            Map.of("host", "127.0.0.2", "maxLoad", "6"),
+            Map.of("host", "127.0.0.4", "maxLoad", "7"),
             and(refused("host", "port", "maxLoad", "parking"), Map.of("version", CONFLICT))),
         FormCase.of(
             "users",

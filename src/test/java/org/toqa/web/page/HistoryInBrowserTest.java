@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -35,6 +36,11 @@ class HistoryInBrowserTest extends PagesInBrowser {
     return List.of(
         Hall.robot("r1", RobotState.IDLE, new Pose(2, 1, 0), "127.0.0.1", 7275),
         Hall.robot("r2", RobotState.IDLE, new Pose(4, 1, 0), "127.0.0.1", 7276));
+  }
+
+  @BeforeEach
+  void storeRobots() {
+    robots().forEach(robot -> server.store().saveRobot(robot.record()));
   }
 
   @Test

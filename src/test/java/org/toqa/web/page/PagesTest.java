@@ -76,7 +76,7 @@ class PagesTest extends WebServerTest {
           load  | heavy           | Enter a number, such as 2.5
           load  | NaN             | Enter a number, such as 2.5
           load  | 0x10            | Enter a number, such as 2.5
-          load  | 1,5             | Enter a number, such as 2.5
+          load  | 1,500           | Enter a number, such as 2.5
           load  | -1              | The weight must be above 0
           load  | 1e300           | The weight must be above 0
           load  | 1e999           | The weight must be above 0

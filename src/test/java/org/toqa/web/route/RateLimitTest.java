@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
@@ -40,6 +41,7 @@ class RateLimitTest {
   @BeforeEach
   void start() throws Exception {
     lines.start();
+    log.setLevel(Level.INFO); // whatever somebody has set for all
     log.addAppender(lines);
     server = WebTestServer.start(new RequestLimit(PER_SECOND, nanos::get));
     stranger = new TestClient(server.root());
@@ -53,6 +55,7 @@ class RateLimitTest {
   @AfterEach
   void stop() throws Exception {
     log.detachAppender(lines);
+    log.setLevel(null);
     stranger.close();
     clerk.close();
     manager.close();
