@@ -25,7 +25,7 @@ class SiteTruthTest {
   private long nanos;
 
   @Test
-  void bodiesThatTouchAreSeenAlsoWhenTheyPartAgain() throws Exception {
+  void bodiesThatComeTooNearAreSeenAlsoWhenTheyPartAgain() throws Exception {
     try (SimulatedChassis one = body("one", 1);
         SimulatedChassis other = body("other", 1.4);
         SiteTruth truth =
@@ -34,11 +34,11 @@ class SiteTruthTest {
       drive(one, truth, 0.1);
       truth.assertApart();
 
-      drive(one, truth, 0.25); // 1.25 m and a little from 1.4 m: less than 0.255 m
-      drive(one, truth, -0.25);
+      drive(one, truth, 0.3); // 1.3 m and a little from 1.4 m: less than 0.155 m
+      drive(one, truth, -0.3);
 
       String said = assertThrows(AssertionError.class, truth::assertApart).getMessage();
-      assertTrue(said.startsWith("they touched") && said.contains("other"), said);
+      assertTrue(said.startsWith("they came too near") && said.contains("other"), said);
     }
   }
 
