@@ -34,6 +34,7 @@ public record DatabaseSize(long bytes, long contentBytes) {
     } catch (MVStoreException e) {
       throw new IOException(file + " is no database of H2: " + e.getMessage(), e);
     } finally {
+      MVStoreTool.compactCleanUp(copy.toString());
       Files.deleteIfExists(copy);
       Files.delete(folder);
     }

@@ -168,21 +168,15 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public List<OpenTask> openTasks() {
-    return sql.withHandle(
-        h ->
-            TaskTable.withRobots(
-                h,
-                h.createQuery(
-                        "select "
-                            + TaskRow.COLUMNS
-                            + " from tasks where state not in ('DONE', 'FAILED', 'CANCELLED') order by id")
-                    .mapTo(TaskRow.class)
-                    .list(),
-                TaskRow::toOpenTask));
+    return tasks("state not in ('DONE', 'FAILED', 'CANCELLED')");
   }
 
   @Override
   public List<OpenTask> tasksWithLeftLoads() {
+    return tasks("state in ('CANCELLED', 'FAILED') and set_down_x is not null");
+  }
+
+  private List<OpenTask> tasks(String condition) {
     return sql.withHandle(
         h ->
             TaskTable.withRobots(
@@ -190,8 +184,9 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
                 h.createQuery(
                         "select "
                             + TaskRow.COLUMNS
-                            + " from tasks where state in ('CANCELLED', 'FAILED')"
-                            + " and set_down_x is not null order by id")
+                            + " from tasks where "
+                            + condition
+                            + " order by id")
                     .mapTo(TaskRow.class)
                     .list(),
                 TaskRow::toOpenTask));

@@ -21,9 +21,9 @@ record BenchUser(String name, String password) {
   }
 
   /** Of a server that this user manages. */
-  Map<Setting, @Nullable String> settings(SimulatedRobotsOption robots, OptionalMapOption map) {
+  Map<Setting, @Nullable String> settings(int robots, OptionalMapOption map) {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.put(Setting.SIMULATE, String.valueOf(robots.value()));
+    settings.put(Setting.SIMULATE, String.valueOf(robots));
     settings.put(Setting.MAP, map.file());
     settings.put(Setting.MANAGER, setting());
     return settings;

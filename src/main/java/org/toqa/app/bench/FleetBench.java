@@ -2,7 +2,6 @@ package org.toqa.app.bench;
 
 import java.net.URI;
 import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -118,11 +117,8 @@ final class FleetBench implements Callable<Integer> {
   }
 
   private Map<Setting, @Nullable String> settings() {
-    Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
-    settings.put(Setting.SIMULATE, String.valueOf(robots));
+    Map<Setting, @Nullable String> settings = BenchUser.create().settings(robots, map);
     settings.put(Setting.SPEED, speed.value());
-    settings.put(Setting.MAP, map.file());
-    settings.put(Setting.MANAGER, BenchUser.create().setting()); // else a first start asks for one
     return settings;
   }
 }

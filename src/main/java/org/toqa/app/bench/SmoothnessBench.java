@@ -58,7 +58,7 @@ final class SmoothnessBench implements Callable<Integer> {
     BenchUser user = BenchUser.create();
     ServerOperation measurement =
         (toqa, address, stop) -> measure(toqa, address, user, chromium, stop);
-    return measurement.runIsolated(user.settings(robots, map));
+    return measurement.runIsolated(user.settings(robots.value(), map));
   }
 
   private int measure(FleetServer toqa, URI address, BenchUser user, Path chromium, StopSignal stop)

@@ -105,7 +105,7 @@ final class SoakBench implements Callable<Integer> {
   }
 
   private Map<Setting, @Nullable String> settings() {
-    Map<Setting, @Nullable String> settings = BenchUser.create().settings(robots, map);
+    Map<Setting, @Nullable String> settings = BenchUser.create().settings(robots.value(), map);
     settings.put(Setting.SPEED, speed);
     settings.put(Setting.DATABASE_URL, database);
     return settings;

@@ -100,7 +100,7 @@ final class WebBench implements Callable<Integer> {
     time.check(arguments);
     BenchUser user = BenchUser.create();
     ServerOperation measurement = (toqa, address, stop) -> measure(toqa, address, user, stop);
-    return measurement.runIsolated(user.settings(robots, map));
+    return measurement.runIsolated(user.settings(robots.value(), map));
   }
 
   private int measure(FleetServer toqa, URI address, BenchUser user, StopSignal stop)

@@ -252,8 +252,17 @@ public final class FleetServer implements AutoCloseable {
       return Database.open(settings.url(), user, password);
     } catch (RuntimeException e) {
       throw new IOException(
-          "The database " + settings.url() + " cannot be used: " + Database.rootCauseMessage(e), e);
+          "The database "
+              + withoutCredentials(settings.url())
+              + " cannot be used: "
+              + Database.rootCauseMessage(e),
+          e);
     }
+  }
+
+  /** They may stand before the host, and among the parameters. */
+  private static String withoutCredentials(String url) {
+    return url.replaceFirst("[?;].*", "").replaceFirst("//[^/]*@", "//");
   }
 
   private static void addFirstManager(

@@ -1,6 +1,8 @@
 package org.toqa.app.server;
 
+import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.net.URI;
@@ -12,10 +14,13 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Configuration;
 import org.toqa.app.config.Setting;
@@ -74,8 +79,30 @@ class FailedServerTest {
     assertEquals(0, code);
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "jdbc:mysql://127.0.0.1:1/toqa?user=toqa&password=tell-nobody",
+        "jdbc:mysql://toqa:tell-nobody@127.0.0.1:1/toqa"
+      })
+  void whyItsDatabaseCannotBeUsedIsSaidWithoutItsPassword(String url) {
+    Exception failure =
+        assertThrows(
+            ExecutionException.class,
+            () -> run((toqa, address, stop) -> 0, Map.of(Setting.DATABASE_URL, url)));
+
+    assertEquals(
+        "The database jdbc:mysql://127.0.0.1:1/toqa cannot be used: Connection refused",
+        requireNonNull(failure.getCause()).getMessage());
+  }
+
   private int run(ServerOperation operation) throws Exception {
+    return run(operation, Map.of());
+  }
+
+  private int run(ServerOperation operation, Map<Setting, String> more) throws Exception {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
+    options.putAll(more);
     options.put(Setting.PORT, "0");
     options.put(Setting.DATA, folder.toString());
     options.put(Setting.MANAGER, "boss:boss-password");
