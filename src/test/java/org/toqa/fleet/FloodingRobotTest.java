@@ -50,6 +50,7 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.testbed.LogLevel;
 
 /** One robot that says far too much, over a real socket, beside one that is well. */
 @Timeout(120)
@@ -225,7 +226,8 @@ class FloodingRobotTest {
     appender.setOutputStream(written);
     appender.start();
     root.addAppender(appender);
-    try {
+    try (LogLevel _ = LogLevel.usual("org.toqa.fleet");
+        LogLevel _ = LogLevel.usual("test")) {
       String forged = "\\n" + FORGED_LINE + "\\u001b[2J\\u202e\\u2028";
       r1.say("{\"type\":\"reject\",\"seq\":7,\"reason\":\"" + forged + "\"}");
       r1.say("{\"type\":\"" + forged + "\"}");

@@ -58,12 +58,13 @@ class RefusedHoldTest {
   void aPauseThatCannotBeStoredIsInForceAndToldAtOnce() throws Exception {
     refuses = true;
     assertRefused(stage.fleet.pauseAll("Max"));
-    assertTrue(stage.scriptedRobot("r1").isHeld());
+    stage.await(view -> stage.scriptedRobot("r1").isHeld());
   }
 
   @Test
   void aResumeOfAllThatCannotBeStoredMayBeAskedForAgain() throws Exception {
     HallFleetTest.accepted(stage.fleet.pauseAll("Max"));
+    stage.await(view -> stage.scriptedRobot("r1").isHeld());
     refuses = true;
     assertRefused(stage.fleet.resumeAll("Max"));
     assertTrue(stage.scriptedRobot("r1").isHeld());

@@ -48,6 +48,7 @@ import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.testbed.FuzzRun;
 import org.toqa.testbed.LineFuzzer;
+import org.toqa.testbed.LogLevel;
 
 /**
  * A robot that says anything, over a real socket, to a server with its agents and its store: no
@@ -71,8 +72,8 @@ class RobotLinesFuzzTest {
   private final LineFuzzer fuzzer = new LineFuzzer(FuzzRun.SEED);
   private final ListAppender<ILoggingEvent> failures = new ListAppender<>();
   private final Logger log = (Logger) LoggerFactory.getLogger(Logger.ROOT_LOGGER_NAME);
-  private final FuzzRun.Silence ofLink = new FuzzRun.Silence("org.toqa.link");
-  private final FuzzRun.Silence ofFleet = new FuzzRun.Silence("org.toqa.fleet");
+  private final LogLevel ofLink = LogLevel.errors("org.toqa.link");
+  private final LogLevel ofFleet = LogLevel.errors("org.toqa.fleet");
   private final Database database = Database.inMemory("fuzz-" + System.nanoTime());
   private ServerSocket robot;
   private AgentFleet fleet;

@@ -2,11 +2,8 @@ package org.toqa.testbed;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import ch.qos.logback.classic.Level;
-import ch.qos.logback.classic.Logger;
 import java.time.Duration;
 import java.util.Locale;
-import org.slf4j.LoggerFactory;
 
 /**
  * How much is fuzzed: what {@code -Dtoqa.fuzz.inputs} says, for each target, and by which {@code
@@ -18,24 +15,6 @@ public final class FuzzRun {
   public static final long SEED = Long.getLong("toqa.seed", 1);
 
   private FuzzRun() {}
-
-  /**
-   * A logger tells errors only while it is open: a refused line is worth a warning, a million are
-   * not.
-   */
-  public static final class Silence implements AutoCloseable {
-    private final Logger log;
-
-    public Silence(String logger) {
-      log = (Logger) LoggerFactory.getLogger(logger);
-      log.setLevel(Level.ERROR);
-    }
-
-    @Override
-    public void close() {
-      log.setLevel(null);
-    }
-  }
 
   /**
    * Tells on standard output what was done, which must be as much as was asked for.

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.testbed.FuzzRun;
+import org.toqa.testbed.LogLevel;
 import org.toqa.testbed.MemoryFolder;
 
 /**
@@ -28,7 +29,7 @@ class DaemonFuzzTest {
   @TempDir(factory = MemoryFolder.class)
   Path folder;
 
-  private final FuzzRun.Silence silence = new FuzzRun.Silence("org.toqa.agent");
+  private final LogLevel silence = LogLevel.errors("org.toqa.agent");
 
   @AfterEach
   void speakAgain() {

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
@@ -18,6 +17,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.slf4j.LoggerFactory;
+import org.toqa.testbed.LogLevel;
 import org.toqa.web.RequestLimit;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
@@ -32,6 +32,7 @@ class RateLimitTest {
   private final AtomicLong nanos = new AtomicLong();
   private final ListAppender<ILoggingEvent> lines = new ListAppender<>();
   private final Logger log = (Logger) LoggerFactory.getLogger(RequestLimit.class);
+  private final LogLevel level = LogLevel.usual(RequestLimit.class.getName());
 
   private WebTestServer server;
   private TestClient stranger;
@@ -41,7 +42,6 @@ class RateLimitTest {
   @BeforeEach
   void start() throws Exception {
     lines.start();
-    log.setLevel(Level.INFO); // whatever somebody has set for all
     log.addAppender(lines);
     server = WebTestServer.start(new RequestLimit(PER_SECOND, nanos::get));
     stranger = new TestClient(server.root());
@@ -55,7 +55,7 @@ class RateLimitTest {
   @AfterEach
   void stop() throws Exception {
     log.detachAppender(lines);
-    log.setLevel(null);
+    level.close();
     stranger.close();
     clerk.close();
     manager.close();

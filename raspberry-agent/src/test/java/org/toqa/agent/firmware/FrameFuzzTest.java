@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.geometry.Twist;
 import org.toqa.testbed.FuzzRun;
+import org.toqa.testbed.LogLevel;
 
 /**
  * Whatever a microcontroller, or a bad wire, sends: the daemon gets numbers that it can use, and
@@ -39,7 +40,7 @@ class FrameFuzzTest {
     answer = correct.getFirst();
     long begin = System.nanoTime();
     long good = 0;
-    try (FuzzRun.Silence _ = new FuzzRun.Silence("org.toqa.agent");
+    try (LogLevel _ = LogLevel.errors("org.toqa.agent");
         FirmwareChassis chassis = new FirmwareChassis(answering(), "r1", null, true, nanos)) {
       ChassisReading before = chassis.exchange(SLOWLY, nanos);
       for (long input = 0; input < FuzzRun.INPUTS; input++) {
