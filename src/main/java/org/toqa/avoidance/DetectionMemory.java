@@ -57,6 +57,11 @@ public final class DetectionMemory {
     detections.removeIf(old -> seconds - old.seconds > MEMORY_SECONDS);
   }
 
+  /** Whether nothing was seen of late. */
+  public boolean isEmpty() {
+    return detections.isEmpty();
+  }
+
   /** What was seen, metres, map frame. */
   public List<Vec2> points() {
     return detections.stream().map(Detection::point).toList();

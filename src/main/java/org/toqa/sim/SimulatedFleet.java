@@ -11,6 +11,7 @@ import java.util.function.BiConsumer;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.agent.Daemon;
+import org.toqa.agent.TickSchedule;
 import org.toqa.agent.chassis.Chassis;
 import org.toqa.agent.chassis.SimulatedBattery;
 import org.toqa.agent.config.AgentConfig;
@@ -37,11 +38,13 @@ public final class SimulatedFleet implements AutoCloseable {
   private final List<SimulatedDaemon> robots = new ArrayList<>();
   private final List<SimulatedMicrocontroller> microcontrollers = new ArrayList<>();
 
-  /** A daemon in the world. */
-  private record SimulatedDaemon(Daemon daemon) implements Participant {
+  /** A daemon in the world, which is ticked when it would be on a robot. */
+  private record SimulatedDaemon(Daemon daemon, TickSchedule schedule) implements Participant {
     @Override
     public void tick(long nanos) {
-      daemon.tick(nanos);
+      if (schedule.nanosUntilDue(nanos) <= 0) {
+        schedule.tick(nanos);
+      }
     }
 
     @Override
@@ -176,7 +179,9 @@ public final class SimulatedFleet implements AutoCloseable {
             LIMITS,
             AgentConfig.Following.DEFAULT,
             createBody(folder, robot));
-    SimulatedDaemon inhabitant = new SimulatedDaemon(Daemon.open(config, clock, clock.nanos()));
+    Daemon daemon = Daemon.open(config, clock, clock.nanos());
+    SimulatedDaemon inhabitant =
+        new SimulatedDaemon(daemon, new TickSchedule(daemon, clock.nanos()));
     robots.add(inhabitant);
     clock.add(inhabitant, Chassis.TICK);
   }

@@ -179,7 +179,12 @@ public final class VirtualClock implements InstantSource, AutoCloseable {
 
   /** Whether no participant holds the world up. */
   public boolean isReady() {
-    return registrations.stream().allMatch(seat -> seat.participant().isReady(nanos));
+    for (Registration registration : registrations) { // at every step
+      if (!registration.participant().isReady(nanos)) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private void advanceOneStep() {

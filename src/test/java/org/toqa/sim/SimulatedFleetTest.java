@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.toqa.agent.chassis.SimulatedBodyFile;
 import org.toqa.geometry.Pose;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
@@ -79,6 +80,20 @@ class SimulatedFleetTest {
       assertEquals(11, hello.pose().x(), 0.003);
       assertEquals(1, hello.pose().y(), 0.003);
       assertTrue(hello.localised());
+    }
+  }
+
+  @Test
+  void robotAtRestIsTickedAsOftenAsARealOne() throws Exception {
+    try (VirtualClock clock = new VirtualClock(Instant.EPOCH, 1);
+        SimulatedFleet fleet =
+            SimulatedFleet.open(folder, ROBOTS, SimulatedFloor.boundless(), clock);
+        SimulatedBodyFile body = new SimulatedBodyFile(folder.resolve("r1"))) {
+      clock.advance(Duration.ofSeconds(2));
+      long exchanges = body.count();
+      clock.advance(Duration.ofSeconds(10));
+      assertEquals(150, body.count() - exchanges); // every 66.7 ms
+      assertEquals(START, fleet.truePose("r1").orElseThrow());
     }
   }
 

@@ -1,18 +1,12 @@
 package org.toqa.agent;
 
 import java.util.concurrent.locks.LockSupport;
-import org.toqa.agent.chassis.Chassis;
 
 /**
  * Ticks a daemon by the machine's monotonic clock, or by one that goes faster, on the thread that
- * calls {@link #run}. A robot at rest is ticked less often, and at once when a message comes.
+ * calls {@link #run}, when its {@link TickSchedule} says.
  */
 final class RealTimeLoop implements Runnable {
-
-  private static final long PERIOD_NANOS = Chassis.TICK.toNanos();
-
-  /** Three for each state that it reports, and well below what its microcontroller endures. */
-  private static final long AT_REST_PERIOD_NANOS = 66_666_666;
 
   private final Daemon daemon;
   private final double timeFactor;
@@ -31,19 +25,15 @@ final class RealTimeLoop implements Runnable {
   public void run() {
     Thread own = Thread.currentThread();
     daemon.setMessageListener(() -> LockSupport.unpark(own));
-    long period = PERIOD_NANOS;
-    long next = time();
+    TickSchedule schedule = new TickSchedule(daemon, time());
     while (running && !own.isInterrupted()) {
       long now = time();
-      boolean isCalled = period == AT_REST_PERIOD_NANOS && daemon.hasPendingMessages();
-      if (now - next < 0 && !isCalled) {
-        LockSupport.parkNanos((long) ((next - now) / timeFactor));
-        continue;
+      long wait = schedule.nanosUntilDue(now);
+      if (wait > 0) {
+        LockSupport.parkNanos((long) (wait / timeFactor));
+      } else {
+        schedule.tick(now);
       }
-      daemon.tick(now);
-      period = daemon.isAtRest() ? AT_REST_PERIOD_NANOS : PERIOD_NANOS;
-      // after a stall the ticks that were missed are not made up for
-      next = isCalled || now - next > period ? now + period : next + period;
     }
   }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.link.message.AgentMessage;
@@ -91,10 +92,12 @@ final class StateReporter {
         || state.released() != before.released()
         || state.phase() != before.phase()
         || !Objects.equals(state.task(), before.task())
-        || !errorCodes(state).equals(errorCodes(before));
+        || !haveSameCodes(state.errors(), before.errors());
   }
 
-  private static List<String> errorCodes(State state) {
-    return state.errors().stream().map(Fault::code).toList();
+  private static boolean haveSameCodes(List<Fault> some, List<Fault> others) {
+    return some.size() == others.size()
+        && IntStream.range(0, some.size())
+            .allMatch(i -> some.get(i).code().equals(others.get(i).code()));
   }
 }

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
+import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
@@ -34,6 +35,11 @@ class LinkCodecProperties {
     line[place % line.length] = damage;
 
     assertAnswered(line);
+  }
+
+  @Example
+  void messageInAListIsNone() {
+    assertAnswered("[\"ping\",{\"seq\":1}]".getBytes(StandardCharsets.UTF_8));
   }
 
   @Property
@@ -130,7 +136,14 @@ class LinkCodecProperties {
         .ofMaxSize(16);
   }
 
+  /** And the same whether it is read at once or with care. */
   private static void assertAnswered(byte[] line) {
+    assertEquals(
+        LinkCodec.decodeAsTree(line, ServerMessage.class),
+        LinkCodec.decodeServerMessage(new LineReader.Text(line)));
+    assertEquals(
+        LinkCodec.decodeAsTree(line, AgentMessage.class),
+        LinkCodec.decodeAgentMessage(new LineReader.Text(line)));
     for (DecodeResult<?> reading :
         Stream.of(
                 LinkCodec.decodeServerMessage(new LineReader.Text(line)),

@@ -37,7 +37,9 @@ public record ChassisReading(
 
   /** The codes of the stops that only a person's word clears. */
   public Set<String> stops() {
-    return faults.stream().filter(Fault::clearable).map(Fault::code).collect(toSet());
+    return faults.isEmpty() // at most ticks
+        ? Set.of()
+        : faults.stream().filter(Fault::clearable).map(Fault::code).collect(toSet());
   }
 
   /** Within what its encoders can tell. */

@@ -36,7 +36,13 @@ public record SimulatedBattery(double initialLevel, List<Vec2> chargers) {
 
   /** Whether a body that is stopped there is charged. */
   boolean isDocked(Pose place) {
-    return chargers.stream().anyMatch(point -> point.distanceTo(place.position()) < DOCKED_METRES);
+    Vec2 here = place.position();
+    for (Vec2 point : chargers) { // at every step of every body that stands
+      if (point.distanceTo(here) < DOCKED_METRES) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**

@@ -2,7 +2,6 @@ package org.toqa.agent.chassis;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
@@ -235,11 +234,27 @@ public final class SimulatedChassis implements Chassis {
   }
 
   private void move(Twist command, double seconds) {
+    if (command.equals(Twist.ZERO) && state.wheelSpeeds().largest() < STANDING_SPEED) {
+      stand(seconds);
+      return;
+    }
     double left = seconds;
     while (left > 1e-9) {
       double step = Math.min(left, LONGEST_STEP_SECONDS);
       move(kinematics.speeds(command).limited(MAX_WHEEL_SPEED), step);
       left -= step;
+    }
+  }
+
+  /** Nothing moves: what is left of the wheels' speeds is lost in friction. */
+  private void stand(double seconds) {
+    if (seconds > 0) {
+      state =
+          state.stopped(
+              battery.isDocked(state.truePose())
+                  ? battery.levelAfterCharging(state.battery(), seconds)
+                  : battery.levelAfterDriving(state.battery(), seconds, 0, load),
+              (long) Math.ceil(seconds / LONGEST_STEP_SECONDS - 1e-6));
     }
   }
 
@@ -302,9 +317,12 @@ public final class SimulatedChassis implements Chassis {
 
   /** Whole counts; the counters wrap around like the 32-bit registers that they simulate. */
   private int[] counts(ThreeWheels turned) {
-    return Arrays.stream(turned.values(kinematics.wheelCount()))
-        .mapToInt(SimulatedChassis::count)
-        .toArray();
+    double[] radians = turned.values(kinematics.wheelCount());
+    int[] counts = new int[radians.length];
+    for (int i = 0; i < counts.length; i++) {
+      counts[i] = count(radians[i]);
+    }
+    return counts;
   }
 
   private static int count(double turned) {

@@ -42,8 +42,13 @@ final class SimulatedChassisFile implements AutoCloseable {
     memory = arena.allocate(Long.BYTES + 2 * SLOT_BYTES, Long.BYTES);
   }
 
+  /** How often it was written, in all. */
+  long count() {
+    return (long) COUNT.getAcquire(memory, 0L);
+  }
+
   Optional<SimulatedChassisState> read() {
-    long count = (long) COUNT.getAcquire(memory, 0L);
+    long count = count();
     if (count == 0) {
       return Optional.empty();
     }

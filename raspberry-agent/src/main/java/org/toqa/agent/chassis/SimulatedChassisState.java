@@ -39,6 +39,25 @@ record SimulatedChassisState(
         powerCycle, start, truePose, wheelTurns, wheelSpeeds, odometry, wanted, battery, steps);
   }
 
+  /**
+   * The same a while later, in which it did not move.
+   *
+   * @param batteryNow 0 to 1
+   * @param stepsMore how many steps later
+   */
+  SimulatedChassisState stopped(double batteryNow, long stepsMore) {
+    return new SimulatedChassisState(
+        powerCycle,
+        start,
+        truePose,
+        wheelTurns,
+        WheelSpeeds.ZERO,
+        odometry,
+        command,
+        batteryNow,
+        steps + stepsMore);
+  }
+
   /** The same, but it takes itself to have moved so far since power-up. */
   SimulatedChassisState withOdometry(Pose moved) {
     return new SimulatedChassisState(

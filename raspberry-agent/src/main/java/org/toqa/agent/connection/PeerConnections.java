@@ -146,9 +146,9 @@ public final class PeerConnections implements AutoCloseable {
   public boolean isWaitingForServer(long nanos) {
     PeerConnection waiting = server == null ? unidentified.peekLast() : server;
     return waiting != null
+        && nanos - Math.max(serverHeardNanos, helloSentNanos) > SERVER_SILENT_NANOS / 2
         && waiting.endReason() == null
-        && inbox.isEmpty()
-        && nanos - Math.max(serverHeardNanos, helloSentNanos) > SERVER_SILENT_NANOS / 2;
+        && inbox.isEmpty();
   }
 
   /**
@@ -158,9 +158,9 @@ public final class PeerConnections implements AutoCloseable {
    */
   public boolean isWaitingForLeader(long nanos) {
     return leader != null
+        && nanos - leaderHeardNanos > BroadcastTimer.PERIOD_NANOS + 2 * Chassis.TICK.toNanos()
         && leader.endReason() == null
-        && inbox.isEmpty()
-        && nanos - leaderHeardNanos > BroadcastTimer.PERIOD_NANOS + 2 * Chassis.TICK.toNanos();
+        && inbox.isEmpty();
   }
 
   /**
@@ -255,10 +255,17 @@ public final class PeerConnections implements AutoCloseable {
 
   /** Another server was paired, or another leader named: messages of the old one do not count. */
   private void closeUntrusted(Handler handler) {
-    all()
-        .filter(connection -> connection.endReason() == null)
-        .filter(connection -> handler.roleOf(connection.peer()) == PeerRole.UNTRUSTED)
-        .forEach(PeerConnection::close);
+    unidentified.forEach(connection -> closeUntrusted(connection, handler));
+    closeUntrusted(server, handler);
+    closeUntrusted(leader, handler);
+  }
+
+  private static void closeUntrusted(@Nullable PeerConnection connection, Handler handler) {
+    if (connection != null
+        && connection.endReason() == null
+        && handler.roleOf(connection.peer()) == PeerRole.UNTRUSTED) {
+      connection.close();
+    }
   }
 
   private Stream<PeerConnection> all() {

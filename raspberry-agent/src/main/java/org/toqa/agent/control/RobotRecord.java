@@ -40,6 +40,9 @@ final class RobotRecord {
   private ChassisReading reading;
   private @Nullable Fault restartFault;
 
+  /** What anchor and odometry make; null after one of them has changed. */
+  private @Nullable Pose pose;
+
   /**
    * Recovers what an earlier daemon recorded.
    *
@@ -92,6 +95,7 @@ final class RobotRecord {
       journal.saveDurably(entry().withoutDrive());
     }
     reading = newReading;
+    pose = null;
     return isNewPowerCycle || isStopOver;
   }
 
@@ -113,8 +117,11 @@ final class RobotRecord {
 
   /** Map frame; an arbitrary frame while the robot is not localised. */
   Pose pose() {
-    Pose anchor = anchor();
-    return anchor == null ? reading.odometry() : anchor.compose(reading.odometry());
+    if (pose == null) {
+      Pose anchor = anchor();
+      pose = anchor == null ? reading.odometry() : anchor.compose(reading.odometry());
+    }
+    return pose;
   }
 
   /** The name of the robot, and its task if it has one. */
@@ -145,6 +152,7 @@ final class RobotRecord {
               journal.save(next); // it drives, and must not wait for the disk
           default -> journal.saveDurably(next);
         };
+    pose = null;
     if (isSaved && endsWaitAfterRestart(command)) {
       restartFault = null;
     }

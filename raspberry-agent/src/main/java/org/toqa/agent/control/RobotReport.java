@@ -79,6 +79,6 @@ public record RobotReport(
         reading.battery(),
         reading.ranges(),
         obstacles,
-        Stream.concat(errors.stream(), notes.stream()).toList());
+        notes.isEmpty() ? errors : Stream.concat(errors.stream(), notes.stream()).toList());
   }
 }

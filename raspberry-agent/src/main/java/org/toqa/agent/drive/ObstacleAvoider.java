@@ -95,7 +95,9 @@ public final class ObstacleAvoider {
   }
 
   private List<Vec2> sightedPoints() {
-    return Stream.concat(blockingSightings.points().stream(), newSightings.stream()).toList();
+    return blockingSightings.isEmpty()
+        ? newSightings
+        : Stream.concat(blockingSightings.points().stream(), newSightings.stream()).toList();
   }
 
   private Corridor updatePassage(ReferenceTrajectory trajectory, List<Vec2> seen) {

@@ -26,11 +26,17 @@ public final class SimulatedBodyFile implements AutoCloseable {
   /** Empty until it was written once. */
   public Optional<Reading> read() {
     while (true) {
+      long before = count();
       Optional<SimulatedChassisState> state = file.read();
-      if (state.equals(file.read())) { // else it was written meanwhile, and may be torn
+      if (count() == before) { // else it was written meanwhile, and may be torn
         return state.map(s -> new Reading(s.truePose(), s.battery(), s.steps()));
       }
     }
+  }
+
+  /** How often it was written, in all: the same as before, and nothing has changed. */
+  public long count() {
+    return file.count();
   }
 
   @Override

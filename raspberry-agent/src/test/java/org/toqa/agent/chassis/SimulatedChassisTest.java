@@ -187,6 +187,26 @@ class SimulatedChassisTest {
   }
 
   @Test
+  void aBodyThatStandsDoesNotMoveAndItsTimeGoesOn() throws IOException {
+    try (SimulatedChassis body = body(0.01);
+        SimulatedBodyFile told = new SimulatedBodyFile(folder)) {
+      run(body, new Twist(0.2, 0, 0.5), SECOND);
+      run(body, Twist.ZERO, 2 * SECOND);
+      SimulatedBodyFile.Reading then = told.read().orElseThrow();
+
+      nanos += 66_666_666; // as a daemon at rest
+      ChassisReading now = body.exchange(Twist.ZERO, nanos);
+      assertEquals(Twist.ZERO, now.twist());
+      assertEquals(then.steps() + 4, told.read().orElseThrow().steps()); // of 20 ms at most
+
+      double later = run(body, Twist.ZERO, 30 * SECOND).battery();
+      assertEquals(then.truePose(), body.truePose());
+      assertEquals(then.steps() + 4 + 30 * SECOND, told.read().orElseThrow().steps());
+      assertEquals(then.battery() - 30.067 / 28_800, later, 1e-6); // eight hours of standstill
+    }
+  }
+
+  @Test
   void wheelsOfOtherSizesTakeOdometryAwayFromTheTruth() {
     try (SimulatedChassis body = new SimulatedChassis(START, SimulatedWheels.omni(0, 0.01), 2)) {
       ChassisReading now = run(body, new Twist(0.25, 0, 0), 40 * SECOND);
