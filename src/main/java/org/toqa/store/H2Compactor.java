@@ -38,7 +38,7 @@ final class H2Compactor implements AutoCloseable {
   private static final int LAST_INTERVALS = 20;
 
   /** Percent of the parts of the file that is in use; below it those with little are emptied. */
-  private static final int LEAST_FILL_RATE = 60;
+  private static final int LEAST_FILL_RATE = 70;
 
   /** Of pages that are moved at a time. */
   private static final int MOST_PAGE_BYTES = 256 * 1024;
@@ -47,7 +47,7 @@ final class H2Compactor implements AutoCloseable {
   private static final long LEAST_SIZE = 2 * 1024 * 1024;
 
   /** Percent of the file that its parts take; below it they are moved to the front. */
-  private static final int LEAST_FILE_FILL_RATE = 70;
+  private static final int LEAST_FILE_FILL_RATE = 80;
 
   /** Of parts that are moved at a time. */
   private static final long MOST_PART_BYTES = 2 * 1024 * 1024;
