@@ -53,17 +53,9 @@
       <a href="<c:out value="${onMap}"/>"><fmt:message key="task.onMap"/></a>
     </article>
   </div>
-  <article class="card">
-    <h2><fmt:message key="robot.track"><fmt:param value="${trackHours}"/></fmt:message></h2>
-    <fmt:message key="robot.track.label" var="trackLabel"/>
-    <canvas id="track" class="track" role="img" aria-label="${trackLabel}" data-robot="${fn:escapeXml(robot.name)}" data-floor="${fn:escapeXml(robot.floor)}" data-hours="${trackHours}"></canvas>
-    <p id="track-none" class="faint" hidden><fmt:message key="robot.track.none"/></p>
-    <c:url value="/history" var="history"><c:param name="robot" value="${robot.name}"/></c:url>
-    <a href="<c:out value="${history}"/>"><fmt:message key="robot.history"/></a>
-  </article>
   <c:if test="${caller.isManager()}">
     <c:set var="stops" value="${robot.stops()}"/>
-    <article class="card" id="stop" data-live="robot-stop" data-name="${fn:escapeXml(robot.name)}" ${empty stops ? 'hidden' : ''}>
+    <article class="card service" id="stop" data-live="robot-stop" data-name="${fn:escapeXml(robot.name)}" ${empty stops ? 'hidden' : ''}>
       <h2><fmt:message key="robot.stop"/></h2>
       <c:if test="${not empty stops}">
         <p><fmt:message key="robot.stop.intro"/></p>
@@ -80,6 +72,16 @@
         </details>
       </c:if>
     </article>
+  </c:if>
+  <article class="card">
+    <h2><fmt:message key="robot.track"><fmt:param value="${trackHours}"/></fmt:message></h2>
+    <fmt:message key="robot.track.label" var="trackLabel"/>
+    <canvas id="track" class="track" role="img" aria-label="${trackLabel}" data-robot="${fn:escapeXml(robot.name)}" data-floor="${fn:escapeXml(robot.floor)}" data-hours="${trackHours}"></canvas>
+    <p id="track-none" class="faint" hidden><fmt:message key="robot.track.none"/></p>
+    <c:url value="/history" var="history"><c:param name="robot" value="${robot.name}"/></c:url>
+    <a href="<c:out value="${history}"/>"><fmt:message key="robot.history"/></a>
+  </article>
+  <c:if test="${caller.isManager()}">
     <article class="card" id="actions" data-live="robot-actions" data-name="${fn:escapeXml(robot.name)}" ${empty pause or empty robot.work.task ? '' : 'hidden'}>
       <h2><fmt:message key="robot.actions"/></h2>
       <div class="choices">

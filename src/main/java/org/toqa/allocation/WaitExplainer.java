@@ -65,6 +65,12 @@ public final class WaitExplainer {
             Phrase.LISTED, strong.size() <= NAMED ? named(task, strong) : counted(strong)));
   }
 
+  /** Whether none of these robots will ever carry it, alone or together, whatever becomes free. */
+  public boolean isImpossible(AllocationTask task) {
+    return robots.stream().noneMatch(r -> r.isStrongEnough(task))
+        && TeamSize.smallest(task.load(), robots).isEmpty();
+  }
+
   /** Says the true number of robots that the load needs, and how many are there. */
   private Sentence tooHeavyForOne(AllocationTask task) {
     Optional<Integer> needed = TeamSize.smallest(task.load(), robots);

@@ -60,6 +60,7 @@ public enum EventKind {
   FLOOR_RESUMED("floor.resumed"),
   FLEET_PAUSED("fleet.paused"),
   FLEET_RESUMED("fleet.resumed"),
+  FLEET_SERVER_ENDED("fleet.server-ended"),
   SCHEDULE_ADDED("schedule.added"),
   SCHEDULE_BEGAN("schedule.began"),
   SCHEDULE_DELETED("schedule.deleted"),

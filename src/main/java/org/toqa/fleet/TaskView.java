@@ -16,6 +16,8 @@ import org.toqa.wording.Sentence;
  * @param robots names, in the order they were chosen
  * @param loadAt where the load is if that is neither its start nor its goal, else null
  * @param waitingFor a sentence while it waits, else null
+ * @param blocked whether it waits for what will not come by itself: a person must change something
+ *     or cancel it
  * @param needs what a person must decide, else null
  * @param late a sentence while its deadline cannot be met, else null
  */
@@ -26,6 +28,7 @@ public record TaskView(
     List<String> robots,
     @Nullable TaskPlace loadAt,
     @Nullable Sentence waitingFor,
+    boolean blocked,
     @Nullable Question needs,
     @Nullable Sentence late,
     Instant changedAt) {
@@ -45,20 +48,27 @@ public record TaskView(
         mission.robots(),
         mission.loadAt(),
         waitingFor,
+        false,
         mission.question().orElse(null),
         null,
         changedAt);
   }
 
   public TaskView withLateness(@Nullable Sentence nextLate) {
-    return new TaskView(task, state, held, robots, loadAt, waitingFor, needs, nextLate, changedAt);
+    return new TaskView(
+        task, state, held, robots, loadAt, waitingFor, blocked, needs, nextLate, changedAt);
   }
 
   /**
    * @param reason why it waits
    */
   public TaskView withWaitReason(Sentence reason) {
-    return new TaskView(task, state, held, robots, loadAt, reason, needs, late, changedAt);
+    return new TaskView(task, state, held, robots, loadAt, reason, blocked, needs, late, changedAt);
+  }
+
+  public TaskView asBlocked() {
+    return new TaskView(
+        task, state, held, robots, loadAt, waitingFor, true, needs, late, changedAt);
   }
 
   /** Where the load is fetched. */

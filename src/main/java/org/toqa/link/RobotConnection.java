@@ -29,6 +29,9 @@ final class RobotConnection implements AutoCloseable {
    */
   private static final Duration SILENCE_TIMEOUT = Duration.ofSeconds(5);
 
+  /** A daemon says hello at once; one that says nothing for so long waits for something. */
+  private static final Duration LONG_SILENCE = Duration.ofSeconds(2);
+
   private static final Duration UNREADABLE_LOG_INTERVAL = Duration.ofSeconds(10);
 
   /** Between two looks at a connection whose lines come faster than they are read. */
@@ -81,7 +84,7 @@ final class RobotConnection implements AutoCloseable {
    * @throws LinkException if it is no hello, or not that of the robot
    */
   Hello readHello() throws LinkException {
-    AgentMessage first = readMessage();
+    AgentMessage first = readFirstMessage();
     if (!(first instanceof Hello hello)) {
       throw new LinkException(
           "What answers at %s is not %s: it did not say hello.".formatted(hostAndPort, robot));
@@ -101,8 +104,18 @@ final class RobotConnection implements AutoCloseable {
     return hello;
   }
 
-  private AgentMessage readMessage() throws LinkException {
-    return readNext().message();
+  /** A paired daemon waits for who shows who he is, and ends the connection then. */
+  private AgentMessage readFirstMessage() throws LinkException {
+    long since = System.nanoTime();
+    try {
+      return readNext().message();
+    } catch (LinkException e) {
+      boolean hasWaited = System.nanoTime() - since >= LONG_SILENCE.toNanos();
+      if (hasWaited && channel.peer() == null && unreadable == 0) {
+        throw LinkException.trustFailure(Phrase.SAYS_NOTHING.with(robot, hostAndPort));
+      }
+      throw e;
+    }
   }
 
   /**

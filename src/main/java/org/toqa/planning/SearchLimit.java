@@ -32,12 +32,19 @@ public final class SearchLimit {
   }
 
   /**
+   * Whether this thread is to search no longer; for searches that then answer with what they have.
+   */
+  public static boolean isOver() {
+    return CURRENT.isBound() && CURRENT.get().getAsBoolean();
+  }
+
+  /**
    * To be called by every search whose length is not bounded otherwise, each millisecond or so.
    *
    * @throws SearchTimeoutException this thread is to search no longer
    */
   public static void check() {
-    if (CURRENT.isBound() && CURRENT.get().getAsBoolean()) {
+    if (isOver()) {
       throw new SearchTimeoutException();
     }
   }

@@ -77,6 +77,11 @@ public final class Database implements AutoCloseable {
     compactor = H2Url.isOwnFile(url) ? new H2Compactor(fleet.jdbi()) : null;
   }
 
+  /** Whether that is the JDBC URL of a kind of database that can be used. */
+  public static boolean isSupported(String url) {
+    return url.startsWith(MYSQL) || H2Url.isH2(url);
+  }
+
   /**
    * @param database its JDBC URL; what that of an H2 database does not say is as Toqa needs it
    * @param user empty: the one in the URL, if any

@@ -5,9 +5,12 @@ import java.time.Duration;
 import org.h2.engine.SessionLocal;
 import org.h2.jdbc.JdbcConnection;
 import org.h2.mvstore.MVStore;
+import org.h2.mvstore.MVStore.TxCounter;
 import org.h2.mvstore.MVStoreException;
+import org.h2.mvstore.RandomAccessStore;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.Jdbi;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 import org.toqa.fleet.PeriodicWork;
@@ -17,13 +20,15 @@ import org.toqa.fleet.PeriodicWork;
  * and has a thread of its own for what is left behind, but not with {@code WRITE_DELAY=0}, where
  * each commit is written at once: the file grew by 20 kB a commit.
  *
- * <p>Each second what was written is forced to the disk, so that parts of the file may be used
- * again {@link #RETENTION} after they were freed, and pages are moved out of parts that hold
- * little. Freed parts go only as something is written; so for a while after the last change a
+ * <p>Each second what was written is forced to the disk. What a computer that loses its power finds
+ * there stays as it is until the next time: the version that was forced counts as used, so that
+ * parts of the file which it needs are not used again, and others are at once. Then pages are moved
+ * out of parts that hold little, and, where a good deal of the file is free, parts from its end to
+ * its front. Freed parts go only as something is written; so for a while after the last change a
  * number is written that nobody uses.
  */
 final class H2Compactor implements AutoCloseable {
-  /** To be told to H2; it must be longer than it takes until all is forced to the disk. */
+  /** To be told to H2, for the time until something is forced to the disk. */
   static final Duration RETENTION = Duration.ofSeconds(5);
 
   private static final Logger log = LoggerFactory.getLogger(H2Compactor.class);
@@ -32,15 +37,38 @@ final class H2Compactor implements AutoCloseable {
   /** Without a change of somebody else, until there is nothing left to give back. */
   private static final int LAST_INTERVALS = 20;
 
-  /** Percent of a part of the file that is in use; parts with less are emptied. */
-  private static final int LEAST_FILL_RATE = 50;
+  /** Percent of the parts of the file that is in use; below it those with little are emptied. */
+  private static final int LEAST_FILL_RATE = 70;
 
-  private static final int MOST_BYTES_MOVED = 4 * 1024 * 1024;
+  /** Of pages that are moved at a time. */
+  private static final int MOST_PAGE_BYTES = 256 * 1024;
+
+  /** A file that is smaller is left as it is. */
+  private static final long LEAST_SIZE = 2 * 1024 * 1024;
+
+  /** Percent of the file that its parts take; below it they are moved to the front. */
+  private static final int LEAST_FILE_FILL_RATE = 80;
+
+  /** Of parts that are moved at a time. */
+  private static final long MOST_PART_BYTES = 2 * 1024 * 1024;
 
   private final Jdbi jdbi;
   private final PeriodicWork work;
+
+  /** Null: nothing was forced to the disk yet. */
+  private @Nullable ForcedVersion forced;
+
   private long lastVersion = -1;
   private int idleIntervals;
+
+  /** A version of all data that is on the disk, and counts as used. */
+  private record ForcedVersion(MVStore store, TxCounter version) {
+    void giveUp() {
+      if (!store.isClosed()) {
+        store.deregisterVersionUsage(version);
+      }
+    }
+  }
 
   H2Compactor(Jdbi jdbi) {
     this.jdbi = jdbi;
@@ -56,16 +84,43 @@ final class H2Compactor implements AutoCloseable {
   }
 
   private void compact(Handle h) throws SQLException {
-    MVStore file = file(h);
-    idleIntervals = file.getCurrentVersion() == lastVersion ? idleIntervals + 1 : 0;
+    MVStore store = file(h);
+    idleIntervals = store.getCurrentVersion() == lastVersion ? idleIntervals + 1 : 0;
     if (idleIntervals < LAST_INTERVALS) {
-      h.execute("checkpoint sync");
-      file.compact(LEAST_FILL_RATE, MOST_BYTES_MOVED);
+      force(h, store);
+      store.compact(LEAST_FILL_RATE, MOST_PAGE_BYTES);
       if (idleIntervals > 0) {
-        file.setStoreVersion(1 - file.getStoreVersion());
-        file.commit();
+        store.setStoreVersion(1 - store.getStoreVersion());
+        store.commit();
       }
-      lastVersion = file.getCurrentVersion(); // this is no change of somebody else
+      moveToFront(store);
+      lastVersion = store.getCurrentVersion(); // this is no change of somebody else
+    }
+  }
+
+  private void force(Handle h, MVStore store) {
+    ForcedVersion version = new ForcedVersion(store, store.registerVersionUsage());
+    try {
+      h.execute("checkpoint sync");
+    } catch (RuntimeException e) {
+      version.giveUp();
+      throw e;
+    }
+    giveUpForced();
+    forced = version;
+    store.setRetentionTime(0); // from now on the forced version says what is kept
+  }
+
+  private void giveUpForced() {
+    if (forced != null) {
+      forced.giveUp();
+      forced = null;
+    }
+  }
+
+  private static void moveToFront(MVStore store) {
+    if (store.getFileStore() instanceof RandomAccessStore parts && parts.size() > LEAST_SIZE) {
+      parts.compactMoveChunks(LEAST_FILE_FILL_RATE, MOST_PART_BYTES, store);
     }
   }
 
@@ -78,5 +133,6 @@ final class H2Compactor implements AutoCloseable {
   @Override
   public void close() {
     work.close();
+    giveUpForced();
   }
 }

@@ -243,6 +243,7 @@ public enum Phrase {
 
   // Why a robot and the server do not come together
   NOT_PAIRED,
+  SAYS_NOTHING,
   HAS_ANOTHER_KEY,
   DOES_NOT_ACCEPT_SERVER,
   DOES_NOT_ENCRYPT,
@@ -295,6 +296,7 @@ public enum Phrase {
   WAITS_FOR_ROBOT,
 
   // What happened to a robot, a floor or the fleet
+  SERVER_HAD_ENDED,
   ALL_PAUSED,
   ALL_LET_GO_ON,
   FLOOR_PUT_ON_HOLD,

@@ -2,7 +2,7 @@ import {updateLinkList} from '../shared/link-list.js';
 import {chargerEntry, chargerShortageEntry, leftLoadEntry, refusalOf, robotEntry, standstillEntry, taskEntry} from './entries.js';
 
 /** What needs attention, the most urgent first. */
-const URGENCY = ['ERROR', 'question', 'standstill', 'LOST', 'NOT_LOCALISED', 'charger', 'load', 'alert'];
+const URGENCY = ['ERROR', 'question', 'standstill', 'LOST', 'NOT_LOCALISED', 'charger', 'blocked', 'load', 'alert'];
 const ALERT_STATES = new Set(['ERROR', 'NOT_LOCALISED', 'LOST']);
 
 /** Fills the list of what needs attention, and hides it where nothing does. */
@@ -12,7 +12,7 @@ export function updateAttentionList(section, {floors, tasks, robots}) {
     ...floors.flatMap(({faultyChargers}) => faultyChargers.map((one) => ranked('charger', chargerEntry(one)))),
     ...floors.filter(({chargerShortage}) => chargerShortage).map((floor) => ranked('charger', chargerShortageEntry(floor))),
     ...floors.flatMap(({leftLoads}) => leftLoads.map((one) => ranked('load', leftLoadEntry(one)))),
-    ...tasks.filter(({needs}) => needs).map((task) => ranked('question', taskEntry(task))),
+    ...tasks.filter(({needs, blocked}) => needs || blocked).map((task) => ranked(task.needs ? 'question' : 'blocked', taskEntry(task))),
     ...robots
       .filter(needsAttention)
       .map((robot) => ranked(ALERT_STATES.has(robot.state) ? robot.state : 'alert', robotEntry(robot))),

@@ -29,7 +29,7 @@ export function taskEntry(task) {
     letter: String(task.id),
     title: task.name,
     side: text(`task.state.${task.state}`),
-    sentence: task.needs?.question ?? task.late ?? task.waitingFor ?? task.robots.join(text('common.comma')),
+    sentence: task.needs?.question ?? (task.blocked ? task.waitingFor : task.late) ?? task.waitingFor ?? task.robots.join(text('common.comma')),
   };
 }
 

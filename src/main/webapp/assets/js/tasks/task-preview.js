@@ -3,6 +3,7 @@ import {address} from '../shared/server.js';
 import {text} from '../shared/texts.js';
 
 const DELAY = 400; // milliseconds without a change of the form
+const TOLD = new Set([422, 429, 503]); // refusals of which the person who fills in the form should know
 
 /** Shows the server's estimate for the task in a form, after each change of the form. */
 export class TaskPreview {
@@ -54,7 +55,7 @@ export class TaskPreview {
       const body = await answer.json();
       return answer.ok
         ? {sentence: sentence(body), path: body.way}
-        : {sentence: answer.status === 422 ? body.detail : '', wrong: true};
+        : {sentence: TOLD.has(answer.status) ? body.detail : '', wrong: true};
     } catch {
       return undefined; // the form works without a preview
     }

@@ -1,6 +1,7 @@
 package org.toqa.fleet;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNull;
 
@@ -34,6 +35,25 @@ class FleetQueueTest extends HallFleetTest {
             .toCompletableFuture()
             .get(10, TimeUnit.SECONDS);
     assertInstanceOf(Answer.Rejected.class, tooHeavy);
+  }
+
+  @Test
+  void aTaskThatNoRobotsCanEverCarryNeedsAttention() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    double most = robot(stage.fleet.snapshots().latest(), "r1").maxLoad();
+    stage.scriptedRobot("r2").breakDown("BUMPER");
+    until(view -> robot(view, "r2").state() == RobotState.ERROR);
+    long task = submit(order(1.5 * most));
+    until(view -> waitReason(view, task).equals("It needs 2 robots together; 1 of 2 is free."));
+    assertFalse(task(stage.fleet.snapshots().latest(), task).blocked(), "r2 may be mended");
+
+    accepted(stage.fleet.takeOutOfService("r2", "Max"));
+    accepted(stage.fleet.removeRobot("r2", "Max"));
+
+    until(view -> task(view, task).blocked());
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Hold("Max")));
+    until(view -> !task(view, task).blocked());
   }
 
   @Test

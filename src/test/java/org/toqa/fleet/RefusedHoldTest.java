@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ExecutionException;
@@ -15,10 +17,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.toqa.allocation.Policy;
+import org.toqa.fleet.history.EventArchive;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.MissionEvent;
 import org.toqa.mission.TaskState;
 import org.toqa.persistence.StoreException;
+import org.toqa.store.JdbiEventArchive;
 
 /** Holds and resumes that the database can never store: who asked is told at once. */
 @Timeout(60)
@@ -59,6 +63,37 @@ class RefusedHoldTest {
     refuses = true;
     assertRefused(stage.fleet.pauseAll("Max"));
     stage.await(view -> stage.scriptedRobot("r1").isHeld());
+  }
+
+  @Test
+  void aPauseInForceThatIsNotStoredIsStoredWhenItIsPressedAgain() throws Exception {
+    refuses = true;
+    assertRefused(stage.fleet.pauseAll("Max"));
+    assertRefused(stage.fleet.pauseAll("Max"));
+    assertTrue(stage.store.pause().isEmpty());
+    refuses = false;
+
+    Optional<Hold> pause = HallFleetTest.accepted(stage.fleet.pauseAll("Clara"));
+
+    assertEquals(pause, stage.store.pause());
+    assertEquals("Max", pause.orElseThrow().user(), "he has paused them");
+    HallFleetTest.accepted(stage.fleet.pauseAll("Max"));
+    EventArchive.Filter told =
+        new EventArchive.Filter(null, null, null, "fleet.paused", null, null, false);
+    assertEquals(
+        1,
+        new JdbiEventArchive(stage.database.jdbi()).events(told, Long.MAX_VALUE, 10).size(),
+        "told once");
+  }
+
+  @Test
+  void aHoldOfAFloorInForceThatIsNotStoredIsStoredWhenItIsPressedAgain() throws Exception {
+    refuses = true;
+    assertRefused(stage.fleet.holdFloor("hall", "Max"));
+    assertRefused(stage.fleet.holdFloor("hall", "Max"));
+    refuses = false;
+    HallFleetTest.accepted(stage.fleet.holdFloor("hall", "Clara"));
+    assertEquals("Max", Objects.requireNonNull(stage.store.floorHolds().get("hall")).user());
   }
 
   @Test

@@ -101,6 +101,17 @@ class TcpRobotLinkTest {
     }
   }
 
+  /** It waits for who connects to show who he is, and says nothing before. */
+  @Test
+  void aPairedDaemonThatIsSpokenToWithoutACodeIsToldWithWhatToDo() throws Exception {
+    try (Socket _ = robot.accept()) {
+      assertEquals(
+          "r1 at 127.0.0.1:%d says nothing. If it is paired, enter the code that it shows."
+              .formatted(robot.getLocalPort()),
+          heard.await(LinkRecorder.Refusal.class).sentence());
+    }
+  }
+
   @Test
   void anotherVersionIsRefused() throws Exception {
     try (Socket socket = robot.accept()) {
@@ -126,7 +137,7 @@ class TcpRobotLinkTest {
 
   @Test
   void silentPeerIsLeftAfterFiveSeconds() throws Exception {
-    try (Socket socket = robot.accept()) {
+    try (Socket socket = greet()) {
       assertEquals(new LinkRecorder.End("r1 has said nothing for 5 s."), heard.next());
       assertNull(line(socket), "the connection is closed");
     }

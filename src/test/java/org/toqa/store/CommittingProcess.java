@@ -14,14 +14,14 @@ import org.toqa.motion.Trajectory;
 public final class CommittingProcess {
   static final String ROBOT = "r1";
 
-  private static final int LEAST_COMMITS = 500;
-  private static final int MOST_COMMITS = 1000;
+  private static final int LEAST_COMMITS = 1500;
+  private static final int MOST_COMMITS = 3000;
 
   private CommittingProcess() {}
 
-  /** The database of a server, but freed parts of its file are used again soon. */
+  /** The database of a server. */
   static Database open(Path file) {
-    return Database.open(Database.fileUrl(file) + ";RETENTION_TIME=100", "", "");
+    return Database.open(Database.fileUrl(file), "", "");
   }
 
   /**

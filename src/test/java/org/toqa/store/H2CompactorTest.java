@@ -23,6 +23,11 @@ class H2CompactorTest {
   /** More than three times of what is in it; without compaction it is twenty times as large. */
   private static final long LARGEST_FILE = 1_500_000;
 
+  /** What some fifty commits leave behind that are not forced to the disk yet, and a good deal. */
+  private static final long LARGEST_FILE_IN_USE = 3_000_000;
+
+  private static final int PAUSE_MILLIS = 20;
+
   @TempDir private Path folder;
 
   @Test
@@ -43,6 +48,23 @@ class H2CompactorTest {
     try (Database database = open()) {
       JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
       assertEquals(drive(COMMITS), store.drive("r1").orElseThrow());
+    }
+  }
+
+  /** Commits come all the time, as in a fleet at work. */
+  @Test
+  @Timeout(120)
+  void fileIsSmallAlsoWhileItIsWrittenTo() throws Exception {
+    Path file = folder.resolve("toqa.mv.db");
+    try (Database database = open()) {
+      JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+      store.saveRobot(new RobotRecord("r1", "lab", "127.0.0.1", 1, 5, null, true, null));
+      int commits = 0;
+      while (commits < COMMITS || Files.size(file) > LARGEST_FILE_IN_USE) {
+        commits++;
+        store.saveDrive("r1", drive(commits));
+        Thread.sleep(commits < COMMITS ? 0 : PAUSE_MILLIS);
+      }
     }
   }
 

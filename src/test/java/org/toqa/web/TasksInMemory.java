@@ -10,6 +10,7 @@ import java.util.UUID;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.Answer;
 import org.toqa.fleet.BatchAnswer;
@@ -86,7 +87,7 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
           view ->
               view.id() == id
                   ? new TaskView(
-                      view.task(), state, false, robots, null, null, null, null, latest.at())
+                      view.task(), state, false, robots, null, null, false, null, null, latest.at())
                   : view);
       events.add(
           new EventRecord(
@@ -97,11 +98,11 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
     }
   }
 
-  /** Publishes that a task will miss its deadline. */
-  public void setLate(long id, Sentence sentence) {
+  /** Publishes another view of a task. */
+  public void changeView(long id, UnaryOperator<TaskView> change) {
     lock.lock();
     try {
-      tasks.replaceAll(t -> t.id() == id ? t.withLateness(sentence) : t);
+      tasks.replaceAll(t -> t.id() == id ? change.apply(t) : t);
       publish(latest.robots());
     } finally {
       lock.unlock();
@@ -145,6 +146,7 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
               List.of(),
               null,
               Phrase.LOOKING_FOR_ROBOT.with(),
+              false,
               null,
               null,
               latest.at());
@@ -200,38 +202,53 @@ public abstract class TasksInMemory extends SnapshotsInMemory implements Fleet, 
   private List<BatchAnswer.Rejection> refusalsOf(List<TaskOrder> orders, String user) {
     List<BatchAnswer.Rejection> refusals = new ArrayList<>();
     for (int i = 0; i < orders.size(); i++) {
-      if (checked(orders.get(i), user)
-          instanceof Answer.Rejected<TransportTask>(String field, Sentence sentence)) {
-        refusals.add(new BatchAnswer.Rejection(i, field, sentence));
+      for (Answer<TransportTask> answer : answers(orders.get(i), user)) {
+        if (answer instanceof Answer.Rejected<TransportTask>(String field, Sentence sentence)) {
+          refusals.add(new BatchAnswer.Rejection(i, field, sentence));
+        }
       }
     }
     return refusals;
   }
 
   private Answer<TransportTask> checked(TaskOrder order, String user) {
+    return answers(order, user).getFirst();
+  }
+
+  /** The task alone, or all that is against it. */
+  private List<Answer<TransportTask>> answers(TaskOrder order, String user) {
     Optional<TaskPlace> start = place(order.start());
     Optional<TaskPlace> goal = place(order.goal());
+    List<Answer<TransportTask>> answers = new ArrayList<>();
     if (order.floor() != null && !order.floor().equals(floor.name())) {
-      return new Answer.Rejected<>("floor", Phrase.NO_SUCH_FLOOR.with(order.floor()));
+      answers.add(new Answer.Rejected<>("floor", Phrase.NO_SUCH_FLOOR.with(order.floor())));
     }
     if (order.load() > HEAVIEST) {
-      return new Answer.Rejected<>("load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), HEAVIEST));
+      answers.add(
+          new Answer.Rejected<>("load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), HEAVIEST)));
     }
     if (start.isEmpty()) {
-      return new Answer.Rejected<>(
-          "start",
-          Sentence.verbatim("The start is not a free place of the floor. Choose another one."));
+      answers.add(notFree("start"));
     }
     if (goal.isEmpty()) {
-      return new Answer.Rejected<>(
-          "goal",
-          Sentence.verbatim("The goal is not a free place of the floor. Choose another one."));
+      answers.add(notFree("goal"));
     }
-    return new Answer.Accepted<>(
-        order
-            .task(start.get(), goal.get(), floor.name(), user, latest.at())
-            .withId(tasks.size() + 1)
-            .withOwner(user, accountId.apply(user)));
+    if (answers.isEmpty()) {
+      answers.add(
+          new Answer.Accepted<>(
+              order
+                  .task(start.orElseThrow(), goal.orElseThrow(), floor.name(), user, latest.at())
+                  .withId(tasks.size() + 1)
+                  .withOwner(user, accountId.apply(user))));
+    }
+    return answers;
+  }
+
+  private static Answer<TransportTask> notFree(String end) {
+    return new Answer.Rejected<>(
+        end,
+        Sentence.verbatim(
+            "The %s is not a free place of the floor. Choose another one.".formatted(end)));
   }
 
   /** Two carry it, straight from start to goal. */

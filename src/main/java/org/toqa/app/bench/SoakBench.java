@@ -60,13 +60,7 @@ final class SoakBench implements Callable<Integer> {
               + " ${DEFAULT-VALUE}).")
   private String speed = "";
 
-  @Option(
-      names = "--database",
-      paramLabel = "URL",
-      description =
-          "JDBC URL of an empty database, such as jdbc:mysql://HOST/NAME?user=U&password=P"
-              + " (default: H2 in a folder that is deleted afterwards).")
-  private @Nullable String database;
+  @Mixin private DatabaseOption database = new DatabaseOption();
 
   @Mixin private SimulatedRobotsOption robots = new SimulatedRobotsOption(12, 1);
 
@@ -79,6 +73,7 @@ final class SoakBench implements Callable<Integer> {
     Arguments arguments = new Arguments(spec);
     arguments.requireDecimalBetween("--hours", hours, 0, 1000);
     robots.check(arguments);
+    database.check(arguments);
     ServerOperation measurement = this::measure;
     return measurement.runIsolated(settings());
   }
@@ -107,7 +102,7 @@ final class SoakBench implements Callable<Integer> {
   private Map<Setting, @Nullable String> settings() {
     Map<Setting, @Nullable String> settings = BenchUser.create().settings(robots.value(), map);
     settings.put(Setting.SPEED, speed);
-    settings.put(Setting.DATABASE_URL, database);
+    settings.put(Setting.DATABASE_URL, database.value());
     return settings;
   }
 }

@@ -50,16 +50,13 @@ final class TaskBench implements Callable<Integer> {
       description = "Number of concurrent clients, 1 to 1000 (default: ${DEFAULT-VALUE}).")
   private int clients;
 
-  @Option(
-      names = "--database",
-      paramLabel = "URL",
-      description = "JDBC URL of an empty database (default: an H2 file).")
-  private @Nullable String database;
+  @Mixin private DatabaseOption database = new DatabaseOption();
 
   @Override
   public Integer call() throws Exception {
     Arguments arguments = new Arguments(spec);
     tasks.check(arguments);
+    database.check(arguments);
     arguments.requireBetween("--warm-up", warmUp, 0, 100_000);
     arguments.requireBetween("--clients", clients, 1, 1000);
     robots.check(arguments);
@@ -83,7 +80,7 @@ final class TaskBench implements Callable<Integer> {
   private Map<Setting, @Nullable String> settings(BenchUser user) {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
     settings.put(Setting.SIMULATE, String.valueOf(robots.value()));
-    settings.put(Setting.DATABASE_URL, database);
+    settings.put(Setting.DATABASE_URL, database.value());
     settings.put(Setting.MANAGER, user.setting());
     return settings;
   }

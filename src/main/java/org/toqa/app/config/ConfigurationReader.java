@@ -271,7 +271,7 @@ record ConfigurationReader(List<SettingSource> layers) {
     if (url.isEmpty()) {
       return new DatabaseSettings(Database.fileUrl(data.resolve("toqa")), null, null);
     }
-    if (!url.startsWith("jdbc:mysql:") && !url.startsWith("jdbc:h2:")) {
+    if (!Database.isSupported(url)) {
       throw outOfRange(Setting.DATABASE_URL);
     }
     return new DatabaseSettings(

@@ -46,6 +46,7 @@ import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiPasswordResetStore;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.JdbiServerRuns;
 import org.toqa.store.JdbiSessionStore;
 import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTrackStore;
@@ -129,6 +130,9 @@ public final class FleetServer implements AutoCloseable {
     parts.push(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     InstantSource wallClock = InstantSource.system();
+    JdbiServerRuns runs = new JdbiServerRuns(database.jdbi());
+    runs.begin(wallClock.instant());
+    parts.push(() -> runs.end(wallClock.instant()));
     AccountStore accounts = new JdbiAccountStore(database.sessions(), wallClock);
     PasswordHasher passwords = new PasswordHasher();
     addFirstManager(configuration, accounts, passwords);

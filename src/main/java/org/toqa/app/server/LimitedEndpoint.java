@@ -45,6 +45,7 @@ final class LimitedEndpoint extends NioEndpoint {
   private final Limits limits;
   private final @Nullable InetAddress proxy;
   private final ReceivedRequests requests = new ReceivedRequests();
+  private final AddressCounts addressCounts = new AddressCounts();
   private Map<SocketWrapperBase<?>, Long> handshakes = Map.of();
   private @Nullable ScheduledFuture<?> sweep;
 
@@ -93,12 +94,16 @@ final class LimitedEndpoint extends NioEndpoint {
 
   /** Makes one where there is none. */
   private boolean hasPlace(SocketChannel socket) {
-    List<SocketWrapperBase<NioChannel>> open =
-        getConnections().stream().filter(LimitedEndpoint::isOpen).toList();
     InetAddress address =
         ((InetSocketAddress) socket.socket().getRemoteSocketAddress()).getAddress();
-    if (!address.equals(proxy)) {
-      String block = AddressBlock.of(address.getHostAddress());
+    String block = AddressBlock.of(address.getHostAddress());
+    boolean mayBeFullOfOne = addressCounts.add(block) > limits.connectionsPerAddress();
+    if (getConnectionCount() <= limits.connections() && (!mayBeFullOfOne || isProxy(address))) {
+      return true;
+    }
+    List<SocketWrapperBase<NioChannel>> open =
+        getConnections().stream().filter(LimitedEndpoint::isOpen).toList();
+    if (!isProxy(address)) {
       List<SocketWrapperBase<NioChannel>> same =
           open.stream().filter(connection -> block(connection).equals(block)).toList();
       if (same.size() >= limits.connectionsPerAddress()) {
@@ -106,6 +111,10 @@ final class LimitedEndpoint extends NioEndpoint {
       }
     }
     return open.size() < limits.connections() || endIdlest(idleOfFullestAddress(open));
+  }
+
+  private boolean isProxy(InetAddress address) {
+    return address.equals(proxy);
   }
 
   private Stream<SocketWrapperBase<NioChannel>> idleOfFullestAddress(
@@ -156,6 +165,7 @@ final class LimitedEndpoint extends NioEndpoint {
 
   private void endSlowRequests() {
     long now = System.nanoTime();
+    addressCounts.set(getConnections().stream().map(LimitedEndpoint::block));
     requests.forgetClosed();
     Map<SocketWrapperBase<?>, Long> unfinished = new HashMap<>();
     for (SocketWrapperBase<NioChannel> connection : getConnections()) {

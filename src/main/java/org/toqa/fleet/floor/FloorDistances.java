@@ -3,10 +3,10 @@ package org.toqa.fleet.floor;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.ToDoubleFunction;
 import org.toqa.allocation.PathLengths;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.BySize;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
@@ -21,7 +21,7 @@ public final class FloorDistances implements PathLengths {
   private static final int CELLS_KEPT = 16_000_000;
 
   private final OccupancyGrid grid;
-  private final Map<Double, OccupancyGrid> passable = new ConcurrentHashMap<>();
+  private final BySize<OccupancyGrid> passable = new BySize<>();
   private final Map<Key, DistanceField> fields;
 
   private record Key(Cell cell, double diameter) {}
@@ -51,7 +51,7 @@ public final class FloorDistances implements PathLengths {
   }
 
   private OccupancyGrid passable(double diameter) {
-    return passable.computeIfAbsent(diameter, d -> Inflation.inflateWhereNothingFits(grid, d / 2));
+    return passable.get(diameter, d -> Inflation.inflateWhereNothingFits(grid, d / 2));
   }
 
   /**

@@ -342,6 +342,13 @@ final class AllocationRounds {
     fleet.changed = true;
   }
 
+  /** Whether it waits for what will not come by itself: room for its team, or other robots. */
+  boolean isBlocked(TaskQueue.Queued queued, @Nullable WaitExplainer plain) {
+    return !queued.mission().held()
+        && (tasksWithoutRoom.containsKey(queued.task().id())
+            || (plain != null && plain.isImpossible(queued.job())));
+  }
+
   /** What the last round said; of a task that it did not look at, what is plain without one. */
   Sentence waitReason(TaskQueue.Queued queued, @Nullable WaitExplainer plain) {
     NoRoom noRoom = tasksWithoutRoom.get(queued.task().id());

@@ -45,8 +45,10 @@ record BatchValidation(
           checked.thenCompose(
               _ ->
                   validator
-                      .checkTask(orders.get(index), user, now, totalCapacity, check)
-                      .thenAccept(answer -> add(answer, index, tasks, rejections)));
+                      .checkAll(orders.get(index), user, now, totalCapacity, check)
+                      .thenAccept(
+                          answers ->
+                              answers.forEach(answer -> add(answer, index, tasks, rejections))));
     }
     return checked.thenApply(_ -> new Result(tasks, rejections));
   }

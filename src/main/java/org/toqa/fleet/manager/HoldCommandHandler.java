@@ -64,22 +64,17 @@ final class HoldCommandHandler {
   }
 
   void setPause(ManagerMessage.SetPause m) {
-    if (isAsked(m.pause(), pause, resume)) {
-      Hold asked = m.pause() ? pause : null;
-      writer.write(() -> {}, () -> answer(m.replyTo(), asked));
+    Hold inForce = pause;
+    if (isAsked(m.pause(), inForce, resume)) {
+      storePause(inForce, m.replyTo());
       return;
     }
     Instant at = clock.instant();
     if (m.pause()) {
       Hold next = new Hold(m.user(), at);
-      EventRecord event =
-          event(at, EventKind.FLEET_PAUSED, m.user(), Phrase.ALL_PAUSED.with(m.user()));
       resume.cancel();
       applyPause(next);
-      writer.write(
-          () -> store.savePause(next, List.of(event)),
-          () -> answer(m.replyTo(), next),
-          refusal -> m.replyTo().tell(StatusReply.error(refusal)));
+      storePause(next, m.replyTo());
     } else {
       EventRecord event =
           event(at, EventKind.FLEET_RESUMED, m.user(), Phrase.ALL_LET_GO_ON.with(m.user()));
@@ -95,6 +90,26 @@ final class HoldCommandHandler {
             m.replyTo().tell(StatusReply.error(refusal));
           });
     }
+  }
+
+  /**
+   * Stores it, also when that was asked for before: it may have been refused then. What was stored
+   * twice is stored once, and told once.
+   *
+   * @param hold null: all go on, as is stored
+   */
+  private void storePause(
+      @Nullable Hold hold, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo) {
+    writer.write(
+        () -> {
+          if (hold != null) {
+            Sentence text = Phrase.ALL_PAUSED.with(hold.user());
+            store.savePause(
+                hold, List.of(event(hold.since(), EventKind.FLEET_PAUSED, hold.user(), text)));
+          }
+        },
+        () -> answer(replyTo, hold),
+        refusal -> replyTo.tell(StatusReply.error(refusal)));
   }
 
   /** Whether somebody has asked for that already, and nobody for something else since. */
@@ -125,22 +140,17 @@ final class HoldCommandHandler {
       return;
     }
     PendingResume floorResume = floorResumes.computeIfAbsent(floor, _ -> new PendingResume());
-    if (isAsked(m.hold(), floorHolds.get(floor), floorResume)) {
-      Hold asked = m.hold() ? floorHolds.get(floor) : null;
-      writer.write(() -> {}, () -> answer(m.replyTo(), asked));
+    Hold inForce = floorHolds.get(floor);
+    if (isAsked(m.hold(), inForce, floorResume)) {
+      storeFloorHold(floor, inForce, m.replyTo());
       return;
     }
     Instant at = clock.instant();
     if (m.hold()) {
       Hold next = new Hold(m.user(), at);
-      EventRecord event =
-          event(at, EventKind.FLOOR_HELD, m.user(), Phrase.FLOOR_PUT_ON_HOLD.with(m.user(), floor));
       floorResume.cancel();
       applyFloorHold(floor, next);
-      writer.write(
-          () -> store.saveFloorHold(floor, next, List.of(event)),
-          () -> answer(m.replyTo(), next),
-          refusal -> m.replyTo().tell(StatusReply.error(refusal)));
+      storeFloorHold(floor, next, m.replyTo());
     } else {
       EventRecord event =
           event(
@@ -157,6 +167,21 @@ final class HoldCommandHandler {
             m.replyTo().tell(StatusReply.error(refusal));
           });
     }
+  }
+
+  /** As {@link #storePause}. */
+  private void storeFloorHold(
+      String floor, @Nullable Hold hold, ActorRef<StatusReply<Answer<Optional<Hold>>>> replyTo) {
+    writer.write(
+        () -> {
+          if (hold != null) {
+            Sentence text = Phrase.FLOOR_PUT_ON_HOLD.with(hold.user(), floor);
+            store.saveFloorHold(
+                floor, hold, List.of(event(hold.since(), EventKind.FLOOR_HELD, hold.user(), text)));
+          }
+        },
+        () -> answer(replyTo, hold),
+        refusal -> replyTo.tell(StatusReply.error(refusal)));
   }
 
   void floorHoldEnded(ManagerMessage.FloorHoldEnded m) {

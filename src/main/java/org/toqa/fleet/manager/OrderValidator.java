@@ -3,6 +3,7 @@ package org.toqa.fleet.manager;
 import static java.util.Objects.requireNonNull;
 
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -63,37 +64,53 @@ final class OrderValidator {
    */
   CompletionStage<Answer<TransportTask>> checkTask(
       TaskOrder order, String user, Instant now, double totalCapacity, OrderChecks.Check check) {
-    Answer<TransportTask> resolved = resolveTask(order, user, now, totalCapacity);
-    return resolved instanceof Answer.Accepted<TransportTask>(TransportTask task)
-        ? checkPath(task, check)
+    return checkAll(order, user, now, totalCapacity, check).thenApply(List::getFirst);
+  }
+
+  /**
+   * The same, with all the sentences against it.
+   *
+   * @return the task alone, or one rejection or more
+   */
+  CompletionStage<List<Answer<TransportTask>>> checkAll(
+      TaskOrder order, String user, Instant now, double totalCapacity, OrderChecks.Check check) {
+    List<Answer<TransportTask>> resolved = resolveTask(order, user, now, totalCapacity);
+    return resolved.getFirst() instanceof Answer.Accepted<TransportTask>(TransportTask task)
+        ? checkPath(task, check).thenApply(List::of)
         : CompletableFuture.completedFuture(resolved);
   }
 
   /** All of the check that needs no path. */
-  private Answer<TransportTask> resolveTask(
+  private List<Answer<TransportTask>> resolveTask(
       TaskOrder order, String user, Instant now, double totalCapacity) {
     Optional<FloorMap> floor = floor(order.floor());
     if (floor.isEmpty()) {
-      return new Answer.Rejected<>(
-          "floor", Phrase.NO_SUCH_FLOOR_BUT.with(String.valueOf(order.floor()), floorNames()));
+      return List.of(
+          new Answer.Rejected<>(
+              "floor", Phrase.NO_SUCH_FLOOR_BUT.with(String.valueOf(order.floor()), floorNames())));
     }
+    List<Answer<TransportTask>> rejections = new ArrayList<>();
     if (order.load() > totalCapacity) {
-      return new Answer.Rejected<>(
-          "load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), totalCapacity));
+      rejections.add(
+          new Answer.Rejected<>(
+              "load", Phrase.TOO_HEAVY_TOGETHER.with(order.load(), totalCapacity)));
     }
     Answer<TaskPlace> start = resolvePlace(floor.get(), Phrase.START, order.start());
-    if (!(start instanceof Answer.Accepted<TaskPlace>(TaskPlace from))) {
-      return start.asRejection();
-    }
     Answer<TaskPlace> goal = resolvePlace(floor.get(), Phrase.GOAL, order.goal());
-    if (!(goal instanceof Answer.Accepted<TaskPlace>(TaskPlace to))) {
-      return goal.asRejection();
+    Stream.of(start, goal)
+        .filter(place -> !(place instanceof Answer.Accepted<TaskPlace>))
+        .forEach(place -> rejections.add(place.asRejection()));
+    if (start instanceof Answer.Accepted<TaskPlace>(TaskPlace from)
+        && goal instanceof Answer.Accepted<TaskPlace>(TaskPlace to)) {
+      OccupancyGrid grid = floor.get().grid();
+      if (grid.cellAt(from.position()).equals(grid.cellAt(to.position()))) {
+        rejections.add(new Answer.Rejected<>("goal", Phrase.SAME_PLACE.with()));
+      }
+      if (rejections.isEmpty()) {
+        return List.of(new Answer.Accepted<>(order.task(from, to, floor.get().name(), user, now)));
+      }
     }
-    OccupancyGrid grid = floor.get().grid();
-    if (grid.cellAt(from.position()).equals(grid.cellAt(to.position()))) {
-      return new Answer.Rejected<>("goal", Phrase.SAME_PLACE.with());
-    }
-    return new Answer.Accepted<>(order.task(from, to, floor.get().name(), user, now));
+    return rejections;
   }
 
   private CompletionStage<Answer<TransportTask>> checkPath(

@@ -25,6 +25,7 @@ import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.planning.HeadingAStar;
 import org.toqa.planning.PlanResult;
+import org.toqa.planning.SearchLimit;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.floor.FloorTraffic;
 import org.toqa.traffic.mapf.LacamJointPlanner;
@@ -43,6 +44,9 @@ final class PathQuery {
   private static final int MAX_ANSWERS = 2_000;
   private static final int MAX_FLOORS = 32;
   private static final String ROBOT = "robot";
+
+  /** On the clock of {@link #checkDeadline}, which stands at 0 before it. */
+  private static final long OVER = Long.MAX_VALUE / 2;
 
   private final Cache<PathKey, FloorPath> paths;
   private final AsyncCache<TeamKey, Optional<Sentence>> teams;
@@ -154,6 +158,11 @@ final class PathQuery {
     return new TeamRoomCheck(grid).objection(mission, question.robots(), question.diameter());
   }
 
+  /** Passed when the check that is worked for on this thread is out of time. */
+  private static Deadline checkDeadline() {
+    return new Deadline(() -> SearchLimit.isOver() ? OVER : 0, OVER);
+  }
+
   /** A floor on which one robot is alone. Any thread may plan on it. */
   private static final class EmptyFloor {
     private final OccupancyGrid grid;
@@ -192,11 +201,14 @@ final class PathQuery {
     private boolean hasPathInTraffic(Vec2 start, Vec2 goal) {
       FloorTraffic idle = idleTraffics.poll();
       FloorTraffic traffic =
-          idle == null ? new FloorTraffic(grid, new LacamJointPlanner(), Deadline::none) : idle;
+          idle == null
+              ? new FloorTraffic(grid, new LacamJointPlanner(), PathQuery::checkDeadline)
+              : idle;
       traffic.reportStanding(ROBOT, new Pose(start.x(), start.y(), 0), diameter, Instant.EPOCH);
       traffic.setMovable(ROBOT, true);
       traffic.setGoal(ROBOT, goal, Instant.EPOCH);
       traffic.decide(Instant.EPOCH);
+      SearchLimit.check(); // else no path may mean no time
       boolean hasPath = traffic.waitReason(ROBOT) == null;
       traffic.removeRobot(ROBOT);
       idleTraffics.add(traffic);

@@ -8,9 +8,9 @@ import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.PathLengths;
 import org.toqa.allocation.WaitExplainer;
 import org.toqa.fleet.FleetSnapshot;
@@ -97,13 +97,15 @@ final class SnapshotPublisher {
     return fleet
         .queue
         .first(QUEUED_SHOWN)
-        .map(
-            q ->
-                FleetState.view(
-                    q,
-                    Optional.ofNullable(fleet.missingFloors.get(q.task().floor()))
-                        .orElseGet(() -> rounds.waitReason(q, byFloor.get(q.task().floor())))))
+        .map(q -> view(q, byFloor.get(q.task().floor())))
         .toList();
+  }
+
+  private TaskView view(TaskQueue.Queued queued, @Nullable WaitExplainer plain) {
+    Sentence noFloor = fleet.missingFloors.get(queued.task().floor());
+    TaskView view =
+        FleetState.view(queued, noFloor != null ? noFloor : rounds.waitReason(queued, plain));
+    return noFloor != null || rounds.isBlocked(queued, plain) ? view.asBlocked() : view;
   }
 
   private List<FloorView> floorViews() {

@@ -2,10 +2,9 @@ package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import org.toqa.geometry.Vec2;
+import org.toqa.grid.BySize;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
 import org.toqa.grid.Inflation;
@@ -18,10 +17,10 @@ final class FreeSpace {
   private BitSet obstacles = new BitSet();
   private BitSet blocked;
 
-  private final Map<Double, OccupancyGrid> freeOfWalls = new HashMap<>();
-  private final Map<Double, OccupancyGrid> freeCells = new HashMap<>();
-  private final Map<Double, List<Cell>> discOffsets = new HashMap<>();
-  private final Map<Double, LaneGrid> laneGrid = new HashMap<>();
+  private final BySize<OccupancyGrid> freeOfWalls = new BySize<>();
+  private final BySize<OccupancyGrid> freeCells = new BySize<>();
+  private final BySize<List<Cell>> discOffsets = new BySize<>();
+  private final BySize<LaneGrid> laneGrid = new BySize<>();
 
   FreeSpace(OccupancyGrid grid) {
     this.grid = grid;
@@ -56,12 +55,12 @@ final class FreeSpace {
 
   /** Where the middle of a robot can be, on a floor without obstacles. */
   OccupancyGrid freeOfWalls(double radius) {
-    return freeOfWalls.computeIfAbsent(radius, r -> Inflation.inflate(grid, r));
+    return freeOfWalls.get(radius, r -> Inflation.inflate(grid, r));
   }
 
   /** Where the middle of a robot can be. */
   OccupancyGrid freeCells(double radius) {
-    return freeCells.computeIfAbsent(
+    return freeCells.get(
         radius,
         r -> {
           OccupancyGrid free = freeOfWalls(r);
@@ -102,7 +101,7 @@ final class FreeSpace {
 
   /** The cells on whose middle a disc would touch one of these. */
   private BitSet inflated(BitSet cells, double radius) {
-    List<Cell> reach = discOffsets.computeIfAbsent(radius, this::touchedOffsets);
+    List<Cell> reach = discOffsets.get(radius, this::touchedOffsets);
     BitSet grown = new BitSet();
     for (int i = cells.nextSetBit(0); i >= 0; i = cells.nextSetBit(i + 1)) {
       int column = i % grid.width();
@@ -130,6 +129,6 @@ final class FreeSpace {
 
   /** The floor in cells that are large enough for robots of that size. */
   LaneGrid laneGrid(double diameter) {
-    return laneGrid.computeIfAbsent(diameter, d -> LaneGrid.of(grid, d));
+    return laneGrid.get(diameter, d -> LaneGrid.of(grid, d));
   }
 }

@@ -17,6 +17,7 @@ import org.toqa.wording.Sentence;
  *
  * @param load kilograms
  * @param loadAt where the load is if that is neither its start nor its goal
+ * @param blocked whether it waits for what will not come by itself
  * @param history left out of lists and of the live stream
  */
 public record TaskJson(
@@ -37,6 +38,7 @@ public record TaskJson(
     List<String> robots,
     @Nullable PlaceJson loadAt,
     @Nullable Sentence waitingFor,
+    boolean blocked,
     @Nullable Sentence late,
     @Nullable Question needs,
     @JsonInclude(JsonInclude.Include.NON_NULL) @Nullable List<EventJson> history) {
@@ -82,6 +84,7 @@ public record TaskJson(
         view.robots(),
         view.loadAt() == null ? null : PlaceJson.of(view.loadAt()),
         view.waitingFor(),
+        view.blocked(),
         view.late(),
         view.needs(),
         history);

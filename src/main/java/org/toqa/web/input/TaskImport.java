@@ -63,15 +63,14 @@ public final class TaskImport {
   }
 
   private Outcome withRefusals(TaskOrderTable table, List<BatchAnswer.Rejection> refusals) {
-    refusals.forEach(
-        refusal ->
-            table
-                .faults()
-                .add(
-                    new LineFault(
-                        table.rows().get(refusal.index()).line(),
-                        refusal.field(),
-                        texts.text(refusal.sentence()))));
+    for (BatchAnswer.Rejection refusal : refusals) {
+      TaskOrderTable.Row row = table.rows().get(refusal.index());
+      if (row.isReadable(refusal.field())) {
+        table
+            .faults()
+            .add(new LineFault(row.line(), refusal.field(), texts.text(refusal.sentence())));
+      }
+    }
     return new Outcome.Faulty(table.faults());
   }
 

@@ -6,7 +6,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.web.Texts;
 
@@ -41,8 +43,19 @@ final class TaskOrderTable {
   private final LineFaults faults = new LineFaults();
   private final List<Row> rows = new ArrayList<>();
 
-  /** An order and its line. */
-  record Row(long line, TaskOrder order) {}
+  /**
+   * An order and its line.
+   *
+   * @param faulty columns that cannot be read; what the order has of them means nothing
+   */
+  record Row(long line, TaskOrder order, Set<String> faulty) {
+    /** Whether that field of the order comes from columns that can be read. */
+    boolean isReadable(@Nullable String field) {
+      return field == null
+          ? faulty.isEmpty()
+          : faulty.stream().noneMatch(column -> column.startsWith(field));
+    }
+  }
 
   private TaskOrderTable(CsvTable table, ZoneId zone, Instant now, Texts texts) {
     this.table = table;
@@ -60,7 +73,7 @@ final class TaskOrderTable {
     return orders;
   }
 
-  /** Those of the lines that have no fault. */
+  /** Those of the lines whose cells are as many as their columns. */
   List<Row> rows() {
     return rows;
   }
@@ -109,11 +122,8 @@ final class TaskOrderTable {
     TaskOrder order =
         TaskOrderReader.readEntered(
             new CsvFields(cells, table.separator() == ';', zone, texts, errors), now);
-    if (errors.isEmpty()) {
-      rows.add(new Row(line.number(), order));
-    } else {
-      faults.addAll(line.number(), errors);
-    }
+    rows.add(new Row(line.number(), order, Set.copyOf(errors.sentences().keySet())));
+    faults.addAll(line.number(), errors);
   }
 
   /** A column as this class writes it; one that it does not know stays as it is. */

@@ -101,6 +101,14 @@ class BenchCommandTest {
     assertTrue(elapsed >= 300 && elapsed <= took, () -> json + " of " + took + " ms");
   }
 
+  @ParameterizedTest
+  @CsvSource({"soak --hours 0.1", "tasks"})
+  void aWrongDatabaseIsNamedByTheOption(String bench) {
+    assertEquals(2, run(bench + " --database nowhere"));
+    assertTrue(err.toString().contains("--database "), err::toString);
+    assertFalse(err.toString().contains("database.url"), err::toString);
+  }
+
   @Test
   void everyBenchSaysWhatItLeavesOut() {
     Set<String> benches = new CommandLine(new BenchCommand()).getSubcommands().keySet();

@@ -109,7 +109,7 @@ class FleetMeterTest {
   private static TaskView task(long id, TaskState state) {
     TransportTask task =
         new TransportTask(id, "t", 2, PLACE, PLACE, "hall", 0, null, null, "boss", NOON);
-    return new TaskView(task, state, false, List.of(), null, null, null, null, NOON);
+    return new TaskView(task, state, false, List.of(), null, null, false, null, null, NOON);
   }
 
   /** r1 is 0.2 m wide, any other one 0.3 m. */

@@ -9,6 +9,7 @@ import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
@@ -25,7 +26,10 @@ import org.toqa.app.command.StopSignal;
 import org.toqa.app.config.Configuration;
 import org.toqa.app.config.Setting;
 import org.toqa.app.config.SettingSource;
+import org.toqa.fleet.history.EventArchive;
 import org.toqa.sim.VirtualClock;
+import org.toqa.store.Database;
+import org.toqa.store.JdbiEventArchive;
 
 /** A server of which a part has failed. */
 class FailedServerTest {
@@ -50,6 +54,32 @@ class FailedServerTest {
             });
 
     assertEquals(1, code);
+  }
+
+  /** What a killed process leaves is what its files were. */
+  @Test
+  void aServerThatWasKilledIsInTheHistoryFromTheNextStart() throws Exception {
+    Path left = folder.resolve("left");
+    run(
+        (toqa, address, stop) -> {
+          Files.createDirectories(left);
+          Files.copy(folder.resolve("toqa.mv.db"), left.resolve("toqa.mv.db"));
+          return 0;
+        });
+    assertEquals(0, run((_, _, _) -> 0), "it was stopped");
+    assertEquals(0, killsTold(folder));
+    run((_, _, _) -> 0, Map.of(Setting.DATA, left.toString()));
+    assertEquals(1, killsTold(left));
+    run((_, _, _) -> 0, Map.of(Setting.DATA, left.toString()));
+    assertEquals(1, killsTold(left), "told once");
+  }
+
+  private static int killsTold(Path data) {
+    EventArchive.Filter ended =
+        new EventArchive.Filter(null, null, null, "fleet.server-ended", null, null, false);
+    try (Database database = Database.open(Database.fileUrl(data.resolve("toqa")), "", "")) {
+      return new JdbiEventArchive(database.jdbi()).events(ended, Long.MAX_VALUE, 10).size();
+    }
   }
 
   @Test
@@ -104,7 +134,7 @@ class FailedServerTest {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     options.putAll(more);
     options.put(Setting.PORT, "0");
-    options.put(Setting.DATA, folder.toString());
+    options.putIfAbsent(Setting.DATA, folder.toString());
     options.put(Setting.MANAGER, "boss:boss-password");
     Configuration configuration =
         Configuration.of(

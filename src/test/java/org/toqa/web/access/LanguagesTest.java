@@ -29,6 +29,7 @@ import org.toqa.web.TestClient;
 import org.toqa.web.WebServerTest;
 import org.toqa.web.WebTestServer;
 import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Which language an answer is in, and what Arabic pages and forms are like. */
 public class LanguagesTest extends WebServerTest {
@@ -280,7 +281,8 @@ public class LanguagesTest extends WebServerTest {
   void theFleetSpeaksTheLanguageThatIsAskedFor() throws IOException {
     String task = location(arab.post("tasks/new", TASK)).replaceAll("\\D", "");
     long id = Long.parseLong(task);
-    server.fleet().setLate(id, Phrase.CANNOT_BE_IN_TIME.with("r1", Phrase.SECONDS.with(90)));
+    Sentence late = Phrase.CANNOT_BE_IN_TIME.with("r1", Phrase.SECONDS.with(90));
+    server.fleet().changeView(id, view -> view.withLateness(late));
     try (TestClient program = TestClient.signedIn(server.root(), WebTestServer.MANAGER)) {
       for (String path : List.of("api/v1/tasks/" + task, "api/v1/tasks", "api/v1/events")) {
         String arabic = said(program, path, "ar");

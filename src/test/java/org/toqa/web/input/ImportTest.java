@@ -126,7 +126,7 @@ class ImportTest {
     assertEquals(422, answer.statusCode());
     JsonNode problem = JSON.readTree(answer.body());
     assertEquals(
-        List.of("3 name", "3 load", "4 name", "6 ", "8 goal"),
+        List.of("3 name", "3 load", "4 name", "4 start", "6 ", "8 goal"),
         problem.get("errors").values().stream()
             .map(e -> e.get("line") + " " + e.get("field").stringValue())
             .toList());
@@ -150,6 +150,25 @@ class ImportTest {
     answer = post("api/v1/tasks/import", GOOD + "c,60,Dock A,Shelf 3\n");
     assertTrue(answer.body().contains("Line 4, load"), answer.body());
     assertEquals(0, added());
+  }
+
+  @Test
+  void allFaultsOfALineAreToldAtOnce() {
+    HttpResponse<String> answer =
+        post(
+            "api/v1/tasks/import",
+            """
+            name,load,start,goal,priority
+            a,60,Nowhere,Nowhere else,1
+            b,1,Dock A,Nowhere,high
+            """);
+
+    JsonNode problem = JSON.readTree(answer.body());
+    assertEquals(
+        List.of("2 load", "2 start", "2 goal", "3 priority", "3 goal"),
+        problem.get("errors").values().stream()
+            .map(e -> e.get("line") + " " + e.get("field").stringValue())
+            .toList());
   }
 
   @ParameterizedTest

@@ -18,7 +18,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.accounts.Role;
 import org.toqa.fleet.FloorView;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.RobotView;
+import org.toqa.geometry.Pose;
 import org.toqa.grid.CellRuns;
+import org.toqa.link.message.AgentMessage.Fault;
 import org.toqa.web.TestClient;
 import org.toqa.web.WebTestServer;
 
@@ -194,6 +198,44 @@ class ManagerPagesInBrowserTest extends PagesInBrowser {
     assertThat(page.locator("main > [role=alert]")).hasCount(0);
     assertThat(page.locator("dl").first()).containsText(":7400");
     assertThat(page.locator("dl").first()).containsText("P2");
+  }
+
+  @Test
+  void whatWasDoneIsNotToldAgainAfterAReload() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "users?done=added");
+    assertThat(page.getByRole(AriaRole.STATUS)).isVisible();
+    assertThat(page).hasURL(server.root() + "users");
+    page.reload();
+    assertThat(page.locator("h1")).isVisible();
+    assertThat(page.getByRole(AriaRole.STATUS)).hasCount(0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"en", "ar"})
+  void aStopIsClearedOnTheRobotsPage(String language) {
+    RobotView robot = robot("r2", RobotState.ERROR, new Pose(2.25, 0.75, Math.PI / 2));
+    List<Fault> stops =
+        List.of(
+            new Fault("STOP_EDGE", "Words of the robot.", true),
+            new Fault("STOP_SWITCH", "Words of the robot.", true));
+    server.fleet().changeRobots(_ -> List.of(withErrors(robot, stops)));
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "language/" + language);
+    page.navigate(server.root() + "robots/r2");
+    Locator card = page.locator("#stop");
+    card.scrollIntoViewIfNeeded();
+    assertFits(page, "robot-stop-" + language, PHONE, DESK);
+    click(card.locator("summary"));
+    card.scrollIntoViewIfNeeded();
+    assertFits(page, "robot-stop-sure-" + language, PHONE, DESK);
+
+    click(card.locator("button.danger"));
+
+    assertThat(page.locator("#stop")).isHidden();
+    picture(page, "robot-stop-cleared-" + language);
+  }
+
+  private static RobotView withErrors(RobotView robot, List<Fault> errors) {
+    return robot.withTelemetry(robot.telemetry().withErrors(errors));
   }
 
   @Test

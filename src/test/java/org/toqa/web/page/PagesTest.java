@@ -131,9 +131,10 @@ class PagesTest extends WebServerTest {
 
     server
         .fleet()
-        .setLate(
+        .changeView(
             Long.parseLong(task.replaceAll("\\D", "")),
-            Phrase.CANNOT_BE_IN_TIME.with("r1", Phrase.SECONDS.with(30)));
+            view ->
+                view.withLateness(Phrase.CANNOT_BE_IN_TIME.with("r1", Phrase.SECONDS.with(30))));
 
     assertTrue(clerk.get(task).body().contains("r1 would deliver at least 30 s late"));
   }

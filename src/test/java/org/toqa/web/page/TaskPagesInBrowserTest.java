@@ -11,8 +11,12 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.toqa.fleet.CheckRefusedException;
 import org.toqa.mission.TaskState;
 import org.toqa.web.WebTestServer;
+import org.toqa.wording.Phrase;
 
 /** Tasks are given, imported and scheduled in a real browser. */
 class TaskPagesInBrowserTest extends PagesInBrowser {
@@ -45,6 +49,45 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
     server.fleet().changeTask(1, TaskState.DONE, List.of("r1"), "r1 has parked.");
     assertThat(page.locator(".history li")).hasCount(3);
     assertThat(page.locator("[aria-current=step]")).hasText("Done");
+  }
+
+  @Test
+  void aTaskThatWaitsForWhatWillNotComeNeedsAttentionOnTheMap() {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks/new");
+    page.getByLabel("Task name").fill("Drums");
+    page.getByLabel("Load (kg)").fill("2.5");
+    page.locator("#startStation").selectOption("Dock A");
+    page.locator("#goalStation").selectOption("Shelf 3");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
+    assertThat(page.locator("h1")).hasText("Drums");
+    page.navigate(server.root() + "map");
+    assertThat(page.locator("#attention li").first()).isVisible();
+    assertThat(page.locator("#attention")).not().containsText("Drums");
+
+    server
+        .fleet()
+        .changeView(
+            1,
+            task -> task.withWaitReason(Phrase.TOO_HEAVY_FOR_ALL.with(50.0, 2, 10.0)).asBlocked());
+
+    assertThat(page.locator("#attention")).containsText("Drums");
+    assertThat(page.locator("#attention")).containsText("50 kg");
+    assertFits(page, "map-blocked-task", DESK, PHONE);
+  }
+
+  @ParameterizedTest
+  @EnumSource(CheckRefusedException.Reason.class)
+  void thatAnEstimateIsRefusedIsTold(CheckRefusedException.Reason reason) {
+    server.fleet().refuseChecks(reason);
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks/new?start=Dock%20A&goal=Shelf%203");
+    page.getByLabel("Task name").fill("Box of bolts");
+    page.getByLabel("Load (kg)").fill("2.5");
+    page.locator("#startStation").selectOption("Dock A");
+    page.locator("#goalStation").selectOption("Shelf 3");
+
+    assertThat(page.locator("#preview")).hasClass(Pattern.compile("wrong"));
+    assertThat(page.locator("#preview")).hasText(Pattern.compile(".{20,}"));
+    assertFits(page, "new-task-refused-" + reason.name(), DESK, PHONE);
   }
 
   @Test
