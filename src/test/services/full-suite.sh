@@ -70,7 +70,7 @@ case $tier in
     ;;
   sample)
     seed=${seed:-1}
-    size="-Dtoqa.floors=20 -Dtoqa.crashes=8 -Dtoqa.tries=0.5"
+    size="-Dtoqa.floors=20 -Dtoqa.crashes=8 -Dtoqa.tries=1"
     size="$size -Dtoqa.fuzz.inputs=10000 -Dtoqa.fuzz.examples=5"
     ;;
 esac

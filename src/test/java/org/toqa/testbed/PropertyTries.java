@@ -9,15 +9,11 @@ import net.jqwik.api.lifecycle.PropertyLifecycleContext;
 
 /**
  * Counts what properties try; found by jqwik as a service. With {@code -Dtoqa.seed} all of them
- * begin from that seed; with {@code -Dtoqa.tries=10} they try ten times as much as they say, with
- * 0.5 half as much, but no fewer than {@link #LEAST}.
+ * begin from that seed; with {@code -Dtoqa.tries=10} they try ten times as much as they say.
  */
 public final class PropertyTries implements AroundPropertyHook {
   private static final String SEED = System.getProperty("toqa.seed", "");
-  private static final double TIMES = Double.parseDouble(System.getProperty("toqa.tries", "1"));
-
-  /** What a sample is not smaller than; properties that say less do what they say. */
-  private static final int LEAST = 20;
+  private static final int TIMES = Integer.getInteger("toqa.tries", 1);
 
   /** What jqwik does where a property does not say it. */
   private static final int USUAL = 1000;
@@ -35,8 +31,7 @@ public final class PropertyTries implements AroundPropertyHook {
       attributes.setSeed(SEED);
     }
     if (TIMES != 1) {
-      int said = attributes.tries().orElse(USUAL);
-      attributes.setTries(Math.max((int) (TIMES * said), Math.min(said, LEAST)));
+      attributes.setTries(TIMES * attributes.tries().orElse(USUAL));
     }
     PropertyExecutionResult result = property.execute();
     Tally.add("properties", 1);
