@@ -22,9 +22,9 @@ Usage: ./toqa test [--long] [--seed N]
 Runs the full test suite, and says at its end how much it did of each kind.
 
   --long    as much as the documents state: 1,000 generated floors of each kind, a million fuzzed
-            inputs of each target, 200 runs with crashes, 100 examples for each route of the API, ten times
-            the tries of each property, the whole walk over all pages with pictures, all from a new
-            seed, which it prints; without it a sample from seed 1
+            inputs of each target, 200 runs with crashes, 100 examples for each route of the API,
+            ten times the tries of each property, the walk over all pages with pictures, all from a
+            new seed, which it prints; without it a sample from seed 1
   --seed N  begins from this seed: the same seed tries the same
 
 Nothing is left out: what this machine lacks is named, all at once. On Debian and Ubuntu it brings
