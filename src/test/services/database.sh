@@ -97,11 +97,13 @@ initialise_mysql() (
   mysql_server --initialize-insecure
 )
 
+# Who kills it loses nothing of what it has written, also where the disk has not.
 run_mysql() {
   mysql_server --plugin-dir="$cache/mysql/root/usr/lib/mysql/plugin" \
     --character-sets-dir="$cache/mysql/root/usr/share/mysql/charsets" \
     --port="$port" --bind-address=127.0.0.1 --socket="$database_folder/socket" \
-    --mysqlx=OFF --secure-file-priv=NULL
+    --mysqlx=OFF --secure-file-priv=NULL --performance-schema=OFF \
+    --innodb-flush-log-at-trx-commit=2 --sync-binlog=0
 }
 
 mariadb_server() {

@@ -22,8 +22,9 @@ Usage: ./toqa test [--long] [--seed N]
 Runs the full test suite, and says at its end how much it did of each kind.
 
   --long    as much as the documents state: 1,000 generated floors of each kind, a million fuzzed
-            inputs, 200 runs with crashes, 100 examples for each route of the API, ten times
-            the tries of each property, all from a new seed, which it prints; without it a sample from seed 1
+            inputs of each target, 200 runs with crashes, 100 examples for each route of the API,
+            ten times the tries of each property, the walk over all pages with pictures, all from a
+            new seed, which it prints; without it a sample from seed 1
   --seed N  begins from this seed: the same seed tries the same
 
 Nothing is left out: what this machine lacks is named, all at once. On Debian and Ubuntu it brings
@@ -65,12 +66,12 @@ case $tier in
   long)
     seed=${seed:-$(($(od -An -N4 -tu4 /dev/urandom) % 1000000000))}
     size="-Dtoqa.floors=1000 -Dtoqa.crashes=200 -Dtoqa.tries=10"
-    size="$size -Dtoqa.fuzz.inputs=250000 -Dtoqa.fuzz.examples=100"
+    size="$size -Dtoqa.fuzz.inputs=1000000 -Dtoqa.fuzz.examples=100 -Dtoqa.walk=whole"
     ;;
   sample)
     seed=${seed:-1}
-    size="-Dtoqa.floors=40 -Dtoqa.crashes=8 -Dtoqa.tries=1"
-    size="$size -Dtoqa.fuzz.inputs=20000 -Dtoqa.fuzz.examples=10"
+    size="-Dtoqa.floors=20 -Dtoqa.crashes=8 -Dtoqa.tries=1"
+    size="$size -Dtoqa.fuzz.inputs=10000 -Dtoqa.fuzz.examples=5"
     ;;
 esac
 
@@ -143,6 +144,7 @@ runs with crashes
 possible carries
 crashes between two events of a task
 attack strings
+looks at pages by axe
 requests by Schemathesis
 fuzz inputs of the server
 fuzz inputs of the daemon

@@ -18,10 +18,14 @@ public final class PasswordHasher {
   private static final int HASH_BYTES = 32;
   private static final int SALT_BYTES = 16;
 
+  /** Of a random password that nobody knows; what a check of it costs is what a check costs. */
+  static final String NOBODYS_HASH =
+      "$argon2id$v=19$m=19456,t=2,p=1$Iv19/krwM0CNJrGM/TwaFQ"
+          + "$z2iSIybp/nTxiMlXkoOmKpLVXKhSf2AwBoGsN6mroeo";
+
   private final Argon2Function argon2 =
       Argon2Function.getInstance(MEMORY_KIB, PASSES, LANES, HASH_BYTES, Argon2.ID);
   private final Semaphore permits = new Semaphore(Runtime.getRuntime().availableProcessors());
-  private final String dummyHash = hash("nobody has this password");
 
   public String hash(String password) {
     permits.acquireUninterruptibly();
@@ -34,7 +38,7 @@ public final class PasswordHasher {
 
   /** Takes as long for nobody as for somebody, so that names cannot be found out by the time. */
   public boolean isCorrect(String password, Optional<Account> account) {
-    String hash = account.map(Account::passwordHash).orElse(dummyHash);
+    String hash = account.map(Account::passwordHash).orElse(NOBODYS_HASH);
     permits.acquireUninterruptibly();
     try {
       boolean same = Password.check(password, hash).with(Argon2Function.getInstanceFromHash(hash));

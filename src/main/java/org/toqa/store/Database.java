@@ -43,7 +43,7 @@ public final class Database implements AutoCloseable {
   private static final Duration CONNECT_TIMEOUT = Duration.ofSeconds(3);
 
   /** For a statement of those who only look. */
-  private static final Duration READ_LIMIT = Duration.ofSeconds(20);
+  static final Duration READ_LIMIT = Duration.ofSeconds(20);
 
   private final Pool fleet;
   private final Pool readers;
@@ -68,7 +68,12 @@ public final class Database implements AutoCloseable {
     }
   }
 
-  private Database(String url, String user, String password, Duration readLimit) {
+  /**
+   * One that is migrated already.
+   *
+   * @param readLimit what a statement of a reader may take
+   */
+  Database(String url, String user, String password, Duration readLimit) {
     fleet = Pool.of(config(url, user, password, "toqa", FLEET_CONNECTIONS, WRITE_LIMIT));
     readers = Pool.of(config(url, user, password, "toqa-readers", READER_CONNECTIONS, readLimit));
     sessions =
@@ -87,10 +92,6 @@ public final class Database implements AutoCloseable {
    * @param user empty: the one in the URL, if any
    */
   public static Database open(String database, String user, String password) {
-    return open(database, user, password, READ_LIMIT);
-  }
-
-  private static Database open(String database, String user, String password, Duration readLimit) {
     String url = H2Url.isH2(database) ? H2Url.withSettings(database) : database;
     try (HikariDataSource migrationPool = new HikariDataSource(config(url, user, password))) {
       Flyway.configure(Database.class.getClassLoader())
@@ -102,7 +103,7 @@ public final class Database implements AutoCloseable {
         closeIdentityGaps(Jdbi.create((DataSource) migrationPool));
       }
     }
-    return new Database(url, user, password, readLimit);
+    return new Database(url, user, password, READ_LIMIT);
   }
 
   /**
@@ -173,16 +174,6 @@ public final class Database implements AutoCloseable {
    */
   public static String fileUrl(Path file) {
     return H2Url.ofFile(file);
-  }
-
-  /** An H2 database that lives as long as it is open. */
-  public static Database inMemory(String name) {
-    return inMemory(name, READ_LIMIT);
-  }
-
-  /** The same, where a statement of a reader may take so long. */
-  static Database inMemory(String name, Duration readLimit) {
-    return open(H2Url.inMemory(name), "toqa", "", readLimit);
   }
 
   /** The innermost cause, which is the database's own word, in one line. */

@@ -44,10 +44,6 @@ final class H2Url {
     return PREFIX + "file:" + file;
   }
 
-  static String inMemory(String name) {
-    return PREFIX + "mem:" + name + ";DB_CLOSE_DELAY=-1";
-  }
-
   /** The URL of an H2 database with the settings that it does not say. */
   static String withSettings(String url) {
     Map<String, String> settings = new TreeMap<>(DIALECT);

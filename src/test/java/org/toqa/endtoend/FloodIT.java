@@ -39,7 +39,7 @@ class FloodIT {
         refused.add(clients.submit(() -> flood(server.root(), isOver)));
       }
       try {
-        long task = server.addTask("crate", "Goods-in 1", "Store A");
+        long task = server.addTask("crate", "Workbench 1", "Packing 1");
         server.awaitState(task, "DONE");
 
         assertEquals(1, server.eventCount(task, "Delivered"));

@@ -34,6 +34,7 @@ import org.toqa.persistence.StoreException;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.MemoryDatabase;
 import org.toqa.testbed.Hall;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -57,7 +58,7 @@ class FleetHealthTest {
         }
       };
 
-  private final Database database = Database.inMemory("health-" + System.nanoTime());
+  private final Database database = MemoryDatabase.open("health-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
   private final WatchedRuntime runtime = new WatchedRuntime();
   private volatile InstantSource clock = () -> NOW;

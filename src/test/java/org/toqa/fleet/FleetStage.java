@@ -25,6 +25,7 @@ import org.toqa.link.trust.PairingCode;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.MemoryDatabase;
 import org.toqa.wording.Sentence;
 
 /**
@@ -47,7 +48,7 @@ public final class FleetStage implements AutoCloseable {
   private final UnaryOperator<FleetStore> tamper;
   private final SingleThreadRuntime runtime = new SingleThreadRuntime();
   private final Map<String, ScriptedRobot> robots = new LinkedHashMap<>();
-  public final Database database = Database.inMemory("fleet-" + System.nanoTime());
+  public final Database database = MemoryDatabase.open("fleet-" + System.nanoTime());
   public final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
   Instant now = Instant.parse("2026-11-21T08:00:00Z");
   public AgentFleet fleet;

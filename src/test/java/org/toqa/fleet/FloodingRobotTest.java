@@ -50,6 +50,7 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.MemoryDatabase;
 import org.toqa.testbed.LogLevel;
 
 /** One robot that says far too much, over a real socket, beside one that is well. */
@@ -71,7 +72,7 @@ class FloodingRobotTest {
   private static final String FORGED_LINE = "10:00:00.000 ERROR org.toqa.Forged";
 
   @TempDir private Path keys;
-  private final Database database = Database.inMemory("flood-" + System.nanoTime());
+  private final Database database = MemoryDatabase.open("flood-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
   private final AtomicLong sent = new AtomicLong();
   private Peer r1;

@@ -33,6 +33,7 @@ import org.toqa.sim.VirtualClock;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.MemoryDatabase;
 
 /**
  * A fleet with a real daemon over a simulated body at each parking point of a floor. The test's own
@@ -74,7 +75,7 @@ final class LiveFloor {
     clock = new VirtualClock(Instant.EPOCH, speed);
     stepNanos = Math.round(VirtualClock.STEP.toNanos() / speed);
     parts.add(runtime);
-    Database database = Database.inMemory("live-" + System.nanoTime());
+    Database database = MemoryDatabase.open("live-" + System.nanoTime());
     parts.add(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
     List<SimulatedRobot> bodies =

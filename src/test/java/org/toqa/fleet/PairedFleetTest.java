@@ -41,6 +41,7 @@ import org.toqa.store.Database;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.MemoryDatabase;
 import org.toqa.wording.Sentence;
 
 /** The fleet over a real store, and a robot's daemon in a process of its own that is paired. */
@@ -51,7 +52,7 @@ class PairedFleetTest {
   private static final Duration LIMIT = Duration.ofSeconds(40);
 
   @TempDir private Path folder;
-  private final Database database = Database.inMemory("paired-" + System.nanoTime());
+  private final Database database = MemoryDatabase.open("paired-" + System.nanoTime());
   private Instant now = Instant.parse("2026-11-21T08:00:00Z");
   private @Nullable AgentFleet fleet;
   private @Nullable DaemonProcess daemon;

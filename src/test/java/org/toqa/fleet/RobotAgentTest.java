@@ -36,6 +36,7 @@ import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.MemoryDatabase;
 import scala.concurrent.ExecutionContext;
 
 /** What a robot is told while its drives are being stored, and when it counts as silent. */
@@ -48,7 +49,7 @@ class RobotAgentTest {
   private static final Duration STEP = Duration.ofMillis(100);
 
   private final SingleThreadRuntime runtime = new SingleThreadRuntime();
-  private final Database database = Database.inMemory("robot-" + System.nanoTime());
+  private final Database database = MemoryDatabase.open("robot-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
   private final ScriptedRobot robot = new ScriptedRobot("r1", new Vec2(0, 0));
   private final List<RobotEvent> told = new ArrayList<>();

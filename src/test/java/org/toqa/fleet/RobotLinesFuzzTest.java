@@ -46,6 +46,7 @@ import org.toqa.link.trust.LinkTls;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.MemoryDatabase;
 import org.toqa.testbed.FuzzRun;
 import org.toqa.testbed.LineFuzzer;
 import org.toqa.testbed.LogLevel;
@@ -74,7 +75,7 @@ class RobotLinesFuzzTest {
   private final Logger log = (Logger) LoggerFactory.getLogger(Logger.ROOT_LOGGER_NAME);
   private final LogLevel ofLink = LogLevel.errors("org.toqa.link");
   private final LogLevel ofFleet = LogLevel.errors("org.toqa.fleet");
-  private final Database database = Database.inMemory("fuzz-" + System.nanoTime());
+  private final Database database = MemoryDatabase.open("fuzz-" + System.nanoTime());
   private ServerSocket robot;
   private AgentFleet fleet;
   private Instant now = Instant.parse("2026-11-21T08:00:00Z");

@@ -19,6 +19,7 @@ import org.toqa.fleet.FleetStore.Submission;
 import org.toqa.persistence.StoreException;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.MemoryDatabase;
 import org.toqa.testbed.LabTask;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
@@ -28,7 +29,7 @@ class StoreWriterTest {
   private static final long GUARD_SECONDS = 20;
   private static final Instant AT = Instant.parse("2026-11-21T10:00:00Z");
 
-  private final Database database = Database.inMemory("writer-" + System.nanoTime());
+  private final Database database = MemoryDatabase.open("writer-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
   private final Queue<Sentence> leftOut = new ConcurrentLinkedQueue<>();
   private final StoreWriter writer = new StoreWriter("test", FleetRuntime.USUAL, leftOut::add);

@@ -28,7 +28,7 @@ class DatabasePoolsTest extends FleetDatabaseTest {
 
   @Override
   Database open() {
-    return Database.inMemory("pools-" + System.nanoTime(), Duration.ofMillis(200));
+    return MemoryDatabase.open("pools-" + System.nanoTime(), Duration.ofMillis(200));
   }
 
   @AfterEach

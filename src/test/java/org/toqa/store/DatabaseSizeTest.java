@@ -71,7 +71,7 @@ class DatabaseSizeTest {
 
   @Test
   void databaseInMemoryHasNone() {
-    try (Database database = Database.inMemory("size")) {
+    try (Database database = MemoryDatabase.open("size")) {
       assertThrows(IllegalStateException.class, database::size);
     }
   }

@@ -9,7 +9,7 @@ abstract class DatabaseTest {
   Database database;
 
   Database open() throws SQLException {
-    return Database.inMemory("store-" + System.nanoTime());
+    return MemoryDatabase.open("store-" + System.nanoTime());
   }
 
   @BeforeEach

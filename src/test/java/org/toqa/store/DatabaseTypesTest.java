@@ -12,7 +12,7 @@ class DatabaseTypesTest {
   void momentsAreStoredInUtcWhereverTheProcessRuns() throws Exception {
     TimeZone before = TimeZone.getDefault();
     TimeZone.setDefault(TimeZone.getTimeZone("America/Bogota"));
-    try (Database database = Database.inMemory("database-types-" + System.nanoTime())) {
+    try (Database database = MemoryDatabase.open("database-types-" + System.nanoTime())) {
       String stored =
           database
               .jdbi()

@@ -24,7 +24,7 @@ import org.toqa.testbed.Tally;
 
 /** A server that is killed after any change goes on with its tasks as if it had not been. */
 class MissionCrashPropertyTest {
-  private final Database database = Database.inMemory("crash-" + System.nanoTime());
+  private final Database database = MemoryDatabase.open("crash-" + System.nanoTime());
   private long crashes;
   private long ended;
 

@@ -11,7 +11,7 @@ import java.util.Locale;
  */
 public final class FuzzRun {
 
-  public static final long INPUTS = Long.getLong("toqa.fuzz.inputs", 20_000);
+  public static final long INPUTS = Long.getLong("toqa.fuzz.inputs", 10_000);
   public static final long SEED = Long.getLong("toqa.seed", 1);
 
   private FuzzRun() {}

@@ -59,7 +59,13 @@ public final class StockTomcat implements AutoCloseable {
     builder
         .environment()
         .putAll(
-            Map.of("JAVA_HOME", System.getProperty("java.home"), "CATALINA_BASE", base.toString()));
+            Map.of(
+                "JAVA_HOME",
+                System.getProperty("java.home"),
+                "CATALINA_BASE",
+                base.toString(),
+                "CATALINA_OPTS",
+                String.join(" ", ToqaProcess.JAVA_OPTIONS)));
     return new StockTomcat(builder.start(), base);
   }
 

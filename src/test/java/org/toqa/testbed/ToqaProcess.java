@@ -21,7 +21,7 @@ public final class ToqaProcess implements AutoCloseable {
   private static final Duration LIMIT = Duration.ofMinutes(10);
 
   /** Most commands of tests live for seconds, and are compiled for that. */
-  private static final String JAVA_OPTIONS = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC";
+  static final List<String> JAVA_OPTIONS = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
 
   /** Where the WAR is unpacked once for all tests. */
   private static final Path CACHE = Path.of("target/cache").toAbsolutePath();
@@ -46,15 +46,17 @@ public final class ToqaProcess implements AutoCloseable {
       throws IOException {
     String launcher = Path.of("toqa").toAbsolutePath().toString();
     Map<String, String> all = new HashMap<>(variables);
-    all.put("TOQA_JAVA_OPTIONS", JAVA_OPTIONS);
+    all.put("TOQA_JAVA_OPTIONS", String.join(" ", JAVA_OPTIONS));
     return start(folder, CACHE, all, prepend(List.of(launcher), arguments));
   }
 
   /** A jar or WAR, run by this Java. */
   public static ToqaProcess jar(Path folder, Path jar, String... arguments) throws IOException {
     String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-    return command(
-        folder, prepend(List.of(java, "-jar", jar.toAbsolutePath().toString()), arguments));
+    List<String> command = new ArrayList<>(List.of(java));
+    command.addAll(JAVA_OPTIONS);
+    command.addAll(List.of("-jar", jar.toAbsolutePath().toString()));
+    return command(folder, prepend(command, arguments));
   }
 
   /** Any command, with its caches under the folder. */

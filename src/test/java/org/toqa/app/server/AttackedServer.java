@@ -78,7 +78,6 @@ final class AttackedServer implements AutoCloseable {
   private final FleetServer toqa;
   private final WebServer.RunningWebapp site;
   private final Connection database;
-  private final String hash;
   private final Set<String> secrets = ConcurrentHashMap.newKeySet();
   private int addresses;
 
@@ -104,7 +103,6 @@ final class AttackedServer implements AutoCloseable {
     toqa = FleetServer.start(configuration);
     site = web.open(toqa);
     database = DriverManager.getConnection(configuration.database().url());
-    hash = toqa.services().passwordHasher().hash(WebTestServer.PASSWORD);
     secrets.add(WebTestServer.PASSWORD);
     secrets.add(PAIRING_CODE);
     secrets.add(PAIRING_CODE.replace("-", ""));
@@ -138,7 +136,7 @@ final class AttackedServer implements AutoCloseable {
 
   /** A clerk with the password of all. */
   void addUser(String name) {
-    toqa.services().accounts().add(name, hash, Role.CLERK, MANAGER);
+    toqa.services().accounts().add(name, WebTestServer.PASSWORD_HASH, Role.CLERK, MANAGER);
   }
 
   long userId(String name) {

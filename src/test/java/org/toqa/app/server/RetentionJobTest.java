@@ -13,6 +13,7 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.store.Database;
 import org.toqa.store.HistoryPruner;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.MemoryDatabase;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -21,7 +22,7 @@ class RetentionJobTest {
   private static final Instant START = Instant.parse("2026-11-21T10:00:00Z");
   private static final Duration YEAR = Duration.ofDays(365);
 
-  private final Database database = Database.inMemory("retention-" + System.nanoTime());
+  private final Database database = MemoryDatabase.open("retention-" + System.nanoTime());
   private Instant wall = START;
   private long nanos;
 

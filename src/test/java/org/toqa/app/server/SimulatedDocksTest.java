@@ -43,6 +43,7 @@ import org.toqa.store.Database;
 import org.toqa.store.JdbiEventArchive;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.MemoryDatabase;
 
 /** One robot parked in its dock, and one that stands where no dock is. */
 @Timeout(120)
@@ -76,7 +77,7 @@ class SimulatedDocksTest {
             SimulatedFloor.boundless(),
             clock);
     parts.add(robots);
-    Database database = Database.inMemory("docks-" + System.nanoTime());
+    Database database = MemoryDatabase.open("docks-" + System.nanoTime());
     parts.add(database);
     archive = new JdbiEventArchive(database.jdbi());
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());

@@ -22,13 +22,14 @@ import org.toqa.mission.TransportTask;
 import org.toqa.persistence.StoreException;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.MemoryDatabase;
 import org.toqa.testbed.LabTask;
 
 @Timeout(60)
 class TaskSubmitterTest {
   private static final int TASKS = 20;
 
-  private final Database database = Database.inMemory("intake-" + System.nanoTime());
+  private final Database database = MemoryDatabase.open("intake-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
   private final StoreWriter writer = new StoreWriter("test", FleetRuntime.USUAL, change -> {});
   private final Queue<Integer> transactions = new ConcurrentLinkedQueue<>();

@@ -15,7 +15,7 @@ import org.toqa.testbed.FuzzRun;
  */
 @Tag("full")
 class RandomFloorsIT {
-  private static final int FLOORS = Integer.getInteger("toqa.floors", 40);
+  private static final int FLOORS = Integer.getInteger("toqa.floors", 20);
 
   @TestFactory
   Stream<DynamicTest> everyRobotReachesThreeGoals() {

@@ -47,6 +47,12 @@ abstract class PagesInBrowser extends BrowserTest {
 
   private static final Path PICTURES = Path.of("target/screenshots");
 
+  /**
+   * {@code -Dtoqa.walk=whole}: with pictures, by which nothing is decided, and with the same looks
+   * at each page in each language.
+   */
+  static final boolean IS_WHOLE_WALK = "whole".equals(System.getProperty("toqa.walk"));
+
   WebTestServer server;
 
   /** Of those who have logged in, by their names. */
@@ -99,11 +105,12 @@ abstract class PagesInBrowser extends BrowserTest {
         () -> page.url() + " is wider than the screen");
   }
 
-  /** On each screen the page fits; a picture of it is taken. */
+  /** On each screen the page fits; a picture of it is taken where they are wanted. */
   static void assertFits(Page page, String name, Screen... screens) {
     for (Screen screen : screens) {
       screen.show(page);
       picture(page, screen.name() + "-" + name);
+      awaitFrame(page);
       assertFits(page);
     }
   }
@@ -193,12 +200,22 @@ abstract class PagesInBrowser extends BrowserTest {
     return page.evaluate("document.querySelector('#map').toDataURL()");
   }
 
+  /** Scripts have drawn for the screen that is shown now. */
+  private static void awaitFrame(Page page) {
+    page.evaluate(
+        "() => new Promise(shown =>"
+            + " requestAnimationFrame(() => requestAnimationFrame(() => shown())))");
+  }
+
   /**
-   * Takes a picture for people to look at; the page must be the one that it is to show, since
-   * Chromium refuses to take one while another page replaces it.
+   * Takes a picture for people to look at, on a whole walk; the page must be the one that it is to
+   * show, since Chromium refuses to take one while another page replaces it.
    */
   static void picture(Page page, String name) {
     page.waitForLoadState();
+    if (!IS_WHOLE_WALK) {
+      return;
+    }
     page.screenshot(new Page.ScreenshotOptions().setPath(PICTURES.resolve(name + ".png")));
   }
 

@@ -1,0 +1,28 @@
+package org.toqa.store;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class MemoryDatabaseTest {
+  @Test
+  void isAsTheMigrationsMakeIt() throws Exception {
+    try (Database copy = MemoryDatabase.open("copy");
+        Database migrated = Database.open(MemoryDatabase.url("migrated-anew"), "toqa", "")) {
+      List<String> made = MemoryDatabase.script(migrated);
+      assertTrue(made.size() > 50, made::toString);
+
+      assertEquals(withoutTimes(made), withoutTimes(MemoryDatabase.script(copy)));
+    }
+  }
+
+  /** When it was migrated, and how long that took. */
+  private static List<String> withoutTimes(List<String> statements) {
+    return statements.stream()
+        .map(s -> s.replaceAll("TIMESTAMP '[^']+', \\d+, TRUE", "TIMESTAMP, TIME, TRUE"))
+        .map(s -> s.replaceAll("SALT '[^']*' HASH '[^']*'", "SALT, HASH"))
+        .toList();
+  }
+}
