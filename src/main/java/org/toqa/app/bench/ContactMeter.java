@@ -15,7 +15,7 @@ import org.toqa.grid.OccupancyGrid;
  */
 final class ContactMeter {
   /** Metres; pairs farther apart than this, and walls, are not looked at. */
-  private static final double FARTHEST = 0.6;
+  private static final double FARTHEST = 2;
 
   private static final int NONE = -1;
 

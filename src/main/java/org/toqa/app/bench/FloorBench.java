@@ -28,7 +28,7 @@ import picocli.CommandLine.Spec;
       "",
       "Robots get a new goal whenever they reach one; the same --seed gives the starts",
       "and goals of bench traffic. No sockets and no second thread: the same seed",
-      "drives the same way, unless planning ends by its real time limit.",
+      "drives the same way wherever no planning ends by its limit, or with --look-nanos.",
       "",
       "Prints JSON: goals (number reached), goalsPerSecond, goalsPerStep (a step is",
       "what a robot takes to the next cell, stepSeconds), planP50Ms and planP99Ms (one",
@@ -37,7 +37,7 @@ import picocli.CommandLine.Spec;
       "(what the floor said why), longestUnnamedWaitSeconds (while it did not say why),",
       "contacts and wallContacts (how often bodies came to touch), nearestMetres and",
       "nearestWallMetres (between edges where they really were), metres (all robots",
-      "together), speed (simulated seconds per second), agentSeconds, planSeconds and",
+      "together), speed (simulated seconds per second), processorSeconds, agentSeconds, planSeconds and",
       "robotSeconds (where the real time went), leavesOut (what is not measured).",
       "",
       "Exits 1 if a body touched another one or a wall, or an agent failed."
@@ -46,6 +46,7 @@ final class FloorBench implements Callable<Integer> {
   private static final int MAX_ROBOTS = 20_000;
   private static final int MAX_SECONDS = 1_000_000;
   private static final int MAX_DELAY_MS = 1_000;
+  private static final int MAX_LOOK_NANOS = 1_000_000;
   private static final int MAX_WARM_UP = 3_600;
 
   @Spec private CommandSpec spec = CommandSpec.create();
@@ -96,6 +97,16 @@ final class FloorBench implements Callable<Integer> {
   private int linkMs;
 
   @Option(
+      names = "--look-nanos",
+      defaultValue = "0",
+      paramLabel = "N",
+      description =
+          "Planning is taken to last N nanoseconds from one look at its clock to the next, so that"
+              + " its limits are the same on every machine; 0: real time, as in a server (default:"
+              + " ${DEFAULT-VALUE}).")
+  private int lookNanos;
+
+  @Option(
       names = "--warm-up",
       defaultValue = "3",
       paramLabel = "S",
@@ -111,6 +122,7 @@ final class FloorBench implements Callable<Integer> {
     arguments.requireDecimalBetween("--pose-error", poseError, 0, 1);
     arguments.requireBetween("--store-ms", storeMs, 0, MAX_DELAY_MS);
     arguments.requireBetween("--link-ms", linkMs, 0, MAX_DELAY_MS);
+    arguments.requireBetween("--look-nanos", lookNanos, 0, MAX_LOOK_NANOS);
     arguments.requireBetween("--warm-up", warmUp, 0, MAX_WARM_UP);
     FloorMap floor = arguments.readFloor(map.file());
     RoadGraph roads = new RoadGraph(floor.grid());
@@ -138,6 +150,7 @@ final class FloorBench implements Callable<Integer> {
         poseError,
         Duration.ofMillis(storeMs),
         Duration.ofMillis(linkMs),
+        Duration.ofNanos(lookNanos),
         seed.value());
   }
 

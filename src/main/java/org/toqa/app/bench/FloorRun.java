@@ -39,6 +39,10 @@ final class FloorRun implements AutoCloseable {
   private static final long ROBOT_TICK = Chassis.TICK.toNanos();
   private static final long FLOOR_TICK = Duration.ofMillis(100).toNanos();
   private static final Duration REASSIGN_AFTER = Duration.ofSeconds(30);
+
+  /** By then all robots are connected, and their tasks begin; nanoseconds of simulated time. */
+  private static final long CONNECTED = Duration.ofSeconds(1).toNanos();
+
   private static final Duration NEXT_TRY = Duration.ofMillis(100);
 
   /** The reports of robots are spread over this many of their ticks. */
@@ -55,6 +59,7 @@ final class FloorRun implements AutoCloseable {
   private final RobotLink.@Nullable Listener[] servers;
   private final List<Double> tickMillis = new ArrayList<>();
   private long realNanos;
+  private double processorMillis;
   private long robotNanos;
 
   /**
@@ -63,9 +68,16 @@ final class FloorRun implements AutoCloseable {
    * @param poseError metres that a body is beside where its robot takes itself to be, at most
    * @param store until a change is stored
    * @param link until a message is at the other end
+   * @param look of {@link SteppedRuntime}
    */
   record World(
-      FloorMap map, Workload work, double poseError, Duration store, Duration link, long seed) {
+      FloorMap map,
+      Workload work,
+      double poseError,
+      Duration store,
+      Duration link,
+      Duration look,
+      long seed) {
 
     /** Robots of the usual size, or smaller ones where cells are smaller. */
     double diameter() {
@@ -84,10 +96,11 @@ final class FloorRun implements AutoCloseable {
    * @param longestWaitReason what the floor said then; null: nothing
    * @param longestUnnamedWaitSeconds in which it stood and the floor did not say why
    * @param contacts how often two bodies came to touch
-   * @param nearestMetres between the edges of two bodies; null: none came within 0.6 m
+   * @param nearestMetres between the edges of two bodies; null: none came within 2 m
    * @param nearestWallMetres between the edges of a body and of a wall, likewise
    * @param metres of all robots together
    * @param speed simulated seconds a real second
+   * @param processorSeconds of the one thread that does it all
    * @param agentSeconds real time that all agents took
    * @param planSeconds of that, planning several robots together
    * @param robotSeconds real time that the simulated robots took
@@ -116,13 +129,14 @@ final class FloorRun implements AutoCloseable {
       double diameter,
       double seconds,
       double speed,
+      double processorSeconds,
       double agentSeconds,
       double planSeconds,
       double robotSeconds) {}
 
   FloorRun(World world) {
     grid = world.map().grid();
-    runtime = new SteppedRuntime(world.store());
+    runtime = new SteppedRuntime(world.store(), world.look());
     linkDelay = world.link();
     List<GridPose> starts = world.work().starts();
     servers = new RobotLink.Listener[starts.size()];
@@ -157,6 +171,12 @@ final class FloorRun implements AutoCloseable {
                     runtime,
                     this::told));
     runtime.runAgents();
+    while (runtime.nanos() < CONNECTED) {
+      step();
+    }
+    runtime.resetMeasurements();
+    tickMillis.clear();
+    robotNanos = 0;
     dispatcher.begin();
     runtime.runAgents();
   }
@@ -254,11 +274,13 @@ final class FloorRun implements AutoCloseable {
    */
   void run(Duration time, Deadline end) {
     long begin = System.nanoTime();
+    double processorBegin = ProcessorTime.millis();
     for (long last = runtime.nanos() + time.toNanos();
         runtime.nanos() < last && !end.isPassed(); ) {
       step();
     }
     realNanos += System.nanoTime() - begin;
+    processorMillis += ProcessorTime.millis() - processorBegin;
   }
 
   private void step() {
@@ -289,7 +311,7 @@ final class FloorRun implements AutoCloseable {
   }
 
   Report report() {
-    double seconds = runtime.nanos() / 1e9;
+    double seconds = (runtime.nanos() - CONNECTED) / 1e9;
     double stepSeconds = grid.resolution() / DriveSpeeds.DEFAULT.forward();
     double[] plans = runtime.planMillis();
     Percentiles planTimes = new Percentiles(plans);
@@ -319,6 +341,7 @@ final class FloorRun implements AutoCloseable {
         robots.getFirst().diameter(),
         seconds,
         seconds / (realNanos / 1e9),
+        processorMillis / 1e3,
         runtime.agentNanos() / 1e9,
         Arrays.stream(plans).sum() / 1e3,
         robotNanos / 1e9);

@@ -20,8 +20,9 @@ import org.toqa.fleet.FleetRuntime;
 /**
  * Simulated time in which one thread does all that agents do and all that is due: the same events
  * bring the same run. Nothing takes simulated time but what is said to: a store answers after a
- * while, and what agents hand to other threads is done after a while. How long is planned is
- * measured in real time, and so are the limits of planning.
+ * while, and what agents hand to other threads is done after a while. Limits of planning are of
+ * real time, as in a server, or of a time that counts how often it was looked at, so that the
+ * machine's speed decides nothing.
  */
 final class SteppedRuntime implements FleetRuntime, InstantSource {
   private static final Instant EPOCH = Instant.parse("2026-01-01T08:00:00Z");
@@ -32,11 +33,13 @@ final class SteppedRuntime implements FleetRuntime, InstantSource {
   private static final long PATIENCE_MS = 10;
 
   private final long storeNanos;
+  private final long lookNanos;
   private final BlockingQueue<Runnable> turns = new LinkedBlockingQueue<>();
   private final PriorityQueue<Event> events = new PriorityQueue<>();
   private final List<Double> planMillis = new ArrayList<>();
   private long nanos;
   private long count;
+  private long looks;
   private long agentNanos;
 
   /**
@@ -52,9 +55,12 @@ final class SteppedRuntime implements FleetRuntime, InstantSource {
 
   /**
    * @param store until a change is stored; of changes of one agent none overtakes another
+   * @param look what planning is taken to last from one look at the time to the next; zero: its
+   *     limits are of real time
    */
-  SteppedRuntime(Duration store) {
+  SteppedRuntime(Duration store, Duration look) {
     storeNanos = store.toNanos();
+    lookNanos = look.toNanos();
   }
 
   /** Nanoseconds of simulated time since the start. */
@@ -70,6 +76,12 @@ final class SteppedRuntime implements FleetRuntime, InstantSource {
   /** Real nanoseconds that the agents have computed, all together. */
   long agentNanos() {
     return agentNanos;
+  }
+
+  /** Forgets what was measured so far. */
+  void resetMeasurements() {
+    agentNanos = 0;
+    planMillis.clear();
   }
 
   /** How long each plan of several robots took, milliseconds of real time. */
@@ -157,7 +169,7 @@ final class SteppedRuntime implements FleetRuntime, InstantSource {
 
   @Override
   public long nanoTime() {
-    return System.nanoTime();
+    return lookNanos == 0 ? System.nanoTime() : ++looks * lookNanos;
   }
 
   @Override
