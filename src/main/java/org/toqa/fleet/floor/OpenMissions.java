@@ -19,17 +19,20 @@ final class OpenMissions {
   private final List<DatedMission> ended = new ArrayList<>();
 
   /** As they are in the store; those with robots only. */
-  private final Map<Long, Mission> stored = new LinkedHashMap<>();
+  private final MissionIndex stored = new MissionIndex();
+
+  private final MissionIndex openByRobot = new MissionIndex();
 
   /** A mission, and when it last changed. */
   record DatedMission(Mission mission, Instant changedAt) {}
 
   void put(Mission mission, Instant at) {
     if (mission.state().isEnded()) {
-      open.remove(mission.id());
+      remove(mission.id());
       ended.add(new DatedMission(mission, at));
     } else {
       open.put(mission.id(), new DatedMission(mission, at));
+      openByRobot.put(mission);
     }
   }
 
@@ -38,12 +41,13 @@ final class OpenMissions {
     if (mission.state().isEnded() || mission.state() == TaskState.QUEUED) {
       stored.remove(mission.id());
     } else {
-      stored.put(mission.id(), mission);
+      stored.put(mission);
     }
   }
 
   void remove(long task) {
     open.remove(task);
+    openByRobot.remove(task);
   }
 
   Optional<Mission> get(long task) {
@@ -52,19 +56,12 @@ final class OpenMissions {
 
   /** The mission that the robot works for. */
   Optional<Mission> missionOf(String robot) {
-    return open.values().stream()
-        .map(DatedMission::mission)
-        .filter(m -> isWorking(robot, m))
-        .findFirst();
+    return openByRobot.missionOf(robot);
   }
 
   /** The mission that the robot works for, as it is in the store; what starts goes by this one. */
   Optional<Mission> storedMissionOf(String robot) {
-    return stored.values().stream().filter(m -> isWorking(robot, m)).findFirst();
-  }
-
-  private static boolean isWorking(String robot, Mission mission) {
-    return mission.assignedRobot(robot).filter(c -> !c.unassigned()).isPresent();
+    return stored.missionOf(robot);
   }
 
   Collection<DatedMission> all() {
