@@ -233,7 +233,7 @@ final class DrivenRobot implements AutoCloseable {
    * @return whether its body may have moved
    */
   boolean tick(long nanos) {
-    ticksStanding = runner == null && command.equals(Twist.ZERO) ? ticksStanding + 1 : 0;
+    ticksStanding = command.equals(Twist.ZERO) ? ticksStanding + 1 : 0;
     boolean moves = ticksStanding <= STOPPING_TICKS;
     if (moves) {
       moveBody();

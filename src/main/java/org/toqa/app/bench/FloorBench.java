@@ -28,7 +28,8 @@ import picocli.CommandLine.Spec;
       "",
       "Robots get a new goal whenever they reach one; the same --seed gives the starts",
       "and goals of bench traffic. No sockets and no second thread: the same seed",
-      "drives the same way wherever no planning ends by its limit, or with --look-nanos.",
+      "drives the same way wherever no planning ends by its limit, or with",
+      "--look-nanos.",
       "",
       "Prints JSON: goals (number reached), goalsPerSecond, goalsPerStep (a step is",
       "what a robot takes to the next cell, stepSeconds), planP50Ms and planP99Ms (one",
@@ -37,8 +38,9 @@ import picocli.CommandLine.Spec;
       "(what the floor said why), longestUnnamedWaitSeconds (while it did not say why),",
       "contacts and wallContacts (how often bodies came to touch), nearestMetres and",
       "nearestWallMetres (between edges where they really were), metres (all robots",
-      "together), speed (simulated seconds per second), processorSeconds, agentSeconds, planSeconds and",
-      "robotSeconds (where the real time went), leavesOut (what is not measured).",
+      "together), speed (simulated seconds per second), processorSeconds,",
+      "agentSeconds, planSeconds and robotSeconds (where the time went), leavesOut",
+      "(what is not measured).",
       "",
       "Exits 1 if a body touched another one or a wall, or an agent failed."
     })

@@ -295,7 +295,9 @@ final class FloorRun implements AutoCloseable {
         contacts.place(i, robot.truePosition());
         moved.add(i);
       }
-      waits.observe(i, robot.truePosition(), now);
+      if (now % FLOOR_TICK == 0) {
+        waits.observe(i, robot.truePosition(), now);
+      }
     }
     moved.forEach(contacts::judge);
     robotNanos += System.nanoTime() - begin;

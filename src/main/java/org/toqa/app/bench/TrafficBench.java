@@ -93,8 +93,8 @@ final class TrafficBench implements Callable<Integer> {
   @Option(
       names = "--no-rings",
       description =
-          "Robots never go round in a full ring all at once, as on a real floor, where a cell must"
-              + " be left before it is entered; with --planner rolling.")
+          "The rolling planner lets robots never go round in a full ring all at once: on a real"
+              + " floor a cell must be left before it is entered.")
   private boolean noRings;
 
   @Option(
@@ -199,7 +199,12 @@ final class TrafficBench implements Callable<Integer> {
   private LifelongPlanner trafficPlanner(MotionModel motion, Arguments arguments) {
     return switch (planner) {
       case "rolling" -> new RollingHorizonPlanner(motion, !noRings, seed.value());
-      case "reservation" -> new ReservationPlanner(motion);
+      case "reservation" -> {
+        if (noRings) {
+          throw arguments.invalid("--no-rings is for --planner rolling");
+        }
+        yield new ReservationPlanner(motion);
+      }
       default -> throw arguments.invalid("--planner " + planner + ": it is rolling or reservation");
     };
   }
