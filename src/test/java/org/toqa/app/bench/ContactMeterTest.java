@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.OccupancyGrid;
@@ -22,7 +24,7 @@ class ContactMeterTest {
     meter.place(0, new Vec2(1, 1));
     meter.place(1, new Vec2(1.5, 1));
     meter.judge(1);
-    assertEquals(0.3, meter.nearest(), 1e-9); // 0.5 - 2 x 0.1
+    assertEquals(0.3, metres(meter.nearest()), 1e-9); // 0.5 - 2 x 0.1
 
     for (double x : List.of(1.2, 1.19, 1.18, 1.3, 1.1)) {
       meter.place(1, new Vec2(x, 1));
@@ -31,7 +33,7 @@ class ContactMeterTest {
     }
 
     assertEquals(2, meter.contacts());
-    assertEquals(-0.1, meter.nearest(), 1e-9);
+    assertEquals(-0.1, metres(meter.nearest()), 1e-9);
     assertEquals(0, meter.wallContacts());
   }
 
@@ -40,7 +42,7 @@ class ContactMeterTest {
     ContactMeter meter = new ContactMeter(OccupancyGrid.parse("...", ".@.", "..."), 1, RADIUS);
     meter.place(0, new Vec2(0.5, 0.5));
     meter.judge(0);
-    assertEquals(0.4, meter.nearestWall(), 1e-9); // the edge, 0.5 - 0.1
+    assertEquals(0.4, metres(meter.nearestWall()), 1e-9); // the edge, 0.5 - 0.1
 
     meter.place(0, new Vec2(0.95, 0.95)); // sqrt(2) x 0.05 = 0.07 from the corner
     meter.judge(0);
@@ -71,8 +73,12 @@ class ContactMeterTest {
           IntStream.range(0, discs)
               .mapToObj(disc -> Body.disc("r" + disc, at[disc], RADIUS))
               .toList());
-      assertEquals(judge.betweenBodies().orElseThrow().metres(), meter.nearest(), 1e-9);
-      assertEquals(judge.toWall().orElseThrow().metres(), meter.nearestWall(), 1e-9);
+      assertEquals(judge.betweenBodies().orElseThrow().metres(), metres(meter.nearest()), 1e-9);
+      assertEquals(judge.toWall().orElseThrow().metres(), metres(meter.nearestWall()), 1e-9);
     }
+  }
+
+  private static double metres(@Nullable Double found) {
+    return Objects.requireNonNull(found);
   }
 }

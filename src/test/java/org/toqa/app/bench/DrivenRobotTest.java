@@ -51,7 +51,7 @@ class DrivenRobotTest {
     said.clear();
     pass(10);
     assertEquals(0, count(Done.class));
-    assertEquals(50, count(State.class), 1); // five a second
+    assertTrue(Math.abs(count(State.class) - 50) <= 1, said::toString); // five a second
   }
 
   @Test

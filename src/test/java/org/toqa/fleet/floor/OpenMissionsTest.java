@@ -1,6 +1,7 @@
 package org.toqa.fleet.floor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
 import java.util.ArrayList;
@@ -53,7 +54,7 @@ class OpenMissionsTest {
         found += missions.missionOf(robot).isPresent() ? 1 : 0;
       }
     }
-    assertEquals(10_000, found, 9_000); // neither never nor always
+    assertTrue(found > 1_000 && found < 19_000, "found " + found); // neither never nor always
   }
 
   private static void update(Map<Long, Mission> missions, Mission mission, boolean isOver) {
