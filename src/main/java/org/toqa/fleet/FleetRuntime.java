@@ -70,6 +70,13 @@ public interface FleetRuntime {
   /** Nanoseconds, for limits of computing and of answers. */
   long nanoTime();
 
+  /**
+   * The paths of several robots of a floor were planned together, or no plan was found.
+   *
+   * @param nanos of real time that it took
+   */
+  default void recordPlanning(long nanos) {}
+
   /** Nanoseconds of real time, by which it is watched that agents go on; it never jumps. */
   default long monotonicNanos() {
     return System.nanoTime();

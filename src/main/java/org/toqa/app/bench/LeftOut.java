@@ -17,6 +17,13 @@ enum LeftOut {
       "Bodies and their sizes: a robot is a cell, and every step takes equally long.",
       "Delays: no robot is ever late, lost or stopped.",
       "Tasks, their allocation, and the links to robots."),
+  FLOOR(
+      "The time that the server's computing takes: simulated time stands still meanwhile.",
+      "Allocation: each robot has its next task as soon as it is free.",
+      "The database: a change is stored after a fixed time, and nothing is kept.",
+      "The daemon's process, its journal, its range sensors and its links: messages are delayed, never lost.",
+      "Groups, robots of different sizes and speeds, obstacles, charging, holds and faults.",
+      "Errors in heading: bodies are beside where robots report themselves, and face as they report."),
   MAPF(
       "Building the graph of the map, and reading files.",
       "Robots that turn: each moves to any of four neighbours, or waits.",

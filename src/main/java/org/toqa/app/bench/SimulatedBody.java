@@ -16,6 +16,8 @@ final class SimulatedBody implements AutoCloseable {
   private final SimulatedChassis body;
   private Twist command = Twist.ZERO;
   private Pose pose;
+  private Twist twist = Twist.ZERO;
+  private boolean isStanding = true;
   private long nanos;
 
   /**
@@ -33,6 +35,8 @@ final class SimulatedBody implements AutoCloseable {
     ChassisReading reading = body.exchange(command, nanos);
     nanos += Chassis.TICK.toNanos();
     pose = start.compose(reading.odometry());
+    twist = reading.twist();
+    isStanding = reading.isStanding();
   }
 
   /**
@@ -40,6 +44,16 @@ final class SimulatedBody implements AutoCloseable {
    */
   void setCommand(Twist twist) {
     command = twist;
+  }
+
+  /** How it moves, as its encoders tell, robot frame. */
+  Twist twist() {
+    return twist;
+  }
+
+  /** Whether it stands, within what its encoders can tell. */
+  boolean isStanding() {
+    return isStanding;
   }
 
   /** The pose by odometry, map frame. */

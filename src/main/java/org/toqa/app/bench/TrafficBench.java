@@ -7,12 +7,8 @@ import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import java.util.Random;
 import java.util.concurrent.Callable;
-import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.TrafficRun.Report;
 import org.toqa.app.bench.TrafficRun.StepListener;
@@ -20,9 +16,7 @@ import org.toqa.app.command.Arguments;
 import org.toqa.app.command.CommandOutput;
 import org.toqa.app.command.RequiredMapOption;
 import org.toqa.app.command.SeedOption;
-import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
-import org.toqa.planning.Heading;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
@@ -97,6 +91,13 @@ final class TrafficBench implements Callable<Integer> {
   private String planner = "rolling";
 
   @Option(
+      names = "--no-rings",
+      description =
+          "The rolling planner lets robots never go round in a full ring all at once: on a real"
+              + " floor a cell must be left before it is entered.")
+  private boolean noRings;
+
+  @Option(
       names = "--limit-ms",
       paramLabel = "MS",
       description =
@@ -118,9 +119,6 @@ final class TrafficBench implements Callable<Integer> {
       description =
           "Write all steps to FILE: one line per step, robots as column,row or column,row,H.")
   private @Nullable Path trace;
-
-  /** Where the robots begin, and where they go. */
-  private record Workload(List<GridPose> starts, GoalSource goals) {}
 
   @Override
   public Integer call() throws IOException {
@@ -200,31 +198,23 @@ final class TrafficBench implements Callable<Integer> {
 
   private LifelongPlanner trafficPlanner(MotionModel motion, Arguments arguments) {
     return switch (planner) {
-      case "rolling" -> new RollingHorizonPlanner(motion, true, seed.value());
-      case "reservation" -> new ReservationPlanner(motion);
+      case "rolling" -> new RollingHorizonPlanner(motion, !noRings, seed.value());
+      case "reservation" -> {
+        if (noRings) {
+          throw arguments.invalid("--no-rings is for --planner rolling");
+        }
+        yield new ReservationPlanner(motion);
+      }
       default -> throw arguments.invalid("--planner " + planner + ": it is rolling or reservation");
     };
   }
 
-  /** Starts and goals by chance in the largest connected part, starts all different. */
   private Workload randomWorkload(RoadGraph roads, Arguments arguments) {
     if (robots == null) {
       throw arguments.invalid("--robots is missing");
     }
-    List<Cell> cells =
-        IntStream.range(0, roads.vertexCount())
-            .filter(roads::isInLargestPart)
-            .mapToObj(roads::cell)
-            .toList();
-    arguments.requireBetween("--robots", robots, 1, Math.min(MAX_ROBOTS, cells.size() - 1));
-    Random random = new Random(seed.value());
-    List<Cell> shuffled = new ArrayList<>(cells);
-    Collections.shuffle(shuffled, random);
-    List<GridPose> starts =
-        shuffled.subList(0, robots).stream()
-            .map(cell -> new GridPose(cell, Heading.EAST.turned(2 * random.nextInt(4))))
-            .toList();
-    return new Workload(starts, GoalSource.random(cells, random));
+    arguments.requireBetween("--robots", robots, 1, Math.min(MAX_ROBOTS, Workload.most(roads)));
+    return Workload.random(roads, robots, seed.value());
   }
 
   private Workload listedWorkload(Path file, RoadGraph roads, Arguments arguments) {

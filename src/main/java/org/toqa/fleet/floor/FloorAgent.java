@@ -95,7 +95,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     FloorTraffic traffic =
         new FloorTraffic(
             floor.grid(),
-            new LacamJointPlanner(),
+            new TimedPlanner(new LacamJointPlanner(), runtime),
             () -> Deadline.in(PLANNING_LIMIT, runtime::nanoTime));
     state =
         new FloorState(

@@ -9,8 +9,11 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -216,6 +219,49 @@ class BenchCommandTest {
         trace::toString);
   }
 
+  @ParameterizedTest
+  @CsvSource({"classic", "turns"})
+  void withoutRingsNoneGoesRoundAtOnce(String model) throws IOException {
+    Files.writeString(file("small.map"), "type octile\nheight 2\nwidth 3\nmap\n...\n...\n");
+    String command = "traffic --map small.map --robots 5 --steps 200 --seed 5 --model " + model;
+
+    run(command + " --trace with");
+    run(command + " --trace without --no-rings");
+
+    assertTrue(rings(Files.readAllLines(file("with"))) > 0);
+    assertEquals(0, rings(Files.readAllLines(file("without"))));
+  }
+
+  /** In how many steps some robots go each to the cell that the next of them leaves. */
+  private static long rings(List<String> trace) {
+    return IntStream.range(1, trace.size())
+        .filter(
+            step -> {
+              String[] from = cells(trace.get(step - 1));
+              String[] to = cells(trace.get(step));
+              Map<String, String> moves = new HashMap<>();
+              for (int robot = 0; robot < from.length; robot++) {
+                if (!from[robot].equals(to[robot])) {
+                  moves.put(from[robot], to[robot]);
+                }
+              }
+              return moves.keySet().stream().anyMatch(start -> leadsBack(moves, start));
+            })
+        .count();
+  }
+
+  private static boolean leadsBack(Map<String, String> moves, String start) {
+    String at = moves.get(start);
+    for (int steps = 0; steps < moves.size() && at != null && !at.equals(start); steps++) {
+      at = moves.get(at);
+    }
+    return start.equals(at);
+  }
+
+  private static String[] cells(String line) {
+    return line.replaceAll(",[NESW]", "").split(" ");
+  }
+
   @Test
   void theSameSeedDrivesTheSameWay() throws IOException {
     String command = "traffic --map small.map --robots 3 --steps 40 --limit-ms 60000 --seed 5";
@@ -252,6 +298,7 @@ class BenchCommandTest {
           traffic --map small.map --robots 2 --steps 0          | --steps 0: it must be from 1
           traffic --map small.map --steps 9                     | --robots is missing
           traffic --map small.map --robots 2 --steps 9 --model flying | --model flying: it is classic or turns
+          traffic --map small.map --robots 2 --steps 9 --no-rings --planner reservation | --no-rings is for --planner rolling
           traffic --map small.map --robots 2 --steps 9 --trace none/trace | none/trace must be a file in a folder
           traffic --map small.map --steps 9 --tasks bad.tasks   | line 2: expected a start and its goals
           scen --map small.map --scen none.scen                 | none.scen

@@ -1,0 +1,102 @@
+package org.toqa.app.bench;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import org.jspecify.annotations.Nullable;
+import org.toqa.fleet.ChargeRecord;
+import org.toqa.fleet.EventRecord;
+import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.Hold;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.StoredRobot;
+import org.toqa.geometry.Pose;
+import org.toqa.mission.TransportTask;
+
+/** Accepts everything and keeps nothing: for fleets that nobody starts anew. */
+final class ForgetfulStore implements FleetStore {
+
+  @Override
+  public List<StoredRobot> storedRobots() {
+    return List.of();
+  }
+
+  @Override
+  public Optional<Hold> pause() {
+    return Optional.empty();
+  }
+
+  @Override
+  public Map<String, Hold> floorHolds() {
+    return Map.of();
+  }
+
+  @Override
+  public List<OpenTask> openTasks() {
+    return List.of();
+  }
+
+  @Override
+  public List<OpenTask> tasksWithLeftLoads() {
+    return List.of();
+  }
+
+  @Override
+  public Optional<StoredDrive> drive(String robot) {
+    return Optional.empty();
+  }
+
+  @Override
+  public List<TransportTask> addTasks(List<Submission> submissions) {
+    return submissions.stream().map(Submission::task).toList();
+  }
+
+  @Override
+  public void withdrawTasks(Collection<UUID> keys) {}
+
+  @Override
+  public void checkAvailable() {}
+
+  @Override
+  public void saveRobot(RobotRecord robot, List<EventRecord> events) {}
+
+  @Override
+  public boolean updateRobot(RobotRecord before, RobotRecord after, List<EventRecord> events) {
+    return true;
+  }
+
+  @Override
+  public void removeRobot(String robot, List<EventRecord> events) {}
+
+  @Override
+  public void saveService(String robot, boolean inService, List<EventRecord> events) {}
+
+  @Override
+  public void saveGone(String robot, List<EventRecord> events) {}
+
+  @Override
+  public void savePlace(String robot, Pose pose, double diameter, long drive) {}
+
+  @Override
+  public void saveHold(String robot, boolean held, List<EventRecord> events) {}
+
+  @Override
+  public void saveCharge(ChargeRecord record, List<EventRecord> events) {}
+
+  @Override
+  public void savePause(@Nullable Hold pause, List<EventRecord> events) {}
+
+  @Override
+  public void saveFloorHold(String floor, @Nullable Hold hold, List<EventRecord> events) {}
+
+  @Override
+  public void saveMissions(List<MissionChange> changes) {}
+
+  @Override
+  public void saveDrive(String robot, StoredDrive drive) {}
+
+  @Override
+  public void addEvents(List<EventRecord> events) {}
+}
