@@ -19,7 +19,7 @@
   <c:forTokens items="base,layout,pages,tables,timeline,users,statistics,new-task,map,small-screens,api" delims="," var="part"><link rel="stylesheet" href="${root}/assets/css/${part}.css"></c:forTokens>
   <c:if test="${not empty script or not empty caller}"><script type="module" src="${root}/assets/js/${empty script ? 'shared/live.js' : script}"></script></c:if>
   <script type="module" src="${root}/assets/js/shared/times.js"></script>
-  <c:if test="${not empty param.done}"><script type="module" src="${root}/assets/js/shared/told-once.js"></script></c:if>
+  <c:if test="${pageContext.request.queryString.contains('done=')}"><script type="module" src="${root}/assets/js/shared/told-once.js"></script></c:if>
 </head>
 <body>
   <a class="skip" href="#content"><fmt:message key="nav.skip"/></a>
