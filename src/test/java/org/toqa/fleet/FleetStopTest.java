@@ -84,6 +84,22 @@ class FleetStopTest extends HallFleetTest {
   }
 
   @Test
+  void aResumeOfAFloorThatIsAskedForTwiceIsToldOnce() throws Exception {
+    accepted(stage.fleet.holdFloor("hall", "Max"));
+    stopStore();
+    CompletionStage<Answer<Optional<Hold>>> one = stage.fleet.resumeFloor("hall", "Boss");
+    CompletionStage<Answer<Optional<Hold>>> other = stage.fleet.resumeFloor("hall", "Boss");
+    stage.awaitQuiescence();
+
+    startStore();
+
+    assertEquals(Optional.empty(), accepted(one));
+    assertEquals(Optional.empty(), accepted(other));
+    assertTrue(stage.store.floorHolds().isEmpty());
+    assertEquals(1, history("floor.resumed").size());
+  }
+
+  @Test
   void aRobotIsHeldAtOnceAndGoesOnOnlyWhenThatIsStored() throws Exception {
     long task = submit("West", "East");
     untilCarryingOnTheWay(task);

@@ -66,7 +66,7 @@ final class HoldCommandHandler {
   void setPause(ManagerMessage.SetPause m) {
     Hold inForce = pause;
     if (isAsked(m.pause(), inForce, resume)) {
-      storePause(inForce, m.replyTo());
+      storePause(m.pause() ? inForce : null, m.replyTo());
       return;
     }
     Instant at = clock.instant();
@@ -142,7 +142,7 @@ final class HoldCommandHandler {
     PendingResume floorResume = floorResumes.computeIfAbsent(floor, _ -> new PendingResume());
     Hold inForce = floorHolds.get(floor);
     if (isAsked(m.hold(), inForce, floorResume)) {
-      storeFloorHold(floor, inForce, m.replyTo());
+      storeFloorHold(floor, m.hold() ? inForce : null, m.replyTo());
       return;
     }
     Instant at = clock.instant();
