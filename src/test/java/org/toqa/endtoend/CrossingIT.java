@@ -12,6 +12,7 @@ import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.StreamSupport;
@@ -57,10 +58,15 @@ class CrossingIT extends BrowserTest {
         MapRecording film = MapRecording.of(page, PICTURES.resolve("crossing.webm"))) {
       URI root = URI.create(demo.awaitErr("http://[^ ]*").group());
       try (ApiClient api = new ApiClient(root, "demo", "demo-robots")) {
+        // else they have done it all before a busy machine's browser shows it
+        assertTrue(api.replyTo("fleet/pause", Map.of()).isAccepted());
         FutureTask<Boolean> done = new FutureTask<>(() -> awaitAllDone(api));
         Thread.ofVirtual().start(done);
 
         logIn(page, root);
+        assertThat(page.locator("#tasks li")).not().hasCount(0);
+        assertTrue(api.replyTo("fleet/resume", Map.of()).isAccepted());
+        assertThat(page.locator("#pause.paused")).hasCount(0); // which moves the map a little
         film.start();
         watchTheTasks(page);
         film.stop();
