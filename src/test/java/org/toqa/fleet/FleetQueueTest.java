@@ -18,16 +18,9 @@ import org.toqa.store.JdbiAccountStore;
 class FleetQueueTest extends HallFleetTest {
   @Test
   void aLoadTooHeavyForOneWaitsAndSaysWhatItNeeds() throws Exception {
-    reopenWith("r2", EAST, "P2");
-    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    submitForTwoOfWhichOneIsBroken();
+
     double most = robot(stage.fleet.snapshots().latest(), "r1").maxLoad();
-
-    stage.scriptedRobot("r2").breakDown("BUMPER");
-    until(view -> robot(view, "r2").state() == RobotState.ERROR);
-
-    long task = submit(order(1.5 * most));
-
-    until(view -> waitReason(view, task).equals("It needs 2 robots together; 1 of 2 is free."));
     Answer<TaskView> tooHeavy =
         stage
             .fleet
@@ -39,13 +32,7 @@ class FleetQueueTest extends HallFleetTest {
 
   @Test
   void aTaskThatNoRobotsCanEverCarryNeedsAttention() throws Exception {
-    reopenWith("r2", EAST, "P2");
-    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
-    double most = robot(stage.fleet.snapshots().latest(), "r1").maxLoad();
-    stage.scriptedRobot("r2").breakDown("BUMPER");
-    until(view -> robot(view, "r2").state() == RobotState.ERROR);
-    long task = submit(order(1.5 * most));
-    until(view -> waitReason(view, task).equals("It needs 2 robots together; 1 of 2 is free."));
+    long task = submitForTwoOfWhichOneIsBroken();
     assertFalse(task(stage.fleet.snapshots().latest(), task).blocked(), "r2 may be mended");
 
     accepted(stage.fleet.takeOutOfService("r2", "Max"));
@@ -148,5 +135,19 @@ class FleetQueueTest extends HallFleetTest {
     accepted(stage.fleet.putInService("r1", "Max"));
     until(later -> later.tasks().stream().anyMatch(t -> t.id() == last && t.robots().size() == 1));
     assertEquals(150, stage.fleet.snapshots().latest().queuedCount());
+  }
+
+  /**
+   * @return the task, which waits for the second robot
+   */
+  private long submitForTwoOfWhichOneIsBroken() throws Exception {
+    reopenWith("r2", EAST, "P2");
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    double most = robot(stage.fleet.snapshots().latest(), "r1").maxLoad();
+    stage.scriptedRobot("r2").breakDown("BUMPER");
+    until(view -> robot(view, "r2").state() == RobotState.ERROR);
+    long task = submit(order(1.5 * most));
+    until(view -> waitReason(view, task).equals("It needs 2 robots together; 1 of 2 is free."));
+    return task;
   }
 }

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class MemoryDatabaseTest {
   @Test
-  void isAsTheMigrationsMakeIt() throws Exception {
+  void copyEqualsWhatTheMigrationsMake() throws Exception {
     try (Database copy = MemoryDatabase.open("copy");
         Database migrated = Database.open(MemoryDatabase.url("migrated-anew"), "toqa", "")) {
       List<String> made = MemoryDatabase.script(migrated);

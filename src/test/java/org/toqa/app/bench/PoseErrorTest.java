@@ -9,7 +9,7 @@ import org.toqa.geometry.Vec2;
 class PoseErrorTest {
 
   @Test
-  void driftsByASmallShareOfTheWayWithinItsBound() {
+  void errorDriftsByASmallShareOfTheWayWithinItsBound() {
     PoseError error = new PoseError(0.02, 1);
     double largest = 0;
     double drifted = 0;
@@ -25,7 +25,7 @@ class PoseErrorTest {
   }
 
   @Test
-  void isThereFromTheStartAndStaysWhileTheRobotStands() {
+  void errorBeginsWithTheRobotAndStaysWhileThatStands() {
     PoseError error = new PoseError(0.02, 2);
     Vec2 start = error.offset();
     error.advance(0);

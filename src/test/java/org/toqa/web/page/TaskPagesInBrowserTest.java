@@ -53,13 +53,7 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
 
   @Test
   void aTaskThatWaitsForWhatWillNotComeNeedsAttentionOnTheMap() {
-    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks/new");
-    page.getByLabel("Task name").fill("Drums");
-    page.getByLabel("Load (kg)").fill("2.5");
-    page.locator("#startStation").selectOption("Dock A");
-    page.locator("#goalStation").selectOption("Shelf 3");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
-    assertThat(page.locator("h1")).hasText("Drums");
+    Page page = pageOfNewTask("2.5");
     page.navigate(server.root() + "map");
     assertThat(page.locator("#attention li").first()).isVisible();
     assertThat(page.locator("#attention")).not().containsText("Drums");
@@ -92,13 +86,7 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
 
   @Test
   void aTaskThatAsksIsCancelledInOnePlaceAndItsLoadIsSaidToBeGone() {
-    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks/new");
-    page.getByLabel("Task name").fill("Drums");
-    page.getByLabel("Load (kg)").fill("2,5");
-    page.locator("#startStation").selectOption("Dock A");
-    page.locator("#goalStation").selectOption("Shelf 3");
-    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
-    assertThat(page.locator("h1")).hasText("Drums");
+    Page page = pageOfNewTask("2,5");
     assertThat(page.getByText("2.5 kg")).isVisible();
     server.fleet().changeTask(1, TaskState.CARRYING, List.of("r1"), "r1 carries the load.");
     server.fleet().loseRobotOf(1);
@@ -175,5 +163,19 @@ class TaskPagesInBrowserTest extends PagesInBrowser {
         .setInputFiles(
             new FilePayload("tasks.csv", "text/csv", table.getBytes(StandardCharsets.UTF_8)));
     click(page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Import tasks")));
+  }
+
+  /**
+   * @param load kilograms, as it is typed
+   */
+  private Page pageOfNewTask(String load) {
+    Page page = loggedIn(WebTestServer.MANAGER, DESK, "tasks/new");
+    page.getByLabel("Task name").fill("Drums");
+    page.getByLabel("Load (kg)").fill(load);
+    page.locator("#startStation").selectOption("Dock A");
+    page.locator("#goalStation").selectOption("Shelf 3");
+    page.getByRole(AriaRole.BUTTON, new Page.GetByRoleOptions().setName("Create task")).click();
+    assertThat(page.locator("h1")).hasText("Drums");
+    return page;
   }
 }
