@@ -1,11 +1,14 @@
 package org.toqa.store;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -28,6 +31,9 @@ class H2CompactorTest {
 
   /** The pace of a fleet at work; nothing waits for it to be over. */
   private static final int COMMIT_EACH_MILLIS = 20;
+
+  private static final int ROBOTS = 40;
+  private static final int READ_COMMITS = 8_000;
 
   @TempDir private Path folder;
 
@@ -69,6 +75,50 @@ class H2CompactorTest {
         Thread.sleep(COMMIT_EACH_MILLIS);
       }
     }
+  }
+
+  /** Parts of the file are freed, moved and used again under those who read. */
+  @Test
+  @Timeout(120)
+  void readersFindAllWhileTheFileIsMadeSmaller() throws Exception {
+    Path file = folder.resolve("toqa.mv.db");
+    try (Database database = open()) {
+      JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+      for (int robot = 0; robot < ROBOTS; robot++) {
+        store.saveRobot(new RobotRecord("r" + robot, "lab", "127.0.0.1", 1, 5, null, true, null));
+        store.saveDrive("r" + robot, drive(1));
+      }
+      AtomicBoolean isOver = new AtomicBoolean();
+      FutureTask<Long> reader = new FutureTask<>(() -> readUntil(isOver, store));
+      Thread.ofPlatform().start(reader);
+      long largest = 0;
+      for (int seq = 2; seq < READ_COMMITS / ROBOTS; seq++) {
+        for (int robot = 0; robot < ROBOTS; robot++) {
+          store.saveDrive("r" + robot, drive(seq));
+        }
+        largest = Math.max(largest, Files.size(file));
+      }
+      while (Files.size(file) > largest / 2) {
+        Thread.sleep(100);
+      }
+      isOver.set(true);
+      assertTrue(reader.get() > ROBOTS);
+    }
+  }
+
+  private static long readUntil(AtomicBoolean isOver, JdbiFleetStore store) {
+    long[] known = new long[ROBOTS];
+    long reads = 0;
+    while (!isOver.get()) {
+      for (int robot = 0; robot < ROBOTS; robot++) {
+        StoredDrive drive = store.drive("r" + robot).orElseThrow();
+        assertEquals(drive(drive.seq()), drive);
+        assertTrue(drive.seq() >= known[robot], "older than what was read before");
+        known[robot] = drive.seq();
+        reads++;
+      }
+    }
+    return reads;
   }
 
   private Database open() {
