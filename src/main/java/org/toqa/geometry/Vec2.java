@@ -51,6 +51,25 @@ public record Vec2(double x, double y) {
     return distanceTo(from.plus(along.times(Math.clamp(t, 0, 1))));
   }
 
+  /** Metres between the nearest points of two straight lines, each between two points. */
+  public static double distanceBetweenLines(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+    if (isLeftAndRight(a, b, c, d) && isLeftAndRight(c, d, a, b)) {
+      return 0;
+    }
+    return Math.min(
+        Math.min(a.distanceToLine(c, d), b.distanceToLine(c, d)),
+        Math.min(c.distanceToLine(a, b), d.distanceToLine(a, b)));
+  }
+
+  /** Whether one of two points is to the left of a line and the other to the right. */
+  private static boolean isLeftAndRight(Vec2 from, Vec2 to, Vec2 one, Vec2 other) {
+    return side(from, to, one) * side(from, to, other) < 0;
+  }
+
+  private static double side(Vec2 from, Vec2 to, Vec2 point) {
+    return (to.x - from.x) * (point.y - from.y) - (to.y - from.y) * (point.x - from.x);
+  }
+
   /** Direction in radians, counter-clockwise from +x, in (-pi, pi]; 0 for the zero vector. */
   public double angle() {
     return Math.atan2(y, x);

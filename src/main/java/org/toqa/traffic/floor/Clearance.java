@@ -1,61 +1,40 @@
 package org.toqa.traffic.floor;
 
-import java.util.BitSet;
-import org.toqa.geometry.Pose;
-import org.toqa.motion.Segment;
+import org.toqa.motion.Trajectory;
 
 /**
- * Whether robots that are so near to each other that they touch the same cell may part. Cells
- * cannot tell; here the discs themselves are looked at.
+ * How far robots keep apart: so that two that are each as far beside their paths as a daemon lets
+ * them be do not touch. Robots that stand nearer to each other may part, but never come nearer.
  */
 final class Clearance {
-  /** More than this between two robots, metres, is enough. */
-  private static final double ENOUGH = 0.02;
+  /** Between the edges of two robots, metres: twice what one may be beside its path. */
+  static final double BETWEEN_ROBOTS = 2 * Trajectory.MAX_DEVIATION;
 
   private static final double ROUNDING = 1e-6;
 
-  /** An arc is looked at in pieces of at most so many radians. */
-  private static final double PIECE = 0.1;
-
   private Clearance() {}
 
-  /**
-   * Whether a robot can drive a section beside one that is stopped: the two share no cell but those
-   * under the robot now, and it does not come nearer than it is. A formation that sets out shares
-   * no cell with anybody: who is stopped beside it goes first.
-   *
-   * @param from where the section begins
-   */
-  static boolean isKept(TrafficRobot robot, Pose from, Section section, TrafficRobot other) {
-    if (robot.isFormation()) {
-      return false;
-    }
-    BitSet under = new BitSet();
-    robot.standingCells().addTo(under);
-    BitSet others = other.allocatedCells();
-    others.andNot(under);
-    if (section.cells().intersects(others) || other.drive.isDriving()) {
-      return false;
-    }
-    return other.discs().stream().allMatch(disc -> isKept(robot, from, section, disc));
+  /** Whether two areas are as far apart as robots keep. */
+  static boolean isKept(SweptArea area, SweptArea other) {
+    return area.gapTo(other, BETWEEN_ROBOTS) >= BETWEEN_ROBOTS - ROUNDING;
   }
 
-  private static boolean isKept(TrafficRobot robot, Pose from, Section section, PlacedDisc disc) {
-    double needed =
-        Math.min(
-            robot.radius() + disc.radius() + ENOUGH,
-            robot.pose().position().distanceTo(disc.centre()));
-    Pose pose = from;
-    for (Segment segment : section.segments()) {
-      int pieces = Math.max(1, (int) Math.ceil(Math.abs(segment.angle()) / PIECE));
-      for (int i = 0; i < pieces; i++) {
-        Pose next = pose.advanced(segment.twist(), segment.t() / pieces);
-        if (disc.centre().distanceToLine(pose.position(), next.position()) < needed - ROUNDING) {
-          return false;
-        }
-        pose = next;
-      }
-    }
-    return true;
+  /**
+   * How far a robot that sets out has to keep from another's area, metres.
+   *
+   * @param standing what it covers where it sets out
+   */
+  static double needed(SweptArea standing, SweptArea other) {
+    return standing.gapTo(other, BETWEEN_ROBOTS);
+  }
+
+  /**
+   * Whether a robot can go over an area, as far as another's is concerned.
+   *
+   * @param standing what it covers where it sets out
+   */
+  static boolean isKept(SweptArea standing, SweptArea area, SweptArea other) {
+    return isKept(area, other)
+        || area.gapTo(other, BETWEEN_ROBOTS) >= needed(standing, other) - ROUNDING;
   }
 }

@@ -1,11 +1,11 @@
 package org.toqa.traffic.floor;
 
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 
@@ -106,18 +106,24 @@ final class Drive {
     return unreleased().stream().anyMatch(section -> section.cells().intersects(cells));
   }
 
-  /** The cells of all that it may drive and of all that it may not drive yet, in parts. */
-  void forEachClaimed(Consumer<CellSet> consumer) {
-    forEachAllocated(consumer);
-    unreleased().forEach(section -> consumer.accept(section.cells()));
+  /** Whether what it may not drive yet comes nearer to an area than robots keep apart. */
+  boolean hasUnreleasedNear(SweptArea area) {
+    return unreleased().stream().anyMatch(section -> !Clearance.isKept(section.area(), area));
   }
 
-  /** The cells of all that it may drive, in parts. */
-  void forEachAllocated(Consumer<CellSet> consumer) {
-    ahead().forEach(section -> consumer.accept(section.cells()));
+  /** All that it may drive, in parts. */
+  List<SweptArea> allocated() {
+    List<SweptArea> areas = new ArrayList<>();
+    ahead().forEach(section -> areas.add(section.area()));
     if (path != null && released > 0) {
-      consumer.accept(path.sections().get(released - 1).endCells());
+      areas.add(path.sections().get(released - 1).endArea());
     }
+    return areas;
+  }
+
+  /** All that it may not drive yet, in parts. */
+  List<SweptArea> unreleasedAreas() {
+    return unreleased().stream().map(Section::area).toList();
   }
 
   /** Begins another path where the released part of this one ends. */
@@ -138,8 +144,8 @@ final class Drive {
     isChangeUnsent = true;
   }
 
-  /** Who must have left a cell before each visit of the path; null: nobody. */
-  void setDependencies(List<ReservedPath.@Nullable Dependency> dependencies) {
+  /** Who must have gone on before each visit of the path. */
+  void setDependencies(List<List<ReservedPath.Dependency>> dependencies) {
     path = Objects.requireNonNull(path).withDependencies(dependencies);
   }
 

@@ -45,7 +45,7 @@ public final class FloorTraffic {
   private final FreeSpace freeSpace;
   private final PathAssigner pathAssigner;
   private final SectionReleaser releaser;
-  private final CellAllocations allocations;
+  private final Claims claims;
   private final StandstillDetector standstillDetector = new StandstillDetector();
   private final ReplanTrigger trigger = new ReplanTrigger();
   private final Map<String, TrafficRobot> robots = new TreeMap<>();
@@ -58,13 +58,13 @@ public final class FloorTraffic {
       OccupancyGrid grid, JointPlanner jointPlanner, Supplier<Deadline> planningDeadline) {
     SectionFitter fitter = new SectionFitter();
     this.freeSpace = new FreeSpace(grid);
-    this.allocations = new CellAllocations(grid, robots.values());
-    this.releaser = new SectionReleaser(fitter, robots, allocations);
+    this.claims = new Claims(robots.values());
+    this.releaser = new SectionReleaser(fitter, robots, claims);
     SingleRobotPlanner singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
     this.pathAssigner =
         new PathAssigner(
             robots,
-            allocations,
+            claims,
             trigger,
             singleRobotPlanner,
             new LanePlanner(freeSpace, singleRobotPlanner, fitter, jointPlanner, planningDeadline),
@@ -88,23 +88,24 @@ public final class FloorTraffic {
     if (robot.drive.path() != null || !robot.cell().equals(grid.cellAt(pose.position()))) {
       trigger.markChanged();
     }
-    BitSet known = new BitSet();
-    if (!isNew) {
-      robot.addClaimedTo(known);
-    }
+    List<SweptArea> known = isNew ? List.of() : robot.claimed();
     robot.setPose(pose, diameter / 2);
     robot.stop();
     freePathsThrough(robot, known);
   }
 
   /** Where nobody expected the robot, the others give up what is not released to them. */
-  private void freePathsThrough(TrafficRobot robot, BitSet known) {
-    BitSet unexpected = new BitSet();
-    robot.standingCells().addTo(unexpected);
-    unexpected.andNot(known);
-    if (!unexpected.isEmpty()) {
+  private void freePathsThrough(TrafficRobot robot, List<SweptArea> known) {
+    SweptArea standing = robot.standingArea();
+    boolean isExpected =
+        known.stream()
+            .anyMatch(
+                area ->
+                    area.gapTo(robot.pose().position())
+                        < Trajectory.MAX_DEVIATION - robot.radius());
+    if (!isExpected) {
       robots.values().stream()
-          .filter(other -> other != robot && other.drive.hasUnreleasedOn(unexpected))
+          .filter(other -> other != robot && other.drive.hasUnreleasedNear(standing))
           .forEach(this::freeUnreleased);
     }
   }
@@ -327,7 +328,7 @@ public final class FloorTraffic {
 
   /** Plans for whoever needs a path, and releases what can be. */
   public List<DriveCommand> decide(Instant now) {
-    allocations.refresh();
+    claims.refresh();
     detectStalls(now);
     pathAssigner.assignPaths(standstills(), now);
     robots.values().forEach(robot -> releaser.release(robot, now));

@@ -1,6 +1,7 @@
 package org.toqa.traffic.floor;
 
 import java.util.BitSet;
+import java.util.List;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.Disc;
 import org.toqa.grid.OccupancyGrid;
@@ -9,8 +10,7 @@ import org.toqa.motion.Trajectory;
 
 /**
  * What a formation keeps clear of on one path. It may have been stopped anywhere, a little beside
- * where it should be: what it touches already it comes no nearer to until it is on the lattice, and
- * cells of others that it touches it may leave.
+ * where it should be: what it touches already it comes no nearer to until it is on the lattice.
  */
 final class FormationClearance {
   /** Kept from walls while a path is looked for, metres. */
@@ -40,17 +40,22 @@ final class FormationClearance {
   /** Walls and obstacles. */
   private final BitSet solid;
 
-  /** Cells of others. */
-  private final BitSet claimed;
+  /** What others have or will need. */
+  private final List<SweptArea> claimed;
 
-  private final BitSet all;
+  /** The cells in which it may come too near to these. */
+  private final BitSet nearClaimed = new BitSet();
+
+  /** What it covers where it is. */
+  private final SweptArea standing;
+
   private final Pose start;
   private final double marginAtStart;
 
   /**
    * @param start of the leader, map frame
    * @param blocked walls and obstacles
-   * @param claimedByOthers cells that others have or will need
+   * @param claimedByOthers what others have or will need
    * @param marginAtStart kept from walls round the start, metres
    */
   FormationClearance(
@@ -58,20 +63,19 @@ final class FormationClearance {
       FormationFootprint formation,
       Pose start,
       BitSet blocked,
-      BitSet claimedByOthers,
+      List<SweptArea> claimedByOthers,
       double marginAtStart) {
     this.grid = grid;
     this.formation = formation;
     this.start = start;
     this.marginAtStart = marginAtStart;
     this.solid = (BitSet) blocked.clone();
-    this.claimed = (BitSet) claimedByOthers.clone();
-    formation.cellsAt(grid, start).forEach(claimed::clear);
+    this.claimed = claimedByOthers;
+    claimed.forEach(area -> area.cells(grid, Clearance.BETWEEN_ROBOTS).addTo(nearClaimed));
+    this.standing = SweptArea.at(formation.discs(start));
     double kept = marginAtStart - lack(start);
     this.entering = formation.widened(kept);
     this.touching = formation.widened(Math.min(0, kept));
-    this.all = (BitSet) solid.clone();
-    all.or(claimed);
   }
 
   /** So much of the margin it lacks where it is, metres; what it is deep in is solid no more. */
@@ -97,7 +101,13 @@ final class FormationClearance {
   /** Whether it can be there on its way, with a margin. */
   boolean isKeptAt(Pose leader) {
     boolean isAroundStart = leader.distanceTo(start) < AROUND_START;
-    return formation.isClearOf(grid, leader, isAroundStart ? marginAtStart : MARGIN, all);
+    return formation.isClearOf(grid, leader, isAroundStart ? marginAtStart : MARGIN, solid)
+        && (formation.isClearOf(grid, leader, 0, nearClaimed)
+            || isOffClaimed(SweptArea.at(formation.discs(leader))));
+  }
+
+  private boolean isOffClaimed(SweptArea area) {
+    return claimed.stream().allMatch(other -> Clearance.isKept(standing, area, other));
   }
 
   /**
@@ -121,8 +131,8 @@ final class FormationClearance {
   private boolean isOff(FormationFootprint footprint, Trajectory trajectory) {
     Pose pose = trajectory.start();
     for (Segment segment : trajectory.segments()) {
-      if (footprint.sweptCells(grid, pose, segment).intersects(solid)
-          || formation.sweptCells(grid, pose, segment).intersects(claimed)) {
+      if (footprint.sweptArea(pose, segment).cells(grid, 0).intersects(solid)
+          || !isOffClaimed(formation.sweptArea(pose, segment))) {
         return false;
       }
       pose = pose.advanced(segment.twist(), segment.t());

@@ -23,16 +23,16 @@ public final class FormationFootprint {
    */
   private record Part(Vec2 offset, double radius) {
     /** Where its middle is and how it moves while the leader does that. */
-    CellSet sweptCells(OccupancyGrid grid, Pose leader, Segment segment) {
+    SweptArea sweptArea(Pose leader, Segment segment) {
       Pose middle = leader.compose(new Pose(offset.x(), offset.y(), 0));
       if (segment.w() == 0) {
-        return SweptCells.alongSegment(grid, middle, segment, radius);
+        return SweptArea.along(middle, segment, radius);
       }
       // every point of a rigid body goes round the same centre: v of the point is w x r
       Vec2 velocity = new Vec2(segment.v() - segment.w() * offset.y(), segment.w() * offset.x());
       Pose along = middle.compose(new Pose(0, 0, velocity.angle()));
       Segment own = new Segment(velocity.norm(), segment.w(), segment.t());
-      return SweptCells.alongSegment(grid, along, own, radius);
+      return SweptArea.along(along, own, radius);
     }
   }
 
@@ -94,22 +94,9 @@ public final class FormationFootprint {
         .toList();
   }
 
-  /** The cells under all of it while it is stopped. */
-  CellSet cellsAt(OccupancyGrid grid, Pose leader) {
-    CellSet cells = CellSet.NONE;
-    for (PlacedDisc disc : discs(leader)) {
-      cells = cells.union(SweptCells.at(grid, disc.centre(), disc.radius()));
-    }
-    return cells;
-  }
-
-  /** The cells that any of it touches while the leader drives the segment. */
-  CellSet sweptCells(OccupancyGrid grid, Pose leader, Segment segment) {
-    CellSet cells = CellSet.NONE;
-    for (Part part : parts) {
-      cells = cells.union(part.sweptCells(grid, leader, segment));
-    }
-    return cells;
+  /** What all of it covers while the leader drives the segment. */
+  SweptArea sweptArea(Pose leader, Segment segment) {
+    return SweptArea.union(parts.stream().map(p -> p.sweptArea(leader, segment)).toList());
   }
 
   /**

@@ -56,10 +56,14 @@ final class FormationPlanner {
    *
    * @param goal where the load is carried, metres, map frame
    * @param solid walls and obstacles
-   * @param claimed cells that others have or will need
+   * @param claimed what others have or will need
    */
   Optional<List<Section>> path(
-      TrafficRobot robot, FormationFootprint formation, Vec2 goal, BitSet solid, BitSet claimed) {
+      TrafficRobot robot,
+      FormationFootprint formation,
+      Vec2 goal,
+      BitSet solid,
+      List<SweptArea> claimed) {
     Pose start = robot.releasedEnd();
     return Stream.of(FormationClearance.MARGIN, FormationClearance.LEAST_MARGIN)
         .map(margin -> new FormationClearance(grid, formation, start, solid, claimed, margin))

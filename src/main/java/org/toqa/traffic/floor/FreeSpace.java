@@ -14,6 +14,8 @@ import org.toqa.grid.OccupancyGrid;
 final class FreeSpace {
   private final OccupancyGrid grid;
   private final BitSet walls;
+  private static final double ROUNDING = 1e-6;
+
   private BitSet obstacles = new BitSet();
   private BitSet blocked;
 
@@ -69,28 +71,28 @@ final class FreeSpace {
   }
 
   /**
-   * The same where more is closed.
+   * The same where other robots' areas are closed, as far as a robot that sets out keeps off them.
    *
-   * @param cells that it must not touch
-   * @param discs of others, that it must not touch
-   * @param standing the cell where it is, which never counts as closed
+   * @param standing what the robot covers where it sets out
+   * @param here the cell where it is, which never counts as closed
    */
-  OccupancyGrid freeCells(double radius, BitSet cells, List<PlacedDisc> discs, Cell standing) {
+  OccupancyGrid freeCells(double radius, List<SweptArea> claimed, SweptArea standing, Cell here) {
     OccupancyGrid free = freeCells(radius);
-    if (cells.isEmpty() && discs.isEmpty() && free.isFree(standing)) {
+    if (claimed.isEmpty() && free.isFree(here)) {
       return free;
     }
-    BitSet more = inflated(cells, radius);
-    for (PlacedDisc disc : discs) {
-      Vec2 middle = disc.centre();
-      double apart = radius + disc.radius();
-      SweptCells.at(grid, middle, apart)
+    BitSet more = (BitSet) free.occupied().clone();
+    for (SweptArea area : claimed) {
+      double apart = radius + Clearance.needed(standing, area) - ROUNDING;
+      area.cells(grid, Math.max(0, apart))
           .forEach(
-              i ->
-                  more.set(i, grid.centre(grid.cell(i)).distanceTo(middle) < apart || more.get(i)));
+              i -> {
+                if (area.gapTo(grid.centre(grid.cell(i))) < apart) {
+                  more.set(i);
+                }
+              });
     }
-    more.or(free.occupied());
-    more.clear(grid.index(standing));
+    more.clear(grid.index(here));
     return grid.withOccupied(more);
   }
 

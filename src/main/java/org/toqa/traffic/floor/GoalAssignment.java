@@ -5,7 +5,6 @@ import static java.util.Comparator.nullsLast;
 
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -13,12 +12,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 
 /**
  * A goal for each robot that is planned, all different: the lane cell of its own goal if it can
@@ -32,19 +34,19 @@ final class GoalAssignment {
 
   private final FreeSpace freeSpace;
 
-  /** Cells of the floor where none of them must be. */
-  private final BitSet blocked;
+  private final OccupiedSpace occupied;
 
   private final LaneGrid lanes;
   private final RoadGraph roads;
+  private final Spacing spacing;
   private final List<TrafficRobot> planned;
   private final int[] starts;
 
-  /** Cells of the floor where nobody shall stay. */
-  private final BitSet wantedCells;
+  /** Where nobody shall stay. */
+  private final List<SweptArea> wanted;
 
-  /** Cells of the floor that robots will need to get from their lane cells to their goals. */
-  private final BitSet lastLegs = new BitSet();
+  /** What robots will need to get from their lane cells to their goals. */
+  private final List<SweptArea> lastLegs = new ArrayList<>();
 
   private final int[] assigned;
   private final Map<Integer, String> taken = new HashMap<>();
@@ -57,32 +59,35 @@ final class GoalAssignment {
 
   GoalAssignment(
       FreeSpace freeSpace,
-      BitSet blocked,
+      OccupiedSpace occupied,
       LaneGrid lanes,
       RoadGraph roads,
+      Spacing spacing,
       List<TrafficRobot> planned,
       int[] starts,
-      BitSet wantedCells) {
-    this(freeSpace, blocked, lanes, roads, planned, starts, wantedCells, Set.of());
+      List<SweptArea> wanted) {
+    this(freeSpace, occupied, lanes, roads, spacing, planned, starts, wanted, Set.of());
     order(planned).forEach(i -> assign(i, goal(i)));
   }
 
   private GoalAssignment(
       FreeSpace freeSpace,
-      BitSet blocked,
+      OccupiedSpace occupied,
       LaneGrid lanes,
       RoadGraph roads,
+      Spacing spacing,
       List<TrafficRobot> planned,
       int[] starts,
-      BitSet wantedCells,
+      List<SweptArea> wanted,
       Set<Integer> keptFree) {
     this.freeSpace = freeSpace;
-    this.blocked = blocked;
+    this.occupied = occupied;
     this.lanes = lanes;
     this.roads = roads;
+    this.spacing = spacing;
     this.planned = planned;
     this.starts = starts;
-    this.wantedCells = wantedCells;
+    this.wanted = wanted;
     this.keptFree = keptFree;
     this.assigned = new int[planned.size()];
   }
@@ -99,12 +104,13 @@ final class GoalAssignment {
     GoalAssignment one =
         new GoalAssignment(
             freeSpace,
-            blocked,
+            occupied,
             lanes,
             roads,
+            spacing,
             planned,
             starts,
-            wantedCells,
+            wanted,
             shortestPath(starts[first], goal));
     one.assign(first, goal);
     order.stream().skip(1).forEach(i -> one.assign(i, one.nearestOpen(starts[i], starts[i])));
@@ -168,19 +174,28 @@ final class GoalAssignment {
       unreachableCount++;
       return nearestOpen(starts[i], starts[i]);
     }
-    robot.waiting.setGoalTakenBy(taken.get(vertex));
+    robot.waiting.setGoalTakenBy(takenBy(vertex));
     if (!isOpen(vertex)) {
       return nearestOpen(vertex, starts[i]);
     }
-    lastLeg(roads.cell(vertex), robot, robot.goal()).addTo(lastLegs);
+    lastLegs.add(lastLeg(roads.cell(vertex), robot, robot.goal()));
     return vertex;
   }
 
-  /** What a robot touches between the middle of a lane cell and its goal, or that of its cell. */
-  private CellSet lastLeg(Cell from, TrafficRobot robot, Vec2 goal) {
+  /** Who has a vertex, or one too near to it. */
+  private @Nullable String takenBy(int vertex) {
+    String robot = taken.get(vertex);
+    for (int near : spacing.near(vertex)) {
+      robot = robot == null ? taken.get(near) : robot;
+    }
+    return robot;
+  }
+
+  /** What a robot covers between the middle of a lane cell and its goal, or that of its cell. */
+  private SweptArea lastLeg(Cell from, TrafficRobot robot, Vec2 goal) {
     OccupancyGrid floor = freeSpace.grid();
     Vec2 end = lanes.isFloorGrid() ? floor.centre(floor.cellAt(goal)) : goal;
-    return SweptCells.alongLine(floor, lanes.lattice().centre(from), end, robot.radius());
+    return SweptArea.along(lanes.lattice().centre(from), end, robot.radius());
   }
 
   /** The nearest lane cell to its goal from which it can go straight there. */
@@ -189,7 +204,7 @@ final class GoalAssignment {
       int vertex = roads.vertex(cell);
       if (vertex != RoadGraph.NONE
           && roads.isConnected(start, vertex)
-          && !lastLeg(cell, robot, goal).intersects(blocked)) {
+          && occupied.isFree(robot.standingArea(), lastLeg(cell, robot, goal))) {
         return vertex;
       }
     }
@@ -217,9 +232,11 @@ final class GoalAssignment {
   }
 
   private boolean isOpen(int vertex) {
-    return !taken.containsKey(vertex)
-        && !keptFree.contains(vertex)
-        && !lanes.touches(roads.cell(vertex), wantedCells)
-        && !lanes.touches(roads.cell(vertex), lastLegs);
+    if (takenBy(vertex) != null || keptFree.contains(vertex)) {
+      return false;
+    }
+    SweptArea place = lanes.areaAt(roads.cell(vertex));
+    return Stream.concat(wanted.stream(), lastLegs.stream())
+        .allMatch(area -> Clearance.isKept(place, area));
   }
 }

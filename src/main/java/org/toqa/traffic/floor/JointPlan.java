@@ -1,14 +1,12 @@
 package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.BitSet;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntPredicate;
-import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
@@ -16,6 +14,7 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.Segment;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 import org.toqa.traffic.floor.ReservedPath.Dependency;
 
 /**
@@ -35,24 +34,27 @@ final class JointPlan {
   private static final double INSIDE = 0.49;
 
   private final LaneGrid lanes;
-  private final BitSet blocked;
+  private final OccupiedSpace occupied;
   private final RoadGraph roads;
+  private final Spacing spacing;
   private final List<TrafficRobot> robots;
   private final List<int[]> steps;
 
   /**
-   * @param blocked cells of the floor where none of them must be
+   * @param occupied where none of them must be
    * @param steps the vertices of the robots after each step, in the robots' order
    */
   JointPlan(
       LaneGrid lanes,
-      BitSet blocked,
+      OccupiedSpace occupied,
       RoadGraph roads,
+      Spacing spacing,
       List<TrafficRobot> robots,
       List<int[]> steps) {
     this.lanes = lanes;
-    this.blocked = blocked;
+    this.occupied = occupied;
     this.roads = roads;
+    this.spacing = spacing;
     this.robots = robots;
     this.steps = steps;
   }
@@ -61,42 +63,43 @@ final class JointPlan {
    * One robot's stay on a cell.
    *
    * @param index of the visit on the robot's path
+   * @param vertex of the cell
    * @param enters the step after which it is there
    */
-  private record Visit(int robot, int index, int enters) {}
+  private record Visit(int robot, int index, int vertex, int enters) {}
 
   /** Gives every robot its path in the plan; one that does not move keeps what was released. */
   void adopt(SectionFitter fitter) {
-    List<List<Cell>> visits = new ArrayList<>();
-    Map<Cell, List<Visit>> byCell = new HashMap<>();
+    List<List<Visit>> visits = new ArrayList<>();
+    Map<Integer, List<Visit>> byVertex = new HashMap<>();
     for (int robot = 0; robot < robots.size(); robot++) {
-      visits.add(visitsOf(robot, byCell));
-      assignPath(robots.get(robot), visits.get(robot), fitter);
+      visits.add(visitsOf(robot));
+      visits
+          .get(robot)
+          .forEach(v -> byVertex.computeIfAbsent(v.vertex(), k -> new ArrayList<>()).add(v));
+      List<Cell> cells = visits.get(robot).stream().map(v -> roads.cell(v.vertex())).toList();
+      assignPath(robots.get(robot), cells, fitter);
     }
-    byCell.values().forEach(v -> v.sort(Comparator.comparingInt(Visit::enters)));
+    byVertex.values().forEach(v -> v.sort(Comparator.comparingInt(Visit::enters)));
     for (int robot = 0; robot < robots.size(); robot++) {
       ReservedPath path = robots.get(robot).drive.path();
       if (path != null && !path.visits().isEmpty()) {
-        robots.get(robot).drive.setDependencies(dependencies(robot, visits.get(robot), byCell));
+        robots.get(robot).drive.setDependencies(dependencies(visits.get(robot), byVertex));
       }
     }
   }
 
-  private List<Cell> visitsOf(int robot, Map<Cell, List<Visit>> byCell) {
-    List<Cell> cells = new ArrayList<>();
+  private List<Visit> visitsOf(int robot) {
+    List<Visit> visits = new ArrayList<>();
     int last = RoadGraph.NONE;
     for (int step = 0; step < steps.size(); step++) {
       int vertex = steps.get(step)[robot];
       if (vertex != last) {
-        Cell cell = roads.cell(vertex);
-        byCell
-            .computeIfAbsent(cell, c -> new ArrayList<>())
-            .add(new Visit(robot, cells.size(), step));
-        cells.add(cell);
+        visits.add(new Visit(robot, visits.size(), vertex, step));
         last = vertex;
       }
     }
-    return cells;
+    return visits;
   }
 
   private void assignPath(TrafficRobot robot, List<Cell> visits, SectionFitter fitter) {
@@ -115,7 +118,7 @@ final class JointPlan {
             lattice,
             visits,
             visitsAtEnds(lattice, start, sections, visits, 0),
-            Arrays.asList(new @Nullable Dependency[visits.size()])));
+            Collections.nCopies(visits.size(), List.of())));
   }
 
   /** With round corners, where these are clear and the robot is near the middle of its cell. */
@@ -128,7 +131,8 @@ final class JointPlan {
       List<Section> rounding =
           fitter.fit(
               robot, start, waypoints(lattice, visits, 0, i -> false), length, passingPlaces);
-      if (rounding.stream().noneMatch(s -> s.cells().intersects(blocked))) {
+      SweptArea standing = robot.areaAt(start);
+      if (rounding.stream().allMatch(s -> occupied.isFree(standing, s))) {
         return rounding;
       }
     }
@@ -136,24 +140,38 @@ final class JointPlan {
         robot, start, waypointsFromCentre(lattice, visits, 0, i -> true), length, passingPlaces);
   }
 
-  private List<@Nullable Dependency> dependencies(
-      int robot, List<Cell> visits, Map<Cell, List<Visit>> byCell) {
-    List<@Nullable Dependency> dependencies = new ArrayList<>();
-    for (int index = 0; index < visits.size(); index++) {
-      Visit before = null;
-      for (Visit v : byCell.getOrDefault(visits.get(index), List.of())) {
-        if (v.robot() == robot && v.index() == index) {
-          break;
-        }
-        before = v.robot() == robot ? before : v;
+  /** For each visit: of those who are there or too near to it, before, the last at each cell. */
+  private List<List<Dependency>> dependencies(
+      List<Visit> visits, Map<Integer, List<Visit>> byVertex) {
+    List<List<Dependency>> dependencies = new ArrayList<>();
+    for (Visit visit : visits) {
+      List<Dependency> before = new ArrayList<>();
+      addLastBefore(visit, byVertex.getOrDefault(visit.vertex(), List.of()), before);
+      for (int vertex : spacing.near(visit.vertex())) {
+        addLastBefore(visit, byVertex.getOrDefault(vertex, List.of()), before);
       }
-      TrafficRobot other = before == null ? null : robots.get(before.robot());
-      dependencies.add(
-          before == null || other == null
-              ? null
-              : new Dependency(other.name, other.drive.pathNumber(), before.index()));
+      dependencies.add(List.copyOf(before));
     }
     return dependencies;
+  }
+
+  /** Who goes on from a cell before another comes: whoever stays until then is none of these. */
+  private void addLastBefore(Visit visit, List<Visit> there, List<Dependency> before) {
+    Visit last = null;
+    for (Visit other : there) {
+      if (other.enters() >= visit.enters()) {
+        break;
+      }
+      last = other.robot() != visit.robot() && isOverAt(other, visit.enters()) ? other : last;
+    }
+    if (last != null) {
+      TrafficRobot robot = robots.get(last.robot());
+      before.add(new Dependency(robot.name, robot.drive.pathNumber(), last.index()));
+    }
+  }
+
+  private boolean isOverAt(Visit visit, int step) {
+    return steps.get(step)[visit.robot()] != visit.vertex();
   }
 
   /** Where the path over the cells bends, from visit {@code from} on; the start is left out. */

@@ -1,13 +1,18 @@
 package org.toqa.traffic.floor;
 
 import java.util.BitSet;
+import java.util.Collection;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 
 /**
  * A floor in cells that are large enough for a robot each, on which robots are planned together.
@@ -31,6 +36,9 @@ final class LaneGrid {
 
   private final OccupancyGrid floor;
 
+  /** Of the largest robot for which they are, metres. */
+  private final double diameter;
+
   /** The side of a lane cell, in cells of the floor. */
   private final int side;
 
@@ -47,6 +55,7 @@ final class LaneGrid {
 
   private LaneGrid(OccupancyGrid floor, int side, double diameter, Cell corner) {
     this.floor = floor;
+    this.diameter = diameter;
     this.side = side;
     this.corner = corner;
     int columns = (floor.width() - corner.column()) / side;
@@ -198,9 +207,59 @@ final class LaneGrid {
     return true;
   }
 
-  /** Whether a robot in the middle of a lane cell touches one of the floor's cells. */
-  boolean touches(Cell cell, BitSet cells) {
-    return !isClear(cell.column(), cell.row(), disc, cells);
+  /** The same, where robots also keep off what others have or will need. */
+  RoadGraph roads(OccupiedSpace occupied, Collection<Pose> starts) {
+    Map<Cell, SweptArea> standing = new HashMap<>();
+    starts.forEach(
+        start ->
+            standing.put(
+                lattice.cellAt(start.position()), SweptArea.at(start.position(), diameter / 2)));
+    BitSet near = new BitSet();
+    for (SweptArea area : occupied.claimed()) {
+      area.cells(lattice, diameter / 2 + Clearance.BETWEEN_ROBOTS).addTo(near);
+    }
+    RoadGraph open = roads(occupied.blocked());
+    BitSet closed = new BitSet();
+    for (int i = near.nextSetBit(0); i >= 0; i = near.nextSetBit(i + 1)) {
+      Cell cell = lattice.cell(i);
+      closed.set(i, !standing.containsKey(cell) && !isOff(occupied, standing, cell, cell));
+    }
+    if (near.isEmpty()) {
+      return open;
+    }
+    closed.or(open.grid().occupied());
+    return new RoadGraph(
+        lattice.withOccupied(closed),
+        (column, row, direction) -> {
+          int vertex = open.vertex(column, row);
+          int next = open.neighbour(vertex, direction);
+          Cell cell = new Cell(column, row);
+          return next != RoadGraph.NONE
+              && (!near.get(lattice.index(cell))
+                  || isOff(occupied, standing, cell, open.cell(next)));
+        });
+  }
+
+  /** Whether who goes from the middle of one lane cell to that of another keeps off the others. */
+  private boolean isOff(OccupiedSpace occupied, Map<Cell, SweptArea> standing, Cell from, Cell to) {
+    SweptArea area = SweptArea.along(lattice.centre(from), lattice.centre(to), diameter / 2);
+    SweptArea start = standing.getOrDefault(from, standing.get(to));
+    return occupied.claimed().stream()
+        .allMatch(
+            claimed ->
+                start == null
+                    ? Clearance.isKept(area, claimed)
+                    : Clearance.isKept(start, area, claimed));
+  }
+
+  /** Which lane cells robots cannot take at once. */
+  Spacing spacing(RoadGraph roads) {
+    return new Spacing(roads, (diameter + Clearance.BETWEEN_ROBOTS) / lattice.resolution());
+  }
+
+  /** What a robot covers in the middle of a lane cell. */
+  SweptArea areaAt(Cell cell) {
+    return SweptArea.at(lattice.centre(cell), diameter / 2);
   }
 
   /** The lane cell round a point, map frame, and those beside it, nearest first. */

@@ -1,7 +1,6 @@
 package org.toqa.traffic.floor;
 
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -15,9 +14,11 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.JointPlanner;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 
 /**
  * Plans robots together on lane cells and gives them their paths.
@@ -29,6 +30,9 @@ import org.toqa.traffic.RoadGraph;
 final class LanePlanner {
   /** Of the time left, what each search may take. */
   private static final double SHARE = 0.5;
+
+  /** So near to the middle of a narrow lane cell, metres, a robot is in it: it stopped there. */
+  private static final double ON_LANE = 0.03;
 
   private final FreeSpace freeSpace;
   private final SingleRobotPlanner singleRobotPlanner;
@@ -60,12 +64,12 @@ final class LanePlanner {
   /**
    * @param mustPlan whether paths were given up that others wait for
    */
-  Outcome plan(Collection<TrafficRobot> robots, CellAllocations allocations, boolean mustPlan) {
+  Outcome plan(Collection<TrafficRobot> robots, Claims claims, boolean mustPlan) {
     Deadline deadline = planningDeadline.get();
     List<Attempt> incomplete = new ArrayList<>();
     for (boolean everybody : List.of(false, true)) {
       for (double diameter : diameters(robots, everybody)) {
-        Attempt attempt = new Attempt(robots, allocations, diameter, everybody);
+        Attempt attempt = new Attempt(robots, claims, diameter, everybody);
         if (attempt.leftOutCount() > 0) {
           incomplete.add(attempt);
         } else {
@@ -88,17 +92,22 @@ final class LanePlanner {
 
   /** Plans for all goals at once; where there is no such plan, for whoever waits longest. */
   private Outcome tryPlan(Attempt attempt, boolean mustPlan, Deadline deadline) {
-    if (!mustPlan && attempt.wantedCells.isEmpty() && attempt.isStandingStill()) {
+    if (!mustPlan && attempt.wanted.isEmpty() && attempt.isStandingStill()) {
       return Outcome.NOT_NEEDED;
     }
     Optional<List<int[]>> steps =
         planner
             .plan(
-                attempt.roads, attempt.starts, attempt.goals.assigned(), deadline.afterShare(SHARE))
+                attempt.roads,
+                attempt.spacing,
+                attempt.starts,
+                attempt.goals.assigned(),
+                deadline.afterShare(SHARE))
             .or(
                 () ->
                     planner.plan(
                         attempt.roads,
+                        attempt.spacing,
                         attempt.starts,
                         attempt.goals.forLongestWaiting().assigned(),
                         deadline.afterShare(SHARE)));
@@ -126,33 +135,34 @@ final class LanePlanner {
     final LaneGrid lanes;
     final double diameter;
     final List<TrafficRobot> planned = new ArrayList<>();
-    final BitSet wantedCells;
+    final List<SweptArea> wanted;
     final int[] starts;
     final GoalAssignment goals;
-    BitSet blocked = new BitSet();
+    final Spacing spacing;
+    OccupiedSpace occupied;
     RoadGraph roads;
     private final Collection<TrafficRobot> robots;
-    private final CellAllocations allocations;
+    private final Claims claims;
     private Map<TrafficRobot, Cell> places = Map.of();
     private Map<TrafficRobot, List<Section>> sectionsToPlaces = Map.of();
 
-    Attempt(
-        Collection<TrafficRobot> robots,
-        CellAllocations allocations,
-        double diameter,
-        boolean everybody) {
+    Attempt(Collection<TrafficRobot> robots, Claims claims, double diameter, boolean everybody) {
       this.robots = robots;
-      this.allocations = allocations;
+      this.claims = claims;
       this.diameter = diameter;
       this.lanes = freeSpace.laneGrid(diameter);
-      this.wantedCells = findWantedCells();
+      this.wanted = findWanted();
       robots.stream().filter(robot -> isCandidate(robot, everybody)).forEach(planned::add);
+      this.occupied = findOccupied();
       this.roads = buildRoads();
       while (!assignPlaces()) {
+        occupied = findOccupied();
         roads = buildRoads();
       }
+      spacing = lanes.spacing(roads);
       starts = planned.stream().mapToInt(robot -> roads.vertex(place(robot))).toArray();
-      goals = new GoalAssignment(freeSpace, blocked, lanes, roads, planned, starts, wantedCells);
+      goals =
+          new GoalAssignment(freeSpace, occupied, lanes, roads, spacing, planned, starts, wanted);
     }
 
     private Cell place(TrafficRobot robot) {
@@ -173,36 +183,38 @@ final class LanePlanner {
       return everybody
           || robot.needsPath()
           || robot.drive.isOnSharedPath()
-          || (robot.drive.path() == null && isOnLane(robot, freeSpace.blocked()))
-          || robot.standingCells().intersects(wantedCells);
+          || (robot.drive.path() == null && isOnLane(robot))
+          || wanted.stream().anyMatch(area -> !Clearance.isKept(robot.standingArea(), area));
     }
 
-    /** Whether its disc keeps to one lane cell, and can go straight to the middle of that. */
-    private boolean isOnLane(TrafficRobot robot, BitSet blockedCells) {
+    /** Whether it is near to the middle of a lane cell, and can go straight there. */
+    private boolean isOnLane(TrafficRobot robot) {
       Pose pose = robot.releasedEnd();
-      Cell cell = lanes.lattice().cellAt(pose.position());
-      Vec2 aside = pose.position().minus(lanes.lattice().centre(cell));
-      double slack = lanes.lattice().resolution() / 2 - robot.radius() + 1e-9;
-      return lanes.lattice().contains(cell)
-          && Math.max(Math.abs(aside.x()), Math.abs(aside.y())) <= slack
-          && !SweptCells.alongLine(
-                  freeSpace.grid(), pose.position(), lanes.lattice().centre(cell), robot.radius())
-              .intersects(blockedCells);
+      OccupancyGrid lattice = lanes.lattice();
+      Cell cell = lattice.cellAt(pose.position());
+      if (!lattice.contains(cell)) {
+        return false;
+      }
+      Vec2 middle = lattice.centre(cell);
+      double slack = lattice.resolution() - 2 * robot.radius() - Clearance.BETWEEN_ROBOTS;
+      return pose.position().distanceTo(middle) <= Math.max(slack / 2, ON_LANE)
+          && !SweptArea.along(pose.position(), middle, robot.radius())
+              .cells(freeSpace.grid(), 0)
+              .intersects(freeSpace.blocked());
     }
 
-    /** Closes what others have or will need. */
+    /** What others have or will need. */
+    private OccupiedSpace findOccupied() {
+      List<SweptArea> claimed =
+          robots.stream()
+              .filter(robot -> !planned.contains(robot))
+              .flatMap(robot -> robot.claimed().stream())
+              .toList();
+      return new OccupiedSpace(freeSpace.grid(), freeSpace.blocked(), claimed);
+    }
+
     private RoadGraph buildRoads() {
-      blocked = (BitSet) freeSpace.blocked().clone();
-      for (TrafficRobot robot : robots) {
-        if (!planned.contains(robot)) {
-          robot.addClaimedTo(blocked);
-        }
-      }
-      planned.forEach(
-          robot ->
-              SweptCells.at(freeSpace.grid(), robot.releasedEnd().position(), robot.radius())
-                  .forEach(blocked::clear));
-      return lanes.roads(blocked);
+      return lanes.roads(occupied, planned.stream().map(TrafficRobot::releasedEnd).toList());
     }
 
     /**
@@ -217,7 +229,7 @@ final class LanePlanner {
       List<TrafficRobot> aside = new ArrayList<>();
       for (TrafficRobot robot : planned) {
         Cell cell = lanes.lattice().cellAt(robot.releasedEnd().position());
-        if (!isOnLane(robot, blocked)
+        if (!isOnLane(robot)
             || roads.vertex(cell) == RoadGraph.NONE
             || places.containsValue(cell)) {
           aside.add(robot);
@@ -225,7 +237,7 @@ final class LanePlanner {
           places.put(robot, cell);
         }
       }
-      BitSet swept = new BitSet();
+      List<SweptArea> swept = new ArrayList<>();
       boolean all = true;
       for (TrafficRobot robot : aside) {
         if (!assignPlace(robot, swept)) {
@@ -236,7 +248,7 @@ final class LanePlanner {
       return all;
     }
 
-    private boolean assignPlace(TrafficRobot robot, BitSet swept) {
+    private boolean assignPlace(TrafficRobot robot, List<SweptArea> swept) {
       Pose from = robot.releasedEnd();
       for (Cell cell : lanes.cellsAround(from.position())) {
         if (roads.vertex(cell) == RoadGraph.NONE || places.containsValue(cell)) {
@@ -247,7 +259,7 @@ final class LanePlanner {
         List<Section> sections =
             fitter.fit(robot, from, middle, length, new PassingPlaces.OnlyAtEnd());
         if (sections.size() == 1 && canDrive(robot, from, sections.getFirst(), swept)) {
-          sections.getFirst().cells().addTo(swept);
+          swept.add(sections.getFirst().area());
           places.put(robot, cell);
           sectionsToPlaces.put(robot, sections);
           return true;
@@ -256,13 +268,12 @@ final class LanePlanner {
       return false;
     }
 
-    private boolean canDrive(TrafficRobot robot, Pose from, Section section, BitSet swept) {
-      BitSet blockedCells = (BitSet) blocked.clone();
-      robot.standingCells().forEach(blockedCells::clear);
-      return !section.cells().intersects(blockedCells)
-          && !section.cells().intersects(swept)
-          && allocations.otherHolders(robot, section.cells()).stream()
-              .allMatch(o -> !robot.drive.isDriving() && Clearance.isKept(robot, from, section, o));
+    private boolean canDrive(
+        TrafficRobot robot, Pose from, Section section, List<SweptArea> swept) {
+      SweptArea standing = robot.areaAt(from);
+      return occupied.isFree(standing, section)
+          && swept.stream().allMatch(area -> Clearance.isKept(standing, section.area(), area))
+          && claims.tooNear(robot, standing, section.area()).isEmpty();
     }
 
     /** How many that want to go somewhere would get nowhere by this. */
@@ -284,16 +295,16 @@ final class LanePlanner {
     }
 
     /** The paths of robots that are too large for these lanes, as if the others were not there. */
-    private BitSet findWantedCells() {
-      BitSet wanted = new BitSet();
+    private List<SweptArea> findWanted() {
+      List<SweptArea> all = new ArrayList<>();
       for (TrafficRobot robot : robots) {
         boolean isTooLarge = robot.formation() != null || robot.radius() > diameter / 2;
         if (robot.needsPath() && robot.drive.path() == null && isTooLarge) {
           robot.waiting.setWanted(singleRobotPlanner.pathAlone(robot).orElse(List.of()));
-          wanted.or(robot.waiting.wantedCells());
+          all.addAll(robot.waiting.wanted());
         }
       }
-      return wanted;
+      return all;
     }
 
     void adopt(List<int[]> steps) {
@@ -307,10 +318,10 @@ final class LanePlanner {
         if (sections != null) {
           robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
           robot.drive.releaseAll();
-          sections.forEach(s -> allocations.allocate(robot, s.cells()));
+          sections.forEach(s -> claims.add(robot, s.area()));
         }
       }
-      new JointPlan(lanes, blocked, roads, planned, steps).adopt(fitter);
+      new JointPlan(lanes, occupied, roads, spacing, planned, steps).adopt(fitter);
     }
   }
 }

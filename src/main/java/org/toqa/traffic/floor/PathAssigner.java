@@ -4,7 +4,7 @@ import static java.util.Comparator.nullsLast;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.BitSet;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -17,7 +17,7 @@ final class PathAssigner {
   private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
 
   private final Map<String, TrafficRobot> robots;
-  private final CellAllocations allocations;
+  private final Claims claims;
   private final ReplanTrigger trigger;
   private final SingleRobotPlanner singleRobotPlanner;
   private final LanePlanner lanePlanner;
@@ -29,13 +29,13 @@ final class PathAssigner {
    */
   PathAssigner(
       Map<String, TrafficRobot> robots,
-      CellAllocations allocations,
+      Claims claims,
       ReplanTrigger trigger,
       SingleRobotPlanner singleRobotPlanner,
       LanePlanner lanePlanner,
       WaitReasonFinder waitReasons) {
     this.robots = robots;
-    this.allocations = allocations;
+    this.claims = claims;
     this.trigger = trigger;
     this.singleRobotPlanner = singleRobotPlanner;
     this.lanePlanner = lanePlanner;
@@ -78,12 +78,12 @@ final class PathAssigner {
   }
 
   private void planSingleRobot(TrafficRobot robot) {
-    BitSet claimed = robot.claimedByOthers(robots.values());
+    List<SweptArea> claimed = new ArrayList<>(robot.claimedByOthers(robots.values()));
     robots.values().stream()
         .filter(other -> other.hasPrecedenceOver(robot))
-        .forEach(other -> claimed.or(other.waiting.wantedCells()));
+        .forEach(other -> claimed.addAll(other.waiting.wanted()));
     singleRobotPlanner
-        .pathAmong(robot, robots.values(), claimed)
+        .pathAmong(robot, claimed)
         .ifPresent(
             sections -> {
               robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
@@ -95,8 +95,7 @@ final class PathAssigner {
     if (!trigger.takePlanNeeded(robots.values(), standstills, now)) {
       return;
     }
-    LanePlanner.Outcome outcome =
-        lanePlanner.plan(robots.values(), allocations, trigger.mustReplan());
+    LanePlanner.Outcome outcome = lanePlanner.plan(robots.values(), claims, trigger.mustReplan());
     if (outcome == LanePlanner.Outcome.PLANNED) {
       trigger.recordPlanned();
       robots.values().stream()

@@ -20,7 +20,7 @@ import org.toqa.motion.Trajectory;
  * @param visits the cells visited from {@code inherited} on, the first being where that part
  *     begins; empty for a path that meets nobody's
  * @param visitAtEnd by section from {@code inherited} on: the index of the visit at its end
- * @param dependencies by visit: who was there before, or null
+ * @param dependencies by visit: who was there, or too near to it, before
  */
 record ReservedPath(
     Pose start,
@@ -29,7 +29,7 @@ record ReservedPath(
     @Nullable OccupancyGrid lattice,
     List<Cell> visits,
     List<Integer> visitAtEnd,
-    List<@Nullable Dependency> dependencies) {
+    List<List<Dependency>> dependencies) {
 
   /** Another robot must have gone on from the visit of that index on that path of its. */
   record Dependency(String robot, int pathNumber, int visit) {}
@@ -102,7 +102,7 @@ record ReservedPath(
         start, joined, count, next.lattice, next.visits, next.visitAtEnd, next.dependencies);
   }
 
-  ReservedPath withDependencies(List<@Nullable Dependency> others) {
+  ReservedPath withDependencies(List<List<Dependency>> others) {
     return new ReservedPath(start, sections, inherited, lattice, visits, visitAtEnd, others);
   }
 

@@ -2,7 +2,6 @@ package org.toqa.traffic.floor;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -40,13 +39,12 @@ final class RoomMaker {
     }
     robot.waiting.setWanted(
         singleRobotPlanner.pathAroundNotMovable(robot, robots.values()).orElse(List.of()));
-    BitSet wanted = robot.waiting.wantedCells();
+    List<SweptArea> wanted = robot.waiting.wanted();
     if (wanted.isEmpty()) {
       return;
     }
-    BitSet claimed = other.claimedByOthers(robots.values());
     Optional<List<Section>> out =
-        singleRobotPlanner.pathOutOf(other, robots.values(), claimed, wanted);
+        singleRobotPlanner.pathOutOf(other, other.claimedByOthers(robots.values()), wanted);
     if (out.isPresent()) {
       trigger.markFreed(other);
       other.freeUnreleased();

@@ -10,10 +10,11 @@ import org.toqa.motion.Segment;
  *
  * @param segments what is driven
  * @param end where the robot then is, map frame
- * @param cells all cells that the robot touches meanwhile, from the first moment to the last
- * @param endCells those that it touches at the end
+ * @param area all that the robot covers meanwhile, from the first moment to the last
+ * @param endArea what it covers at the end
+ * @param cells those that it touches meanwhile
  */
-record Section(List<Segment> segments, Pose end, CellSet cells, CellSet endCells) {
+record Section(List<Segment> segments, Pose end, SweptArea area, SweptArea endArea, CellSet cells) {
   Section {
     segments = List.copyOf(segments);
   }

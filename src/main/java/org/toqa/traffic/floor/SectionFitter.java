@@ -41,7 +41,7 @@ final class SectionFitter {
     Pose pose = trajectory.start();
     for (Segment whole : trajectory.segments()) {
       for (Segment piece : split(pose, whole, passingPlaces)) {
-        open.add(piece, robot.sweptCells(pose, piece));
+        open.add(piece, robot.sweptArea(pose, piece));
         pose = pose.advanced(piece.twist(), piece.t());
         if (passingPlaces.isPassingPlace(pose.position(), open.length)) {
           sections.add(open.closedAt(pose, robot));
@@ -58,17 +58,17 @@ final class SectionFitter {
   /** What belongs to the next section. */
   private static final class OpenSection {
     final List<Segment> segments = new ArrayList<>();
-    CellSet cells = CellSet.NONE;
+    final List<SweptArea> swept = new ArrayList<>();
     double length;
 
-    void add(Segment piece, CellSet swept) {
+    void add(Segment piece, SweptArea area) {
       segments.add(piece);
-      cells = cells.union(swept);
+      swept.add(area);
       length += piece.length();
     }
 
     Section closedAt(Pose end, TrafficRobot robot) {
-      return new Section(segments, end, cells, robot.cellsAt(end));
+      return robot.section(segments, end, SweptArea.union(swept));
     }
   }
 

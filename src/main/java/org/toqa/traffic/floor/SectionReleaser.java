@@ -13,8 +13,8 @@ import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.floor.ReservedPath.Dependency;
 
 /**
- * Lets robots go on: a section is released when no cell of it is another robot's and whoever comes
- * before has left.
+ * Lets robots go on: a section is released when nothing that is another robot's is too near to it
+ * and whoever comes before has left.
  */
 final class SectionReleaser {
   private static final Duration SPLIT_CORNER_AFTER = Duration.ofMillis(500);
@@ -26,13 +26,12 @@ final class SectionReleaser {
 
   private final SectionFitter fitter;
   private final Map<String, TrafficRobot> robots;
-  private final CellAllocations allocations;
+  private final Claims claims;
 
-  SectionReleaser(
-      SectionFitter fitter, Map<String, TrafficRobot> robots, CellAllocations allocations) {
+  SectionReleaser(SectionFitter fitter, Map<String, TrafficRobot> robots, Claims claims) {
     this.fitter = fitter;
     this.robots = robots;
-    this.allocations = allocations;
+    this.claims = claims;
   }
 
   void release(TrafficRobot robot, Instant now) {
@@ -48,7 +47,7 @@ final class SectionReleaser {
         path = Objects.requireNonNull(robot.drive.path());
         continue;
       }
-      allocations.allocate(robot, path.sections().get(robot.drive.released()).cells());
+      claims.add(robot, path.sections().get(robot.drive.released()).area());
       robot.drive.releaseNext(now);
       robot.waiting.unblock();
     }
@@ -66,22 +65,21 @@ final class SectionReleaser {
   private boolean canEnter(TrafficRobot robot, ReservedPath path, int index) {
     Section section = path.sections().get(index);
     Vec2 where = section.end().position();
-    for (TrafficRobot other : allocations.otherHolders(robot, section.cells())) {
-      if (robot.drive.isDriving()
-          || !Clearance.isKept(robot, robot.releasedEnd(), section, other)) {
-        robot.waiting.setBlockedReason(new WaitReason.RobotPassing(other.name, where));
-        return false;
-      }
+    SweptArea standing = robot.areaAt(path.poseAfter(index));
+    for (TrafficRobot other : claims.tooNear(robot, standing, section.area())) {
+      robot.waiting.setBlockedReason(new WaitReason.RobotPassing(other.name, where));
+      return false;
     }
     if (index < path.inherited() || !path.isShared()) {
       return true;
     }
     int last = path.visitAfterSections(index + 1);
     for (int v = path.visitAfterSections(index) + 1; v <= last; v++) {
-      Dependency dependency = path.dependencies().get(v);
-      if (dependency != null && !isOver(dependency)) {
-        robot.waiting.setBlockedReason(new WaitReason.RobotPassing(dependency.robot(), where));
-        return false;
+      for (Dependency dependency : path.dependencies().get(v)) {
+        if (!isOver(dependency)) {
+          robot.waiting.setBlockedReason(new WaitReason.RobotPassing(dependency.robot(), where));
+          return false;
+        }
       }
     }
     return true;

@@ -56,21 +56,20 @@ final class SingleRobotPlanner {
     }
     FormationFootprint formation = robot.formation();
     if (formation != null) {
-      return formationPath(robot, formation, new BitSet());
+      return formationPath(robot, formation, List.of());
     }
-    OccupancyGrid free =
-        freeSpace.freeCells(robot.radius(), new BitSet(), List.of(), robot.releasedCell());
-    return fittedPath(alone, free, robot, goal, sections -> true);
+    return fittedPath(alone, freeCells(robot, List.of()), robot, goal, sections -> true);
   }
 
   /** As if all other robots made room that can. */
   Optional<List<Section>> pathAroundNotMovable(
       TrafficRobot robot, Collection<TrafficRobot> robots) {
-    BitSet notMovable = new BitSet();
-    robots.stream()
-        .filter(o -> o != robot && !o.isMovable())
-        .forEach(o -> o.addClaimedTo(notMovable));
-    return notMovable.isEmpty() ? pathAlone(robot) : pathAmong(robot, robots, notMovable);
+    List<SweptArea> notMovable =
+        robots.stream()
+            .filter(o -> o != robot && !o.isMovable())
+            .flatMap(o -> o.claimed().stream())
+            .toList();
+    return notMovable.isEmpty() ? pathAlone(robot) : pathAmong(robot, notMovable);
   }
 
   /** The points of its path, were there neither robots nor obstacles; empty where there is none. */
@@ -87,12 +86,11 @@ final class SingleRobotPlanner {
   }
 
   /**
-   * One that meets nobody's cells.
+   * One that keeps off what is claimed.
    *
-   * @param claimed the cells that others have or will need
+   * @param claimed what others have or will need
    */
-  Optional<List<Section>> pathAmong(
-      TrafficRobot robot, Collection<TrafficRobot> others, BitSet claimed) {
+  Optional<List<Section>> pathAmong(TrafficRobot robot, List<SweptArea> claimed) {
     Cell goal = robot.goalCell();
     FormationFootprint formation = robot.formation();
     if (goal == null) {
@@ -101,11 +99,11 @@ final class SingleRobotPlanner {
     if (formation != null) {
       return formationPath(robot, formation, claimed);
     }
-    return pathAmong(robot, others, claimed, (free, start) -> goal);
+    return pathAmong(robot, claimed, (free, start) -> goal);
   }
 
   private Optional<List<Section>> formationPath(
-      TrafficRobot robot, FormationFootprint formation, BitSet claimed) {
+      TrafficRobot robot, FormationFootprint formation, List<SweptArea> claimed) {
     Vec2 goal = robot.goal();
     return goal == null
         ? Optional.empty()
@@ -113,19 +111,15 @@ final class SingleRobotPlanner {
   }
 
   /**
-   * One that meets nobody's cells, to the nearest place outside of some cells.
+   * One that keeps off what is claimed, to the nearest place away from some areas.
    *
    * @param left what it has to leave
    */
   Optional<List<Section>> pathOutOf(
-      TrafficRobot robot, Collection<TrafficRobot> others, BitSet claimed, BitSet left) {
+      TrafficRobot robot, List<SweptArea> claimed, List<SweptArea> left) {
     return robot.formation() != null
         ? Optional.empty()
-        : pathAmong(
-            robot,
-            others,
-            claimed,
-            (free, start) -> nearestOutside(free, start, robot.radius(), left));
+        : pathAmong(robot, claimed, (free, start) -> nearestOutside(free, start, robot, left));
   }
 
   /** Where to go on a floor, if anywhere. */
@@ -134,40 +128,44 @@ final class SingleRobotPlanner {
   }
 
   private @Nullable Cell nearestOutside(
-      OccupancyGrid free, Cell start, double radius, BitSet left) {
+      OccupancyGrid free, Cell start, TrafficRobot robot, List<SweptArea> left) {
     RoadGraph roads = new RoadGraph(free);
     int[] found = {RoadGraph.NONE};
     roads.visitByDistance(
         roads.vertex(start),
         (vertex, steps) -> {
-          Vec2 centre = free.centre(roads.cell(vertex));
-          found[0] = SweptCells.at(free, centre, radius).intersects(left) ? RoadGraph.NONE : vertex;
-          return found[0] == RoadGraph.NONE;
+          SweptArea place = SweptArea.at(free.centre(roads.cell(vertex)), robot.radius());
+          boolean isOutside = left.stream().allMatch(area -> Clearance.isKept(place, area));
+          found[0] = isOutside ? vertex : RoadGraph.NONE;
+          return !isOutside;
         });
     return found[0] == RoadGraph.NONE ? null : roads.cell(found[0]);
   }
 
   private Optional<List<Section>> pathAmong(
-      TrafficRobot robot, Collection<TrafficRobot> others, BitSet claimed, GoalChoice aim) {
-    List<TrafficRobot> touching = touchingRobots(robot, others);
-    BitSet taken = claimed;
-    if (!touching.isEmpty()) {
-      taken = (BitSet) claimed.clone();
-      robot.standingCells().forEach(taken::clear);
-    }
-    BitSet notOwn = taken;
-    List<PlacedDisc> discs = touching.stream().flatMap(o -> o.discs().stream()).toList();
-    OccupancyGrid free = freeSpace.freeCells(robot.radius(), notOwn, discs, robot.releasedCell());
+      TrafficRobot robot, List<SweptArea> claimed, GoalChoice aim) {
+    OccupancyGrid free = freeCells(robot, claimed);
     Cell goal = aim.from(free, entry(free, robot));
     if (goal == null) {
       return Optional.empty();
     }
+    SweptArea standing = robot.areaAt(robot.releasedEnd());
     return fittedPath(
         amongOthers,
         free,
         robot,
         goal,
-        sections -> isClearOfRobots(robot, sections, touching, notOwn));
+        sections ->
+            sections.stream()
+                .allMatch(
+                    section ->
+                        claimed.stream()
+                            .allMatch(area -> Clearance.isKept(standing, section.area(), area))));
+  }
+
+  private OccupancyGrid freeCells(TrafficRobot robot, List<SweptArea> claimed) {
+    SweptArea standing = robot.areaAt(robot.releasedEnd());
+    return freeSpace.freeCells(robot.radius(), claimed, standing, robot.releasedCell());
   }
 
   /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */
@@ -216,17 +214,6 @@ final class SingleRobotPlanner {
         : Optional.empty();
   }
 
-  /** Robots so near to it that they touch the same cell. */
-  private static List<TrafficRobot> touchingRobots(
-      TrafficRobot robot, Collection<TrafficRobot> others) {
-    if (robot.drive.isDriving()) {
-      return List.of();
-    }
-    BitSet under = new BitSet();
-    robot.standingCells().addTo(under);
-    return others.stream().filter(o -> o != robot && o.standingCells().intersects(under)).toList();
-  }
-
   /**
    * Whether it touches no wall and no obstacle. What it touches already, as it may have been
    * stopped anywhere and is a little beside where it should be, it comes no nearer to.
@@ -255,20 +242,13 @@ final class SingleRobotPlanner {
     Pose pose = start;
     for (Section section : sections) {
       for (Segment segment : section.segments()) {
-        if (SweptCells.alongSegment(freeSpace.grid(), pose, segment, radius).intersects(cells)) {
+        if (SweptArea.along(pose, segment, radius).cells(freeSpace.grid(), 0).intersects(cells)) {
           return false;
         }
         pose = pose.advanced(segment.twist(), segment.t());
       }
     }
     return true;
-  }
-
-  private static boolean isClearOfRobots(
-      TrafficRobot robot, List<Section> sections, List<TrafficRobot> touching, BitSet taken) {
-    return isClearOf(sections, taken)
-        && touching.stream()
-            .allMatch(o -> Clearance.isKept(robot, robot.releasedEnd(), sections.getFirst(), o));
   }
 
   private static boolean isClearOf(List<Section> sections, BitSet cells) {

@@ -7,7 +7,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Pose;
@@ -56,7 +55,8 @@ final class TrafficRobot {
   /** Whether it has not gone on for much longer than its path takes. */
   private boolean stalled;
 
-  private CellSet standingCells;
+  /** What it covers where it is. */
+  private SweptArea standingArea;
 
   TrafficRobot(String name, int number, OccupancyGrid grid, Pose pose, double radius, Instant now) {
     this.name = name;
@@ -65,7 +65,7 @@ final class TrafficRobot {
     this.pose = pose;
     this.radius = radius;
     this.drive = new Drive(now);
-    this.standingCells = SweptCells.at(grid, pose.position(), radius);
+    this.standingArea = SweptArea.at(pose.position(), radius);
   }
 
   /** Where it is, map frame. */
@@ -131,14 +131,14 @@ final class TrafficRobot {
     pose = newPose;
     radius = newRadius;
     if (!isSame) {
-      standingCells = cellsAt(newPose);
+      standingArea = areaAt(newPose);
     }
   }
 
   /** Others drive with it as one from now on; null: it drives alone. */
   void setFormation(@Nullable FormationFootprint newFormation) {
     formation = newFormation;
-    standingCells = cellsAt(pose);
+    standingArea = areaAt(pose);
   }
 
   @Nullable FormationFootprint formation() {
@@ -152,18 +152,23 @@ final class TrafficRobot {
         : formation.discs(pose);
   }
 
-  /** The cells under it when it is there. */
-  CellSet cellsAt(Pose at) {
+  /** What it covers when it is there. */
+  SweptArea areaAt(Pose at) {
     return formation == null
-        ? SweptCells.at(grid, at.position(), radius)
-        : formation.cellsAt(grid, at);
+        ? SweptArea.at(at.position(), radius)
+        : SweptArea.at(formation.discs(at));
   }
 
-  /** The cells that it touches while it drives the segment. */
-  CellSet sweptCells(Pose from, Segment segment) {
+  /** What it covers while it drives the segment. */
+  SweptArea sweptArea(Pose from, Segment segment) {
     return formation == null
-        ? SweptCells.alongSegment(grid, from, segment, radius)
-        : formation.sweptCells(grid, from, segment);
+        ? SweptArea.along(from, segment, radius)
+        : formation.sweptArea(from, segment);
+  }
+
+  /** A section of its path that covers an area. */
+  Section section(List<Segment> segments, Pose end, SweptArea area) {
+    return new Section(segments, end, area, areaAt(end), area.cells(grid, 0));
   }
 
   /** How it shall face at a point; null: in any heading. */
@@ -171,35 +176,57 @@ final class TrafficRobot {
     return goal != null && goalHeading != null && isAtGoalPoint(point) ? goalHeading : null;
   }
 
+  /** What it covers where it is. */
+  SweptArea standingArea() {
+    return standingArea;
+  }
+
   /** The cells under it. */
   CellSet standingCells() {
-    return standingCells;
+    return standingArea.cells(grid, 0);
   }
 
-  /** The cells that are its own now, in parts: where it is, and all of what it may drive. */
-  void forEachAllocated(Consumer<CellSet> consumer) {
-    consumer.accept(standingCells);
-    drive.forEachAllocated(consumer);
+  /** What is its own now, in parts: where it is, and all of what it may drive. */
+  List<SweptArea> allocated() {
+    List<SweptArea> areas = new ArrayList<>(drive.allocated());
+    if (areas.stream().noneMatch(this::isWithin)) {
+      areas.add(placeArea());
+    }
+    return areas;
   }
 
-  /** The same cells, as bits by their index. */
+  /** What it covers at the place that it was sent to, if it is there; else where it is. */
+  private SweptArea placeArea() {
+    Pose place = drive.lastPathEnd();
+    SweptArea area = place == null ? standingArea : areaAt(place);
+    return isWithin(area) ? area : standingArea;
+  }
+
+  /** Whether it is there, but for what a robot may be beside its path. */
+  private boolean isWithin(SweptArea area) {
+    return area.gapTo(pose.position()) < Trajectory.MAX_DEVIATION - radius;
+  }
+
+  /** The cells that it touches by that, as bits by their index. */
   BitSet allocatedCells() {
     BitSet cells = new BitSet();
-    forEachAllocated(part -> part.addTo(cells));
+    allocated().forEach(area -> area.cells(grid, 0).addTo(cells));
     return cells;
   }
 
-  /** Adds the cells that it has or will need. */
-  void addClaimedTo(BitSet cells) {
-    standingCells.addTo(cells);
-    drive.forEachClaimed(part -> part.addTo(cells));
+  /** What it has or will need, in parts. */
+  List<SweptArea> claimed() {
+    List<SweptArea> areas = allocated();
+    areas.addAll(drive.unreleasedAreas());
+    return areas;
   }
 
-  /** The cells, as bits by their index, that other robots have or will need. */
-  BitSet claimedByOthers(Collection<TrafficRobot> robots) {
-    BitSet claimed = new BitSet();
-    robots.stream().filter(other -> other != this).forEach(other -> other.addClaimedTo(claimed));
-    return claimed;
+  /** What other robots have or will need. */
+  List<SweptArea> claimedByOthers(Collection<TrafficRobot> robots) {
+    return robots.stream()
+        .filter(other -> other != this)
+        .flatMap(other -> other.claimed().stream())
+        .toList();
   }
 
   /** Where it will be when it has driven what is released, and where its path goes on. */
@@ -318,9 +345,9 @@ final class TrafficRobot {
     List<Section> sections = new ArrayList<>();
     Pose at = trajectory.start();
     for (Segment segment : trajectory.segments()) {
-      CellSet cells = sweptCells(at, segment);
+      SweptArea area = sweptArea(at, segment);
       at = at.advanced(segment.twist(), segment.t());
-      sections.add(new Section(List.of(segment), at, cells, cellsAt(at)));
+      sections.add(section(List.of(segment), at, area));
     }
     continueOn(ReservedPath.independent(trajectory.start(), sections));
     drive.resume(completedSegments, now);

@@ -1,6 +1,5 @@
 package org.toqa.traffic.floor;
 
-import java.util.BitSet;
 import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
@@ -59,12 +58,14 @@ final class WaitReasonFinder {
 
   private @Nullable WaitReason blocking(
       TrafficRobot robot, Section section, Collection<TrafficRobot> robots) {
+    SweptArea standing = robot.areaAt(robot.releasedEnd());
     for (TrafficRobot other : robots) {
-      BitSet claimed = new BitSet();
-      other.addClaimedTo(claimed);
-      int cell = other == robot ? -1 : section.cells().firstIn(claimed);
-      if (cell >= 0) {
-        Vec2 where = freeSpace.grid().centre(freeSpace.grid().cell(cell));
+      boolean isBlocking =
+          other != robot
+              && other.claimed().stream()
+                  .anyMatch(area -> !Clearance.isKept(standing, section.area(), area));
+      if (isBlocking) {
+        Vec2 where = section.end().position();
         if (!other.isMovable()) {
           return new WaitReason.RobotNotMovable(other.name, where);
         }

@@ -28,7 +28,10 @@ final class WaitState {
   /** When its own smooth path was last looked for. */
   private Instant lastSinglePlan = Instant.MIN;
 
-  /** The cells that a robot too large to be planned with the others waits for to become free. */
+  /** What a robot too large to be planned with the others waits for to become free. */
+  private List<SweptArea> wanted = List.of();
+
+  /** The cells of that. */
   private BitSet wantedCells = new BitSet();
 
   @Nullable Instant since() {
@@ -47,7 +50,12 @@ final class WaitState {
     return blockedReason;
   }
 
-  /** The cells, as bits by their index, that others shall leave; not to be changed. */
+  /** What others shall leave. */
+  List<SweptArea> wanted() {
+    return wanted;
+  }
+
+  /** The cells of that, as bits by their index; not to be changed. */
   BitSet wantedCells() {
     return wantedCells;
   }
@@ -57,7 +65,7 @@ final class WaitState {
     since = newSince;
     noPathReason = null;
     goalTakenBy = null;
-    wantedCells = new BitSet();
+    setWanted(List.of());
   }
 
   void setSince(@Nullable Instant newSince) {
@@ -74,8 +82,9 @@ final class WaitState {
     goalTakenBy = robot;
   }
 
-  /** The cells of these sections are what it waits for. */
+  /** These sections are what it waits for. */
   void setWanted(List<Section> sections) {
+    wanted = sections.stream().map(Section::area).toList();
     wantedCells = new BitSet();
     sections.forEach(section -> section.cells().addTo(wantedCells));
   }

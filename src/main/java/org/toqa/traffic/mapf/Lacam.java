@@ -21,10 +21,10 @@ import org.toqa.traffic.RoadGraph;
  * Lazy constraints addition search: finds paths for all robots, or proves that there are none.
  *
  * <p>Idea: a depth-first search over configurations (the places of all robots at once). A
- * configuration has far too many successors to list, so they come one at a time from {@link Pibt};
- * each further visit of the same configuration adds one more order ("robot i goes to v"), and the
- * orders, taken in breadth, run through all successors in the end. That makes the quick rule of
- * PIBT complete: it fails only where there is nothing to find.
+ * configuration has far too many successors to list, so they come one at a time from {@link
+ * StepSearch}; each further visit of the same configuration adds one more order ("robot i goes to
+ * v"), and the orders, taken in breadth, run through all successors in the end. That makes the
+ * quick rule of PIBT complete: it fails only where there is nothing to find.
  *
  * <p>Cost: where PIBT needs no correction, one step of it for every step of the plan.
  *
@@ -35,11 +35,11 @@ final class Lacam {
   private final char[][] distances;
   private final int[] starts;
   private final int[] goals;
-  private final Pibt pibt;
+  private final StepSearch stepSearch;
   private final SplittableRandom random;
 
   /**
-   * @param mayRotate whether robots in a ring may all move on at once
+   * @param stepSearch finds the step from one configuration to the next
    */
   Lacam(
       RoadGraph roads,
@@ -47,13 +47,13 @@ final class Lacam {
       int[] starts,
       int[] goals,
       SplittableRandom random,
-      boolean mayRotate) {
+      StepSearch stepSearch) {
     this.roads = roads;
     this.distances = distances;
     this.starts = starts;
     this.goals = goals;
     this.random = random;
-    this.pibt = new Pibt(roads, distances, goals, random, mayRotate);
+    this.stepSearch = stepSearch;
   }
 
   /**
@@ -135,7 +135,7 @@ final class Lacam {
         continue;
       }
       branch(node, constraints);
-      if (!pibt.step(node.places, node.order, constraints, next)) {
+      if (!stepSearch.step(node.places, node.order, constraints, next)) {
         continue;
       }
       Key key = Key.of(next);

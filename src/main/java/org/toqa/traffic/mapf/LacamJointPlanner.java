@@ -2,10 +2,10 @@ package org.toqa.traffic.mapf;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -13,11 +13,13 @@ import org.toqa.traffic.Deadline;
 import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.JointPlanner;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 
 /**
  * Plans the robots of a floor together: {@link Lacam} without rings that move at once finds a plan,
  * {@link PrioritisedPlanning} perhaps a better one, and {@link NeighbourhoodSearch} takes out the
- * detours. These two know nothing of rings; where one has come in, the first plan is kept.
+ * detours. These two know nothing of rings; where one has come in, the first plan is kept, as it is
+ * where robots stand nearer to each other than they may drive.
  */
 public final class LacamJointPlanner implements JointPlanner {
   private static final long SEED = 7275;
@@ -31,15 +33,23 @@ public final class LacamJointPlanner implements JointPlanner {
   private static final double SHARE_OF_IMPROVING = 0.3;
 
   @Override
-  public Optional<List<int[]>> plan(RoadGraph roads, int[] starts, int[] goals, Deadline deadline) {
+  public Optional<List<int[]>> plan(
+      RoadGraph roads, Spacing spacing, int[] starts, int[] goals, Deadline deadline) {
     char[][] distances = DistanceTables.of(roads, goals, deadline);
     if (distances.length < goals.length) {
       return Optional.empty();
     }
     SplittableRandom random = new SplittableRandom(SEED);
-    Lacam lacam = new Lacam(roads, distances, starts, goals, random.split(), false);
+    StepSearch steps =
+        spacing.isNone()
+            ? new Pibt(roads, distances, goals, random.split(), false)
+            : new SpacedPibt(roads, spacing, distances, random.split());
+    Lacam lacam = new Lacam(roads, distances, starts, goals, random.split(), steps);
     if (!(lacam.search(deadline) instanceof Lacam.Outcome.Found(var configurations))) {
       return Optional.empty();
+    }
+    if (isAnyTooNear(spacing, starts)) {
+      return Optional.of(configurations);
     }
     int[][] first = VertexPaths.of(configurations);
     SearchBudget budget =
@@ -47,16 +57,30 @@ public final class LacamJointPlanner implements JointPlanner {
             deadline.afterShare(SHARE_OF_IMPROVING),
             IMPROVEMENTS + IMPROVEMENTS_EACH * starts.length);
     int @Nullable [][] second =
-        new PrioritisedPlanning(roads, distances, first, random.split()).plan(budget);
+        new PrioritisedPlanning(roads, spacing, distances, first, random.split()).plan(budget);
     int[][] best =
         second != null && VertexPaths.sumOfCosts(second) < VertexPaths.sumOfCosts(first)
             ? second
             : first.clone();
     long lowerBound =
         IntStream.range(0, starts.length).mapToLong(i -> distances[i][starts[i]]).sum();
-    new NeighbourhoodSearch(roads, distances, best, random.split()).improve(lowerBound, budget);
+    new NeighbourhoodSearch(roads, spacing, distances, best, random.split())
+        .improve(lowerBound, budget);
     List<int[]> improved = configurations(best);
-    return Optional.of(hasRing(improved) ? configurations : improved);
+    return Optional.of(StepOrder.hasCycle(roads, spacing, improved) ? configurations : improved);
+  }
+
+  /** Whether robots stand so near to each other that only steps apart lead on. */
+  private static boolean isAnyTooNear(Spacing spacing, int[] places) {
+    if (spacing.isNone()) {
+      return false;
+    }
+    Set<Integer> taken = new HashSet<>();
+    for (int place : places) {
+      taken.add(place);
+    }
+    return Arrays.stream(places)
+        .anyMatch(place -> Arrays.stream(spacing.near(place)).anyMatch(taken::contains));
   }
 
   private static List<int[]> configurations(int[][] paths) {
@@ -70,30 +94,5 @@ public final class LacamJointPlanner implements JointPlanner {
       configurations.add(places);
     }
     return configurations;
-  }
-
-  /** Whether in some step robots follow each other in a ring. */
-  static boolean hasRing(List<int[]> configurations) {
-    for (int step = 1; step < configurations.size(); step++) {
-      Map<Integer, Integer> moves = new HashMap<>();
-      int[] from = configurations.get(step - 1);
-      int[] to = configurations.get(step);
-      for (int robot = 0; robot < from.length; robot++) {
-        if (from[robot] != to[robot]) {
-          moves.put(from[robot], to[robot]);
-        }
-      }
-      while (!moves.isEmpty()) {
-        int start = moves.keySet().iterator().next();
-        Integer at = start;
-        do {
-          at = moves.remove(at);
-        } while (at != null && at != start);
-        if (at != null) {
-          return true;
-        }
-      }
-    }
-    return false;
   }
 }

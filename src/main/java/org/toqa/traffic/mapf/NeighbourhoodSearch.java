@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 
 /**
  * Makes a plan better until the time is up, by large neighbourhood search.
@@ -27,6 +28,7 @@ final class NeighbourhoodSearch {
   private static final int WALKS = 10;
 
   private final RoadGraph roads;
+  private final Spacing spacing;
   private final char[][] distances;
   private final int[][] paths;
   private final ReservationTable reservations;
@@ -48,13 +50,19 @@ final class NeighbourhoodSearch {
   /**
    * @param paths the plan, a path a robot; changed in place
    */
-  NeighbourhoodSearch(RoadGraph roads, char[][] distances, int[][] paths, SplittableRandom random) {
+  NeighbourhoodSearch(
+      RoadGraph roads,
+      Spacing spacing,
+      char[][] distances,
+      int[][] paths,
+      SplittableRandom random) {
     this.roads = roads;
+    this.spacing = spacing;
     this.distances = distances;
     this.paths = paths;
     this.random = random;
     int last = Arrays.stream(paths).mapToInt(path -> path.length).max().orElse(0);
-    reservations = new ReservationTable(roads, last + last / 4);
+    reservations = ReservationTable.of(roads, spacing, last + last / 4);
     for (int[] path : paths) {
       reservations.add(path);
     }
@@ -166,9 +174,10 @@ final class NeighbourhoodSearch {
     return step;
   }
 
+  /** Whoever is on a vertex at a time, or too near to it. */
   private void addRobotAt(int vertex, int time) {
     for (int robot = 0; robot < paths.length; robot++) {
-      if (VertexPaths.at(paths[robot], time) == vertex) {
+      if (spacing.isTooNear(VertexPaths.at(paths[robot], time), vertex)) {
         add(robot);
         return;
       }

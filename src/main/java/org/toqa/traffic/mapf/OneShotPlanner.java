@@ -10,6 +10,7 @@ import org.toqa.grid.Cell;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 import org.toqa.traffic.mapf.MapfResult.Culprit;
 import org.toqa.traffic.mapf.MapfResult.Reason;
 import org.toqa.traffic.mapf.MapfResult.Solved;
@@ -88,7 +89,8 @@ public final class OneShotPlanner {
       return new Unsolved(Reason.OUT_OF_TIME, null);
     }
     SplittableRandom random = new SplittableRandom(seed);
-    Lacam lacam = new Lacam(roads, distances, starts, goals, random.split(), true);
+    StepSearch steps = new Pibt(roads, distances, goals, random.split(), true);
+    Lacam lacam = new Lacam(roads, distances, starts, goals, random.split(), steps);
     return switch (lacam.search(deadline)) {
       case Lacam.Outcome.Exhausted() -> new Unsolved(Reason.NO_PLAN, null);
       case Lacam.Outcome.OutOfTime() -> new Unsolved(Reason.OUT_OF_TIME, null);
@@ -97,7 +99,7 @@ public final class OneShotPlanner {
         onFirst.accept(new MapfPlan(roads, first));
         int[][] best = secondPlan(roads, distances, first, deadline, random.split());
         long lowerBound = lowerBound(distances, starts);
-        new NeighbourhoodSearch(roads, distances, best, random.split())
+        new NeighbourhoodSearch(roads, Spacing.none(roads), distances, best, random.split())
             .improve(lowerBound, SearchBudget.until(deadline));
         yield new Solved(new MapfPlan(roads, best), lowerBound);
       }
@@ -111,7 +113,7 @@ public final class OneShotPlanner {
       Deadline deadline,
       SplittableRandom random) {
     int[][] second =
-        new PrioritisedPlanning(roads, distances, first, random)
+        new PrioritisedPlanning(roads, Spacing.none(roads), distances, first, random)
             .plan(SearchBudget.until(deadline.afterShare(SHARE_OF_SECOND)));
     return second != null && VertexPaths.sumOfCosts(second) < VertexPaths.sumOfCosts(first)
         ? second

@@ -21,7 +21,7 @@ import org.toqa.traffic.RoadGraph;
  * finding", AIJ 2022; the swap: K. Okumura, "Improving LaCAM for scalable eventually optimal
  * multi-agent pathfinding", IJCAI 2023.
  */
-final class Pibt {
+final class Pibt implements StepSearch {
   /** A robot has four neighbours and its own place to choose from. */
   private static final int CHOICES = DIRECTIONS + 1;
 
@@ -81,16 +81,8 @@ final class Pibt {
     Arrays.fill(to, NONE);
   }
 
-  /**
-   * Chooses the next place of every robot.
-   *
-   * @param places where the robots stand
-   * @param order the robots by falling priority
-   * @param constraints robots that must go where they are told
-   * @param next receives the places after the step
-   * @return false where the orders leave some robot no place
-   */
-  boolean step(int[] places, int[] order, Lacam.Constraints constraints, int[] next) {
+  @Override
+  public boolean step(int[] places, int[] order, Lacam.Constraints constraints, int[] next) {
     System.arraycopy(places, 0, from, 0, from.length);
     for (int robot = 0; robot < from.length; robot++) {
       before[from[robot]] = robot;

@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 
 /**
  * Plans one robot after the other, each around the paths of those before it; a robot that finds
@@ -32,6 +33,7 @@ final class PrioritisedPlanning {
   /** Insertions a robot, on average, after which the floor counts as too crowded. */
   private static final int ROUNDS = 4;
 
+  private final Spacing spacing;
   private final char[][] distances;
   private final int[] starts;
   private final int[] goals;
@@ -47,13 +49,19 @@ final class PrioritisedPlanning {
   /**
    * @param known any plan; gives the starts and goals
    */
-  PrioritisedPlanning(RoadGraph roads, char[][] distances, int[][] known, SplittableRandom random) {
+  PrioritisedPlanning(
+      RoadGraph roads,
+      Spacing spacing,
+      char[][] distances,
+      int[][] known,
+      SplittableRandom random) {
+    this.spacing = spacing;
     this.distances = distances;
     starts = Arrays.stream(known).mapToInt(path -> path[0]).toArray();
     goals = Arrays.stream(known).mapToInt(path -> path[path.length - 1]).toArray();
     int robots = known.length;
     int longest = IntStream.range(0, robots).map(this::shortest).max().orElse(0);
-    reservations = new ReservationTable(roads, longest + longest / 2);
+    reservations = ReservationTable.of(roads, spacing, longest + longest / 2);
     search = new SafeIntervalSearch(new StateGraph(roads, MotionModel.CLASSIC), reservations);
     paths = new int[robots][];
     ranks = new int[robots];
@@ -113,7 +121,7 @@ final class PrioritisedPlanning {
   private void requeueConflicting(int[] newcomer) {
     for (int other = 0; other < paths.length; other++) {
       int[] path = paths[other];
-      if (path != null && VertexPaths.hasConflict(path, newcomer)) {
+      if (path != null && VertexPaths.hasConflict(spacing, path, newcomer)) {
         reservations.remove(path);
         paths[other] = null;
         queue.add(other);

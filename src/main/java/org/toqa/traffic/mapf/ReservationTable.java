@@ -3,6 +3,7 @@ package org.toqa.traffic.mapf;
 import static org.toqa.traffic.RoadGraph.DIRECTIONS;
 
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 
 /**
  * When each vertex is taken and each edge is driven: a bit a step, so that the free times of a
@@ -10,7 +11,7 @@ import org.toqa.traffic.RoadGraph;
  *
  * <p>A path is the vertices at the times 0, 1, 2 ... up to the arrival.
  */
-public final class ReservationTable {
+public class ReservationTable {
   private static final int WORD = 6;
 
   private final RoadGraph roads;
@@ -28,6 +29,13 @@ public final class ReservationTable {
     this.words = (steps >> WORD) + 1;
     this.vertexTaken = new long[roads.vertexCount() * words];
     this.edgeTaken = new long[roads.vertexCount() * DIRECTIONS * words];
+  }
+
+  /** An empty table for vertices of which some cannot be taken at once. */
+  static ReservationTable of(RoadGraph roads, Spacing spacing, int steps) {
+    return spacing.isNone()
+        ? new ReservationTable(roads, steps)
+        : new SpacedReservations(roads, spacing, steps);
   }
 
   /** The first step that is beyond the table; means "for ever". */
@@ -100,6 +108,11 @@ public final class ReservationTable {
       bits = vertexTaken[vertex * words + --w];
     }
     return (w << WORD) + Long.SIZE - Long.numberOfLeadingZeros(bits);
+  }
+
+  /** The vertex beside one in a direction. */
+  final int beside(int vertex, int direction) {
+    return roads.neighbour(vertex, direction);
   }
 
   private int firstBit(long[] table, int base, int time, long flipped) {

@@ -1,6 +1,7 @@
 package org.toqa.traffic.mapf;
 
 import java.util.List;
+import org.toqa.traffic.Spacing;
 
 /** Paths as planners hold them: vertices at the times 0, 1, 2 ... up to the arrival. */
 public final class VertexPaths {
@@ -11,16 +12,17 @@ public final class VertexPaths {
     return path[Math.min(time, path.length - 1)];
   }
 
-  /** Whether two robots meet in a vertex or change places. */
-  public static boolean hasConflict(int[] one, int[] other) {
-    if (one[0] == other[0]) {
+  /** Whether two robots come too near to each other or change places. */
+  static boolean hasConflict(Spacing spacing, int[] one, int[] other) {
+    if (spacing.isTooNear(one[0], other[0])) {
       return true;
     }
     int last = Math.max(one.length, other.length);
     for (int t = 1; t < last; t++) {
       int a = at(one, t);
       int b = at(other, t);
-      if (a == b || (a == at(other, t - 1) && b == at(one, t - 1))) {
+      if (spacing.isTooNear(a, b)
+          || (spacing.isTooNear(a, at(other, t - 1)) && spacing.isTooNear(b, at(one, t - 1)))) {
         return true;
       }
     }

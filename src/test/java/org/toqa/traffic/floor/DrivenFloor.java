@@ -30,6 +30,10 @@ import org.toqa.traffic.mapf.LacamJointPlanner;
  */
 final class DrivenFloor {
   static final double DIAMETER = 0.255;
+
+  /** The side of a cell, metres: robots in the middles of two keep their distance. */
+  static final double CELL = 0.4;
+
   private static final double STEP = 0.1;
 
   private static final Duration PLANNING_LIMIT = Duration.ofSeconds(2);
@@ -60,14 +64,14 @@ final class DrivenFloor {
     return looks.incrementAndGet() * NANOS_A_LOOK;
   }
 
-  /** A floor drawn in text, cells of 0.3 m: '#' a wall, anything else free. */
+  /** A floor drawn in text, cells of {@link #CELL}: '#' a wall, anything else free. */
   static OccupancyGrid draw(String... rows) {
     String[] walls = new String[rows.length];
     for (int i = 0; i < rows.length; i++) {
       walls[i] = rows[i].replaceAll("[^#]", ".");
     }
     OccupancyGrid unit = OccupancyGrid.parse(walls);
-    return new OccupancyGrid(unit.width(), unit.height(), 0.3, Vec2.ZERO, unit.occupied());
+    return new OccupancyGrid(unit.width(), unit.height(), CELL, Vec2.ZERO, unit.occupied());
   }
 
   DrivenBody body(String robot) {

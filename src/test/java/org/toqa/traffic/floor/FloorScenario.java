@@ -21,7 +21,7 @@ import org.toqa.motion.DriveSpeeds;
  * What follows names places by column and row of the map as drawn:
  *
  * <pre>
- * cell 0.3              metres along a drawn cell's side
+ * cell 0.4              metres along a drawn cell's side
  * fine 6                a drawn cell is 6 x 6 cells of the grid
  * size a 0.5            diameter, metres; 0.255 where nothing is said
  * speed a 0.1           metres a second at most; 0.25 where nothing is said
@@ -48,7 +48,7 @@ final class FloorScenario {
   private final Map<Double, List<String[]>> events = new TreeMap<>();
   private final Map<String, String> expected = new LinkedHashMap<>();
   private final Set<Set<String>> cyclesExpected = new HashSet<>();
-  private double cell = 0.3;
+  private double cell = DrivenFloor.CELL;
   private int fine = 1;
   private double limit = 300;
 

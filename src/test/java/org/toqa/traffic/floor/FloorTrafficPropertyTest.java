@@ -86,8 +86,8 @@ class FloorTrafficPropertyTest {
       return false;
     }
     int fine = random.nextBoolean() ? 1 : 3 + random.nextInt(4);
-    OccupancyGrid grid = fine == 1 ? coarse : finer(coarse, fine, 0.3 / fine, random);
-    double diameter = 0.2 + 0.08 * random.nextDouble(); // 2 cm less than the narrowest aisle
+    OccupancyGrid grid = fine == 1 ? coarse : finer(coarse, fine, DrivenFloor.CELL / fine, random);
+    double diameter = 0.2 + 0.18 * random.nextDouble(); // 2 cm less than the narrowest aisle
     for (int i = 0; i < 20; i++) {
       Collections.shuffle(free, random);
       Vec2 goal = place(grid, coarse, free.getFirst(), fine);
@@ -96,8 +96,8 @@ class FloorTrafficPropertyTest {
       do {
         start =
             new Vec2(
-                middle.x() + 0.3 * (random.nextDouble() - 0.5),
-                middle.y() + 0.3 * (random.nextDouble() - 0.5));
+                middle.x() + DrivenFloor.CELL * (random.nextDouble() - 0.5),
+                middle.y() + DrivenFloor.CELL * (random.nextDouble() - 0.5));
       } while (!isClearOfWalls(grid, start, diameter / 2));
       Pose pose = new Pose(start.x(), start.y(), 2 * Math.PI * random.nextDouble());
       DrivenFloor floor = new DrivenFloor(grid, seed);
@@ -143,7 +143,7 @@ class FloorTrafficPropertyTest {
   static boolean driveOnAFineMap(long seed) {
     Random random = new Random(seed);
     OccupancyGrid coarse = aisles(random);
-    int fine = 6 + random.nextInt(5);
+    int fine = 8 + random.nextInt(5);
     OccupancyGrid grid = finer(coarse, fine, 0.05, random);
     List<Cell> free = largestPart(coarse);
     int robots = Math.min(1 + random.nextInt(8), free.size() / 4);
@@ -260,7 +260,7 @@ class FloorTrafficPropertyTest {
         occupied.set(row * width + column, isClosed || (!isAisle && !isHollow));
       }
     }
-    return new OccupancyGrid(width, height, 0.3, Vec2.ZERO, occupied);
+    return new OccupancyGrid(width, height, DrivenFloor.CELL, Vec2.ZERO, occupied);
   }
 
   static List<Cell> largestPart(OccupancyGrid grid) {

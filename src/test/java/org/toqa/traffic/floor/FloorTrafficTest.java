@@ -102,10 +102,10 @@ class FloorTrafficTest {
             new LacamJointPlanner(),
             () -> Deadline.in(Duration.ofSeconds(1), System::nanoTime));
     Instant now = Instant.EPOCH;
-    // the wall begins at y = 0.3 m; 0.1735 + 0.255 / 2 = 0.301
-    traffic.reportStanding("a", new Pose(0.15, 0.1735, 0), 0.255, now);
+    // the wall begins at y = 0.4 m; 0.2735 + 0.255 / 2 = 0.401
+    traffic.reportStanding("a", new Pose(0.2, 0.2735, 0), 0.255, now);
     traffic.setMovable("a", true);
-    traffic.setGoal("a", new Vec2(1.35, 0.15), now);
+    traffic.setGoal("a", new Vec2(1.8, 0.2), now);
 
     assertTrue(
         traffic.decide(now).stream().anyMatch(DriveCommand.Begin.class::isInstance),

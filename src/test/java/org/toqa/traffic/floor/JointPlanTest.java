@@ -57,7 +57,14 @@ class JointPlanTest {
         new TrafficRobot(
             "r", 1, floor, new Pose(start.x(), start.y(), 0), DIAMETER / 2, Instant.EPOCH);
     List<int[]> steps = List.of(visits).stream().map(c -> new int[] {roads.vertex(c)}).toList();
-    new JointPlan(lanes, new BitSet(), roads, List.of(robot), steps).adopt(new SectionFitter());
+    new JointPlan(
+            lanes,
+            new OccupiedSpace(floor, new BitSet(), List.of()),
+            roads,
+            lanes.spacing(roads),
+            List.of(robot),
+            steps)
+        .adopt(new SectionFitter());
     return Objects.requireNonNull(robot.drive.path());
   }
 }

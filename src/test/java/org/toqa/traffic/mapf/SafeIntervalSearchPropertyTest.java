@@ -20,6 +20,7 @@ import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RandomFloors;
 import org.toqa.traffic.RandomFloors.Floor;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 
 /** The search by intervals against one that tries every state at every time. */
 class SafeIntervalSearchPropertyTest {
@@ -51,7 +52,8 @@ class SafeIntervalSearchPropertyTest {
       assertNotNull(route);
       assertEquals(earliest.getAsInt(), route.length - 1);
       int[] driven = vertices(graph, route);
-      others.forEach(other -> assertFalse(VertexPaths.hasConflict(other, driven)));
+      others.forEach(
+          other -> assertFalse(VertexPaths.hasConflict(Spacing.none(roads), other, driven)));
     }
   }
 
@@ -77,7 +79,8 @@ class SafeIntervalSearchPropertyTest {
     List<int[]> routes = new ArrayList<>();
     for (int robot = 1; robot < floor.starts().size(); robot++) {
       int[] route = walk(roads, roads.vertex(floor.starts().get(robot)), random);
-      if (routes.stream().noneMatch(other -> VertexPaths.hasConflict(other, route))) {
+      if (routes.stream()
+          .noneMatch(other -> VertexPaths.hasConflict(Spacing.none(roads), other, route))) {
         routes.add(route);
       }
     }
