@@ -10,6 +10,9 @@ final class Clearance {
   /** Between the edges of two robots, metres: twice what one may be beside its path. */
   static final double BETWEEN_ROBOTS = 2 * Trajectory.MAX_DEVIATION;
 
+  /** From walls, metres, where there is room: what a robot may be beside its path. */
+  static final double FROM_WALLS = Trajectory.MAX_DEVIATION;
+
   private static final double ROUNDING = 1e-6;
 
   private Clearance() {}

@@ -129,6 +129,11 @@ final class FreeSpace {
     return List.copyOf(reach);
   }
 
+  /** Where robots pass through the floor's cells. */
+  LanePoints points(double radius) {
+    return LanePoints.of(grid, blocked, radius);
+  }
+
   /** The floor in cells that are large enough for robots of that size. */
   LaneGrid laneGrid(double diameter) {
     return laneGrid.get(diameter, d -> LaneGrid.of(grid, d));

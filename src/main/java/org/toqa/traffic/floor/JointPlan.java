@@ -33,7 +33,7 @@ final class JointPlan {
   /** So near to the middle of a cell, in cells, a point is in it and on no border. */
   private static final double INSIDE = 0.49;
 
-  private final LaneGrid lanes;
+  private final LanePoints lanes;
   private final OccupiedSpace occupied;
   private final RoadGraph roads;
   private final Spacing spacing;
@@ -45,7 +45,7 @@ final class JointPlan {
    * @param steps the vertices of the robots after each step, in the robots' order
    */
   JointPlan(
-      LaneGrid lanes,
+      LanePoints lanes,
       OccupiedSpace occupied,
       RoadGraph roads,
       Spacing spacing,
@@ -107,7 +107,7 @@ final class JointPlan {
       robot.freeUnreleased();
       return;
     }
-    OccupancyGrid lattice = lanes.lattice();
+    OccupancyGrid lattice = lanes.cells();
     Pose start = robot.releasedEnd();
     List<Section> sections = sections(robot, start, visits, fitter);
     robot.continueOn(
@@ -115,7 +115,7 @@ final class JointPlan {
             start,
             sections,
             0,
-            lattice,
+            lanes,
             visits,
             visitsAtEnds(lattice, start, sections, visits, 0),
             Collections.nCopies(visits.size(), List.of())));
@@ -124,20 +124,19 @@ final class JointPlan {
   /** With round corners, where these are clear and the robot is near the middle of its cell. */
   private List<Section> sections(
       TrafficRobot robot, Pose start, List<Cell> visits, SectionFitter fitter) {
-    OccupancyGrid lattice = lanes.lattice();
+    OccupancyGrid lattice = lanes.cells();
     PassingPlaces passingPlaces = new PassingPlaces.CellCentres(lattice);
     double length = lattice.resolution();
     if (passingPlaces.isPassingPlace(start.position(), 0)) {
       List<Section> rounding =
-          fitter.fit(
-              robot, start, waypoints(lattice, visits, 0, i -> false), length, passingPlaces);
+          fitter.fit(robot, start, lanes.waypoints(visits, 0, i -> false), length, passingPlaces);
       SweptArea standing = robot.areaAt(start);
       if (rounding.stream().allMatch(s -> occupied.isFree(standing, s))) {
         return rounding;
       }
     }
     return fitter.fit(
-        robot, start, waypointsFromCentre(lattice, visits, 0, i -> true), length, passingPlaces);
+        robot, start, waypointsFromCentre(lanes, visits, 0, i -> true), length, passingPlaces);
   }
 
   /** For each visit: of those who are there or too near to it, before, the last at each cell. */
@@ -174,39 +173,16 @@ final class JointPlan {
     return steps.get(step)[visit.robot()] != visit.vertex();
   }
 
-  /** Where the path over the cells bends, from visit {@code from} on; the start is left out. */
-  static List<Waypoint> waypoints(
-      OccupancyGrid lattice, List<Cell> visits, int from, IntPredicate stopsAt) {
-    List<Waypoint> waypoints = new ArrayList<>();
-    for (int i = from + 1; i < visits.size(); i++) {
-      Cell before = visits.get(i - 1);
-      Cell here = visits.get(i);
-      if (i + 1 == visits.size()) {
-        waypoints.add(new Waypoint(lattice.centre(here), false));
-        break;
-      }
-      Cell next = visits.get(i + 1);
-      int dColumn = here.column() - before.column();
-      int dRow = here.row() - before.row();
-      boolean isStraight =
-          next.column() - here.column() == dColumn && next.row() - here.row() == dRow;
-      boolean isReversal = next.equals(before);
-      if (!isStraight) {
-        waypoints.add(new Waypoint(lattice.centre(here), isReversal || stopsAt.test(i)));
-      }
-    }
-    return waypoints;
-  }
-
   /**
-   * The same through the middle of the first cell, for a robot that is beside that: from middle to
-   * middle the lanes are known to be wide enough.
+   * Where the path over the cells bends, from visit {@code from} on, through the middle of that
+   * cell, for a robot that is beside it: from middle to middle the lanes are known to be wide
+   * enough.
    */
   static List<Waypoint> waypointsFromCentre(
-      OccupancyGrid lattice, List<Cell> visits, int from, IntPredicate stopsAt) {
+      LanePoints lanes, List<Cell> visits, int from, IntPredicate stopsAt) {
     List<Waypoint> waypoints = new ArrayList<>();
-    waypoints.add(new Waypoint(lattice.centre(visits.get(from)), true));
-    waypoints.addAll(waypoints(lattice, visits, from, stopsAt));
+    waypoints.add(new Waypoint(lanes.of(visits.get(from)), true));
+    waypoints.addAll(lanes.waypoints(visits, from, stopsAt));
     return waypoints;
   }
 

@@ -252,9 +252,16 @@ final class LaneGrid {
                     : Clearance.isKept(start, area, claimed));
   }
 
-  /** Which lane cells robots cannot take at once. */
+  /** Where robots pass through the lane cells. */
+  LanePoints points(BitSet blocked) {
+    return side == 1 ? LanePoints.of(lattice, blocked, diameter / 2) : LanePoints.centres(lattice);
+  }
+
+  /** Which lane cells robots cannot take at once, wherever they pass through them. */
   Spacing spacing(RoadGraph roads) {
-    return new Spacing(roads, (diameter + Clearance.BETWEEN_ROBOTS) / lattice.resolution());
+    double apart = diameter + Clearance.BETWEEN_ROBOTS;
+    double beside = Math.max(0, apart - lattice.resolution());
+    return new Spacing(roads, (apart + (side == 1 ? beside : 0)) / lattice.resolution());
   }
 
   /** What a robot covers in the middle of a lane cell. */

@@ -138,6 +138,7 @@ final class LanePlanner {
     final List<SweptArea> wanted;
     final int[] starts;
     final GoalAssignment goals;
+    final LanePoints points;
     final Spacing spacing;
     OccupiedSpace occupied;
     RoadGraph roads;
@@ -151,6 +152,7 @@ final class LanePlanner {
       this.claims = claims;
       this.diameter = diameter;
       this.lanes = freeSpace.laneGrid(diameter);
+      this.points = lanes.points(freeSpace.blocked());
       this.wanted = findWanted();
       robots.stream().filter(robot -> isCandidate(robot, everybody)).forEach(planned::add);
       this.occupied = findOccupied();
@@ -195,7 +197,7 @@ final class LanePlanner {
       if (!lattice.contains(cell)) {
         return false;
       }
-      Vec2 middle = lattice.centre(cell);
+      Vec2 middle = points.of(cell);
       double slack = lattice.resolution() - 2 * robot.radius() - Clearance.BETWEEN_ROBOTS;
       return pose.position().distanceTo(middle) <= Math.max(slack / 2, ON_LANE)
           && !SweptArea.along(pose.position(), middle, robot.radius())
@@ -254,7 +256,7 @@ final class LanePlanner {
         if (roads.vertex(cell) == RoadGraph.NONE || places.containsValue(cell)) {
           continue;
         }
-        List<Waypoint> middle = List.of(new Waypoint(lanes.lattice().centre(cell), false));
+        List<Waypoint> middle = List.of(new Waypoint(points.of(cell), false));
         double length = lanes.lattice().resolution();
         List<Section> sections =
             fitter.fit(robot, from, middle, length, new PassingPlaces.OnlyAtEnd());
@@ -321,7 +323,7 @@ final class LanePlanner {
           sections.forEach(s -> claims.add(robot, s.area()));
         }
       }
-      new JointPlan(lanes, occupied, roads, spacing, planned, steps).adopt(fitter);
+      new JointPlan(points, occupied, roads, spacing, planned, steps).adopt(fitter);
     }
   }
 }

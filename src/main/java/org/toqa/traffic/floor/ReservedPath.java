@@ -5,7 +5,6 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.Cell;
-import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
@@ -16,7 +15,7 @@ import org.toqa.motion.Trajectory;
  * @param start where it begins, map frame
  * @param sections in order
  * @param inherited how many sections come from earlier plans and were released then
- * @param lattice whose cells the visits are
+ * @param lanes whose cells the visits are
  * @param visits the cells visited from {@code inherited} on, the first being where that part
  *     begins; empty for a path that meets nobody's
  * @param visitAtEnd by section from {@code inherited} on: the index of the visit at its end
@@ -26,7 +25,7 @@ record ReservedPath(
     Pose start,
     List<Section> sections,
     int inherited,
-    @Nullable OccupancyGrid lattice,
+    @Nullable LanePoints lanes,
     List<Cell> visits,
     List<Integer> visitAtEnd,
     List<List<Dependency>> dependencies) {
@@ -99,11 +98,11 @@ record ReservedPath(
     List<Section> joined = new ArrayList<>(sections.subList(0, count));
     joined.addAll(next.sections);
     return new ReservedPath(
-        start, joined, count, next.lattice, next.visits, next.visitAtEnd, next.dependencies);
+        start, joined, count, next.lanes, next.visits, next.visitAtEnd, next.dependencies);
   }
 
   ReservedPath withDependencies(List<List<Dependency>> others) {
-    return new ReservedPath(start, sections, inherited, lattice, visits, visitAtEnd, others);
+    return new ReservedPath(start, sections, inherited, lanes, visits, visitAtEnd, others);
   }
 
   /** The same visits in the same order, from section {@code count} on driven in other sections. */
@@ -112,6 +111,6 @@ record ReservedPath(
     joined.addAll(newSections);
     List<Integer> joinedVisits = new ArrayList<>(visitAtEnd.subList(0, count - inherited));
     joinedVisits.addAll(newVisits);
-    return new ReservedPath(start, joined, inherited, lattice, visits, joinedVisits, dependencies);
+    return new ReservedPath(start, joined, inherited, lanes, visits, joinedVisits, dependencies);
   }
 }

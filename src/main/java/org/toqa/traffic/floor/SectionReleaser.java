@@ -9,7 +9,6 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
 import org.toqa.grid.Cell;
-import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.floor.ReservedPath.Dependency;
 
 /**
@@ -107,8 +106,8 @@ final class SectionReleaser {
    */
   private boolean splitCorner(TrafficRobot robot, ReservedPath path) {
     int index = robot.drive.released();
-    OccupancyGrid lattice = path.lattice();
-    if (lattice == null || index < path.inherited()) {
+    LanePoints lanes = path.lanes();
+    if (lanes == null || index < path.inherited()) {
       return false;
     }
     int from = path.visitAfterSections(index);
@@ -119,12 +118,16 @@ final class SectionReleaser {
     List<Cell> visits = path.visits();
     Pose pose = path.poseAfter(index);
     List<Waypoint> waypoints =
-        JointPlan.waypointsFromCentre(lattice, visits, from, v -> v > from && v < until);
+        JointPlan.waypointsFromCentre(lanes, visits, from, v -> v > from && v < until);
     List<Section> sections =
         fitter.fit(
-            robot, pose, waypoints, lattice.resolution(), new PassingPlaces.CellCentres(lattice));
+            robot,
+            pose,
+            waypoints,
+            lanes.cells().resolution(),
+            new PassingPlaces.CellCentres(lanes.cells()));
     robot.drive.replaceUnreleased(
-        sections, JointPlan.visitsAtEnds(lattice, pose, sections, visits, from));
+        sections, JointPlan.visitsAtEnds(lanes.cells(), pose, sections, visits, from));
     robot.waiting.restartBlocked();
     return true;
   }

@@ -31,8 +31,8 @@ final class SingleRobotPlanner {
   /** So many lane cells from its goal a robot may go straight there, in any heading. */
   private static final int NEAR = 3;
 
-  /** Metres that a robot in a bend may be beside its path; one with that room is preferred. */
-  private static final double OFF_PATH = 0.02;
+  /** From walls, metres: a bend with that room is preferred to a wider one without. */
+  private static final double ROOM_IN_BENDS = 0.02;
 
   private static final double ROUNDING = 1e-4;
 
@@ -266,13 +266,27 @@ final class SingleRobotPlanner {
       waypoints.add(new Waypoint(grid.centre(entry), false));
     }
     Optional<Path> path = path(planner, free, entry, exit);
-    path.ifPresent(p -> waypoints.addAll(p.waypoints(grid)));
+    path.ifPresent(p -> waypoints.addAll(waypoints(p, robot.radius())));
     if (!exit.equals(goal) && robot.goal() != null) {
       waypoints.add(new Waypoint(robot.goal(), false));
     } else if (waypoints.isEmpty()) {
       waypoints.add(new Waypoint(grid.centre(goal), false)); // in its cell, not in the middle
     }
     return path.map(p -> waypoints);
+  }
+
+  /** Where the path bends or the robot turns on the spot, and its end. */
+  private List<Waypoint> waypoints(Path path, double radius) {
+    List<Cell> cells = new ArrayList<>();
+    BitSet turns = new BitSet();
+    for (Path.Step step : path.steps()) {
+      if (!cells.isEmpty() && cells.getLast().equals(step.cell())) {
+        turns.set(cells.size() - 1);
+      } else {
+        cells.add(step.cell());
+      }
+    }
+    return freeSpace.points(radius).waypoints(cells, 0, turns::get);
   }
 
   /**
@@ -347,7 +361,8 @@ final class SingleRobotPlanner {
 
   /** Whether a robot that is a little beside its path touches no wall and no obstacle either. */
   private boolean isRoomy(TrafficRobot robot, List<Section> sections) {
-    return isClearOf(robot.releasedEnd(), sections, robot.radius() + OFF_PATH, freeSpace.blocked());
+    return isClearOf(
+        robot.releasedEnd(), sections, robot.radius() + ROOM_IN_BENDS, freeSpace.blocked());
   }
 
   /** The same path, ending at its goal itself if it ends in the cell of that. */

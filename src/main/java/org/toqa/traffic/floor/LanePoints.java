@@ -1,0 +1,99 @@
+package org.toqa.traffic.floor;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import java.util.function.IntPredicate;
+import org.toqa.geometry.Angles;
+import org.toqa.geometry.Vec2;
+import org.toqa.geometry.Waypoint;
+import org.toqa.grid.Cell;
+import org.toqa.grid.OccupancyGrid;
+
+/**
+ * Where robots pass through the cells of a grid: in the middle, or so far beside it that they keep
+ * their distance from a wall on one side.
+ */
+final class LanePoints {
+  /** A point is beside the middle by at most so much, in cells. */
+  private static final double MOST = 0.2;
+
+  /** Radians; lines that bend less are straight. */
+  private static final double STRAIGHT = 1e-3;
+
+  private final OccupancyGrid cells;
+  private final BitSet blocked;
+
+  /** What a wall beside a cell is too near to its middle, metres; 0 where it is not. */
+  private final double lack;
+
+  private LanePoints(OccupancyGrid cells, BitSet blocked, double lack) {
+    this.cells = cells;
+    this.blocked = blocked;
+    this.lack = lack;
+  }
+
+  /**
+   * @param blocked the cells of walls and obstacles
+   * @param radius of the robots, metres
+   */
+  static LanePoints of(OccupancyGrid cells, BitSet blocked, double radius) {
+    double side = cells.resolution();
+    double lack = radius + Clearance.FROM_WALLS - side / 2;
+    return new LanePoints(cells, blocked, Math.clamp(lack, 0, MOST * side));
+  }
+
+  /** The middles of cells. */
+  static LanePoints centres(OccupancyGrid cells) {
+    return new LanePoints(cells, new BitSet(), 0);
+  }
+
+  OccupancyGrid cells() {
+    return cells;
+  }
+
+  /** Metres, map frame. */
+  Vec2 of(Cell cell) {
+    Vec2 centre = cells.centre(cell);
+    return lack == 0
+        ? centre
+        : centre.plus(new Vec2(sideward(cell, 1, 0), -sideward(cell, 0, 1)).times(lack));
+  }
+
+  /** 1 towards rising columns or rows, -1 away from them, 0 where both sides are alike. */
+  private int sideward(Cell cell, int columns, int rows) {
+    boolean isBehind = isBlocked(cell.column() - columns, cell.row() - rows);
+    boolean isAhead = isBlocked(cell.column() + columns, cell.row() + rows);
+    return isBehind == isAhead ? 0 : isBehind ? 1 : -1;
+  }
+
+  private boolean isBlocked(int column, int row) {
+    return !cells.contains(column, row) || blocked.get(row * cells.width() + column);
+  }
+
+  /**
+   * Where a path over cells bends or turns back, and its end; its first cell is left out.
+   *
+   * @param from where it begins, as an index of the cells
+   * @param stopsAt the indices of the cells where the robot turns on the spot
+   */
+  List<Waypoint> waypoints(List<Cell> path, int from, IntPredicate stopsAt) {
+    List<Waypoint> waypoints = new ArrayList<>();
+    for (int i = from + 1; i < path.size(); i++) {
+      if (i + 1 == path.size()) {
+        waypoints.add(new Waypoint(of(path.get(i)), false));
+      } else if (!isStraight(path.get(i - 1), path.get(i), path.get(i + 1))) {
+        boolean isReversal = path.get(i + 1).equals(path.get(i - 1));
+        waypoints.add(new Waypoint(of(path.get(i)), isReversal || stopsAt.test(i)));
+      }
+    }
+    return waypoints;
+  }
+
+  /** Whether who goes over three cells keeps its direction. */
+  private boolean isStraight(Cell before, Cell here, Cell next) {
+    double to = of(here).minus(of(before)).angle();
+    double from = of(next).minus(of(here)).angle();
+    return Math.abs(Angles.difference(to, from)) < STRAIGHT;
+  }
+}
