@@ -1,5 +1,6 @@
 package org.toqa.traffic.floor;
 
+import java.util.List;
 import org.toqa.motion.Trajectory;
 
 /**
@@ -12,6 +13,9 @@ final class Clearance {
 
   /** From walls, metres, where there is room: what a robot may be beside its path. */
   static final double FROM_WALLS = Trajectory.MAX_DEVIATION;
+
+  /** What is kept from walls, metres, the best first. */
+  static final List<Double> WALL_STEPS = List.of(FROM_WALLS, 0.02);
 
   private static final double ROUNDING = 1e-6;
 

@@ -3,12 +3,14 @@ package org.toqa.traffic.floor;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.BySize;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.motion.Segment;
 
 /** What blocks cells of the floor, walls and obstacles, and where robots of a size fit. */
 final class FreeSpace {
@@ -127,6 +129,28 @@ final class FreeSpace {
       reach.add(new Cell(cell.column() - middle.column(), cell.row() - middle.row()));
     }
     return List.copyOf(reach);
+  }
+
+  /**
+   * Whether a robot that drives sections from where it stops next keeps so far from walls and
+   * obstacles, metres.
+   */
+  boolean hasRoom(TrafficRobot robot, List<Section> sections, double room) {
+    return isClearOf(robot.releasedEnd(), sections, robot.radius() + room, blocked);
+  }
+
+  /** Whether a disc of some radius on that path, which begins at a pose, touches no such cell. */
+  boolean isClearOf(Pose start, List<Section> sections, double radius, BitSet cells) {
+    Pose pose = start;
+    for (Section section : sections) {
+      for (Segment segment : section.segments()) {
+        if (SweptArea.along(pose, segment, radius).cells(grid, 0).intersects(cells)) {
+          return false;
+        }
+        pose = pose.advanced(segment.twist(), segment.t());
+      }
+    }
+    return true;
   }
 
   /** Where robots pass through the floor's cells. */

@@ -7,6 +7,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntPredicate;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
@@ -33,6 +35,7 @@ final class JointPlan {
   /** So near to the middle of a cell, in cells, a point is in it and on no border. */
   private static final double INSIDE = 0.49;
 
+  private final FreeSpace freeSpace;
   private final LanePoints lanes;
   private final OccupiedSpace occupied;
   private final RoadGraph roads;
@@ -45,12 +48,14 @@ final class JointPlan {
    * @param steps the vertices of the robots after each step, in the robots' order
    */
   JointPlan(
+      FreeSpace freeSpace,
       LanePoints lanes,
       OccupiedSpace occupied,
       RoadGraph roads,
       Spacing spacing,
       List<TrafficRobot> robots,
       List<int[]> steps) {
+    this.freeSpace = freeSpace;
     this.lanes = lanes;
     this.occupied = occupied;
     this.roads = roads;
@@ -121,22 +126,43 @@ final class JointPlan {
             Collections.nCopies(visits.size(), List.of())));
   }
 
-  /** With round corners, where these are clear and the robot is near the middle of its cell. */
+  /**
+   * With round corners, where these keep as far from walls as turning on the spot does and the
+   * robot is near the middle of its cell.
+   */
   private List<Section> sections(
       TrafficRobot robot, Pose start, List<Cell> visits, SectionFitter fitter) {
     OccupancyGrid lattice = lanes.cells();
     PassingPlaces passingPlaces = new PassingPlaces.CellCentres(lattice);
     double length = lattice.resolution();
-    if (passingPlaces.isPassingPlace(start.position(), 0)) {
-      List<Section> rounding =
-          fitter.fit(robot, start, lanes.waypoints(visits, 0, i -> false), length, passingPlaces);
-      SweptArea standing = robot.areaAt(start);
-      if (rounding.stream().allMatch(s -> occupied.isFree(standing, s))) {
-        return rounding;
+    List<Section> turning =
+        fitter.fit(
+            robot,
+            start,
+            waypointsFromCentre(lanes, visits, 0, lanes.goalCell(robot), i -> true),
+            length,
+            passingPlaces);
+    if (!passingPlaces.isPassingPlace(start.position(), 0)) {
+      return turning;
+    }
+    List<Waypoint> waypoints = lanes.waypoints(visits, 0, lanes.goalCell(robot), i -> false);
+    SweptArea standing = robot.areaAt(start);
+    List<List<Section>> fits =
+        Stream.of(length, length / 2)
+            .map(corner -> fitter.fit(robot, start, waypoints, corner, passingPlaces))
+            .filter(fit -> fit.stream().allMatch(s -> occupied.isFree(standing, s)))
+            .toList();
+    for (double room : Clearance.WALL_STEPS) {
+      for (List<Section> fit : fits) {
+        if (freeSpace.hasRoom(robot, fit, room)) {
+          return fit;
+        }
+      }
+      if (freeSpace.hasRoom(robot, turning, room)) {
+        return turning;
       }
     }
-    return fitter.fit(
-        robot, start, waypointsFromCentre(lanes, visits, 0, i -> true), length, passingPlaces);
+    return fits.isEmpty() ? turning : fits.getFirst();
   }
 
   /** For each visit: of those who are there or too near to it, before, the last at each cell. */
@@ -179,10 +205,10 @@ final class JointPlan {
    * enough.
    */
   static List<Waypoint> waypointsFromCentre(
-      LanePoints lanes, List<Cell> visits, int from, IntPredicate stopsAt) {
+      LanePoints lanes, List<Cell> visits, int from, @Nullable Cell goal, IntPredicate stopsAt) {
     List<Waypoint> waypoints = new ArrayList<>();
     waypoints.add(new Waypoint(lanes.of(visits.get(from)), true));
-    waypoints.addAll(lanes.waypoints(visits, from, stopsAt));
+    waypoints.addAll(lanes.waypoints(visits, from, goal, stopsAt));
     return waypoints;
   }
 

@@ -323,7 +323,7 @@ final class LanePlanner {
           sections.forEach(s -> claims.add(robot, s.area()));
         }
       }
-      new JointPlan(points, occupied, roads, spacing, planned, steps).adopt(fitter);
+      new JointPlan(freeSpace, points, occupied, roads, spacing, planned, steps).adopt(fitter);
     }
   }
 }

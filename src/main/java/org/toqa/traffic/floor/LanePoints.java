@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.function.IntPredicate;
+import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Angles;
 import org.toqa.geometry.Vec2;
 import org.toqa.geometry.Waypoint;
@@ -62,9 +63,19 @@ final class LanePoints {
 
   /** 1 towards rising columns or rows, -1 away from them, 0 where both sides are alike. */
   private int sideward(Cell cell, int columns, int rows) {
-    boolean isBehind = isBlocked(cell.column() - columns, cell.row() - rows);
-    boolean isAhead = isBlocked(cell.column() + columns, cell.row() + rows);
+    boolean isBehind = isWalled(cell, -columns, -rows);
+    boolean isAhead = isWalled(cell, columns, rows);
     return isBehind == isAhead ? 0 : isBehind ? 1 : -1;
+  }
+
+  /** Whether the cell beside one is blocked, or one before or behind that. */
+  private boolean isWalled(Cell cell, int columns, int rows) {
+    for (int along = -1; along <= 1; along++) {
+      if (isBlocked(cell.column() + columns + along * rows, cell.row() + rows + along * columns)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private boolean isBlocked(int column, int row) {
@@ -75,25 +86,42 @@ final class LanePoints {
    * Where a path over cells bends or turns back, and its end; its first cell is left out.
    *
    * @param from where it begins, as an index of the cells
+   * @param goal the cell in whose middle it ends, if it ends there; null: none
    * @param stopsAt the indices of the cells where the robot turns on the spot
    */
-  List<Waypoint> waypoints(List<Cell> path, int from, IntPredicate stopsAt) {
+  List<Waypoint> waypoints(List<Cell> path, int from, @Nullable Cell goal, IntPredicate stopsAt) {
     List<Waypoint> waypoints = new ArrayList<>();
+    Vec2 before = of(path.get(from));
     for (int i = from + 1; i < path.size(); i++) {
-      if (i + 1 == path.size()) {
-        waypoints.add(new Waypoint(of(path.get(i)), false));
-      } else if (!isStraight(path.get(i - 1), path.get(i), path.get(i + 1))) {
+      boolean isEnd = i + 1 == path.size();
+      Vec2 here = isEnd ? endOf(path, goal) : of(path.get(i));
+      if (isEnd) {
+        waypoints.add(new Waypoint(here, false));
+      } else {
+        Vec2 next = i + 2 == path.size() ? endOf(path, goal) : of(path.get(i + 1));
         boolean isReversal = path.get(i + 1).equals(path.get(i - 1));
-        waypoints.add(new Waypoint(of(path.get(i)), isReversal || stopsAt.test(i)));
+        if (isReversal || !isStraight(before, here, next)) {
+          waypoints.add(new Waypoint(here, isReversal || stopsAt.test(i)));
+        }
       }
+      before = here;
     }
     return waypoints;
   }
 
-  /** Whether who goes over three cells keeps its direction. */
-  private boolean isStraight(Cell before, Cell here, Cell next) {
-    double to = of(here).minus(of(before)).angle();
-    double from = of(next).minus(of(here)).angle();
-    return Math.abs(Angles.difference(to, from)) < STRAIGHT;
+  /** The cell of a robot's goal; null where it has none. */
+  @Nullable Cell goalCell(TrafficRobot robot) {
+    Vec2 goal = robot.goal();
+    return goal == null ? null : cells.cellAt(goal);
+  }
+
+  private Vec2 endOf(List<Cell> path, @Nullable Cell goal) {
+    Cell last = path.getLast();
+    return last.equals(goal) ? cells.centre(last) : of(last);
+  }
+
+  private static boolean isStraight(Vec2 before, Vec2 here, Vec2 next) {
+    double change = Angles.difference(here.minus(before).angle(), next.minus(here).angle());
+    return Math.abs(change) < STRAIGHT;
   }
 }

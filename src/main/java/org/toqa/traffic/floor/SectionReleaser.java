@@ -118,7 +118,8 @@ final class SectionReleaser {
     List<Cell> visits = path.visits();
     Pose pose = path.poseAfter(index);
     List<Waypoint> waypoints =
-        JointPlan.waypointsFromCentre(lanes, visits, from, v -> v > from && v < until);
+        JointPlan.waypointsFromCentre(
+            lanes, visits, from, lanes.goalCell(robot), v -> v > from && v < until);
     List<Section> sections =
         fitter.fit(
             robot,

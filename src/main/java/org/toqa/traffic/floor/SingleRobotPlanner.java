@@ -6,7 +6,8 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
-import java.util.function.Supplier;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -14,7 +15,6 @@ import org.toqa.geometry.Waypoint;
 import org.toqa.grid.Cell;
 import org.toqa.grid.Disc;
 import org.toqa.grid.OccupancyGrid;
-import org.toqa.motion.Segment;
 import org.toqa.planning.HeadingAStar;
 import org.toqa.planning.Path;
 import org.toqa.planning.PathPlanner;
@@ -30,9 +30,6 @@ final class SingleRobotPlanner {
 
   /** So many lane cells from its goal a robot may go straight there, in any heading. */
   private static final int NEAR = 3;
-
-  /** From walls, metres: a bend with that room is preferred to a wider one without. */
-  private static final double ROOM_IN_BENDS = 0.02;
 
   private static final double ROUNDING = 1e-4;
 
@@ -234,21 +231,7 @@ final class SingleRobotPlanner {
       gap = Math.min(gap, Disc.distanceToCell(grid, pose.position(), grid.cell(i)));
     }
     return isClearOf(sections, others)
-        && isClearOf(pose, sections, Math.max(gap - ROUNDING, ROUNDING), touched);
-  }
-
-  /** Whether a disc of some radius on that path, which begins at a pose, touches no such cell. */
-  private boolean isClearOf(Pose start, List<Section> sections, double radius, BitSet cells) {
-    Pose pose = start;
-    for (Section section : sections) {
-      for (Segment segment : section.segments()) {
-        if (SweptArea.along(pose, segment, radius).cells(freeSpace.grid(), 0).intersects(cells)) {
-          return false;
-        }
-        pose = pose.advanced(segment.twist(), segment.t());
-      }
-    }
-    return true;
+        && freeSpace.isClearOf(pose, sections, Math.max(gap - ROUNDING, ROUNDING), touched);
   }
 
   private static boolean isClearOf(List<Section> sections, BitSet cells) {
@@ -266,7 +249,7 @@ final class SingleRobotPlanner {
       waypoints.add(new Waypoint(grid.centre(entry), false));
     }
     Optional<Path> path = path(planner, free, entry, exit);
-    path.ifPresent(p -> waypoints.addAll(waypoints(p, robot.radius())));
+    path.ifPresent(p -> waypoints.addAll(waypoints(p, robot, goal)));
     if (!exit.equals(goal) && robot.goal() != null) {
       waypoints.add(new Waypoint(robot.goal(), false));
     } else if (waypoints.isEmpty()) {
@@ -276,7 +259,7 @@ final class SingleRobotPlanner {
   }
 
   /** Where the path bends or the robot turns on the spot, and its end. */
-  private List<Waypoint> waypoints(Path path, double radius) {
+  private List<Waypoint> waypoints(Path path, TrafficRobot robot, Cell goal) {
     List<Cell> cells = new ArrayList<>();
     BitSet turns = new BitSet();
     for (Path.Step step : path.steps()) {
@@ -286,7 +269,7 @@ final class SingleRobotPlanner {
         cells.add(step.cell());
       }
     }
-    return freeSpace.points(radius).waypoints(cells, 0, turns::get);
+    return freeSpace.points(robot.radius()).waypoints(cells, 0, goal, turns::get);
   }
 
   /**
@@ -331,7 +314,7 @@ final class SingleRobotPlanner {
         : Optional.empty();
   }
 
-  /** In wide arcs; where these touch something in narrow ones, and else turning on the spot. */
+  /** In the widest arcs that keep from walls what turning on the spot keeps, if that is little. */
   private Optional<List<Section>> firstFit(
       TrafficRobot robot, List<Waypoint> waypoints, Predicate<List<Section>> isAcceptable) {
     OccupancyGrid grid = freeSpace.grid();
@@ -340,29 +323,22 @@ final class SingleRobotPlanner {
     PassingPlaces passingPlaces =
         side == 1 ? new PassingPlaces.CellCentres(grid) : new PassingPlaces.Spaced(side * narrow);
     List<Waypoint> exact = side == 1 ? waypoints : endingAtGoal(robot, waypoints);
-    List<Supplier<List<Section>>> fits =
-        List.of(
-            () -> fitter.fit(robot, robot.releasedEnd(), exact, side * narrow, passingPlaces),
-            () -> fitter.fit(robot, robot.releasedEnd(), exact, narrow, passingPlaces),
-            () -> fitter.fit(robot, robot.releasedEnd(), stopping(exact), narrow, passingPlaces));
-    List<Section> tight = List.of();
-    for (Supplier<List<Section>> fit : fits) {
-      List<Section> sections = fit.get();
-      if (sections.isEmpty() || !isAcceptable.test(sections)) {
-        continue;
-      }
-      if (isRoomy(robot, sections)) {
-        return Optional.of(sections);
-      }
-      tight = tight.isEmpty() ? sections : tight;
-    }
-    return tight.isEmpty() ? Optional.empty() : Optional.of(tight);
-  }
-
-  /** Whether a robot that is a little beside its path touches no wall and no obstacle either. */
-  private boolean isRoomy(TrafficRobot robot, List<Section> sections) {
-    return isClearOf(
-        robot.releasedEnd(), sections, robot.radius() + ROOM_IN_BENDS, freeSpace.blocked());
+    List<List<Section>> fits =
+        Stream.concat(
+                DoubleStream.of(side, Math.max(1, side / 2.0), 0.5)
+                    .distinct()
+                    .mapToObj(
+                        cells ->
+                            fitter.fit(
+                                robot, robot.releasedEnd(), exact, cells * narrow, passingPlaces)),
+                Stream.of(
+                    fitter.fit(robot, robot.releasedEnd(), stopping(exact), narrow, passingPlaces)))
+            .filter(sections -> !sections.isEmpty() && isAcceptable.test(sections))
+            .toList();
+    return Clearance.WALL_STEPS.stream()
+        .flatMap(room -> fits.stream().filter(sections -> freeSpace.hasRoom(robot, sections, room)))
+        .findFirst()
+        .or(() -> fits.stream().findFirst());
   }
 
   /** The same path, ending at its goal itself if it ends in the cell of that. */

@@ -31,6 +31,9 @@ final class DrivenBody {
   /** Metres a second; it cannot drive faster. */
   double maxSpeed = Double.POSITIVE_INFINITY;
 
+  /** How far it really is from where it takes itself to be, metres. */
+  Vec2 error = Vec2.ZERO;
+
   /** Who drives with it. */
   @Nullable FormationFootprint group;
 
@@ -39,10 +42,19 @@ final class DrivenBody {
     this.diameter = diameter;
   }
 
+  /** Where it really is. */
   List<PlacedDisc> discs() {
     return group == null
-        ? List.of(new PlacedDisc(pose.position(), diameter / 2))
+        ? List.of(new PlacedDisc(pose.position().plus(error), diameter / 2))
         : group.discs(pose);
+  }
+
+  /** Lets its error become another one, by a little. */
+  void drift(double most, SplittableRandom chance) {
+    Vec2 next =
+        error.plus(
+            new Vec2(chance.nextDouble(-0.2, 0.2), chance.nextDouble(-0.2, 0.2)).times(most));
+    error = next.norm() > most ? next.times(most / next.norm()) : next;
   }
 
   /** Where what it carries is. */

@@ -52,6 +52,9 @@ final class DrivenFloor {
   private final AtomicLong looks = new AtomicLong();
   Instant now = Instant.EPOCH;
 
+  /** So far from where they take themselves to be robots may really be, metres. */
+  double mostError;
+
   DrivenFloor(OccupancyGrid grid, long seed) {
     this.grid = grid;
     this.chance = new SplittableRandom(seed);
@@ -205,6 +208,9 @@ final class DrivenFloor {
     bodies.forEach(this::report);
     traffic.decide(now).forEach(this::obey);
     bodies.values().forEach(body -> body.move(STEP, chance));
+    if (mostError > 0) {
+      bodies.values().forEach(body -> body.drift(mostError, chance));
+    }
     check();
   }
 

@@ -58,6 +58,7 @@ class JointPlanTest {
             "r", 1, floor, new Pose(start.x(), start.y(), 0), DIAMETER / 2, Instant.EPOCH);
     List<int[]> steps = List.of(visits).stream().map(c -> new int[] {roads.vertex(c)}).toList();
     new JointPlan(
+            new FreeSpace(floor),
             lanes.points(new BitSet()),
             new OccupiedSpace(floor, new BitSet(), List.of()),
             roads,
