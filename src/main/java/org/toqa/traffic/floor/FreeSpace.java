@@ -75,11 +75,13 @@ final class FreeSpace {
   /**
    * The same where other robots' areas are closed, as far as a robot that sets out keeps off them.
    *
+   * @param room kept from walls and obstacles, metres
    * @param standing what the robot covers where it sets out
    * @param here the cell where it is, which never counts as closed
    */
-  OccupancyGrid freeCells(double radius, List<SweptArea> claimed, SweptArea standing, Cell here) {
-    OccupancyGrid free = freeCells(radius);
+  OccupancyGrid freeCells(
+      double radius, double room, List<SweptArea> claimed, SweptArea standing, Cell here) {
+    OccupancyGrid free = freeCells(radius + room);
     if (claimed.isEmpty() && free.isFree(here)) {
       return free;
     }

@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -31,6 +32,9 @@ final class LaneGrid {
   /** A lane cell is wider than the robot by at least so much, metres: no robot stops exactly. */
   private static final double SLACK = 0.02;
 
+  /** Lanes that keep off walls are taken where they reach so much of what others do. */
+  private static final double AS_MUCH = 0.98;
+
   /** Cells of the floor that are looked at, to find the best lattice. */
   private static final long MAX_WORK = 20_000_000;
 
@@ -53,7 +57,10 @@ final class LaneGrid {
   private final List<Cell> toEast;
   private final List<Cell> toSouth;
 
-  private LaneGrid(OccupancyGrid floor, int side, double diameter, Cell corner) {
+  /**
+   * @param kept from walls, metres
+   */
+  private LaneGrid(OccupancyGrid floor, int side, double diameter, double kept, Cell corner) {
     this.floor = floor;
     this.diameter = diameter;
     this.side = side;
@@ -68,7 +75,7 @@ final class LaneGrid {
                 new Vec2(corner.column(), floor.height() - corner.row() - rows * side)
                     .times(resolution));
     this.lattice = new OccupancyGrid(columns, rows, side * resolution, origin, new BitSet());
-    double cells = diameter / resolution;
+    double cells = (diameter + 2 * kept) / resolution;
     this.disc = touched(side, cells, 0, 0);
     this.toEast = touched(side, cells, 1, 0);
     this.toSouth = touched(side, cells, 0, 1);
@@ -89,12 +96,26 @@ final class LaneGrid {
    * @param diameter metres, of the largest robot that shall use them
    */
   static LaneGrid of(OccupancyGrid floor, double diameter) {
-    int narrowest = side(floor, diameter);
-    if (narrowest == 1) {
-      return new LaneGrid(floor, 1, diameter, new Cell(0, 0));
+    if (side(floor, diameter) == 1) {
+      return new LaneGrid(floor, 1, diameter, 0, new Cell(0, 0));
     }
     // in an aisle hardly wider than the robot, its middle fits between the middles of two cells
     OccupancyGrid clear = Inflation.inflate(floor, (diameter - floor.resolution()) / 2);
+    LaneGrid narrow =
+        best(floor, diameter, 0, clear)
+            .orElseThrow(
+                () ->
+                    new IllegalArgumentException(
+                        "The floor is smaller than a robot of that size."));
+    return best(floor, diameter, Clearance.FROM_WALLS, clear)
+        .filter(roomy -> roomy.coverage(clear) >= AS_MUCH * narrow.coverage(clear))
+        .orElse(narrow);
+  }
+
+  /** That with the best coverage. */
+  private static Optional<LaneGrid> best(
+      OccupancyGrid floor, double diameter, double kept, OccupancyGrid clear) {
+    int narrowest = side(floor, diameter + 2 * kept);
     long tries = Math.max(4, MAX_WORK / ((long) floor.width() * floor.height()));
     int sides = Math.max(1, Math.min(narrowest / 2, (int) (tries / 16)));
     int perSide = (int) Math.max(1, Math.sqrt((double) tries / sides));
@@ -104,7 +125,7 @@ final class LaneGrid {
       int step = Math.max(1, side / perSide);
       for (int row = 0; row < side && row + side <= floor.height(); row += step) {
         for (int column = 0; column < side && column + side <= floor.width(); column += step) {
-          LaneGrid lanes = new LaneGrid(floor, side, diameter, new Cell(column, row));
+          LaneGrid lanes = new LaneGrid(floor, side, diameter, kept, new Cell(column, row));
           int reached = lanes.coverage(clear);
           if (reached > most + (best == null || best.side == side ? 0 : most / 50)) {
             best = lanes;
@@ -113,10 +134,7 @@ final class LaneGrid {
         }
       }
     }
-    if (best == null) {
-      throw new IllegalArgumentException("The floor is smaller than a robot of that size.");
-    }
-    return best;
+    return Optional.ofNullable(best);
   }
 
   /**

@@ -5,6 +5,7 @@ import java.util.BitSet;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleFunction;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
@@ -31,6 +32,9 @@ final class SingleRobotPlanner {
   /** So many lane cells from its goal a robot may go straight there, in any heading. */
   private static final int NEAR = 3;
 
+  /** So many times as long, in seconds, a path may be that keeps off walls. */
+  private static final double DETOUR = 1.2;
+
   private static final double ROUNDING = 1e-4;
 
   private final FreeSpace freeSpace;
@@ -55,7 +59,30 @@ final class SingleRobotPlanner {
     if (formation != null) {
       return formationPath(robot, formation, List.of());
     }
-    return fittedPath(alone, freeCells(robot, List.of()), robot, goal, sections -> true);
+    return roomiest(
+        robot,
+        room ->
+            fittedPath(alone, freeCells(robot, room, List.of()), robot, goal, sections -> true));
+  }
+
+  /**
+   * One that keeps off walls where that is not much longer, else one that may come near to them.
+   */
+  private Optional<List<Section>> roomiest(
+      TrafficRobot robot, DoubleFunction<Optional<List<Section>>> pathWithRoom) {
+    Optional<List<Section>> near = pathWithRoom.apply(0);
+    if (near.isEmpty() || LaneGrid.side(freeSpace.grid(), 2 * robot.radius()) == 1) {
+      return near;
+    }
+    double longest = DETOUR * duration(near.get());
+    return pathWithRoom
+        .apply(Clearance.FROM_WALLS)
+        .filter(roomy -> duration(roomy) <= longest)
+        .or(() -> near);
+  }
+
+  private static double duration(List<Section> sections) {
+    return sections.stream().mapToDouble(Section::duration).sum();
   }
 
   /** As if all other robots made room that can. */
@@ -141,7 +168,12 @@ final class SingleRobotPlanner {
 
   private Optional<List<Section>> pathAmong(
       TrafficRobot robot, List<SweptArea> claimed, GoalChoice aim) {
-    OccupancyGrid free = freeCells(robot, claimed);
+    return roomiest(robot, room -> pathAmong(robot, room, claimed, aim));
+  }
+
+  private Optional<List<Section>> pathAmong(
+      TrafficRobot robot, double room, List<SweptArea> claimed, GoalChoice aim) {
+    OccupancyGrid free = freeCells(robot, room, claimed);
     Cell goal = aim.from(free, entry(free, robot));
     if (goal == null) {
       return Optional.empty();
@@ -160,9 +192,9 @@ final class SingleRobotPlanner {
                             .allMatch(area -> Clearance.isKept(standing, section.area(), area))));
   }
 
-  private OccupancyGrid freeCells(TrafficRobot robot, List<SweptArea> claimed) {
+  private OccupancyGrid freeCells(TrafficRobot robot, double room, List<SweptArea> claimed) {
     SweptArea standing = robot.areaAt(robot.releasedEnd());
-    return freeSpace.freeCells(robot.radius(), claimed, standing, robot.releasedCell());
+    return freeSpace.freeCells(robot.radius(), room, claimed, standing, robot.releasedCell());
   }
 
   /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */

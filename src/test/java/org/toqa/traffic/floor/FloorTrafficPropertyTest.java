@@ -170,7 +170,7 @@ class FloorTrafficPropertyTest {
   }
 
   /** The middle of a coarse cell on the finer grid. */
-  private static Vec2 place(OccupancyGrid grid, OccupancyGrid coarse, Cell cell, int fine) {
+  static Vec2 place(OccupancyGrid grid, OccupancyGrid coarse, Cell cell, int fine) {
     double left = (grid.width() - coarse.width() * fine) * grid.resolution();
     double side = fine * grid.resolution();
     return new Vec2(
@@ -228,8 +228,7 @@ class FloorTrafficPropertyTest {
   }
 
   /** The same floor in smaller cells, with a margin so that no lattice begins at its corner. */
-  private static OccupancyGrid finer(
-      OccupancyGrid grid, int fine, double resolution, Random random) {
+  static OccupancyGrid finer(OccupancyGrid grid, int fine, double resolution, Random random) {
     int left = random.nextInt(fine);
     int top = random.nextInt(fine);
     int width = left + grid.width() * fine;

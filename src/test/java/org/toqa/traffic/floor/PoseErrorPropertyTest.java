@@ -42,7 +42,7 @@ class PoseErrorPropertyTest {
             0.26 + 0.1 * random.nextDouble(),
             Vec2.ZERO,
             hall.occupied());
-    drive(grid, inner(grid), 2 + random.nextInt(4), random, seed);
+    drive(grid, middles(grid, inner(grid)), 2 + random.nextInt(4), random, seed);
   }
 
   /** Aisles of one cell that is 0.1 m wider than a robot: there is room to keep off the walls. */
@@ -51,7 +51,21 @@ class PoseErrorPropertyTest {
     Random random = new Random(seed);
     OccupancyGrid grid = FloorTrafficPropertyTest.aisles(random);
     List<Cell> free = FloorTrafficPropertyTest.largestPart(grid);
-    drive(grid, free, 1 + random.nextInt(8), random, seed);
+    drive(grid, middles(grid, free), 1 + random.nextInt(8), random, seed);
+  }
+
+  /** Aisles of 0.5 m on cells of 0.05 m, where lanes and paths could come nearer to the walls. */
+  @Property(tries = 8, seed = "20261123")
+  void onFineMapsWithRoomNothingTouches(@ForAll @LongRange(min = 0) long seed) {
+    Random random = new Random(seed);
+    OccupancyGrid coarse = FloorTrafficPropertyTest.aisles(random);
+    int fine = 10;
+    OccupancyGrid grid = FloorTrafficPropertyTest.finer(coarse, fine, 0.05, random);
+    List<Vec2> places =
+        FloorTrafficPropertyTest.largestPart(coarse).stream()
+            .map(cell -> FloorTrafficPropertyTest.place(grid, coarse, cell, fine))
+            .toList();
+    drive(grid, places, 1 + random.nextInt(8), random, seed);
   }
 
   private static List<Cell> inner(OccupancyGrid grid) {
@@ -61,8 +75,8 @@ class PoseErrorPropertyTest {
         .toList();
   }
 
-  private void drive(OccupancyGrid grid, List<Cell> places, int wanted, Random random, long seed) {
-    List<Cell> free = new ArrayList<>(places);
+  private void drive(OccupancyGrid grid, List<Vec2> places, int wanted, Random random, long seed) {
+    List<Vec2> free = new ArrayList<>(places);
     int robots = Math.min(wanted, free.size() / 8);
     floors.count(robots > 0);
     if (robots == 0) {
@@ -71,15 +85,14 @@ class PoseErrorPropertyTest {
     Collections.shuffle(free, random);
     DrivenFloor floor = new DrivenFloor(grid, seed);
     for (int i = 0; i < robots; i++) {
-      Cell start = takeApart(grid, free);
-      floor.put("r" + i, start);
+      floor.putAt("r" + i, takeApart(free), DrivenFloor.DIAMETER);
     }
     floor.mostError = Trajectory.MAX_DEVIATION - 1e-3;
     for (int round = 0; round < 3; round++) {
-      List<Cell> goals = new ArrayList<>(places);
+      List<Vec2> goals = new ArrayList<>(places);
       Collections.shuffle(goals, random);
       for (int i = 0; i < robots; i++) {
-        floor.send("r" + i, takeApart(grid, goals));
+        floor.sendTo("r" + i, takeApart(goals));
       }
       floor.drive(Duration.ofMinutes(20));
       assertTrue(
@@ -93,14 +106,16 @@ class PoseErrorPropertyTest {
     }
   }
 
-  /** The next of the cells; those too near to it are taken out. */
-  private static Cell takeApart(OccupancyGrid grid, List<Cell> cells) {
-    Cell cell = cells.removeFirst();
-    cells.removeIf(
-        other ->
-            grid.centre(other).distanceTo(grid.centre(cell))
-                < DrivenFloor.DIAMETER + 2 * Trajectory.MAX_DEVIATION);
-    return cell;
+  private static List<Vec2> middles(OccupancyGrid grid, List<Cell> cells) {
+    return cells.stream().map(grid::centre).toList();
+  }
+
+  /** The next of the places; those too near to it are taken out. */
+  private static Vec2 takeApart(List<Vec2> places) {
+    Vec2 place = places.removeFirst();
+    places.removeIf(
+        other -> other.distanceTo(place) < DrivenFloor.DIAMETER + 2 * Trajectory.MAX_DEVIATION);
+    return place;
   }
 
   @AfterProperty
