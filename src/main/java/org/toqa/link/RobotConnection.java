@@ -19,6 +19,7 @@ import org.toqa.link.message.ServerMessage;
 import org.toqa.link.trust.HandshakeException.Reason;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** One TCP connection to a robot. The thread that made it reads; {@link #send} never waits. */
 final class RobotConnection implements AutoCloseable {
@@ -43,6 +44,7 @@ final class RobotConnection implements AutoCloseable {
   private final String robot;
   private final String hostAndPort;
   private final LineChannel channel;
+  private final double widestRobot;
   private final ReadingPace pace = new ReadingPace(System.nanoTime());
 
   /** A line that was read already, to see whether it supersedes the one before. */
@@ -68,14 +70,15 @@ final class RobotConnection implements AutoCloseable {
         new LineChannel(
             connector.connect(address, SILENCE_TIMEOUT), name, QUEUED_LINES, WhenFull.CLOSE);
     channel.start();
-    return new RobotConnection(address, channel);
+    return new RobotConnection(address, channel, connector.widestRobot());
   }
 
-  private RobotConnection(RobotAddress address, LineChannel channel) {
+  private RobotConnection(RobotAddress address, LineChannel channel, double widestRobot) {
     this.address = address;
     this.robot = address.robot();
     this.hostAndPort = address.hostAndPort();
     this.channel = channel;
+    this.widestRobot = widestRobot;
   }
 
   /**
@@ -97,9 +100,9 @@ final class RobotConnection implements AutoCloseable {
     if (!hello.robot().equals(robot)) {
       throw LinkException.trustFailure(Phrase.HAS_ANOTHER_NAME.with(hostAndPort, robot));
     }
-    Optional<String> objection = RobotFigures.objection(hello);
+    Optional<Sentence> objection = RobotFigures.objection(hello, widestRobot);
     if (objection.isPresent()) {
-      throw new LinkException(objection.get());
+      throw LinkException.trustFailure(objection.get());
     }
     return hello;
   }

@@ -22,10 +22,17 @@ final class RobotConnector {
 
   private final LinkTls tls;
   private final boolean plainOffLoopback;
+  private final double widestRobot;
 
-  RobotConnector(LinkTls tls, boolean plainOffLoopback) {
+  RobotConnector(LinkTls tls, boolean plainOffLoopback, double widestRobot) {
     this.tls = tls;
     this.plainOffLoopback = plainOffLoopback;
+    this.widestRobot = widestRobot;
+  }
+
+  /** Diameter that a robot has at most, metres. */
+  double widestRobot() {
+    return widestRobot;
   }
 
   /**

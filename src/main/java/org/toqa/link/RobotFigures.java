@@ -6,12 +6,11 @@ import org.toqa.geometry.Vec2;
 import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.AgentMessage.Hello;
 import org.toqa.link.message.AgentMessage.State;
+import org.toqa.wording.Phrase;
+import org.toqa.wording.Sentence;
 
 /** Which figures of a robot cannot be true, so that nothing is believed of such a message. */
 final class RobotFigures {
-  /** A robot is at most so wide, metres. */
-  private static final double MAX_FOOTPRINT = 10;
-
   /** A robot's sensors see at most so far, metres. */
   private static final double MAX_SENSOR_RANGE = 30;
 
@@ -26,27 +25,29 @@ final class RobotFigures {
   /**
    * What is wrong with the capabilities that a robot tells, with all of them.
    *
-   * @return a sentence
+   * @param widestRobot diameter that a robot has at most, metres
    */
-  static Optional<String> objection(Hello hello) {
+  static Optional<Sentence> objection(Hello hello, double widestRobot) {
+    if (hello.footprint() > widestRobot) {
+      return Optional.of(Phrase.IS_TOO_WIDE.with(hello.robot(), hello.footprint(), widestRobot));
+    }
     boolean isPossible =
         hello.maxLoad() >= 0
             && isWithin(hello.maxSpeed(), MAX_SPEED)
             && isWithin(hello.maxTurnRate(), MAX_SPEED)
-            && isWithin(hello.footprint(), MAX_FOOTPRINT)
+            && hello.footprint() > 0
             && hello.sensorRange() >= 0
             && hello.sensorRange() <= MAX_SENSOR_RANGE;
     return isPossible
         ? Optional.empty()
         : Optional.of(
-            "%s says that it carries %s kg, drives %s m/s, turns %s rad/s, is %s m wide and sees %s m; correct its configuration."
-                .formatted(
-                    hello.robot(),
-                    hello.maxLoad(),
-                    hello.maxSpeed(),
-                    hello.maxTurnRate(),
-                    hello.footprint(),
-                    hello.sensorRange()));
+            Phrase.CANNOT_BE_TRUE.with(
+                hello.robot(),
+                hello.maxLoad(),
+                hello.maxSpeed(),
+                hello.maxTurnRate(),
+                hello.footprint(),
+                hello.sensorRange()));
   }
 
   private static boolean isWithin(double value, double max) {

@@ -254,6 +254,8 @@ public enum Phrase {
   CODE_OF_ANOTHER,
   DOES_NOT_PAIR,
   HAS_ANOTHER_NAME,
+  IS_TOO_WIDE,
+  CANNOT_BE_TRUE,
   DOES_NOT_KNOW_CODE,
 
   // What happened to a task

@@ -14,11 +14,11 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import org.toqa.agent.chassis.SimulatedBodyFile;
 import org.toqa.agent.chassis.SimulatedBodyFile.Reading;
 import org.toqa.motion.Trajectory;
-import org.toqa.testbed.Tally;
 
 /**
  * Where the bodies of a {@link CrashTestbed} really are, whoever simulates them, how near they came
@@ -54,7 +54,11 @@ final class SiteTruth implements AutoCloseable {
   private final Thread reader;
   private final AtomicInteger charges = new AtomicInteger();
   private final AtomicLong moments = new AtomicLong();
-  private volatile Approach nearest = new Approach(Double.POSITIVE_INFINITY, "none", "none");
+
+  /** That were seen before the run began. */
+  private long momentsBefore;
+
+  private final AtomicReference<Approach> nearest = new AtomicReference<>(Approach.NONE);
   private volatile boolean closed;
 
   /**
@@ -62,7 +66,13 @@ final class SiteTruth implements AutoCloseable {
    *
    * @param metres between their middles
    */
-  private record Approach(double metres, String one, String other) {}
+  private record Approach(double metres, String one, String other) {
+    static final Approach NONE = new Approach(Double.POSITIVE_INFINITY, "none", "none");
+
+    Approach nearer(Approach other) {
+      return other.metres() < metres ? other : this;
+    }
+  }
 
   /** That a robot has not moved since then. */
   private record Standing(Reading since, Reading last) {
@@ -121,20 +131,26 @@ final class SiteTruth implements AutoCloseable {
         (one, here) ->
             moment.forEach(
                 (other, there) -> {
-                  double metres = here.truePose().distanceTo(there.truePose());
-                  if (one.compareTo(other) < 0 && metres < nearest.metres()) {
-                    nearest = new Approach(metres, one, other);
+                  if (one.compareTo(other) < 0) {
+                    double metres = here.truePose().distanceTo(there.truePose());
+                    nearest.accumulateAndGet(new Approach(metres, one, other), Approach::nearer);
                   }
                 }));
   }
 
-  /** No two bodies were ever nearer than their paths and deviations allow, so far as was seen. */
-  void assertApart() {
-    assertTrue(moments.get() > LEAST_MOMENTS, () -> "only " + moments + " moments were seen");
-    assertTrue(nearest.metres() >= LEAST_DISTANCE, () -> "they came too near: " + nearest);
-    if (nearest.metres() < DIAMETER) {
-      Tally.add("runs with crashes in which two bodies touched", 1);
-    }
+  /**
+   * Ends a run: no two bodies were nearer in it than their paths and deviations allow, so far as
+   * was seen. The next run is judged by itself.
+   *
+   * @return whether two bodies touched in it
+   */
+  boolean endRun() {
+    long seen = moments.get() - momentsBefore;
+    momentsBefore += seen;
+    Approach approach = nearest.getAndSet(Approach.NONE);
+    assertTrue(seen > LEAST_MOMENTS, () -> "only " + seen + " moments were seen");
+    assertTrue(approach.metres() >= LEAST_DISTANCE, () -> "they came too near: " + approach);
+    return approach.metres() < DIAMETER;
   }
 
   /** At how many moments all bodies were seen at once. */

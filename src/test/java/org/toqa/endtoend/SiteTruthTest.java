@@ -1,5 +1,6 @@
 package org.toqa.endtoend;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -28,18 +29,36 @@ class SiteTruthTest {
   void bodiesThatComeTooNearAreSeenAlsoWhenTheyPartAgain() throws Exception {
     try (SimulatedChassis one = body("one", 1);
         SimulatedChassis other = body("other", 1.4);
-        SiteTruth truth =
-            new SiteTruth(Map.of("one", folder.resolve("one"), "other", folder.resolve("other")))) {
+        SiteTruth truth = truth()) {
       drive(other, truth, 0);
       drive(one, truth, 0.1);
-      truth.assertApart();
+      assertFalse(truth.endRun());
 
-      drive(one, truth, 0.3); // 1.3 m and a little from 1.4 m: less than 0.155 m
+      drive(one, truth, 0.3); // to 1.1 m + 0.3 m: less than 0.155 m from 1.4 m
       drive(one, truth, -0.3);
 
-      String said = assertThrows(AssertionError.class, truth::assertApart).getMessage();
+      String said = assertThrows(AssertionError.class, truth::endRun).getMessage();
       assertTrue(said.startsWith("they came too near") && said.contains("other"), said);
     }
+  }
+
+  @Test
+  void aTouchCountsInItsOwnRunOnly() throws Exception {
+    try (SimulatedChassis one = body("one", 1);
+        SimulatedChassis other = body("other", 1.4);
+        SiteTruth truth = truth()) {
+      drive(other, truth, 0);
+      drive(one, truth, 0.2); // to 1.2 m: 0.2 m from 1.4 m, of 0.255 m
+      drive(one, truth, -0.2);
+      assertTrue(truth.endRun());
+
+      drive(one, truth, 0.1);
+      assertFalse(truth.endRun());
+    }
+  }
+
+  private SiteTruth truth() throws IOException {
+    return new SiteTruth(Map.of("one", folder.resolve("one"), "other", folder.resolve("other")));
   }
 
   private SimulatedChassis body(String name, double x) throws IOException {

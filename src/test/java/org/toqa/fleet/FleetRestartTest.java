@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Vec2;
@@ -113,6 +115,59 @@ class FleetRestartTest extends HallFleetTest {
           return task(view, first).state() == TaskState.DONE
               && task(view, second).state() == TaskState.DONE;
         });
+  }
+
+  /** Wider than they were, the two have no places beside the wall; each alone would get there. */
+  @Test
+  void aGroupThatHasNoRoomRoundItsLoadAnyMoreIsNotDrivenOntoIt() throws Exception {
+    Vec2 load = new Vec2(5.5, 1.5);
+    stage.add("r2", new Vec2(8.5, 1.5), null);
+    reopenWith("r3", new Vec2(11.5, 1.5), null);
+    until(view -> view.robots().stream().allMatch(r -> r.state() == RobotState.IDLE));
+    accepted(stage.fleet.takeOutOfService("r1", "Max"));
+    for (String name : List.of("r2", "r3")) {
+      scriptedRobot(name).setStuck(true);
+    }
+    long task =
+        submit(
+            new TaskOrder(
+                "plate",
+                8,
+                new TaskOrder.Where.Point(load),
+                new TaskOrder.Where.Point(new Vec2(12.5, 1.5)),
+                null,
+                0,
+                null,
+                null));
+    until(view -> task(view, task).state() == TaskState.TO_OBJECT);
+    for (String name : List.of("r2", "r3")) {
+      scriptedRobot(name).setFootprint(1.2);
+      scriptedRobot(name).setStuck(false);
+    }
+    stage.database.jdbi().useHandle(h -> h.execute("update places set diameter = 1.2"));
+
+    stage.restart();
+
+    until(view -> !waitReason(view, task).isEmpty());
+    Instant end = stage.fleet.snapshots().latest().at().plusSeconds(60);
+    until(
+        view -> {
+          for (String name : List.of("r2", "r3")) {
+            double metres = scriptedRobot(name).position().distanceTo(load);
+            assertTrue(metres > 0.9, () -> name + " is " + metres + " m from the load");
+          }
+          return view.at().isAfter(end);
+        });
+    assertEquals(
+        "It needs 2 robots together; there is no room for them around the load at (5.50, 1.50),"
+            + " or no path for them to (12.50, 1.50).",
+        waitReason(stage.fleet.snapshots().latest(), task));
+    accepted(stage.fleet.commandTask(task, new MissionEvent.Cancel("Max", null)));
+    until(
+        view ->
+            task(view, task).state() == TaskState.CANCELLED
+                && robot(view, "r2").state() == RobotState.IDLE
+                && robot(view, "r3").state() == RobotState.IDLE);
   }
 
   private Map<String, CellRuns> silentRobotCells() {

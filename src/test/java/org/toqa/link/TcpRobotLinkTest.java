@@ -300,8 +300,25 @@ class TcpRobotLinkTest {
     try (Socket socket = robot.accept()) {
       say(socket, HELLO.replace("\"maxLoad\"", "\"sensorRange\":1e6,\"maxLoad\""));
 
-      String sentence = heard.await(LinkRecorder.End.class).sentence();
-      assertTrue(sentence.endsWith("sees 1000000.0 m; correct its configuration."), sentence);
+      String sentence = heard.await(LinkRecorder.Refusal.class).sentence();
+      assertTrue(sentence.endsWith("sees 1000000 m. Correct its configuration."), sentence);
+    }
+  }
+
+  @Test
+  void robotThatIsWiderThanRobotsMayBeIsRefused() throws Exception {
+    try (Socket socket = robot.accept()) {
+      say(socket, HELLO.replace("\"footprint\":0.255", "\"footprint\":1.001"));
+
+      assertEquals(
+          "r1 says that it is 1.001 m wide; robots here are 1 m wide at most."
+              + " Correct its configuration, or the setting widestRobot.",
+          heard.await(LinkRecorder.Refusal.class).sentence());
+    }
+    try (Socket socket = robot.accept()) {
+      say(socket, HELLO.replace("\"footprint\":0.255", "\"footprint\":1.0"));
+
+      assertEquals(1, heard.await(Hello.class).footprint());
     }
   }
 

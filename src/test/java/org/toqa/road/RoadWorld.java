@@ -157,6 +157,7 @@ final class RoadWorld {
         usual.simulatedRobots(),
         usual.simulatedBatteries(),
         usual.firmware(),
+        usual.widestRobot(),
         usual.reassignAfter(),
         usual.charging(),
         SPEED,

@@ -29,6 +29,7 @@ import org.toqa.fleet.ChargingRules;
  *     robot by robot; the last one counts for all others
  * @param firmware the folder of the built firmware that drives the first simulated robot, in a
  *     simulated microcontroller; null: every body is simulated as a whole
+ * @param widestRobot the largest diameter that is believed of a robot, metres
  * @param reassignAfter how long a robot is silent until its task goes to another
  * @param charging when robots charge
  * @param simulationSpeed how many times faster than real time simulated time passes
@@ -54,6 +55,7 @@ public record Configuration(
     int simulatedRobots,
     List<Double> simulatedBatteries,
     @Nullable Path firmware,
+    double widestRobot,
     Duration reassignAfter,
     ChargingRules charging,
     double simulationSpeed,

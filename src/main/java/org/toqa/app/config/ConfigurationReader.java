@@ -68,6 +68,7 @@ record ConfigurationReader(List<SettingSource> layers) {
         simulate,
         batteries(),
         firmware(simulate),
+        number(Setting.WIDEST_ROBOT),
         lostAfter,
         charging(),
         speed,

@@ -37,6 +37,7 @@ public enum Setting {
   FIRMWARE("firmware", "", "the folder of the built firmware, with toqa.hex and toqa-sim"),
   SIMULATE("simulate", "0", new WholeNumber(0, 500)),
   SIMULATE_BATTERIES("simulateBatteries", "100", new WholeNumbers(5, 100, "percent")),
+  WIDEST_ROBOT("widestRobot", "1", new Decimal(0.1, 10, "metres")),
   LOST_AFTER("lostAfter", "30", new WholeNumber(5, 3600, "seconds")),
   CHARGING_BELOW("charging.below", "20", new WholeNumber(5, 90, "percent")),
   CHARGING_UNTIL("charging.until", "95", new WholeNumber(10, 100, "percent")),

@@ -152,7 +152,9 @@ public final class FleetServer implements AutoCloseable {
             store,
             schedules,
             new TcpRobotLinkFactory(
-                new LinkTls(IdentityFile.open(configuration.data())), configuration.plainLinks()),
+                new LinkTls(IdentityFile.open(configuration.data())),
+                configuration.plainLinks(),
+                configuration.widestRobot()),
             configuration.allocationPolicy().allocator(),
             new FleetRules(
                 configuration.reassignAfter(),

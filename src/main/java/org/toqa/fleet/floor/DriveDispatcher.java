@@ -58,8 +58,10 @@ final class DriveDispatcher {
     if (isStray) {
       cancelUnwantedDrive(robot);
     }
+    Sentence objection = state.formations.objection(robot.name());
     boolean isWaiting =
-        robot.drive.isPostponed(state.now)
+        objection != null
+            || robot.drive.isPostponed(state.now)
             || isAwaitingFollowers(robot)
             || isGoalOutdated(robot, goal);
     state.traffic.setMovable(
@@ -76,7 +78,9 @@ final class DriveDispatcher {
         && state.traffic.isAtGoal(robot.name())) {
       arrived(robot, goal);
     }
-    if (!isWaiting) {
+    if (objection != null) {
+      setWaitReason(robot, objection);
+    } else if (!isWaiting) {
       setWaitReason(robot, goal == null ? null : state.traffic.waitReason(robot.name()));
     }
   }

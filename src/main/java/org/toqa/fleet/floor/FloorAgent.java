@@ -130,8 +130,9 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     }
     memory.robots().forEach(stored -> charging.recover(stored.charge()));
     memory.leftLoads().forEach(ended -> state.leftLoads.update(ended.mission(), ended.changedAt()));
+    memory.robots().forEach(robotEventHandler::recoverReport); // places of groups follow from it
     memory.begunTasks().forEach(missions::recover);
-    memory.robots().forEach(robotEventHandler::recover);
+    memory.robots().forEach(robotEventHandler::recoverPlace);
   }
 
   @Override

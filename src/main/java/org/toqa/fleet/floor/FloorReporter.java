@@ -109,7 +109,9 @@ final class FloorReporter {
             reasons.add(Phrase.ROBOT_AND_CLAUSE.with(robot.name(), Phrase.REPORTS_ERROR.with()));
         case OUT_OF_SERVICE -> reasons.add(Phrase.OUT_OF_SERVICE.with(robot.name()));
         case IDLE, DRIVING, HOLDING, CHARGING -> {
-          operationalWaitReason(robot).ifPresent(reasons::add);
+          operationalWaitReason(robot)
+              .filter(reason -> !reasons.contains(reason)) // of all of a group
+              .ifPresent(reasons::add);
         }
       }
     }

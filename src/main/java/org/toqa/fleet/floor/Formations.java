@@ -85,6 +85,20 @@ final class Formations {
     return mission.assignedRobots().size() > 1;
   }
 
+  /**
+   * Why a robot of a group is sent nowhere, to the load or with it: the group has no places round
+   * the load, as on a map that was changed since. Null: it has, or is none.
+   */
+  @Nullable Sentence objection(String robot) {
+    return state
+        .missions
+        .missionOf(robot)
+        .filter(m -> isGroup(m) && of(m).isEmpty())
+        .filter(m -> m.assignedRobot(robot).filter(c -> c.phase() != Phase.HOME).isPresent())
+        .map(m -> TeamRoomCheck.objection(m, m.assignedRobots().size()))
+        .orElse(null);
+  }
+
   static String leader(Mission mission) {
     return mission.assignedRobots().getFirst().robot();
   }

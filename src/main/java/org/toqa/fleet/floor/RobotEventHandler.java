@@ -82,14 +82,24 @@ final class RobotEventHandler {
     }
   }
 
-  /** Until it is heard it stays where it was last known, and keeps all that it may drive. */
-  void recover(StoredRobot stored) {
+  /** Where it was last known, and how wide it is, until it is heard. */
+  void recoverReport(StoredRobot stored) {
+    FloorRobot robot = state.robots.get(stored.name());
+    if (robot != null && stored.place() != null) {
+      robot.reported.recover(stored.place());
+    }
+  }
+
+  /**
+   * Until it is heard it stays where it was last known, and keeps all that it may drive. Missions
+   * are known before.
+   */
+  void recoverPlace(StoredRobot stored) {
     FloorRobot robot = state.robots.get(stored.name());
     LastPlace place = stored.place();
     if (robot == null || place == null) {
       return;
     }
-    robot.reported.recover(place);
     state.traffic.reportStanding(robot.name(), place.pose(), place.diameter(), state.now);
     if (!place.sinceDriven().segments().isEmpty()) {
       state

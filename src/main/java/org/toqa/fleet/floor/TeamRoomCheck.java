@@ -30,10 +30,12 @@ public final class TeamRoomCheck {
                     mission.task().size(),
                     diameter / 2)
                 .isPresent();
-    return isPossible
-        ? Optional.empty()
-        : Optional.of(
-            Phrase.NO_ROOM_FOR_TEAM.with(
-                robots, mission.object().sentence(), mission.task().goal().sentence()));
+    return isPossible ? Optional.empty() : Optional.of(objection(mission, robots));
+  }
+
+  /** Of a mission that so many robots have no room for. */
+  static Sentence objection(Mission mission, int robots) {
+    return Phrase.NO_ROOM_FOR_TEAM.with(
+        robots, mission.object().sentence(), mission.task().goal().sentence());
   }
 }

@@ -20,8 +20,14 @@ final class PerceptFilter {
   /** Metres: round what a robot sees ahead it tells what it saw beside that a moment before. */
   private static final double MEMORY_REACH = 0.5;
 
-  /** Metres that a pose may jump, as where a mark on the floor corrects it. */
+  /**
+   * Metres that a pose may be farther than the robot can have driven: a mark on the floor corrects
+   * it, and states come unevenly. All jumps together take of it.
+   */
   private static final double MAX_CORRECTION = 0.5;
+
+  /** Metres a second by which that comes back; far more than odometry errs. */
+  private static final double CORRECTION_SPEED = 0.05;
 
   /** Metres a second; no robot here is faster, whatever it says. */
   private static final double MAX_SPEED = 3;
@@ -30,6 +36,10 @@ final class PerceptFilter {
 
   private @Nullable Vec2 lastPosition;
   private Instant lastAt = Instant.EPOCH;
+
+  /** Metres. */
+  private double correctionLeft = MAX_CORRECTION;
+
   private Instant jumpedAt = Instant.EPOCH;
 
   /** The robot has connected: where it is now is the first that is known. */
@@ -43,9 +53,12 @@ final class PerceptFilter {
    */
   List<Vec2> believable(State state, Hello hello, Instant now) {
     Vec2 position = state.pose().position();
-    if (hasJumped(position, hello, now)) {
+    correctionLeft += driven(hello, now) - moved(position);
+    if (correctionLeft < 0) {
       jumpedAt = now;
+      correctionLeft = MAX_CORRECTION;
     }
+    correctionLeft = Math.min(MAX_CORRECTION, correctionLeft);
     lastPosition = position;
     lastAt = now;
     if (!state.localised() || now.isBefore(jumpedAt.plus(DISTRUST_AFTER_JUMP))) {
@@ -58,9 +71,13 @@ final class PerceptFilter {
         .toList();
   }
 
-  private boolean hasJumped(Vec2 position, Hello hello, Instant now) {
+  /** Metres that it may have moved since its last state. */
+  private double driven(Hello hello, Instant now) {
     double seconds = Duration.between(lastAt, now).toMillis() / 1e3;
-    double reach = MAX_CORRECTION + Math.min(hello.maxSpeed(), MAX_SPEED) * seconds;
-    return lastPosition != null && lastPosition.distanceTo(position) > reach;
+    return (Math.min(hello.maxSpeed(), MAX_SPEED) + CORRECTION_SPEED) * seconds;
+  }
+
+  private double moved(Vec2 position) {
+    return lastPosition == null ? 0 : lastPosition.distanceTo(position);
   }
 }

@@ -68,6 +68,37 @@ class PerceptFilterTest {
         List.of(there), filter.believable(state(true, 6, there), HELLO, START.plusSeconds(2)));
   }
 
+  @Test
+  void aRobotThatWandersFasterThanItDrivesInManySmallJumpsIsNotBelieved() {
+    filter.believable(state(true, 5), HELLO, START);
+
+    int believedStates = 0;
+    while (believedStates < 100
+        && !believed(5.25 + 0.25 * believedStates, START.plusMillis(200L * (believedStates + 1)))
+            .isEmpty()) {
+      believedStates++;
+    }
+
+    // 3 * 0.25 m of 0.5 m + 0.6 s * 0.55 m/s = 0.83 m; 4 * 0.25 m of 0.94 m
+    assertEquals(3, believedStates);
+  }
+
+  /** States come in bursts, and a mark corrects it by 0.1 m every 10 s. */
+  @Test
+  void aRobotThatDrivesForLongIsBelievedHoweverUnevenlyItIsHeard() {
+    for (int i = 0; i < 3_000; i++) { // 10 minutes
+      double seconds = i * 0.2;
+      double x = 0.5 * seconds + 0.1 * Math.floor(seconds / 10);
+      Instant heard = START.plusMillis(1_000L * Math.floorDiv(i, 5));
+
+      assertEquals(1, believed(x, heard).size(), "after " + i);
+    }
+  }
+
+  private List<Vec2> believed(double x, Instant now) {
+    return filter.believable(state(true, x, new Vec2(x, 5.5)), HELLO, now);
+  }
+
   private static State state(boolean localised, double x, Vec2... obstacles) {
     return new State(
         0,
