@@ -17,7 +17,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import org.toqa.endtoend.WorkLedger.Answer;
 import org.toqa.testbed.ApiClient.Reply;
-import org.toqa.testbed.Tally;
 import tools.jackson.databind.JsonNode;
 
 /** Carries a {@link CrashPlan} out at a site, and judges what has become of the work. */
@@ -93,9 +92,7 @@ final class CrashRun {
     cancelMostOf(table);
     awaitEnds();
     ledger.judge(kept(), scheduledTasks());
-    if (site.truth().endRun()) {
-      Tally.add("runs with crashes in which two bodies touched", 1);
-    }
+    site.truth().endRun();
   }
 
   private Optional<ActiveHold> begin(Work work) throws Exception {
