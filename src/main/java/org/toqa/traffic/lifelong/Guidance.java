@@ -13,27 +13,32 @@ import org.toqa.traffic.mapf.StateGraph;
  * Distances that know of oncoming traffic, so that robots keep to the side on which others drive in
  * the same direction, before they meet.
  *
- * <p>Idea: each robot announces the edges of its shortest path. An edge costs a step, and half a
- * step more for each robot that announced it in the other direction. Who plans next therefore
- * prefers an aisle that is driven in its direction; one-way streets form by themselves, and
- * dissolve when the traffic changes. A robot keeps its distances until it has a new goal.
+ * <p>Idea: each robot announces the edges of its shortest path. An edge costs a step, and more for
+ * each robot that announced it in the other direction, or announced any way through the vertex that
+ * it leads to. Who plans next therefore prefers an aisle that is driven in its direction, and one
+ * that few use; one-way streets form by themselves, and dissolve when the traffic changes.
  *
- * <p>Cost: one A* search a goal, from the goal to the robot and a margin beyond, so that distances
- * are known in an ellipse around both; with a row of stacks as queue, as costs are small whole
- * numbers.
+ * <p>Cost: one A* search a path, from the goal to the robot and a margin beyond, so that distances
+ * are known in an ellipse around both: each state there once or a few times, with a row of stacks
+ * as queue, as costs are small whole numbers.
  *
  * <p>After Z. Chen et al., "Traffic flow optimisation for lifelong multi-agent path finding", AAAI
  * 2024.
  */
 final class Guidance {
   /** What a step costs; finer than 1, so that traffic can cost less than a step. */
-  static final int STEP = 4;
+  static final int STEP = 8;
 
-  private static final int ONCOMING = STEP / 2;
-  private static final int MOST_ONCOMING = 8 * STEP;
+  /** What a robot costs that announced the edge in the other direction. */
+  private static final int ONCOMING = 5;
+
+  /** Robots that announced a way through the vertex, for each {@link #STEP} that they cost. */
+  private static final int CROSSING_PER_STEP = 16;
+
+  private static final int MOST_FOR_TRAFFIC = 16 * STEP;
 
   /** More than a key can rise at an edge, and a power of two. */
-  private static final int STACKS = 64;
+  private static final int STACKS = 256;
 
   /** How far beyond the robot distances are known, for when it is pushed aside. */
   private static final int MARGIN = 32 * STEP;
@@ -42,6 +47,9 @@ final class Guidance {
 
   /** By edge, which is {@code vertex * 4 + direction}: how many have announced it. */
   private final int[] announced;
+
+  /** By vertex: how many have announced an edge that leads to it. */
+  private final int[] crossing;
 
   private final int[] columns;
   private final int[] rows;
@@ -52,6 +60,7 @@ final class Guidance {
         IntStream.range(0, graph.roads().vertexCount()).map(graph.roads()::columnOf).toArray();
     this.rows = IntStream.range(0, graph.roads().vertexCount()).map(graph.roads()::rowOf).toArray();
     this.announced = new int[graph.roads().vertexCount() * DIRECTIONS];
+    this.crossing = new int[graph.roads().vertexCount()];
   }
 
   /**
@@ -106,8 +115,10 @@ final class Guidance {
     if (direction == NONE) {
       return STEP;
     }
-    int oncoming = announced[graph.vertex(to) * DIRECTIONS + opposite(direction)];
-    return STEP + Math.min(MOST_ONCOMING, ONCOMING * oncoming);
+    int vertex = graph.vertex(to);
+    int oncoming = announced[vertex * DIRECTIONS + opposite(direction)];
+    int traffic = ONCOMING * oncoming + STEP * crossing[vertex] / CROSSING_PER_STEP;
+    return STEP + Math.min(MOST_FOR_TRAFFIC, traffic);
   }
 
   /** Announces the cheapest path from a state on; answers its edges, to withdraw them. */
@@ -128,9 +139,7 @@ final class Guidance {
       action = bestAction(state, costs);
     }
     int[] path = Arrays.copyOf(edges, count);
-    for (int edge : path) {
-      announced[edge]++;
-    }
+    count(path, 1);
     return path;
   }
 
@@ -148,8 +157,13 @@ final class Guidance {
   }
 
   void withdraw(int[] path) {
+    count(path, -1);
+  }
+
+  private void count(int[] path, int robots) {
     for (int edge : path) {
-      announced[edge]--;
+      announced[edge] += robots;
+      crossing[graph.roads().neighbour(edge / DIRECTIONS, edge % DIRECTIONS)] += robots;
     }
   }
 

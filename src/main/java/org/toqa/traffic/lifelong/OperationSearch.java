@@ -20,14 +20,16 @@ import org.toqa.traffic.mapf.StateGraph;
  * them together better off.
  *
  * <p>Cost: listing a robot's operations, some hundred, is a tree walk that is cut where it meets a
- * second robot. A robot is asked {@value #MOST_VISITS} times at most for each that begins.
+ * second robot. A robot is asked {@value #MOST_VISITS} times at most for each that begins; all that
+ * robots exchange asks {@value #EXCHANGE_EFFORT_PER_ROBOT} times as many as there are, or until the
+ * deadline.
  *
  * <p>E. Yukhnevich and A. Andreychuk, "Enhancing PIBT via multi-action operations", 2025.
  */
 final class OperationSearch {
   private static final int MOST_VISITS = 10;
   private static final int LONGEST_CHAIN = 200;
-  private static final int EXCHANGE_EFFORT = 1500;
+  private static final int EXCHANGE_EFFORT_PER_ROBOT = 40;
 
   // A choice as one number, best first: cost, slowness, blocking robot + 1, actions.
   private static final int ACTION_BITS = 3;
@@ -124,7 +126,7 @@ final class OperationSearch {
   private void exchange(int[] order) {
     isExchange = true;
     beginner = order.length / 8;
-    int last = effort + EXCHANGE_EFFORT;
+    int last = effort + EXCHANGE_EFFORT_PER_ROBOT * order.length;
     while (order.length > 0 && effort < last && !deadline.isPassed()) {
       round++;
       begin(order[random.nextInt(order.length)]);

@@ -9,14 +9,14 @@ import org.toqa.traffic.DistanceTables;
 /**
  * What a planner remembers of a robot from step to step.
  *
- * <p>Its priority grows with every step that it is on its path to a goal. But where robots block
- * each other, the more important may be just the one that has to back out. So who has not come
- * nearer to its goal for {@value #MAX_STEPS_WITHOUT_PROGRESS} steps looks for another path and lets
- * all others go first for a few steps, how many is up to chance. If it has not even left its cell
- * for long, it may instead, by chance, go before all others: of a jam in which nobody moves, one
- * draws clear. And who has had {@value #MAX_SETBACKS} such setbacks is stuck: it and those around
- * it are sent on detours, to anywhere near for a few steps, so that no order in which they are is
- * kept.
+ * <p>Its priority grows with every step that it is on its path to a goal, and as it comes nearer
+ * ({@link RobotPriority}). But where robots block each other, the more important may be just the
+ * one that has to back out. So who has not come nearer to its goal for {@value
+ * #MAX_STEPS_WITHOUT_PROGRESS} steps looks for another path and lets all others go first for a few
+ * steps, how many is up to chance. If it has not even left its cell for long, it may instead, by
+ * chance, go before all others: of a jam in which nobody moves, one draws clear. And who has had
+ * {@value #MAX_SETBACKS} such setbacks is stuck: it and those around it are sent on detours, to
+ * anywhere near for a few steps, so that no order in which they are is kept.
  */
 final class RobotProgress {
   private static final int MAX_STEPS_WITHOUT_PROGRESS = 8;
@@ -46,6 +46,9 @@ final class RobotProgress {
 
   /** The edges that {@link Guidance} was told of. */
   private int[] edges = NO_EDGES;
+
+  /** In which plan its path was found. */
+  private int pathPlan;
 
   /** What it was going to do from the last step on. */
   private int @Nullable [] operation;
@@ -131,12 +134,30 @@ final class RobotProgress {
     return distances != null && distances[state] != DistanceTables.UNREACHABLE;
   }
 
-  void setPath(char[] newDistances, int[] newEdges) {
+  /**
+   * @param plan in which it was found, counted from 1
+   */
+  void setPath(char[] newDistances, int[] newEdges, int plan) {
     distances = newDistances;
     edges = newEdges;
+    pathPlan = plan;
     leastDistance = DistanceTables.UNREACHABLE;
     stepsWithoutProgress = 0;
     needsOtherPath = false;
+  }
+
+  /** Another path to the same target: what it has come nearer so far still counts. */
+  void renewPath(char[] newDistances, int[] newEdges, int plan) {
+    if (distances != null && leastDistance != DistanceTables.UNREACHABLE) {
+      leastDistance += newDistances[state] - distances[state];
+    }
+    distances = newDistances;
+    edges = newEdges;
+    pathPlan = plan;
+  }
+
+  int pathPlan() {
+    return pathPlan;
   }
 
   void advance(int newState, int newVertex, SplittableRandom random) {
@@ -178,6 +199,8 @@ final class RobotProgress {
    * @return the more, the earlier its turn
    */
   int priority(int urgency) {
-    return priority.value(urgency);
+    char[] known = distances;
+    int toGo = known == null ? DistanceTables.UNREACHABLE : known[state];
+    return priority.value(urgency, toGo);
   }
 }

@@ -27,13 +27,16 @@ import org.toqa.traffic.mapf.StateGraph;
  */
 public final class RollingHorizonPlanner implements LifelongPlanner {
   private static final int DEPTH_CLASSIC = 3;
-  private static final int DEPTH_TURNS = 4;
+  private static final int DEPTH_TURNS = 5;
 
   /** Of the time there is, what the search for new paths may take. */
   private static final double SHARE_OF_GUIDANCE = 0.6;
 
   /** Paths that are looked for at the same time, without knowing of each other. */
   private static final int AT_ONCE = 4;
+
+  /** Robots that look in each plan whether the traffic has opened a better path, oldest first. */
+  private static final int RENEWALS = 20;
 
   private static final int LONGEST_RANDOM_WALK = 24;
 
@@ -42,6 +45,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
   private final SplittableRandom random;
   private final Map<String, RobotProgress> robots = new HashMap<>();
   private @Nullable GraphContext lastContext;
+  private int planCount;
 
   /**
    * @param mayRotate whether robots may drive round in a full ring, all at once; not where a robot
@@ -68,6 +72,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
 
   @Override
   public LifelongPlan plan(TrafficSnapshot snapshot, Deadline deadline) {
+    planCount++;
     GraphContext context = contextOf(snapshot.roads());
     ActiveRobots active = ActiveRobots.of(snapshot, context.graph());
     forgetAbsent(snapshot, context);
@@ -181,20 +186,40 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
    * the paths that they announce. Nobody who looks for a path is kept from one by what others
    * announced who look for theirs: else each would avoid the jam that the others have left.
    */
-  private static void findPaths(List<RobotProgress> present, Guidance guidance, Deadline deadline) {
+  private void findPaths(List<RobotProgress> present, Guidance guidance, Deadline deadline) {
     List<RobotProgress> seekers =
         present.stream()
             .filter(RobotProgress::needsPath)
             .sorted(Comparator.comparing(RobotProgress::hasPath))
             .toList();
     seekers.forEach(seeker -> guidance.withdraw(seeker.takeEdges()));
+    findPaths(seekers, guidance, deadline, RobotProgress::setPath);
+    List<RobotProgress> oldest =
+        present.stream()
+            .filter(robot -> robot.target() != NONE && !robot.needsPath())
+            .sorted(Comparator.comparingInt(RobotProgress::pathPlan))
+            .limit(RENEWALS)
+            .toList();
+    findPaths(oldest, guidance, deadline, RobotProgress::renewPath);
+  }
+
+  /** Takes the path that was found for a robot. */
+  @FunctionalInterface
+  private interface PathTaker {
+    void take(RobotProgress robot, char[] distances, int[] edges, int plan);
+  }
+
+  private void findPaths(
+      List<RobotProgress> seekers, Guidance guidance, Deadline deadline, PathTaker taker) {
     for (int k = 0; k < seekers.size() && !deadline.isPassed(); k += AT_ONCE) {
       List<RobotProgress> few = seekers.subList(k, Math.min(seekers.size(), k + AT_ONCE));
+      few.forEach(robot -> guidance.withdraw(robot.takeEdges()));
       List<char[]> found =
           few.parallelStream().map(t -> guidance.distances(t.state(), t.target())).toList();
       for (int f = 0; f < few.size(); f++) {
-        RobotProgress progress = few.get(f);
-        progress.setPath(found.get(f), guidance.announce(progress.state(), found.get(f)));
+        RobotProgress robot = few.get(f);
+        char[] distances = found.get(f);
+        taker.take(robot, distances, guidance.announce(robot.state(), distances), planCount);
       }
     }
   }
