@@ -54,7 +54,7 @@ final class ActiveRobots {
     }
     isTaken[start] = true;
     int goal = roads.vertex(asked.goal());
-    statuses[robot] = status(start, goal);
+    statuses[robot] = asked.isFixed() && start != goal ? PlanStatus.FIXED : status(start, goal);
     robots[size] = robot;
     states[size] = graph.state(start, direction(asked.pose().heading()));
     goals[size] = goal != NONE && roads.isConnected(start, goal) ? goal : NONE;
@@ -83,6 +83,10 @@ final class ActiveRobots {
 
   int state(int k) {
     return states[k];
+  }
+
+  boolean isFixed(int k) {
+    return snapshot.robots().get(robots[k]).isFixed();
   }
 
   /** A vertex that it can reach, or {@code NONE}. */

@@ -5,6 +5,7 @@ import static org.toqa.traffic.RoadGraph.NONE;
 import static org.toqa.traffic.RoadGraph.opposite;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.stream.IntStream;
 import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.mapf.StateGraph;
@@ -35,6 +36,7 @@ final class Guidance {
   /** Robots that announced a way through the vertex, for each {@link #STEP} that they cost. */
   private static final int CROSSING_PER_STEP = 16;
 
+  /** Also what it costs to enter a vertex on which a robot is fixed. */
   private static final int MOST_FOR_TRAFFIC = 16 * STEP;
 
   /** More than a key can rise at an edge, and a power of two. */
@@ -51,6 +53,9 @@ final class Guidance {
   /** By vertex: how many have announced an edge that leads to it. */
   private final int[] crossing;
 
+  /** The vertices on which a robot is fixed. */
+  private BitSet fixed = new BitSet();
+
   private final int[] columns;
   private final int[] rows;
 
@@ -61,6 +66,11 @@ final class Guidance {
     this.rows = IntStream.range(0, graph.roads().vertexCount()).map(graph.roads()::rowOf).toArray();
     this.announced = new int[graph.roads().vertexCount() * DIRECTIONS];
     this.crossing = new int[graph.roads().vertexCount()];
+  }
+
+  /** The vertices on which robots are fixed: paths lead round them, if there is a way. */
+  void setFixed(BitSet vertices) {
+    fixed = vertices;
   }
 
   /**
@@ -118,7 +128,7 @@ final class Guidance {
     int vertex = graph.vertex(to);
     int oncoming = announced[vertex * DIRECTIONS + opposite(direction)];
     int traffic = ONCOMING * oncoming + STEP * crossing[vertex] / CROSSING_PER_STEP;
-    return STEP + Math.min(MOST_FOR_TRAFFIC, traffic);
+    return STEP + (fixed.get(vertex) ? MOST_FOR_TRAFFIC : Math.min(MOST_FOR_TRAFFIC, traffic));
   }
 
   /** Announces the cheapest path from a state on; answers its edges, to withdraw them. */

@@ -2,6 +2,7 @@ package org.toqa.traffic.lifelong;
 
 import static org.toqa.traffic.RoadGraph.NONE;
 
+import java.util.BitSet;
 import java.util.SplittableRandom;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.mapf.StateGraph;
@@ -52,6 +53,7 @@ final class OperationSearch {
 
   private char[][] distances = new char[0][];
   private int[] goals = new int[0];
+  private BitSet fixed = new BitSet();
   private int[] ranks = new int[0];
   private int[] visits = new int[0];
   private int[] visitedIn = new int[0];
@@ -95,8 +97,10 @@ final class OperationSearch {
    * @param order the robots by falling priority
    * @param distances costs to the goal by robot and state, as {@link Guidance} has them
    * @param goals vertices, or {@code NONE}
+   * @param fixed the robots that keep the operation they have
    */
-  void improve(int[] order, char[][] distances, int[] goals, Deadline deadline) {
+  void improve(int[] order, char[][] distances, int[] goals, BitSet fixed, Deadline deadline) {
+    this.fixed = fixed;
     this.distances = distances;
     this.goals = goals;
     this.deadline = deadline;
@@ -127,13 +131,16 @@ final class OperationSearch {
     isExchange = true;
     beginner = order.length / 8;
     int last = effort + EXCHANGE_EFFORT_PER_ROBOT * order.length;
-    while (order.length > 0 && effort < last && !deadline.isPassed()) {
+    while (fixed.cardinality() < order.length && effort < last && !deadline.isPassed()) {
       round++;
       begin(order[random.nextInt(order.length)]);
     }
   }
 
   private void begin(int robot) {
+    if (fixed.get(robot)) {
+      return;
+    }
     operations.take(robot);
     if (!choose(robot, 0, 0)) {
       operations.put(robot);
@@ -212,7 +219,10 @@ final class OperationSearch {
   }
 
   private boolean isPushable(int robot) {
-    return !isInChain[robot] && ranks[robot] > beginner && visits(robot) < MOST_VISITS;
+    return !fixed.get(robot)
+        && !isInChain[robot]
+        && ranks[robot] > beginner
+        && visits(robot) < MOST_VISITS;
   }
 
   private int[] keep(int[] operation, int level) {

@@ -10,6 +10,8 @@ public enum PlanStatus {
   NOT_YET_PLANNED,
   /** It is on a cell that may not be driven, and stays there. */
   START_BLOCKED,
+  /** It does not move, short of its goal. */
+  FIXED,
   /** Another robot of the snapshot is on the same cell; this one stays. */
   START_SHARED,
   /** Its goal may not be driven. */

@@ -10,5 +10,12 @@ import org.toqa.traffic.GridPose;
  * @param goal where it wants to be; a robot that wants nothing has the cell it is on, and makes
  *     room for others
  * @param urgency a head start over others, in steps of waiting
+ * @param isFixed whether it stays where it is, whatever its goal; others go round it. Unlike a cell
+ *     that is no road, it changes from plan to plan at no cost
  */
-public record PlannedRobot(String name, GridPose pose, Cell goal, int urgency) {}
+public record PlannedRobot(String name, GridPose pose, Cell goal, int urgency, boolean isFixed) {
+  /** A robot that moves. */
+  public PlannedRobot(String name, GridPose pose, Cell goal, int urgency) {
+    this(name, pose, goal, urgency, false);
+  }
+}

@@ -19,7 +19,8 @@ import org.toqa.traffic.mapf.StateGraph;
 /**
  * The baseline: first come, first served. A robot reserves its whole path in space and time when it
  * gets a goal, around what others have reserved; where there is none it stays and asks again every
- * step. Nobody makes room, so idle robots block aisles and two can block each other for ever.
+ * step. Nobody makes room, so idle robots block aisles and two can block each other for ever. It
+ * knows of no fixed robots.
  *
  * <p>D. Silver, "Cooperative pathfinding", AIIDE 2005.
  */

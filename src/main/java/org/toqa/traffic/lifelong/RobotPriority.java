@@ -10,7 +10,7 @@ final class RobotPriority {
   private static final int BEFORE_ALL = Integer.MAX_VALUE / 2;
 
   /** What a step on the way counts for, in the unit of costs. */
-  private static final int AGING = 1;
+  private static final int AGING = Guidance.STEP / 2;
 
   /** Steps on the path to its goal. */
   private int stepsTravelled;

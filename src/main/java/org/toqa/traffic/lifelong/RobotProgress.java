@@ -90,6 +90,11 @@ final class RobotProgress {
     operation = newOperation;
   }
 
+  /** It stays where it is. */
+  void forgetOperation() {
+    operation = null;
+  }
+
   void setGoal(int newGoal) {
     goal = newGoal;
     priority.restart();

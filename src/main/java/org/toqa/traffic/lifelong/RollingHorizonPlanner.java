@@ -5,6 +5,7 @@ import static org.toqa.traffic.RoadGraph.NONE;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
@@ -77,8 +78,11 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     ActiveRobots active = ActiveRobots.of(snapshot, context.graph());
     forgetAbsent(snapshot, context);
     List<RobotProgress> present = updateRobots(snapshot, active, context);
+    BitSet fixed = fixed(active);
+    context.guidance().setFixed(vertices(fixed, present, context.graph()));
     sendStuckOnDetours(present, context.graph());
     findPaths(present, context.guidance(), deadline.afterShare(SHARE_OF_GUIDANCE));
+    fixed.stream().forEach(k -> present.get(k).forgetOperation());
     restartOperations(present, context.operations());
     context
         .search()
@@ -86,11 +90,24 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
             byPriority(snapshot, active, present),
             distances(present, context),
             present.stream().mapToInt(RobotProgress::target).toArray(),
+            fixed,
             deadline);
     return active.toPlan(
         context.operations().depth(),
         context.operations()::state,
         k -> present.get(k).target() == NONE || present.get(k).hasPath());
+  }
+
+  private static BitSet fixed(ActiveRobots active) {
+    BitSet fixed = new BitSet();
+    IntStream.range(0, active.size()).filter(active::isFixed).forEach(fixed::set);
+    return fixed;
+  }
+
+  private static BitSet vertices(BitSet fixed, List<RobotProgress> present, StateGraph graph) {
+    BitSet vertices = new BitSet();
+    fixed.stream().forEach(k -> vertices.set(graph.vertex(present.get(k).state())));
+    return vertices;
   }
 
   private GraphContext contextOf(RoadGraph roads) {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.toqa.grid.Cell;
@@ -22,6 +23,7 @@ final class Drive {
   private RoadGraph roads;
   private final List<GridPose> stances;
   private final List<Cell> goals;
+  private final BitSet fixed = new BitSet();
 
   Drive(
       OccupancyGrid grid,
@@ -45,6 +47,11 @@ final class Drive {
     goals.set(robot, goal);
   }
 
+  /** Has a robot stay where it is from now on, or move again. */
+  void fix(int robot, boolean isFixed) {
+    fixed.set(robot, isFixed);
+  }
+
   /** The cells that may be driven from now on. */
   void driveOn(OccupancyGrid grid) {
     roads = new RoadGraph(grid);
@@ -65,13 +72,14 @@ final class Drive {
   LifelongPlan plan(Deadline deadline) {
     TrafficSnapshot scene =
         new TrafficSnapshot(
-            roads,
-            IntStream.range(0, goals.size())
-                .mapToObj(r -> new PlannedRobot("r" + r, stances.get(r), goals.get(r), 0))
-                .toList());
+            roads, IntStream.range(0, goals.size()).mapToObj(r -> robot(r)).toList());
     LifelongPlan plan = planner.plan(scene, deadline);
     assertHoldsTogether(plan);
     return plan;
+  }
+
+  private PlannedRobot robot(int r) {
+    return new PlannedRobot("r" + r, stances.get(r), goals.get(r), 0, fixed.get(r));
   }
 
   /** Every step of the plan keeps the rules, not just the first. */

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
+import org.toqa.traffic.GridPose;
 import org.toqa.traffic.MotionModel;
 
 /** The classic traps, driven step by step in both models. */
@@ -83,6 +84,27 @@ class RollingTrapsTest {
     OccupancyGrid grid = OccupancyGrid.parse("..#..", ".....", "..#..");
 
     drive(grid, model, List.of(at(0, 1), at(2, 1)), List.of(at(4, 1), at(2, 1))).untilArrived(200);
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void othersGoRoundARobotThatIsFixedOnItsWay(MotionModel model) {
+    OccupancyGrid grid = OccupancyGrid.parse(".....", ".###.", ".....");
+    Drive drive = drive(grid, model, List.of(at(1, 0), at(4, 0)), List.of(at(4, 2), at(0, 0)));
+    drive.step();
+    drive.step();
+    GridPose fixed = drive.stance(0);
+    drive.fix(0, true);
+
+    for (int step = 0; step < 200 && !drive.isArrived(1); step++) {
+      drive.step();
+      assertEquals(fixed, drive.stance(0));
+    }
+
+    assertTrue(drive.isArrived(1));
+    assertEquals(PlanStatus.FIXED, drive.prospect(0));
+    drive.fix(0, false);
+    drive.untilArrived(200);
   }
 
   @ParameterizedTest
