@@ -124,12 +124,12 @@ unpack() {
 # apt-get as if nothing was installed, with everything it writes in one folder. A mirror may be
 # weeks behind sid: its signature is checked, its date is not.
 private_apt() {
-  folder=$1
+  apt_folder=$1
   shift
   apt-get -qq -y --no-install-recommends \
-    -o Dir::Etc::sourcelist="$folder/sources.list" -o Dir::Etc::sourceparts=/nonexistent \
-    -o Dir::State::lists="$folder/lists" -o Dir::State::status=/dev/null \
-    -o Dir::Cache="$folder/cache" -o APT::Get::List-Cleanup=0 -o APT::Sandbox::User=root \
+    -o Dir::Etc::sourcelist="$apt_folder/sources.list" -o Dir::Etc::sourceparts=/nonexistent \
+    -o Dir::State::lists="$apt_folder/lists" -o Dir::State::status=/dev/null \
+    -o Dir::Cache="$apt_folder/cache" -o APT::Get::List-Cleanup=0 -o APT::Sandbox::User=root \
     -o Acquire::Check-Valid-Until=false -o Debug::NoLocking=1 "$@"
 }
 
