@@ -9,8 +9,6 @@ import java.util.function.IntConsumer;
  * of a floor that may have a million, so they are listed, not marked. Immutable.
  */
 final class CellSet {
-  static final CellSet NONE = new CellSet(new int[0]);
-
   private final int[] indices;
 
   private CellSet(int[] indices) {
@@ -20,12 +18,6 @@ final class CellSet {
   /** Of indices in any order, repeated or not. */
   static CellSet of(int[] some) {
     return new CellSet(Arrays.stream(some).sorted().distinct().toArray());
-  }
-
-  CellSet union(CellSet other) {
-    int[] both = Arrays.copyOf(indices, indices.length + other.indices.length);
-    System.arraycopy(other.indices, 0, both, indices.length, other.indices.length);
-    return of(both);
   }
 
   void forEach(IntConsumer consumer) {

@@ -84,7 +84,7 @@ final class FormationClearance {
     for (PlacedDisc disc : formation.discs(start)) {
       double reach = disc.radius() + marginAtStart;
       BitSet touched = new BitSet();
-      SweptCells.at(grid, disc.centre(), reach).addTo(touched);
+      SweptArea.at(disc.centre(), reach).cells(grid, 0).addTo(touched);
       touched.and(solid);
       for (int i = touched.nextSetBit(0); i >= 0; i = touched.nextSetBit(i + 1)) {
         double gap = Disc.distanceToCell(grid, disc.centre(), grid.cell(i));

@@ -251,7 +251,7 @@ final class SingleRobotPlanner {
     OccupancyGrid grid = freeSpace.grid();
     Pose pose = robot.releasedEnd();
     BitSet touched = new BitSet();
-    SweptCells.at(grid, pose.position(), robot.radius()).addTo(touched);
+    robot.areaAt(pose).cells(grid, 0).addTo(touched);
     touched.and(freeSpace.blocked());
     if (touched.isEmpty()) {
       return isClearOf(sections, freeSpace.blocked());

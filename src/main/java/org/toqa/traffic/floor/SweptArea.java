@@ -13,8 +13,6 @@ import org.toqa.motion.Segment;
  * straights. Arcs are taken as chords, and never for less than they cover. Immutable.
  */
 final class SweptArea {
-  static final SweptArea NONE = new SweptArea(List.of());
-
   /** An arc is taken as chords; so far, in metres, it may rise over its chord. */
   private static final double MAX_CHORD_HEIGHT = 0.0005;
 

@@ -145,13 +145,6 @@ final class TrafficRobot {
     return formation;
   }
 
-  /** Where it is, and those that drive with it. */
-  List<PlacedDisc> discs() {
-    return formation == null
-        ? List.of(new PlacedDisc(pose.position(), radius))
-        : formation.discs(pose);
-  }
-
   /** What it covers when it is there. */
   SweptArea areaAt(Pose at) {
     return formation == null
@@ -179,11 +172,6 @@ final class TrafficRobot {
   /** What it covers where it is. */
   SweptArea standingArea() {
     return standingArea;
-  }
-
-  /** The cells under it. */
-  CellSet standingCells() {
-    return standingArea.cells(grid, 0);
   }
 
   /** What is its own now, in parts: where it is, and all of what it may drive. */

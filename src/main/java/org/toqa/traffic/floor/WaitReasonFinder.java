@@ -47,7 +47,9 @@ final class WaitReasonFinder {
   private WaitReason reasonWithoutPath(TrafficRobot robot, Vec2 goal) {
     for (Vec2 point : singleRobotPlanner.pointsWithoutObstacles(robot)) {
       int touched =
-          SweptCells.at(freeSpace.grid(), point, robot.radius()).firstIn(freeSpace.obstacles());
+          SweptArea.at(point, robot.radius())
+              .cells(freeSpace.grid(), 0)
+              .firstIn(freeSpace.obstacles());
       if (touched >= 0) {
         return new WaitReason.ObstacleOnPath(
             freeSpace.grid().centre(freeSpace.grid().cell(touched)));

@@ -2,11 +2,10 @@ package org.toqa.traffic.floor;
 
 import java.time.Duration;
 import java.time.Instant;
-import java.util.BitSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Since when a robot waits, what for, and the cells that it asks others to leave. */
+/** Since when a robot waits, what for, and what it asks others to leave. */
 final class WaitState {
   /** Since when it is stopped short of its goal; null while it drives or has no goal. */
   private @Nullable Instant since;
@@ -31,9 +30,6 @@ final class WaitState {
   /** What a robot too large to be planned with the others waits for to become free. */
   private List<SweptArea> wanted = List.of();
 
-  /** The cells of that. */
-  private BitSet wantedCells = new BitSet();
-
   @Nullable Instant since() {
     return since;
   }
@@ -53,11 +49,6 @@ final class WaitState {
   /** What others shall leave. */
   List<SweptArea> wanted() {
     return wanted;
-  }
-
-  /** The cells of that, as bits by their index; not to be changed. */
-  BitSet wantedCells() {
-    return wantedCells;
   }
 
   /** Forgets all that it waited for, as for another goal. */
@@ -85,8 +76,6 @@ final class WaitState {
   /** These sections are what it waits for. */
   void setWanted(List<Section> sections) {
     wanted = sections.stream().map(Section::area).toList();
-    wantedCells = new BitSet();
-    sections.forEach(section -> section.cells().addTo(wantedCells));
   }
 
   // --- no path ----------------------------------------------------------------------------------
