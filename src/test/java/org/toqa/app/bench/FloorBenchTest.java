@@ -109,7 +109,7 @@ class FloorBenchTest {
   @Test
   void robotsFitCellsThatAreSmallerThanThem() throws IOException {
     Files.writeString(folder.resolve("fine.yaml"), "image: fine.pgm\nresolution: 0.2\n" + YAML);
-    Files.writeString(folder.resolve("fine.pgm"), "P2 4 3 255\n" + "254 ".repeat(12));
+    Files.writeString(folder.resolve("fine.pgm"), "P2 8 6 255\n" + "254 ".repeat(48));
 
     ObjectNode json = report(0, "--robots 2 --seconds 20 --pose-error 0", "fine.yaml");
 
