@@ -97,12 +97,7 @@ public final class FloorTraffic {
   /** Where nobody expected the robot, the others give up what is not released to them. */
   private void freePathsThrough(TrafficRobot robot, List<SweptArea> known) {
     SweptArea standing = robot.standingArea();
-    boolean isExpected =
-        known.stream()
-            .anyMatch(
-                area ->
-                    area.gapTo(robot.pose().position())
-                        < Trajectory.MAX_DEVIATION - robot.radius());
+    boolean isExpected = known.stream().anyMatch(robot::isWithin);
     if (!isExpected) {
       robots.values().stream()
           .filter(other -> other != robot && other.drive.hasUnreleasedNear(standing))

@@ -191,7 +191,7 @@ final class TrafficRobot {
   }
 
   /** Whether it is there, but for what a robot may be beside its path. */
-  private boolean isWithin(SweptArea area) {
+  boolean isWithin(SweptArea area) {
     return area.gapTo(pose.position()) < Trajectory.MAX_DEVIATION - radius;
   }
 
