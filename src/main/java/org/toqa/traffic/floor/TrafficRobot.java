@@ -186,8 +186,12 @@ final class TrafficRobot {
   /** What it covers at the place that it was sent to, if it is there; else where it is. */
   private SweptArea placeArea() {
     Pose place = drive.lastPathEnd();
-    SweptArea area = place == null ? standingArea : areaAt(place);
-    return isWithin(area) ? area : standingArea;
+    if (place == null) {
+      return standingArea;
+    }
+    SweptArea area = areaAt(place);
+    boolean isThere = formation == null ? isWithin(area) : FormationPlanner.isAtPlace(place, pose);
+    return isThere ? area : standingArea;
   }
 
   /** Whether it is there, but for what a robot may be beside its path. */
