@@ -1,6 +1,7 @@
 package org.toqa.app.server;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.icegreen.greenmail.util.GreenMail;
 import com.icegreen.greenmail.util.ServerSetup;
@@ -10,11 +11,13 @@ import java.net.http.HttpHeaders;
 import java.net.http.HttpResponse;
 import java.nio.file.Path;
 import java.sql.SQLException;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.config.Setting;
 import org.toqa.web.TestClient;
@@ -111,8 +114,8 @@ final class AttackRun implements AutoCloseable {
     server.addUser("guest" + tried);
   }
 
-  /** A task that is held, and no other. */
-  void holdTask() {
+  /** A task that is held, and no other, as its page says. */
+  void holdTask() throws InterruptedException {
     if (places.containsKey("held")) {
       tasks.cancel(Long.parseLong(places.get("held")));
     }
@@ -120,6 +123,11 @@ final class AttackRun implements AutoCloseable {
     assertEquals(201, answer.statusCode(), answer.body());
     String held = JSON.readTree(answer.body()).get("id").asString();
     assertEquals(200, manager.postJson("api/v1/tasks/" + held + "/hold", "").statusCode());
+    long end = System.nanoTime() + Duration.ofMinutes(1).toNanos();
+    while (!manager.get("tasks/" + held).body().contains("/tasks/" + held + "/resume")) {
+      assertTrue(System.nanoTime() < end, "the page offers no resume");
+      TimeUnit.MILLISECONDS.sleep(10);
+    }
     places.put("held", held);
   }
 
