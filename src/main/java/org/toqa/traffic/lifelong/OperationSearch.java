@@ -311,17 +311,13 @@ final class OperationSearch {
         continue;
       }
       int there = graph.vertex(next);
-      int met = operations.occupant(t + 1, there);
-      if (met == NONE && there != vertex) {
-        int passed = operations.occupant(t + 1, vertex);
-        met = passed != NONE && operations.occupant(t, there) == passed ? passed : NONE;
-      } else if (met != NONE && there != vertex) {
-        int passed = operations.occupant(t + 1, vertex);
-        if (passed != NONE && passed != met && operations.occupant(t, there) == passed) {
-          continue;
-        }
+      int direction = graph.direction(state, action);
+      if (direction != NONE && operations.isClosed(vertex, direction)) {
+        continue;
       }
-      if (met != NONE && met != inWay && (inWay != NONE || !isPushable(met))) {
+      int met = operations.inWay(vertex, there, direction, t);
+      if (met == Operations.SEVERAL
+          || (met != NONE && met != inWay && (inWay != NONE || !isPushable(met)))) {
         continue;
       }
       boolean arrives = arrival == NONE && there == goals[robot];

@@ -3,6 +3,9 @@ package org.toqa.traffic.lifelong;
 import static org.toqa.traffic.RoadGraph.NONE;
 
 import java.util.Arrays;
+import java.util.BitSet;
+import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 import org.toqa.traffic.mapf.StateGraph;
 
 /**
@@ -10,7 +13,11 @@ import org.toqa.traffic.mapf.StateGraph;
  * them. Robots are counted from 0.
  */
 final class Operations {
+  /** More than one robot. */
+  static final int SEVERAL = -2;
+
   private final StateGraph graph;
+  private final Spacing spacing;
   private final int depth;
 
   /** By robot: its states after 0, 1, 2 ... steps. */
@@ -19,8 +26,20 @@ final class Operations {
   /** By step and vertex: the robot that is there then. */
   private final int[][] occupants;
 
-  Operations(StateGraph graph, int depth) {
+  /** The edges that nobody may drive now. */
+  private BitSet closed = new BitSet();
+
+  /** By robot: the search for a ring in which it was last met, so that nothing is cleared. */
+  private int[] met = new int[0];
+
+  private int searches;
+
+  /**
+   * @param spacing which vertices cannot be taken at once
+   */
+  Operations(StateGraph graph, Spacing spacing, int depth) {
     this.graph = graph;
+    this.spacing = spacing;
     this.depth = depth;
     this.occupants = new int[depth + 1][graph.roads().vertexCount()];
     for (int[] occupant : occupants) {
@@ -60,70 +79,188 @@ final class Operations {
     }
   }
 
+  /** Whether nobody may go from a vertex in a direction now. */
+  boolean isClosed(int vertex, int direction) {
+    return closed.get(vertex * RoadGraph.DIRECTIONS + direction);
+  }
+
   /**
-   * Starts from other robots or other places. Who has done the first step of its operation keeps
-   * the rest of it; who has not, waits where it is, and so does whoever meant to pass there.
+   * Who is in the way of a robot that is taken off, if it goes to a vertex, or stays there, in its
+   * step after {@code t}.
+   *
+   * @param direction in which it goes, {@code NONE} if it stays
+   * @return {@code NONE}, a robot, or {@link #SEVERAL}
+   */
+  int inWay(int from, int to, int direction, int t) {
+    int robot = occupants[t + 1][to];
+    for (int vertex : spacing.near(to)) {
+      int other = occupants[t + 1][vertex];
+      if (other != NONE && !spacing.mayBeAt(to, vertex, from, vertexAt(other, t))) {
+        robot = with(robot, other);
+      }
+    }
+    if (direction != NONE) {
+      for (int edge : spacing.opposite(from, direction)) {
+        int start = edge / RoadGraph.DIRECTIONS;
+        int other = occupants[t][start];
+        if (other != NONE
+            && vertexAt(other, t + 1)
+                == graph.roads().neighbour(start, edge % RoadGraph.DIRECTIONS)) {
+          robot = with(robot, other);
+        }
+      }
+    }
+    return robot;
+  }
+
+  private static int with(int robot, int other) {
+    return robot == NONE || robot == other ? other : SEVERAL;
+  }
+
+  /**
+   * Starts from other robots or other places. Who is where its operation would have it goes on with
+   * that; who is not, or is in the way of others now, waits where it is, and so does whoever meant
+   * to pass there.
    *
    * @param present the robots' states now; no two on a vertex
-   * @param former what they meant to do one step ago, from then on; null for none
+   * @param former what they meant to do, from then on; null for none
+   * @param steps that have passed since then
+   * @param closedNow the edges that nobody may drive now
    */
-  void restart(int[] present, int[][] former) {
+  void restart(int[] present, int[][] former, int steps, BitSet closedNow) {
     for (int robot = 0; robot < operations.length; robot++) {
       take(robot);
     }
+    closed = closedNow;
     operations = new int[present.length][];
+    met = new int[present.length];
+    searches = 0;
     int[] strays = new int[present.length];
     int count = 0;
     for (int robot = 0; robot < present.length; robot++) {
       int[] meant = former[robot];
-      if (meant != null && meant[1] == present[robot]) {
-        System.arraycopy(meant, 1, meant, 0, depth);
-        operations[robot] = meant;
+      boolean isOnWay = meant != null && forward(meant, present[robot], steps);
+      operations[robot] = isOnWay ? meant : new int[depth + 1];
+      if (isOnWay && isPossible(robot)) {
         put(robot);
       } else {
-        operations[robot] = new int[depth + 1];
-        Arrays.fill(operations[robot], present[robot]);
         strays[count++] = robot;
       }
+    }
+    for (int k = 0; k < count; k++) {
+      Arrays.fill(operations[strays[k]], present[strays[k]]);
     }
     while (count > 0) {
       int robot = strays[--count];
       int vertex = graph.vertex(present[robot]);
-      for (int t = 0; t <= depth; t++) {
-        int other = occupants[t][vertex];
-        if (other != NONE) {
-          take(other);
-          Arrays.fill(operations[other], present[other]);
-          strays[count++] = other;
+      for (int t = 0; t < depth; t++) {
+        count = stop(occupants[t][vertex], strays, count);
+        for (int near : spacing.near(vertex)) {
+          int other = occupants[t + 1][near];
+          if (other != NONE && !spacing.mayBeAt(vertex, near, vertex, vertexAt(other, t))) {
+            count = stop(other, strays, count);
+          }
         }
       }
+      count = stop(occupants[depth][vertex], strays, count);
       put(robot);
     }
   }
 
+  /** Makes a robot that is met at a step wait where it is; it is a stray from now on. */
+  private int stop(int robot, int[] strays, int count) {
+    if (robot == NONE) {
+      return count;
+    }
+    take(robot);
+    Arrays.fill(operations[robot], operations[robot][0]);
+    strays[count] = robot;
+    return count + 1;
+  }
+
+  /**
+   * Drops the steps of an operation that are done; after its last one it waits.
+   *
+   * @return false where it never leads to the state
+   */
+  private boolean forward(int[] meant, int state, int steps) {
+    int done = steps <= depth && meant[steps] == state ? steps : 0;
+    while (done <= depth && meant[done] != state) {
+      done++;
+    }
+    if (done > depth) {
+      return false;
+    }
+    System.arraycopy(meant, done, meant, 0, depth + 1 - done);
+    Arrays.fill(meant, depth + 1 - done, depth + 1, meant[depth - done]);
+    return true;
+  }
+
+  /** Whether nobody who is put on, and no closed edge, is in the way of a robot's operation. */
+  private boolean isPossible(int robot) {
+    for (int t = 0; t < depth; t++) {
+      int from = vertexAt(robot, t);
+      int to = vertexAt(robot, t + 1);
+      int direction = from == to ? NONE : graph.roads().direction(from, to);
+      if ((direction != NONE && isClosed(from, direction))
+          || inWay(from, to, direction, t) != NONE) {
+        return false;
+      }
+    }
+    put(robot);
+    boolean isRing = closesRing(robot);
+    take(robot);
+    return !isRing;
+  }
+
   /**
    * Whether the robot's operation closes a ring of robots that all go at once, each to where the
-   * next one is just leaving.
+   * next one is just leaving, or too near to that.
    */
   boolean closesRing(int robot) {
     for (int t = 1; t <= depth; t++) {
-      int ahead = robot;
-      do {
-        int vertex = graph.vertex(operations[ahead][t]);
-        int next = occupants[t - 1][vertex];
-        if (next == ahead) {
-          break;
+      if (vertexAt(robot, t) != vertexAt(robot, t - 1)) {
+        searches++;
+        if (leadsTo(robot, robot, t)) {
+          return true;
         }
-        ahead = next;
-      } while (ahead != NONE && ahead != robot);
-      if (ahead == robot && graph.vertex(operations[robot][t]) != vertexBefore(robot, t)) {
+      }
+    }
+    return false;
+  }
+
+  private boolean leadsTo(int robot, int wanted, int t) {
+    int to = vertexAt(robot, t);
+    if (waitsFor(occupants[t - 1][to], robot, wanted, t)) {
+      return true;
+    }
+    for (int vertex : spacing.near(to)) {
+      int other = occupants[t - 1][vertex];
+      if (other != NONE
+          && !spacing.mayBeAt(to, vertex, vertexAt(robot, t - 1), vertex)
+          && waitsFor(other, robot, wanted, t)) {
         return true;
       }
     }
     return false;
   }
 
-  private int vertexBefore(int robot, int step) {
-    return graph.vertex(operations[robot][step - 1]);
+  /** Whether one that a robot would drive into goes on, and waits, over others, for the wanted. */
+  private boolean waitsFor(int other, int robot, int wanted, int t) {
+    if (other == NONE || other == robot || vertexAt(other, t) == vertexAt(other, t - 1)) {
+      return false;
+    }
+    if (other == wanted) {
+      return true;
+    }
+    if (met[other] == searches) {
+      return false;
+    }
+    met[other] = searches;
+    return leadsTo(other, wanted, t);
+  }
+
+  private int vertexAt(int robot, int step) {
+    return graph.vertex(operations[robot][step]);
   }
 }

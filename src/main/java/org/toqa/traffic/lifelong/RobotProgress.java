@@ -165,9 +165,16 @@ final class RobotProgress {
     return pathPlan;
   }
 
-  void advance(int newState, int newVertex, SplittableRandom random) {
-    stepsOnVertex = newVertex == vertex ? stepsOnVertex + 1 : 0;
+  void advance(int newState, int newVertex, int steps, SplittableRandom random) {
     state = newState;
+    for (int step = 0; step < steps; step++) {
+      countStep(newVertex, random);
+    }
+    vertex = newVertex;
+  }
+
+  private void countStep(int newVertex, SplittableRandom random) {
+    stepsOnVertex = newVertex == vertex ? stepsOnVertex + 1 : 0;
     vertex = newVertex;
     priority.countStep();
     if (detour.countStep(vertex)) {

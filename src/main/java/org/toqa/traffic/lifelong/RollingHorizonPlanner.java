@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
+import org.toqa.traffic.Spacing;
 import org.toqa.traffic.mapf.StateGraph;
 
 /**
@@ -43,19 +44,30 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
 
   private final MotionModel model;
   private final boolean mayRotate;
+  private final double apart;
   private final SplittableRandom random;
   private final Map<String, RobotProgress> robots = new HashMap<>();
   private @Nullable GraphContext lastContext;
   private int planCount;
 
   /**
+   * Robots may be on any two cells at once.
+   *
    * @param mayRotate whether robots may drive round in a full ring, all at once; not where a robot
    *     enters a cell only after another has left it
    * @param seed of all chance
    */
   public RollingHorizonPlanner(MotionModel model, boolean mayRotate, long seed) {
+    this(model, mayRotate, 1, seed);
+  }
+
+  /**
+   * @param apart what is kept between the middles of robots, in cells
+   */
+  public RollingHorizonPlanner(MotionModel model, boolean mayRotate, double apart, long seed) {
     this.model = model;
     this.mayRotate = mayRotate;
+    this.apart = apart;
     this.random = new SplittableRandom(seed);
   }
 
@@ -83,7 +95,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     sendStuckOnDetours(present, context.graph());
     findPaths(present, context.guidance(), deadline.afterShare(SHARE_OF_GUIDANCE));
     fixed.stream().forEach(k -> present.get(k).forgetOperation());
-    restartOperations(present, context.operations());
+    restartOperations(snapshot, present, context.operations());
     context
         .search()
         .improve(
@@ -118,7 +130,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     robots.values().forEach(RobotProgress::forgetGraph);
     StateGraph graph = new StateGraph(roads, model);
     int depth = model == MotionModel.CLASSIC ? DEPTH_CLASSIC : DEPTH_TURNS;
-    Operations operations = new Operations(graph, depth);
+    Operations operations = new Operations(graph, new Spacing(roads, apart), depth);
     GraphContext context =
         new GraphContext(
             graph,
@@ -156,7 +168,8 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
         context.guidance().withdraw(progress.takeEdges());
         progress.setGoal(goal);
       }
-      progress.advance(active.state(k), context.graph().vertex(active.state(k)), random);
+      int state = active.state(k);
+      progress.advance(state, context.graph().vertex(state), snapshot.steps(), random);
       present.add(progress);
     }
     return present;
@@ -241,10 +254,13 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     }
   }
 
-  private static void restartOperations(List<RobotProgress> present, Operations operations) {
+  private static void restartOperations(
+      TrafficSnapshot snapshot, List<RobotProgress> present, Operations operations) {
     operations.restart(
         present.stream().mapToInt(RobotProgress::state).toArray(),
-        present.stream().map(RobotProgress::operation).toArray(int[][]::new));
+        present.stream().map(RobotProgress::operation).toArray(int[][]::new),
+        snapshot.steps(),
+        snapshot.closed());
     for (int k = 0; k < present.size(); k++) {
       present.get(k).setOperation(operations.of(k));
     }
