@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 
 /** What a robot drives by: its reserved path, how far that is released, and what it was told. */
 final class Drive {
@@ -126,6 +127,11 @@ final class Drive {
     return unreleased().stream().map(Section::area).toList();
   }
 
+  /** Where the sections end that it may not drive yet, metres, map frame. */
+  List<Vec2> unreleasedEnds() {
+    return unreleased().stream().map(section -> section.end().position()).toList();
+  }
+
   /** Begins another path where the released part of this one ends. */
   void continueOn(ReservedPath next) {
     ReservedPath former = path;
@@ -231,6 +237,9 @@ final class Drive {
     DriveCommand command = null;
     if (!isBegun) {
       command = new DriveCommand.Begin(robot, reserved.trajectory(), count, endsAtGoal);
+    } else if (isChangeUnsent && released == sentReleased && hasUnreleased()) {
+      // what it may not drive yet can change again before it may
+      return Optional.empty();
     } else if (isChangeUnsent) {
       command =
           new DriveCommand.Extend(

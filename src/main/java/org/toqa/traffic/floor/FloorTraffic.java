@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
@@ -15,6 +16,9 @@ import org.toqa.motion.DriveSpeeds;
 import org.toqa.motion.Trajectory;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.JointPlanner;
+import org.toqa.traffic.MotionModel;
+import org.toqa.traffic.lifelong.LifelongPlanner;
+import org.toqa.traffic.lifelong.RollingHorizonPlanner;
 import org.toqa.wording.Sentence;
 
 /**
@@ -42,6 +46,8 @@ import org.toqa.wording.Sentence;
  * </ol>
  */
 public final class FloorTraffic {
+  private static final long SEED = 7275;
+
   private final FreeSpace freeSpace;
   private final PathAssigner pathAssigner;
   private final SectionReleaser releaser;
@@ -56,6 +62,23 @@ public final class FloorTraffic {
    */
   public FloorTraffic(
       OccupancyGrid grid, JointPlanner jointPlanner, Supplier<Deadline> planningDeadline) {
+    this(grid, jointPlanner, FloorTraffic::rollingPlanner, planningDeadline);
+  }
+
+  /** A planner of the next steps of robots that keep apart so many cells. */
+  public static LifelongPlanner rollingPlanner(double apart) {
+    return new RollingHorizonPlanner(MotionModel.TURNS, false, apart, SEED);
+  }
+
+  /**
+   * @param nextSteps planners of the next steps of robots that keep apart so many cells
+   * @param planningDeadline by when a plan for all robots that begins now is to be ready
+   */
+  public FloorTraffic(
+      OccupancyGrid grid,
+      JointPlanner jointPlanner,
+      DoubleFunction<LifelongPlanner> nextSteps,
+      Supplier<Deadline> planningDeadline) {
     SectionFitter fitter = new SectionFitter();
     this.freeSpace = new FreeSpace(grid);
     this.claims = new Claims(robots.values());
@@ -67,7 +90,13 @@ public final class FloorTraffic {
             claims,
             trigger,
             singleRobotPlanner,
-            new LanePlanner(freeSpace, singleRobotPlanner, fitter, jointPlanner, planningDeadline),
+            new LanePlanner(
+                freeSpace,
+                singleRobotPlanner,
+                fitter,
+                jointPlanner,
+                new NextStepsPlanner(nextSteps),
+                planningDeadline),
             new WaitReasonFinder(freeSpace, singleRobotPlanner));
   }
 

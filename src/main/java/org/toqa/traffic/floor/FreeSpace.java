@@ -11,6 +11,7 @@ import org.toqa.grid.Disc;
 import org.toqa.grid.Inflation;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.motion.Segment;
+import org.toqa.traffic.RoadGraph;
 
 /** What blocks cells of the floor, walls and obstacles, and where robots of a size fit. */
 final class FreeSpace {
@@ -25,6 +26,7 @@ final class FreeSpace {
   private final BySize<OccupancyGrid> freeCells = new BySize<>();
   private final BySize<List<Cell>> discOffsets = new BySize<>();
   private final BySize<LaneGrid> laneGrid = new BySize<>();
+  private final BySize<RoadGraph> laneRoads = new BySize<>();
 
   FreeSpace(OccupancyGrid grid) {
     this.grid = grid;
@@ -45,6 +47,7 @@ final class FreeSpace {
     blocked = (BitSet) walls.clone();
     blocked.or(obstacles);
     freeCells.clear();
+    laneRoads.clear();
     return true;
   }
 
@@ -163,5 +166,12 @@ final class FreeSpace {
   /** The floor in cells that are large enough for robots of that size. */
   LaneGrid laneGrid(double diameter) {
     return laneGrid.get(diameter, d -> LaneGrid.of(grid, d));
+  }
+
+  /**
+   * Its lane cells, open where neither walls nor obstacles are; the same object until these change.
+   */
+  RoadGraph laneRoads(double diameter) {
+    return laneRoads.get(diameter, d -> laneGrid(d).roads(blocked));
   }
 }

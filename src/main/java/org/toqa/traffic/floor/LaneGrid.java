@@ -277,9 +277,14 @@ final class LaneGrid {
 
   /** Which lane cells robots cannot take at once, wherever they pass through them. */
   Spacing spacing(RoadGraph roads) {
+    return new Spacing(roads, apart());
+  }
+
+  /** What is kept between the middles of lane cells that robots take at once, in lane cells. */
+  double apart() {
     double apart = diameter + Clearance.BETWEEN_ROBOTS;
     double beside = Math.max(0, apart - lattice.resolution());
-    return new Spacing(roads, (apart + (side == 1 ? beside : 0)) / lattice.resolution());
+    return (apart + (side == 1 ? beside : 0)) / lattice.resolution();
   }
 
   /** What a robot covers in the middle of a lane cell. */

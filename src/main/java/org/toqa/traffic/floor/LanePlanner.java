@@ -1,6 +1,8 @@
 package org.toqa.traffic.floor;
 
+import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -34,10 +36,17 @@ final class LanePlanner {
   /** So near to the middle of a narrow lane cell, metres, a robot is in it: it stopped there. */
   private static final double ON_LANE = 0.03;
 
+  /** Of more robots only the next steps are planned. */
+  private static final int MOST_PLANNED_WHOLE = Integer.getInteger("x.whole", 16);
+
+  /** So many lane cells round a robot others give up their own paths and are planned with it. */
+  private static final double REACH = 6;
+
   private final FreeSpace freeSpace;
   private final SingleRobotPlanner singleRobotPlanner;
   private final SectionFitter fitter;
   private final JointPlanner planner;
+  private final NextStepsPlanner nextSteps;
   private final Supplier<Deadline> planningDeadline;
 
   LanePlanner(
@@ -45,17 +54,21 @@ final class LanePlanner {
       SingleRobotPlanner singleRobotPlanner,
       SectionFitter fitter,
       JointPlanner planner,
+      NextStepsPlanner nextSteps,
       Supplier<Deadline> planningDeadline) {
     this.freeSpace = freeSpace;
     this.singleRobotPlanner = singleRobotPlanner;
     this.fitter = fitter;
     this.planner = planner;
+    this.nextSteps = nextSteps;
     this.planningDeadline = planningDeadline;
   }
 
   enum Outcome {
     /** All have paths by the new plan. */
     PLANNED,
+    /** All have the next steps of their paths. */
+    PLANNED_AHEAD,
     /** Those without a path can only stay, and nobody could make room: no plan would help now. */
     NOT_NEEDED,
     NOT_FOUND
@@ -64,12 +77,22 @@ final class LanePlanner {
   /**
    * @param mustPlan whether paths were given up that others wait for
    */
-  Outcome plan(Collection<TrafficRobot> robots, Claims claims, boolean mustPlan) {
+  Outcome plan(
+      Collection<TrafficRobot> robots,
+      Claims claims,
+      boolean mustPlan,
+      boolean isStill,
+      Instant now) {
     Deadline deadline = planningDeadline.get();
     List<Attempt> incomplete = new ArrayList<>();
     for (boolean everybody : List.of(false, true)) {
       for (double diameter : diameters(robots, everybody)) {
         Attempt attempt = new Attempt(robots, claims, diameter, everybody);
+        if (!isStill
+            && attempt.planned.size() > MOST_PLANNED_WHOLE
+            && attempt.planAhead(now, deadline)) {
+          return Outcome.PLANNED_AHEAD;
+        }
         if (attempt.leftOutCount() > 0) {
           incomplete.add(attempt);
         } else {
@@ -111,7 +134,7 @@ final class LanePlanner {
                         attempt.starts,
                         attempt.goals.forLongestWaiting().assigned(),
                         deadline.afterShare(SHARE)));
-    steps.ifPresent(attempt::adopt);
+    steps.ifPresent(found -> attempt.adopt(attempt.roads, attempt.spacing, found));
     return steps.isPresent() ? Outcome.PLANNED : Outcome.NOT_FOUND;
   }
 
@@ -155,6 +178,9 @@ final class LanePlanner {
       this.points = lanes.points(freeSpace.blocked());
       this.wanted = findWanted();
       robots.stream().filter(robot -> isCandidate(robot, everybody)).forEach(planned::add);
+      if (planned.size() > MOST_PLANNED_WHOLE) {
+        addNearby();
+      }
       this.occupied = findOccupied();
       this.roads = buildRoads();
       while (!assignPlaces()) {
@@ -187,6 +213,47 @@ final class LanePlanner {
           || robot.drive.isOnSharedPath()
           || (robot.drive.path() == null && isOnLane(robot))
           || wanted.stream().anyMatch(area -> !Clearance.isKept(robot.standingArea(), area));
+    }
+
+    /** Those too that would meet them on paths of their own. */
+    private void addNearby() {
+      double reach = REACH * lanes.lattice().resolution();
+      for (TrafficRobot robot : robots) {
+        boolean canJoin =
+            robot.isMovable()
+                && !robot.isStalled()
+                && robot.formation() == null
+                && robot.radius() <= diameter / 2
+                && robot.drive.hasUnreleased();
+        if (canJoin && !planned.contains(robot) && isNearPlanned(robot, reach)) {
+          planned.add(robot);
+        }
+      }
+    }
+
+    private boolean isNearPlanned(TrafficRobot robot, double reach) {
+      List<Vec2> points = robot.drive.unreleasedEnds();
+      return planned.stream()
+          .map(other -> other.releasedEnd().position())
+          .anyMatch(end -> points.stream().anyMatch(point -> point.distanceTo(end) < reach));
+    }
+
+    /**
+     * Plans their next steps.
+     *
+     * @return whether anybody gets on by it
+     */
+    boolean planAhead(Instant now, Deadline deadline) {
+      RoadGraph all = freeSpace.laneRoads(diameter);
+      List<Cell> goalCells = Arrays.stream(goals.assigned()).mapToObj(roads::cell).toList();
+      List<Cell> startCells = planned.stream().map(this::place).toList();
+      List<int[]> steps =
+          nextSteps.plan(lanes, all, roads, planned, startCells, goalCells, now, deadline);
+      if (steps.stream().allMatch(places -> Arrays.equals(places, steps.getFirst()))) {
+        return false;
+      }
+      adopt(all, lanes.spacing(all), steps);
+      return true;
     }
 
     /** Whether it is near to the middle of a lane cell, and can go straight there. */
@@ -309,7 +376,7 @@ final class LanePlanner {
       return all;
     }
 
-    void adopt(List<int[]> steps) {
+    private void adopt(RoadGraph plannedOn, Spacing kept, List<int[]> steps) {
       for (TrafficRobot robot : robots) {
         if (!planned.contains(robot) && robot.drive.isOnSharedPath()) {
           robot.freeUnreleased();
@@ -323,7 +390,7 @@ final class LanePlanner {
           sections.forEach(s -> claims.add(robot, s.area()));
         }
       }
-      new JointPlan(freeSpace, points, occupied, roads, spacing, planned, steps).adopt(fitter);
+      new JointPlan(freeSpace, points, occupied, plannedOn, kept, planned, steps).adopt(fitter);
     }
   }
 }

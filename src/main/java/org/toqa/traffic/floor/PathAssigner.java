@@ -70,7 +70,8 @@ final class PathAssigner {
       if (robot.waiting.since() == null) {
         robot.waiting.setSince(now);
       }
-      if (trigger.isChanged() || robot.waiting.isSinglePlanOlderThan(RETRY_AFTER, now)) {
+      if ((trigger.isChanged() && !trigger.isPlannedAhead())
+          || robot.waiting.isSinglePlanOlderThan(RETRY_AFTER, now)) {
         robot.waiting.recordSinglePlan(now);
         planSingleRobot(robot);
       }
@@ -95,9 +96,10 @@ final class PathAssigner {
     if (!trigger.takePlanNeeded(robots.values(), standstills, now)) {
       return;
     }
-    LanePlanner.Outcome outcome = lanePlanner.plan(robots.values(), claims, trigger.mustReplan());
-    if (outcome == LanePlanner.Outcome.PLANNED) {
-      trigger.recordPlanned();
+    LanePlanner.Outcome outcome =
+        lanePlanner.plan(robots.values(), claims, trigger.mustReplan(), trigger.isStill(), now);
+    if (outcome == LanePlanner.Outcome.PLANNED || outcome == LanePlanner.Outcome.PLANNED_AHEAD) {
+      trigger.recordPlanned(outcome == LanePlanner.Outcome.PLANNED_AHEAD);
       robots.values().stream()
           .filter(TrafficRobot::hasPathToGoal)
           .forEach(robot -> robot.waiting.endWaitForPath());

@@ -9,12 +9,20 @@ import java.util.List;
 final class ReplanTrigger {
   private static final Duration NO_PROGRESS_AFTER = Duration.ofSeconds(10);
   private static final Duration PLAN_AGAIN_AFTER = Duration.ofSeconds(5);
+  private static final Duration NEXT_STEPS_AFTER =
+      Duration.ofMillis(Integer.getInteger("x.next", 1000));
 
   /** Whether something changed since the robots were last planned together. */
   private boolean changed = true;
 
   /** Whether a robot gave up a part of its path that others wait for it to drive. */
   private boolean mustReplan;
+
+  /** Whether that is because nobody gets on. */
+  private boolean still;
+
+  /** Whether only the next steps of robots are planned. */
+  private boolean plannedAhead;
 
   /** When any robot last completed a section. */
   private Instant lastProgress = Instant.MIN;
@@ -44,12 +52,30 @@ final class ReplanTrigger {
     return mustReplan;
   }
 
+  /** Whether robots wait in a circle, or have paths and none has got on for long. */
+  boolean isStill() {
+    return still;
+  }
+
+  /** Whether only the next steps of robots were planned, so that they are planned again soon. */
+  boolean isPlannedAhead() {
+    return plannedAhead;
+  }
+
   /** Whether to plan now; counts as planned from now on. */
   boolean takePlanNeeded(
       Collection<TrafficRobot> robots, List<Standstill> standstills, Instant now) {
-    mustReplan |= hasStandstill(robots, standstills, now);
-    boolean isNeeded = mustReplan || robots.stream().anyMatch(TrafficRobot::needsPath);
-    if (!isNeeded || !(changed || lastJointPlan.plus(PLAN_AGAIN_AFTER).isBefore(now))) {
+    still = hasStandstill(robots, standstills, now);
+    mustReplan |= still;
+    boolean isNeeded =
+        mustReplan
+            || robots.stream()
+                .anyMatch(robot -> robot.needsPath() || (plannedAhead && robot.isPlannedAhead()));
+    boolean isDue =
+        plannedAhead
+            ? !now.isBefore(lastJointPlan.plus(NEXT_STEPS_AFTER))
+            : changed || lastJointPlan.plus(PLAN_AGAIN_AFTER).isBefore(now);
+    if (!isNeeded || !isDue) {
       return false;
     }
     lastJointPlan = now;
@@ -57,9 +83,14 @@ final class ReplanTrigger {
     return true;
   }
 
-  /** All robots have paths by a new plan. */
-  void recordPlanned() {
+  /**
+   * All robots have paths by a new plan.
+   *
+   * @param ahead whether these are only the next steps
+   */
+  void recordPlanned(boolean ahead) {
     mustReplan = false;
+    plannedAhead = ahead;
   }
 
   /** Whether robots wait in a circle, or have paths and none has got on for long. */

@@ -280,6 +280,11 @@ final class TrafficRobot {
     return goal != null && movable && !drive.hasUnreleased() && !isGoal(releasedEnd());
   }
 
+  /** Is on a path that leads it nearer to its goal, but not there. */
+  boolean isPlannedAhead() {
+    return goal != null && drive.isOnSharedPath() && !hasPathToGoal();
+  }
+
   /** Wants to go somewhere, and is there or on its path there. */
   boolean hasPathToGoal() {
     ReservedPath path = drive.path();
