@@ -52,7 +52,7 @@ final class ReplanTrigger {
     return mustReplan;
   }
 
-  /** Whether robots wait in a circle, or have paths and none has got on for long. */
+  /** Whether robots have paths, and none has got on for long. */
   boolean isStill() {
     return still;
   }
@@ -65,8 +65,10 @@ final class ReplanTrigger {
   /** Whether to plan now; counts as planned from now on. */
   boolean takePlanNeeded(
       Collection<TrafficRobot> robots, List<Standstill> standstills, Instant now) {
-    still = hasStandstill(robots, standstills, now);
-    mustReplan |= still;
+    boolean isCycle =
+        standstills.stream().anyMatch(s -> s.kind() == Standstill.Kind.CYCLE_OF_WAITS);
+    still = hasNoProgress(robots, now);
+    mustReplan |= isCycle || still;
     boolean isNeeded =
         mustReplan
             || robots.stream()
@@ -93,14 +95,10 @@ final class ReplanTrigger {
     plannedAhead = ahead;
   }
 
-  /** Whether robots wait in a circle, or have paths and none has got on for long. */
-  private boolean hasStandstill(
-      Collection<TrafficRobot> robots, List<Standstill> standstills, Instant now) {
-    boolean isCycle =
-        standstills.stream().anyMatch(s -> s.kind() == Standstill.Kind.CYCLE_OF_WAITS);
-    return isCycle
-        || (lastProgress.plus(NO_PROGRESS_AFTER).isBefore(now)
-            && robots.stream().anyMatch(robot -> robot.drive.hasUnreleased())
-            && robots.stream().noneMatch(robot -> robot.drive.isDriving() && !robot.isStalled()));
+  /** Whether robots have paths, and none has got on for long. */
+  private boolean hasNoProgress(Collection<TrafficRobot> robots, Instant now) {
+    return lastProgress.plus(NO_PROGRESS_AFTER).isBefore(now)
+        && robots.stream().anyMatch(robot -> robot.drive.hasUnreleased())
+        && robots.stream().noneMatch(robot -> robot.drive.isDriving() && !robot.isStalled());
   }
 }

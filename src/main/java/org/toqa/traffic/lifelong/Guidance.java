@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.stream.IntStream;
 import org.toqa.traffic.DistanceTables;
+import org.toqa.traffic.Spacing;
 import org.toqa.traffic.mapf.StateGraph;
 
 /**
@@ -47,8 +48,13 @@ final class Guidance {
 
   private final StateGraph graph;
 
-  /** By edge, which is {@code vertex * 4 + direction}: how many have announced it. */
-  private final int[] announced;
+  private final Spacing spacing;
+
+  /**
+   * By edge, which is {@code vertex * 4 + direction}: how many announced edges lead the other way
+   * so near to it that who drives there has to be passed.
+   */
+  private final int[] oncoming;
 
   /** By vertex: how many have announced an edge that leads to it. */
   private final int[] crossing;
@@ -59,12 +65,21 @@ final class Guidance {
   private final int[] columns;
   private final int[] rows;
 
+  /** Robots may be on any two vertices at once. */
   Guidance(StateGraph graph) {
+    this(graph, Spacing.none(graph.roads()));
+  }
+
+  /**
+   * @param spacing which vertices cannot be taken at once
+   */
+  Guidance(StateGraph graph, Spacing spacing) {
     this.graph = graph;
+    this.spacing = spacing;
     this.columns =
         IntStream.range(0, graph.roads().vertexCount()).map(graph.roads()::columnOf).toArray();
     this.rows = IntStream.range(0, graph.roads().vertexCount()).map(graph.roads()::rowOf).toArray();
-    this.announced = new int[graph.roads().vertexCount() * DIRECTIONS];
+    this.oncoming = new int[graph.roads().vertexCount() * DIRECTIONS];
     this.crossing = new int[graph.roads().vertexCount()];
   }
 
@@ -126,8 +141,8 @@ final class Guidance {
       return STEP;
     }
     int vertex = graph.vertex(to);
-    int oncoming = announced[vertex * DIRECTIONS + opposite(direction)];
-    int traffic = ONCOMING * oncoming + STEP * crossing[vertex] / CROSSING_PER_STEP;
+    int met = oncoming[graph.vertex(from) * DIRECTIONS + direction];
+    int traffic = ONCOMING * met + STEP * crossing[vertex] / CROSSING_PER_STEP;
     return STEP + (fixed.get(vertex) ? MOST_FOR_TRAFFIC : Math.min(MOST_FOR_TRAFFIC, traffic));
   }
 
@@ -172,8 +187,13 @@ final class Guidance {
 
   private void count(int[] path, int robots) {
     for (int edge : path) {
-      announced[edge] += robots;
-      crossing[graph.roads().neighbour(edge / DIRECTIONS, edge % DIRECTIONS)] += robots;
+      int direction = edge % DIRECTIONS;
+      for (int other : spacing.opposite(edge / DIRECTIONS, direction)) {
+        if (other % DIRECTIONS == opposite(direction)) {
+          oncoming[other] += robots;
+        }
+      }
+      crossing[graph.roads().neighbour(edge / DIRECTIONS, direction)] += robots;
     }
   }
 

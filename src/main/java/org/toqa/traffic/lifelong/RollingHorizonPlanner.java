@@ -130,11 +130,12 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     robots.values().forEach(RobotProgress::forgetGraph);
     StateGraph graph = new StateGraph(roads, model);
     int depth = model == MotionModel.CLASSIC ? DEPTH_CLASSIC : DEPTH_TURNS;
-    Operations operations = new Operations(graph, new Spacing(roads, apart), depth);
+    Spacing spacing = new Spacing(roads, apart);
+    Operations operations = new Operations(graph, spacing, depth);
     GraphContext context =
         new GraphContext(
             graph,
-            new Guidance(graph),
+            new Guidance(graph, spacing),
             operations,
             new OperationSearch(graph, operations, mayRotate, random.split()),
             new char[graph.stateCount()]);
