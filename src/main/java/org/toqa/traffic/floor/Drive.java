@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
+import org.toqa.motion.Segment;
 
 /** What a robot drives by: its reserved path, how far that is released, and what it was told. */
 final class Drive {
@@ -28,6 +29,9 @@ final class Drive {
 
   /** Sections of the path that are completed. */
   private int completed;
+
+  /** Segments of the path that are completed. */
+  private int completedSegments;
 
   /** Sections of the path that it may drive. */
   private int released;
@@ -112,14 +116,42 @@ final class Drive {
     return unreleased().stream().anyMatch(section -> !Clearance.isKept(section.area(), area));
   }
 
-  /** All that it may drive, in parts. */
-  List<SweptArea> allocated() {
+  /**
+   * What is left of the section that it is on.
+   *
+   * @param start where the first of the segments begins
+   * @param segments those that are not completed
+   */
+  record OpenSection(Pose start, List<Segment> segments) {}
+
+  /** Empty while it has nothing to drive. */
+  Optional<OpenSection> openSection() {
+    ReservedPath on = path;
+    if (on == null || completed >= released) {
+      return Optional.empty();
+    }
+    List<Segment> segments = on.sections().get(completed).segments();
+    int done = Math.clamp(completedSegments - on.segmentCount(completed), 0, segments.size() - 1);
+    Pose start = on.poseAfter(completed);
+    for (Segment segment : segments.subList(0, done)) {
+      start = start.advanced(segment.twist(), segment.t());
+    }
+    return Optional.of(new OpenSection(start, segments.subList(done, segments.size())));
+  }
+
+  /** All that it may drive behind the section that it is on, in parts. */
+  List<SweptArea> allocatedBehindOpen() {
     List<SweptArea> areas = new ArrayList<>();
-    ahead().forEach(section -> areas.add(section.area()));
+    ahead().stream().skip(1).forEach(section -> areas.add(section.area()));
     if (path != null && released > 0) {
       areas.add(path.sections().get(released - 1).endArea());
     }
     return areas;
+  }
+
+  /** Seconds at the planned speed for what it may drive behind the section that it is on. */
+  double secondsBehindOpen() {
+    return ahead().stream().skip(1).mapToDouble(Section::duration).sum();
   }
 
   /** All that it may not drive yet, in parts. */
@@ -138,6 +170,7 @@ final class Drive {
     path = former == null ? next : former.continuedWith(released, next);
     if (former == null) {
       completed = 0;
+      completedSegments = 0;
       released = 0;
     }
     pathNumber++;
@@ -159,6 +192,7 @@ final class Drive {
   void resume(int completedSections, Instant now) {
     releaseAll();
     completed = Math.min(completedSections, released);
+    completedSegments = Objects.requireNonNull(path).segmentCount(completed);
     isBegun = true;
     sentReleased = released;
     lastProgress = now;
@@ -180,6 +214,7 @@ final class Drive {
    * @return whether a section more than before is
    */
   boolean complete(int segments, Instant now) {
+    completedSegments = path == null ? 0 : segments;
     int done = path == null ? 0 : Math.min(path.completedSections(segments), released);
     if (done <= completed) {
       return false;
@@ -199,6 +234,7 @@ final class Drive {
     lastPathEnd = path == null ? lastPathEnd : path.poseAfter(released);
     path = null;
     completed = 0;
+    completedSegments = 0;
     released = 0;
     isBegun = false;
     sentReleased = 0;

@@ -18,9 +18,7 @@ import org.toqa.traffic.floor.ReservedPath.Dependency;
 final class SectionReleaser {
   private static final Duration SPLIT_CORNER_AFTER = Duration.ofMillis(500);
 
-  /** Released ahead of a robot: at least so many sections, and so many seconds of driving. */
-  private static final int SECTIONS_AHEAD = 2;
-
+  /** Released ahead of a robot: at least so many seconds of driving. */
   private static final double SECONDS_AHEAD = 3;
 
   private final SectionFitter fitter;
@@ -38,7 +36,7 @@ final class SectionReleaser {
     if (path == null || !robot.isMovable() || robot.isStalled()) {
       return;
     }
-    while (robot.drive.released() < path.sectionCount() && !isEnoughAhead(robot, path)) {
+    while (robot.drive.released() < path.sectionCount() && robot.secondsAhead() < SECONDS_AHEAD) {
       if (!canEnter(robot, path, robot.drive.released())) {
         if (!hasWaited(robot, now) || !splitCorner(robot, path)) {
           return;
@@ -50,15 +48,6 @@ final class SectionReleaser {
       robot.drive.releaseNext(now);
       robot.waiting.unblock();
     }
-  }
-
-  private static boolean isEnoughAhead(TrafficRobot robot, ReservedPath path) {
-    double seconds = 0;
-    for (int i = robot.drive.completed(); i < robot.drive.released(); i++) {
-      seconds += path.sections().get(i).duration();
-    }
-    return robot.drive.released() - robot.drive.completed() >= SECTIONS_AHEAD
-        && seconds >= SECONDS_AHEAD;
   }
 
   private boolean canEnter(TrafficRobot robot, ReservedPath path, int index) {
@@ -84,12 +73,13 @@ final class SectionReleaser {
     return true;
   }
 
+  /** Whether the other may go on from there: claims keep who comes behind it at a distance. */
   private boolean isOver(Dependency dependency) {
     TrafficRobot other = robots.get(dependency.robot());
     return other == null
         || other.drive.pathNumber() != dependency.pathNumber()
         || other.drive.path() == null
-        || other.drive.path().visitAfterSections(other.drive.completed()) > dependency.visit();
+        || other.drive.path().visitAfterSections(other.drive.released()) > dependency.visit();
   }
 
   /** Whether it has been stopped before the section for a little. */

@@ -176,11 +176,40 @@ final class TrafficRobot {
 
   /** What is its own now, in parts: where it is, and all of what it may drive. */
   List<SweptArea> allocated() {
-    List<SweptArea> areas = new ArrayList<>(drive.allocated());
+    List<SweptArea> areas = new ArrayList<>(drive.allocatedBehindOpen());
+    drive.openSection().ifPresent(open -> areas.addAll(areasAhead(open)));
     if (areas.stream().noneMatch(this::isWithin)) {
       areas.add(placeArea());
     }
     return areas;
+  }
+
+  /** What it has still to cover of the section that it is on: what is behind it is nobody's. */
+  private List<SweptArea> areasAhead(Drive.OpenSection open) {
+    Segment first = open.segments().getFirst();
+    double done = formation == null ? first.shareDone(open.start(), pose) : 0;
+    Pose at = open.start().advanced(first.twist(), done * first.t());
+    List<SweptArea> areas = new ArrayList<>();
+    areas.add(done == 1 ? areaAt(at) : sweptArea(at, first.after(done)));
+    at = open.start().advanced(first.twist(), first.t());
+    for (Segment segment : open.segments().subList(1, open.segments().size())) {
+      areas.add(sweptArea(at, segment));
+      at = at.advanced(segment.twist(), segment.t());
+    }
+    return areas;
+  }
+
+  /** Seconds at the planned speed until it has driven all that it may. */
+  double secondsAhead() {
+    double seconds = drive.secondsBehindOpen();
+    Drive.OpenSection open = drive.openSection().orElse(null);
+    if (open == null) {
+      return seconds;
+    }
+    double done = open.segments().getFirst().shareDone(open.start(), pose);
+    return seconds
+        + open.segments().stream().mapToDouble(Segment::t).sum()
+        - done * open.segments().getFirst().t();
   }
 
   /** What it covers at the place that it was sent to, if it is there; else where it is. */
