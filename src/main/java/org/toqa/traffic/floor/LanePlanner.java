@@ -37,7 +37,7 @@ final class LanePlanner {
   private static final double ON_LANE = 0.03;
 
   /** Of more robots only the next steps are planned. */
-  private static final int MOST_PLANNED_WHOLE = Integer.getInteger("x.whole", 16);
+  private static final int MOST_PLANNED_WHOLE = 8;
 
   /** So many lane cells round a robot others give up their own paths and are planned with it. */
   private static final double REACH = 6;

@@ -9,8 +9,7 @@ import java.util.List;
 final class ReplanTrigger {
   private static final Duration NO_PROGRESS_AFTER = Duration.ofSeconds(10);
   private static final Duration PLAN_AGAIN_AFTER = Duration.ofSeconds(5);
-  private static final Duration NEXT_STEPS_AFTER =
-      Duration.ofMillis(Integer.getInteger("x.next", 1000));
+  private static final Duration NEXT_STEPS_AFTER = Duration.ofSeconds(1);
 
   /** Whether something changed since the robots were last planned together. */
   private boolean changed = true;
