@@ -154,11 +154,12 @@ final class SingleRobotPlanner {
   private @Nullable Cell nearestOutside(
       OccupancyGrid free, Cell start, TrafficRobot robot, List<SweptArea> left) {
     RoadGraph roads = new RoadGraph(free);
+    LanePoints points = freeSpace.points(robot.radius());
     int[] found = {RoadGraph.NONE};
     roads.visitByDistance(
         roads.vertex(start),
         (vertex, steps) -> {
-          SweptArea place = SweptArea.at(free.centre(roads.cell(vertex)), robot.radius());
+          SweptArea place = SweptArea.at(points.of(roads.cell(vertex)), robot.radius());
           boolean isOutside = left.stream().allMatch(area -> Clearance.isKept(place, area));
           found[0] = isOutside ? vertex : RoadGraph.NONE;
           return !isOutside;
@@ -281,7 +282,7 @@ final class SingleRobotPlanner {
       waypoints.add(new Waypoint(grid.centre(entry), false));
     }
     Optional<Path> path = path(planner, free, entry, exit);
-    path.ifPresent(p -> waypoints.addAll(waypoints(p, robot, goal)));
+    path.ifPresent(p -> waypoints.addAll(waypoints(p, robot)));
     if (!exit.equals(goal) && robot.goal() != null) {
       waypoints.add(new Waypoint(robot.goal(), false));
     } else if (waypoints.isEmpty()) {
@@ -291,7 +292,7 @@ final class SingleRobotPlanner {
   }
 
   /** Where the path bends or the robot turns on the spot, and its end. */
-  private List<Waypoint> waypoints(Path path, TrafficRobot robot, Cell goal) {
+  private List<Waypoint> waypoints(Path path, TrafficRobot robot) {
     List<Cell> cells = new ArrayList<>();
     BitSet turns = new BitSet();
     for (Path.Step step : path.steps()) {
@@ -301,7 +302,7 @@ final class SingleRobotPlanner {
         cells.add(step.cell());
       }
     }
-    return freeSpace.points(robot.radius()).waypoints(cells, 0, goal, turns::get);
+    return freeSpace.points(robot.radius()).waypoints(cells, 0, robot.goalCell(), turns::get);
   }
 
   /**
