@@ -68,10 +68,16 @@ final class LanePoints {
     return isBehind == isAhead ? 0 : isBehind ? 1 : -1;
   }
 
-  /** Whether the cell beside one is blocked, or one before or behind that. */
+  /**
+   * Whether the cell beside one is blocked, or one before or behind that, as far as a robot can
+   * come past it: in a corner the wall ahead is none beside.
+   */
   private boolean isWalled(Cell cell, int columns, int rows) {
+    int column = cell.column();
+    int row = cell.row();
     for (int along = -1; along <= 1; along++) {
-      if (isBlocked(cell.column() + columns + along * rows, cell.row() + rows + along * columns)) {
+      boolean isOpen = along == 0 || !isBlocked(column + along * rows, row + along * columns);
+      if (isOpen && isBlocked(column + columns + along * rows, row + rows + along * columns)) {
         return true;
       }
     }
