@@ -27,13 +27,16 @@ import org.toqa.wording.Sentence;
  * <p>A robot that wants to go somewhere is first offered a smooth path of its own: the shortest one
  * in eight headings round stopped robots. It gets it if the cells that it sweeps meet nobody
  * else's, now or later; such paths need no order. Otherwise all robots are planned together from
- * where their released paths end ({@link JointPlanner}), those without a goal too, so that they
- * step aside; the plan's order of visits to each cell is then kept ({@link JointPlan}).
+ * where their released paths end, those without a goal too, so that they step aside; the plan's
+ * order of visits to each cell is then kept ({@link JointPlan}). Few robots are planned whole
+ * ({@link JointPlanner}); of many the next steps are, again as they drive on ({@link
+ * LifelongPlanner}), and whole only where nobody has got on for long.
  *
- * <p>Paths are released section by section. A section is released when no other robot has a cell of
- * it and whoever comes before has left; what is released is driven to its end whatever others do,
- * and a robot can be stopped there. So a robot never enters what another has not left, however late
- * anyone is, and since the order has no cycle somebody can always go on.
+ * <p>Paths are released section by section. A section is released when it keeps off all that others
+ * have still to drive of what was released to them, and whoever comes before may go on from there;
+ * what is released is driven to its end whatever others do, and a robot can be stopped there. So a
+ * robot never enters what another has not left, however late anyone is, and since the order has no
+ * cycle somebody can always go on.
  *
  * <p>Confined to one thread. It knows no clock: time is handed in. Points and poses are in metres
  * and radians, counter-clockwise from map east, in the map frame. A robot must be known here, by

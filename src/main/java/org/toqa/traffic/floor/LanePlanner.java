@@ -27,7 +27,9 @@ import org.toqa.traffic.Spacing;
  *
  * <p>Tried in this order, until everybody who wants to go somewhere can: with wide lane cells, on
  * which robots of every size can be planned, then with narrower ones; first without those who drive
- * paths of their own or are beside the lanes, then with them. Who is left out is driven round.
+ * paths of their own or are beside the lanes, then with them. Who is left out is driven round. Of
+ * more than {@value #MOST_PLANNED_WHOLE} robots only the next steps are planned ({@link
+ * NextStepsPlanner}), those included whose own paths come near.
  */
 final class LanePlanner {
   /** Of the time left, what each search may take. */
