@@ -7,8 +7,9 @@ import org.toqa.grid.OccupancyGrid;
 
 /**
  * The free cells of a grid as vertices 0, 1, 2 ... in reading order, each joined with its free
- * neighbours in the four directions, as far as the passage to them is open. Flat arrays, because
- * planners ask for neighbours some million times a second. Immutable.
+ * neighbours in the four directions, as far as the passage between them is open: every edge can be
+ * driven both ways. Flat arrays, because planners ask for neighbours some million times a second.
+ * Immutable.
  */
 public final class RoadGraph {
   public static final int EAST = 0;
@@ -22,9 +23,6 @@ public final class RoadGraph {
   /** No such vertex. */
   public static final int NONE = -1;
 
-  private static final int[] D_COLUMN = {1, 0, -1, 0};
-  private static final int[] D_ROW = {0, -1, 0, 1};
-
   private final OccupancyGrid grid;
   private final int[] vertexAt;
   private final int[] cellOf;
@@ -34,13 +32,13 @@ public final class RoadGraph {
   private final int largestComponent;
   private int largestPart;
 
-  /** Whether one can go on from a cell in a direction; the same as back from there. */
+  /** Whether one can go from a cell to the one beside it, and back. */
   @FunctionalInterface
   public interface Passage {
     /**
      * @param column of the cell, from 0 to the east
      * @param row of the cell, from 0 to the south
-     * @param direction {@link #EAST} to {@link #SOUTH}
+     * @param direction {@link #EAST} or {@link #SOUTH}
      */
     boolean isOpen(int column, int row, int direction);
   }
@@ -61,7 +59,7 @@ public final class RoadGraph {
   }
 
   /**
-   * @param passage asked for pairs of free cells only
+   * @param passage asked once for each pair of free cells
    */
   public RoadGraph(OccupancyGrid grid, Passage passage) {
     this.grid = grid;
@@ -78,17 +76,23 @@ public final class RoadGraph {
     }
     cellOf = Arrays.copyOf(free, count);
     neighbours = new int[count * DIRECTIONS];
+    Arrays.fill(neighbours, NONE);
     degrees = new int[count];
     for (int v = 0; v < count; v++) {
-      for (int d = 0; d < DIRECTIONS; d++) {
-        int u = vertex(columnOf(v) + D_COLUMN[d], rowOf(v) + D_ROW[d]);
-        boolean isOpen = u != NONE && passage.isOpen(columnOf(v), rowOf(v), d);
-        neighbours[v * DIRECTIONS + d] = isOpen ? u : NONE;
-        degrees[v] += isOpen ? 1 : 0;
-      }
+      join(v, EAST, vertex(columnOf(v) + 1, rowOf(v)), passage);
+      join(v, SOUTH, vertex(columnOf(v), rowOf(v) + 1), passage);
     }
     components = new int[count];
     largestComponent = labelComponents();
+  }
+
+  private void join(int vertex, int direction, int next, Passage passage) {
+    if (next != NONE && passage.isOpen(columnOf(vertex), rowOf(vertex), direction)) {
+      neighbours[vertex * DIRECTIONS + direction] = next;
+      neighbours[next * DIRECTIONS + opposite(direction)] = vertex;
+      degrees[vertex]++;
+      degrees[next]++;
+    }
   }
 
   /** Labels the connected parts and answers the label of the largest. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,6 +40,7 @@ class DemoIT {
             "--report",
             report.toString())) {
       assertEquals(0, demo.exitCode(), () -> "it said: " + report);
+      assertNoFailure(demo);
     }
     RecordedBodies.read(bodies).assertClear(3);
     JsonNode tasks = JsonMapper.builder().build().readTree(Files.readString(report)).get("tasks");
@@ -47,6 +49,12 @@ class DemoIT {
     for (JsonNode task : tasks) {
       assertTrue(task.get("seconds").asDouble() > 0, task.toString());
     }
+  }
+
+  /** Parts that fail are started again: the tasks alone do not show it. */
+  private static void assertNoFailure(ToqaProcess demo) throws InterruptedException {
+    List<String> failures = demo.err().stream().filter(line -> line.contains(" ERROR ")).toList();
+    assertEquals(List.of(), failures);
   }
 
   /** All demo tasks, each by as many robots as its load needs. */
@@ -77,6 +85,7 @@ class DemoIT {
             "--report",
             report.toString())) {
       assertEquals(0, demo.exitCode());
+      assertNoFailure(demo);
     }
     JsonNode tasks = JsonMapper.builder().build().readTree(Files.readString(report)).get("tasks");
     assertFalse(tasks.isEmpty());

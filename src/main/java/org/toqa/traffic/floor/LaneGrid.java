@@ -5,7 +5,9 @@ import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
@@ -205,12 +207,7 @@ final class LaneGrid {
     return new RoadGraph(
         open,
         (column, row, direction) ->
-            switch (direction) {
-              case RoadGraph.EAST -> isClear(column, row, toEast, blocked);
-              case RoadGraph.WEST -> isClear(column - 1, row, toEast, blocked);
-              case RoadGraph.SOUTH -> isClear(column, row, toSouth, blocked);
-              default -> isClear(column, row - 1, toSouth, blocked);
-            });
+            isClear(column, row, direction == RoadGraph.EAST ? toEast : toSouth, blocked));
   }
 
   private boolean isClear(int column, int row, List<Cell> touched, BitSet blocked) {
@@ -252,22 +249,29 @@ final class LaneGrid {
           int vertex = open.vertex(column, row);
           int next = open.neighbour(vertex, direction);
           Cell cell = new Cell(column, row);
-          return next != RoadGraph.NONE
-              && (!near.get(lattice.index(cell))
-                  || isOff(occupied, standing, cell, open.cell(next)));
+          if (next == RoadGraph.NONE) {
+            return false;
+          }
+          boolean isNear =
+              near.get(lattice.index(cell)) || near.get(lattice.index(open.cell(next)));
+          return !isNear || isOff(occupied, standing, cell, open.cell(next));
         });
   }
 
-  /** Whether who goes from the middle of one lane cell to that of another keeps off the others. */
-  private boolean isOff(OccupiedSpace occupied, Map<Cell, SweptArea> standing, Cell from, Cell to) {
-    SweptArea area = SweptArea.along(lattice.centre(from), lattice.centre(to), diameter / 2);
-    SweptArea start = standing.getOrDefault(from, standing.get(to));
+  /**
+   * Whether whoever goes between the middles of two lane cells, one way or the other, keeps off the
+   * others; who stands there may be nearer to them already.
+   */
+  private boolean isOff(OccupiedSpace occupied, Map<Cell, SweptArea> standing, Cell one, Cell two) {
+    SweptArea area = SweptArea.along(lattice.centre(one), lattice.centre(two), diameter / 2);
+    List<SweptArea> starts =
+        Stream.of(standing.get(one), standing.get(two)).filter(Objects::nonNull).toList();
     return occupied.claimed().stream()
         .allMatch(
             claimed ->
-                start == null
+                starts.isEmpty()
                     ? Clearance.isKept(area, claimed)
-                    : Clearance.isKept(start, area, claimed));
+                    : starts.stream().allMatch(start -> Clearance.isKept(start, area, claimed)));
   }
 
   /** Where robots pass through the lane cells. */
