@@ -94,6 +94,11 @@ public final class SimulatedFleet implements AutoCloseable {
     return daemon(robot).port();
   }
 
+  /** Whether one of the robots listens on that port of loopback. */
+  public boolean isListeningOn(int port) {
+    return robots.stream().anyMatch(robot -> robot.daemon().port() == port);
+  }
+
   /**
    * Whether something that the robot has received waits for its next tick.
    *
