@@ -1,9 +1,10 @@
 package org.toqa.fleet.manager;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Collections;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -55,8 +56,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private final TaskCommandHandler taskCommands;
   private final RobotCommandHandler robotCommands;
 
-  /** Floors whose tick is running. */
-  private final Set<String> ticking = new HashSet<>();
+  private final FloorTicks floorTicks;
 
   static Behavior<ManagerMessage> of(
       List<FloorMap> floors,
@@ -114,6 +114,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             runtime,
             change -> health.recordLeftOut(change, runtime.monotonicNanos()));
     ActorRef<ManagerMessage> self = context.getSelf();
+    this.floorTicks = new FloorTicks(this::tickFloor, runtime::monotonicNanos);
     this.storeHealth =
         new StoreHealthCheck(
             store, answers -> self.tell(new ManagerMessage.StoreHealthChanged(answers)));
@@ -328,29 +329,25 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     fleet.dueFloors.add(mission.task().floor());
   }
 
-  /**
-   * What changes is in the snapshot when every floor has done its tick, or at the next tick. A
-   * floor that is still at its last one is left out, so that ticks never pile up before it.
-   */
+  /** What changes is in the snapshot when every floor has done its tick, or at the next tick. */
   private void tick(Instant now) {
     fleet.now = now;
-    if (!ticking.isEmpty() || fleet.floors.isEmpty()) {
+    if (floorTicks.isRunning() || fleet.floors.isEmpty()) {
       publishIfChanged();
     }
-    fleet.floors.forEach(
-        (name, floor) -> {
-          if (ticking.add(name)) {
-            floor.tell(new FloorMessage.Tick(now));
-          }
-        });
+    floorTicks.tick(fleet.floors.keySet(), now);
     rounds.beginDueRounds();
     lateTasks.check(now);
   }
 
+  private void tickFloor(String floor, Instant now) {
+    requireNonNull(fleet.floors.get(floor)).tell(new FloorMessage.Tick(now));
+  }
+
   private void floorTicked(String floor) {
-    ticking.remove(floor);
-    if (ticking.isEmpty()) {
-      health.recordTickDone();
+    floorTicks.end(floor);
+    health.recordTickDone(floorTicks.runningSince());
+    if (!floorTicks.isRunning()) {
       publishIfChanged();
     }
   }

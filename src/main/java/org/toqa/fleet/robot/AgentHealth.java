@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -170,9 +171,13 @@ public final class AgentHealth implements Extension {
     }
   }
 
-  /** The agents have done what the ticks so far ask. */
-  public synchronized void recordTickDone() {
-    tickedAt = null;
+  /**
+   * The agents have done what ticks ask.
+   *
+   * @param openSince when the oldest was told that they have not done; empty: they have done all
+   */
+  public synchronized void recordTickDone(OptionalLong openSince) {
+    tickedAt = openSince.isPresent() ? openSince.getAsLong() : null;
   }
 
   /** What fails now; empty while all is well. */
