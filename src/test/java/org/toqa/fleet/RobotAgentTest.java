@@ -233,7 +233,7 @@ class RobotAgentTest {
 
   private void tick() throws InterruptedException {
     now = now.plus(STEP);
-    tell(new RobotMessage.Tick(now));
+    tell(new RobotMessage.Tick(() -> now));
   }
 
   private void tell(RobotMessage message) throws InterruptedException {

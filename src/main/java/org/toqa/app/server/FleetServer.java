@@ -162,7 +162,7 @@ public final class FleetServer implements AutoCloseable {
             wallClock,
             clock.instant());
     parts.push(fleet);
-    clock.add(nanos -> fleet.tick(clock.instant()), FLEET_TICK);
+    clock.add(new FleetInWorld(fleet, clock, simulated != null), FLEET_TICK);
     if (simulated != null) {
       SimulatedDocks docks = new SimulatedDocks(simulated, fleet, floor);
       clock.add(nanos -> docks.locateStandingRobots(), SimulatedDocks.PERIOD);

@@ -221,7 +221,6 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
 
   private void tick(Instant time) {
     state.now = time;
-    state.robots.values().forEach(r -> r.agent.tell(new RobotMessage.Tick(time)));
     charging.update();
     state.formations.updateTraffic();
     for (FloorRobot robot : state.robots.values()) {

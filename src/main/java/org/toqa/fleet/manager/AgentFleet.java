@@ -47,6 +47,7 @@ import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskPreview;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.robot.AgentHealth;
+import org.toqa.fleet.robot.RobotAgents;
 import org.toqa.fleet.schedule.StoredSchedules;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorMap;
@@ -73,6 +74,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   private final OrderChecks checks;
   private final ActorSystem<ManagerMessage> system;
   private final AgentHealth health;
+  private final RobotAgents robotAgents;
   private final FleetMonitor monitor;
   private final CompletableFuture<Void> failed = new CompletableFuture<>();
   private volatile boolean isClosing;
@@ -143,6 +145,7 @@ public final class AgentFleet implements Fleet, AutoCloseable {
             AgentSystemSetup.of(runtime));
     this.schedules = new StoredSchedules(scheduleStore, this, clock);
     this.health = AgentHealth.of(system);
+    this.robotAgents = RobotAgents.of(system);
     awaitStart();
     var _ = system.getWhenTerminated().whenComplete((done, failure) -> ended());
     var _ = health.broken().thenRun(this::ended);
@@ -181,9 +184,15 @@ public final class AgentFleet implements Fleet, AutoCloseable {
   /** Time goes on: timers fire, robots are pinged, waiting tasks are looked at. */
   public void tick(Instant now) {
     health.recordTick(runtime.monotonicNanos());
+    robotAgents.tick(now);
     if (dueTick.getAndSet(now) == null) {
       system.tell(new ManagerMessage.Tick(() -> requireNonNull(dueTick.getAndSet(null))));
     }
+  }
+
+  /** By that time all floors have done what was due, but for their last tick. */
+  public Instant floorTime() {
+    return health.floorTime();
   }
 
   @Override

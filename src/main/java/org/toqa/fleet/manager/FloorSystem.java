@@ -24,6 +24,7 @@ import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.fleet.floor.StoredFloorState;
 import org.toqa.fleet.robot.AgentHealth;
+import org.toqa.fleet.robot.RobotAgents;
 import org.toqa.fleet.robot.Supervision;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
@@ -108,6 +109,7 @@ public final class FloorSystem implements AutoCloseable {
 
   /** Lets the agents do what is due by then, about ten times a second. */
   public void tick(Instant now) {
+    RobotAgents.of(system).tick(now);
     tell(new FloorMessage.Tick(now));
   }
 

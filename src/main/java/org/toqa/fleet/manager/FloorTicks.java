@@ -18,13 +18,18 @@ final class FloorTicks {
   private final BiConsumer<String, Instant> floors;
   private final LongSupplier monotonicNanos;
 
-  /** By floor whose tick is running: since when. */
-  private final Map<String, Long> running = new HashMap<>();
+  /** By floor whose tick is running. */
+  private final Map<String, Running> running = new HashMap<>();
 
   /** Floors whose tick is running, and that have another one to do. */
   private final Set<String> due = new HashSet<>();
 
   private Instant now = Instant.MIN;
+
+  /**
+   * @param since nanoseconds of a clock that never jumps
+   */
+  private record Running(Instant tick, long since) {}
 
   /**
    * @param floors are told the time, by their names
@@ -41,7 +46,12 @@ final class FloorTicks {
 
   /** Since when the oldest tick runs, nanoseconds of a clock that never jumps. */
   OptionalLong runningSince() {
-    return running.values().stream().mapToLong(Long::longValue).min();
+    return running.values().stream().mapToLong(Running::since).min();
+  }
+
+  /** The time that floors are at: of the oldest tick that runs, or else of the last one. */
+  Instant floorTime() {
+    return running.values().stream().map(Running::tick).min(Instant::compareTo).orElse(now);
   }
 
   void tick(Set<String> all, Instant time) {
@@ -64,7 +74,7 @@ final class FloorTicks {
   }
 
   private void begin(String floor) {
-    running.put(floor, monotonicNanos.getAsLong());
+    running.put(floor, new Running(now, monotonicNanos.getAsLong()));
     floors.accept(floor, now);
   }
 }

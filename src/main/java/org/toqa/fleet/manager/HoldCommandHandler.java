@@ -18,6 +18,7 @@ import org.toqa.fleet.Hold;
 import org.toqa.fleet.PendingResume;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.floor.FloorMessage;
+import org.toqa.fleet.robot.RobotAgents;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -31,6 +32,7 @@ final class HoldCommandHandler {
   private final InstantSource clock;
   private final ActorRef<ManagerMessage> manager;
   private final Map<String, ActorRef<FloorMessage>> floors;
+  private final RobotAgents robots;
   private final Map<String, Hold> floorHolds;
   private final Map<String, PendingResume> floorResumes = new HashMap<>();
   private final PendingResume resume = new PendingResume();
@@ -44,12 +46,14 @@ final class HoldCommandHandler {
       StoreWriter writer,
       InstantSource clock,
       ActorRef<ManagerMessage> manager,
-      Map<String, ActorRef<FloorMessage>> floors) {
+      Map<String, ActorRef<FloorMessage>> floors,
+      RobotAgents robots) {
     this.store = store;
     this.writer = writer;
     this.clock = clock;
     this.manager = manager;
     this.floors = floors;
+    this.robots = robots;
     this.floorHolds = new HashMap<>(store.floorHolds());
     this.pause = store.pause().orElse(null);
   }
@@ -131,6 +135,9 @@ final class HoldCommandHandler {
   private void applyPause(@Nullable Hold next) {
     pause = next;
     floors.values().forEach(f -> f.tell(new FloorMessage.SetPause(next)));
+    if (next != null) {
+      robots.hold(_ -> true);
+    }
   }
 
   void setFloorHold(ManagerMessage.HoldFloor m) {
@@ -206,6 +213,9 @@ final class HoldCommandHandler {
       floorHolds.put(floor, next);
     }
     Objects.requireNonNull(floors.get(floor)).tell(new FloorMessage.HoldFloor(next));
+    if (next != null) {
+      robots.hold(robot -> robot.floor().equals(floor));
+    }
   }
 
   private static EventRecord event(Instant at, EventKind kind, String user, Sentence text) {

@@ -30,6 +30,7 @@ import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.fleet.floor.StoredFloorState;
 import org.toqa.fleet.robot.AgentHealth;
+import org.toqa.fleet.robot.RobotAgents;
 import org.toqa.fleet.robot.Supervision;
 import org.toqa.grid.FloorMap;
 import org.toqa.link.RobotLinkFactory;
@@ -118,7 +119,9 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
     this.storeHealth =
         new StoreHealthCheck(
             store, answers -> self.tell(new ManagerMessage.StoreHealthChanged(answers)));
-    this.holdCommands = new HoldCommandHandler(store, fleet.writer, clock, self, fleet.floors);
+    RobotAgents robotAgents = RobotAgents.of(context.getSystem());
+    this.holdCommands =
+        new HoldCommandHandler(store, fleet.writer, clock, self, fleet.floors, robotAgents);
     List<OpenTask> open = store.openTasks();
     Set<Long> toldBefore = open.stream().map(t -> t.mission().id()).collect(Collectors.toSet());
     PathQuery paths = new PathQuery(checks.fleetExecutor());
@@ -144,7 +147,8 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
             snapshotPublisher,
             validator,
             new RobotRegistrar(links, store, fleet.writer, clock, runtime),
-            self);
+            self,
+            robotAgents);
     recover(floorMaps, open, links, rules, now);
     log.info(
         "{} robots, {} tasks not ended, {} of them queued.",
@@ -261,11 +265,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
               new FloorMessage.RemoveRobot(m.robot(), m.user(), m.replyTo()));
       case ManagerMessage.LocateRobot m -> robotCommands.locateRobot(m);
       case ManagerMessage.SetInService m -> robotCommands.setInService(m);
-      case ManagerMessage.HoldRobot m ->
-          robotCommands.forwardToFloor(
-              m.robot(),
-              m.replyTo(),
-              new FloorMessage.HoldRobot(m.robot(), m.hold(), m.user(), m.replyTo()));
+      case ManagerMessage.HoldRobot m -> robotCommands.holdRobot(m);
       case ManagerMessage.ClearStops m ->
           robotCommands.forwardToFloor(
               m.robot(),
@@ -336,6 +336,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
       publishIfChanged();
     }
     floorTicks.tick(fleet.floors.keySet(), now);
+    health.recordFloorTime(floorTicks.floorTime());
     rounds.beginDueRounds();
     lateTasks.check(now);
   }
@@ -347,6 +348,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
   private void floorTicked(String floor) {
     floorTicks.end(floor);
     health.recordTickDone(floorTicks.runningSince());
+    health.recordFloorTime(floorTicks.floorTime());
     if (!floorTicks.isRunning()) {
       publishIfChanged();
     }

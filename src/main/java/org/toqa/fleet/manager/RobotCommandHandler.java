@@ -15,6 +15,7 @@ import org.toqa.fleet.RobotView;
 import org.toqa.fleet.floor.FloorEvent;
 import org.toqa.fleet.floor.FloorMessage;
 import org.toqa.fleet.floor.FloorState;
+import org.toqa.fleet.robot.RobotAgents;
 import org.toqa.wording.Phrase;
 
 /** Handles orders and commands of robots: checks them, stores them, and tells their floors. */
@@ -24,6 +25,7 @@ final class RobotCommandHandler {
   private final OrderValidator validator;
   private final RobotRegistrar registrar;
   private final ActorRef<ManagerMessage> self;
+  private final RobotAgents robotAgents;
 
   /** Names of robots that are being added. */
   private final Set<String> joining = new HashSet<>();
@@ -33,12 +35,14 @@ final class RobotCommandHandler {
       SnapshotPublisher snapshotPublisher,
       OrderValidator validator,
       RobotRegistrar registrar,
-      ActorRef<ManagerMessage> self) {
+      ActorRef<ManagerMessage> self,
+      RobotAgents robotAgents) {
     this.fleet = fleet;
     this.snapshotPublisher = snapshotPublisher;
     this.validator = validator;
     this.registrar = registrar;
     this.self = self;
+    this.robotAgents = robotAgents;
   }
 
   void addRobot(ManagerMessage.AddRobot m) {
@@ -198,6 +202,16 @@ final class RobotCommandHandler {
         m.robot(),
         m.replyTo(),
         new FloorMessage.LocateRobot(m.robot(), m.pose(), m.user(), m.replyTo()));
+  }
+
+  void holdRobot(ManagerMessage.HoldRobot m) {
+    forwardToFloor(
+        m.robot(),
+        m.replyTo(),
+        new FloorMessage.HoldRobot(m.robot(), m.hold(), m.user(), m.replyTo()));
+    if (m.hold()) {
+      robotAgents.hold(robot -> robot.name().equals(m.robot()));
+    }
   }
 
   void setInService(ManagerMessage.SetInService m) {

@@ -1,6 +1,7 @@
 package org.toqa.fleet.robot;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -80,6 +81,8 @@ public final class AgentHealth implements Extension {
 
   /** When the oldest tick was told that agents have not done; null: they have done all. */
   private @Nullable Long tickedAt;
+
+  private volatile Instant floorTime = Instant.MAX;
 
   private AgentHealth() {}
 
@@ -178,6 +181,15 @@ public final class AgentHealth implements Extension {
    */
   public synchronized void recordTickDone(OptionalLong openSince) {
     tickedAt = openSince.isPresent() ? openSince.getAsLong() : null;
+  }
+
+  public void recordFloorTime(Instant time) {
+    floorTime = time;
+  }
+
+  /** By that time all floors have done what was due, but for their last tick. */
+  public Instant floorTime() {
+    return floorTime;
   }
 
   /** What fails now; empty while all is well. */

@@ -88,6 +88,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     this.now = now;
     this.silence = new SilenceDetector(now);
     AgentHealth health = AgentHealth.of(context.getSystem());
+    RobotAgents.of(context.getSystem()).add(robot, context.getSelf());
     StoreWriter writer =
         new StoreWriter(
             robot.name(),
@@ -142,7 +143,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       }
       case RobotMessage.Reconnect m -> reconnect(m.robot());
       case RobotMessage.DriveLoaded m -> driveLoaded(m.drive());
-      case RobotMessage.Tick m -> tick(m.now());
+      case RobotMessage.Tick m -> tick(m.now().get());
       case RobotMessage.Stop m -> {
         return Behaviors.stopped();
       }
@@ -305,6 +306,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   }
 
   private Behavior<RobotMessage> stopped() {
+    RobotAgents.of(getContext().getSystem()).remove(getContext().getSelf());
     link.close();
     drives.close();
     return this;

@@ -4,6 +4,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.RobotRecord;
@@ -108,7 +109,10 @@ public sealed interface RobotMessage {
   record CommandNotStored(long id, @Nullable Long changing, String reason)
       implements RobotMessage {}
 
-  record Tick(Instant now) implements RobotMessage {}
+  /**
+   * @param now is asked once, when the tick is taken
+   */
+  record Tick(Supplier<Instant> now) implements RobotMessage {}
 
   record Stop() implements RobotMessage {}
 }

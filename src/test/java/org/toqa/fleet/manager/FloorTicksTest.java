@@ -40,6 +40,7 @@ class FloorTicksTest {
     ticks.end("hall");
     tick(2);
     assertEquals(OptionalLong.of(0), ticks.runningSince());
+    assertEquals(Instant.ofEpochSecond(1), ticks.floorTime());
 
     ticks.end("yard");
     assertEquals(OptionalLong.of(7), ticks.runningSince());
@@ -48,6 +49,7 @@ class FloorTicksTest {
     ticks.end("hall");
     assertFalse(ticks.isRunning());
     assertEquals(OptionalLong.empty(), ticks.runningSince());
+    assertEquals(Instant.ofEpochSecond(2), ticks.floorTime());
   }
 
   private void tick(int second) {
