@@ -1,0 +1,277 @@
+package org.toqa.fleet;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.toqa.allocation.Policy;
+import org.toqa.fleet.manager.AgentFleet;
+import org.toqa.geometry.Pose;
+import org.toqa.grid.FloorMap;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.grid.Place;
+import org.toqa.link.PairingResult;
+import org.toqa.link.RobotAddress;
+import org.toqa.link.RobotLink;
+import org.toqa.link.RobotLinkFactory;
+import org.toqa.link.TcpRobotLinkFactory;
+import org.toqa.link.message.AgentMessage;
+import org.toqa.link.message.AgentMessage.Hello;
+import org.toqa.link.message.AgentMessage.Mode;
+import org.toqa.link.message.AgentMessage.State;
+import org.toqa.link.message.ServerMessage;
+import org.toqa.link.trust.IdentityFile;
+import org.toqa.link.trust.LinkTls;
+import org.toqa.link.trust.PairingCode;
+import org.toqa.sim.SimulatedFleet;
+import org.toqa.sim.SimulatedFloor;
+import org.toqa.sim.SimulatedRobot;
+import org.toqa.sim.VirtualClock;
+import org.toqa.store.Database;
+import org.toqa.store.JdbiFleetStore;
+import org.toqa.store.JdbiScheduleStore;
+import org.toqa.store.MemoryDatabase;
+import org.toqa.wording.Sentence;
+
+/** Two real daemons that have to pass each other, and a plan for both of them that never ends. */
+@Timeout(120)
+class BusyFloorTest {
+  private static final double SPEED = 5;
+
+  @TempDir private Path folder;
+  private final List<AutoCloseable> parts = new ArrayList<>();
+  private final EndlessPlanning runtime = new EndlessPlanning();
+  private final Map<String, Integer> pings = new ConcurrentHashMap<>();
+  private final Map<String, Mode> modes = new ConcurrentHashMap<>();
+  private AgentFleet fleet;
+
+  @BeforeEach
+  void open() throws Exception {
+    Place left = new Place("Left", new Pose(0.5, 1.5, 0).position());
+    Place right = new Place("Right", new Pose(7.5, 1.5, 0).position());
+    FloorMap floor =
+        new FloorMap(
+            "aisle",
+            OccupancyGrid.parse("........", "###..###"),
+            List.of(left, right),
+            List.of(),
+            List.of());
+    VirtualClock clock = new VirtualClock(Instant.EPOCH, SPEED);
+    SimulatedFleet robots =
+        SimulatedFleet.open(
+            folder,
+            List.of(
+                new SimulatedRobot("r1", new Pose(0.5, 1.5, 0), 5, 1),
+                new SimulatedRobot("r2", new Pose(7.5, 1.5, 0), 5, 1)),
+            SimulatedFloor.of(floor),
+            clock);
+    parts.add(robots);
+    Database database = MemoryDatabase.open("busy-" + System.nanoTime());
+    parts.add(database);
+    JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
+    for (String robot : List.of("r1", "r2")) {
+      store.saveRobot(
+          new RobotRecord(robot, "aisle", "127.0.0.1", robots.port(robot), 5, null, true, null));
+    }
+    fleet =
+        new AgentFleet(
+            List.of(floor),
+            store,
+            new JdbiScheduleStore(database.jdbi()),
+            new WatchedLinks(
+                new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false)),
+            Policy.OPTIMAL.allocator(),
+            new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, SPEED),
+            InstantSource.system(),
+            clock.instant(),
+            runtime);
+    parts.add(fleet);
+    clock.add(nanos -> fleet.tick(clock.instant()), Duration.ofMillis(100));
+    clock.start();
+    parts.add(clock);
+  }
+
+  @AfterEach
+  void close() throws Exception {
+    runtime.end.countDown();
+    for (AutoCloseable part : parts.reversed()) {
+      part.close();
+    }
+  }
+
+  @Test
+  void robotsArePingedAndStoppedAllTheSame() throws Exception {
+    until(
+        () ->
+            fleet.snapshots().latest().robots().stream()
+                    .filter(r -> r.state() == RobotState.IDLE)
+                    .count()
+                == 2);
+    order("Left", "Right");
+    order("Right", "Left");
+    assertTrue(runtime.isPlanning.await(60, TimeUnit.SECONDS));
+
+    pings.clear();
+    until(() -> pings.getOrDefault("r1", 0) >= 10 && pings.getOrDefault("r2", 0) >= 10);
+    assertFalse(modes.get("r1") == Mode.HOLDING);
+    var held = fleet.holdRobot("r1", "Clara");
+    until(() -> modes.get("r1") == Mode.HOLDING);
+    assertFalse(modes.get("r2") == Mode.HOLDING);
+    var paused = fleet.pauseAll("Clara");
+    until(() -> modes.get("r2") == Mode.HOLDING);
+
+    runtime.end.countDown();
+    held.toCompletableFuture().get(60, TimeUnit.SECONDS);
+    paused.toCompletableFuture().get(60, TimeUnit.SECONDS);
+  }
+
+  private void order(String from, String to) throws Exception {
+    TaskOrder order =
+        new TaskOrder(
+            "crate",
+            2,
+            new TaskOrder.Where.Station(from),
+            new TaskOrder.Where.Station(to),
+            null,
+            0,
+            null,
+            null);
+    fleet.submit(order, "Clara").toCompletableFuture().get(30, TimeUnit.SECONDS);
+  }
+
+  private static void until(BooleanSupplier condition) throws InterruptedException {
+    while (!condition.getAsBoolean()) {
+      TimeUnit.MILLISECONDS.sleep(5);
+    }
+  }
+
+  /** As a server's, but that the first plan for several robots lasts until it is ended. */
+  private static final class EndlessPlanning implements FleetRuntime {
+    final CountDownLatch isPlanning = new CountDownLatch(1);
+    final CountDownLatch end = new CountDownLatch(1);
+
+    @Override
+    public void recordPlanning(long nanos) {
+      isPlanning.countDown();
+      try {
+        end.await();
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+
+    @Override
+    public Optional<Executor> agentExecutor() {
+      return USUAL.agentExecutor();
+    }
+
+    @Override
+    public ExecutorService serialExecutor(String name) {
+      return USUAL.serialExecutor(name);
+    }
+
+    @Override
+    public Executor threadPerTaskExecutor(String name) {
+      return USUAL.threadPerTaskExecutor(name);
+    }
+
+    @Override
+    public Executor boundedExecutor(String name, int threads) {
+      return USUAL.boundedExecutor(name, threads);
+    }
+
+    @Override
+    public long nanoTime() {
+      return USUAL.nanoTime();
+    }
+  }
+
+  /** Links that count pings, and know what the robots do. */
+  private final class WatchedLinks implements RobotLinkFactory {
+    private final RobotLinkFactory links;
+
+    WatchedLinks(RobotLinkFactory links) {
+      this.links = links;
+    }
+
+    @Override
+    public RobotLink open(RobotAddress address, RobotLink.Listener listener) {
+      RobotLink link = links.open(address, new Watched(address.robot(), listener));
+      return new RobotLink() {
+        @Override
+        public void send(ServerMessage message) {
+          if (message instanceof ServerMessage.Ping) {
+            pings.merge(address.robot(), 1, Integer::sum);
+          }
+          link.send(message);
+        }
+
+        @Override
+        public void close() {
+          link.close();
+        }
+      };
+    }
+
+    @Override
+    public PairingResult pair(String robot, String host, int port, PairingCode code) {
+      return links.pair(robot, host, port, code);
+    }
+  }
+
+  private final class Watched implements RobotLink.Listener {
+    private final String robot;
+    private final RobotLink.Listener listener;
+
+    Watched(String robot, RobotLink.Listener listener) {
+      this.robot = robot;
+      this.listener = listener;
+    }
+
+    @Override
+    public void connected(Hello hello) {
+      listener.connected(hello);
+    }
+
+    @Override
+    public boolean received(AgentMessage message) {
+      if (message instanceof State state) {
+        modes.put(robot, state.mode());
+      }
+      return listener.received(message);
+    }
+
+    @Override
+    public void passedOver(int states, int unreadable) {
+      listener.passedOver(states, unreadable);
+    }
+
+    @Override
+    public void disconnected(String why) {
+      listener.disconnected(why);
+    }
+
+    @Override
+    public void refused(Sentence sentence) {
+      listener.refused(sentence);
+    }
+  }
+}
