@@ -10,11 +10,8 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.Executor;
-import java.util.concurrent.ExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
@@ -164,7 +161,7 @@ class BusyFloorTest {
   }
 
   /** As a server's, but that the first plan for several robots lasts until it is ended. */
-  private static final class EndlessPlanning implements FleetRuntime {
+  private static final class EndlessPlanning extends ServerRuntime {
     final CountDownLatch isPlanning = new CountDownLatch(1);
     final CountDownLatch end = new CountDownLatch(1);
 
@@ -176,31 +173,6 @@ class BusyFloorTest {
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
       }
-    }
-
-    @Override
-    public Optional<Executor> agentExecutor() {
-      return USUAL.agentExecutor();
-    }
-
-    @Override
-    public ExecutorService serialExecutor(String name) {
-      return USUAL.serialExecutor(name);
-    }
-
-    @Override
-    public Executor threadPerTaskExecutor(String name) {
-      return USUAL.threadPerTaskExecutor(name);
-    }
-
-    @Override
-    public Executor boundedExecutor(String name, int threads) {
-      return USUAL.boundedExecutor(name, threads);
-    }
-
-    @Override
-    public long nanoTime() {
-      return USUAL.nanoTime();
     }
   }
 

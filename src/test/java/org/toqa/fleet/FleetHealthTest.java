@@ -10,12 +10,10 @@ import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
-import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
@@ -257,36 +255,16 @@ class FleetHealthTest {
   }
 
   /** The threads of a server, and time that the test brings. */
-  private static final class WatchedRuntime implements FleetRuntime {
+  private static final class WatchedRuntime extends ServerRuntime {
     final AtomicLong nanos = new AtomicLong();
     volatile String brokenExecutor = "";
-
-    @Override
-    public Optional<Executor> agentExecutor() {
-      return Optional.empty();
-    }
 
     @Override
     public ExecutorService serialExecutor(String name) {
       if (name.equals(brokenExecutor)) {
         throw new IllegalStateException("no such thread");
       }
-      return USUAL.serialExecutor(name);
-    }
-
-    @Override
-    public Executor threadPerTaskExecutor(String name) {
-      return USUAL.threadPerTaskExecutor(name);
-    }
-
-    @Override
-    public Executor boundedExecutor(String name, int threads) {
-      return USUAL.boundedExecutor(name, threads);
-    }
-
-    @Override
-    public long nanoTime() {
-      return System.nanoTime();
+      return super.serialExecutor(name);
     }
 
     @Override
