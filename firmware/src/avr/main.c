@@ -53,14 +53,17 @@ static void receive(void)
 {
     uint8_t byte;
 
-    for (uint8_t i = 0; i < MAX_BYTES && spi_slave_take_byte(&byte); i++) {
+    for (uint8_t i = 0; i < MAX_BYTES; i++) {
+        if (spi_slave_take_pause()) {
+            frame_parser_pause(&parser);
+        }
+        if (!spi_slave_take_byte(&byte)) {
+            break;
+        }
         if (frame_parser_add(&parser, byte)) {
             robot_handle_frame(&robot, parser.bytes);
             publish_status();
         }
-    }
-    if (spi_slave_take_pause()) {
-        frame_parser_pause(&parser);
     }
     while (psd_uart_take_byte(&byte)) {
         range_take_byte(&robot.range, byte);

@@ -21,6 +21,7 @@ static volatile uint16_t lost; /* written by the interrupt */
 /* Silence: set to 0 by the SPI interrupt, counted by the clock's, which also notices its end. */
 static volatile uint8_t silent_ms;
 static volatile bool is_paused; /* set by the clock's interrupt, reset by the main loop */
+static volatile uint8_t pause_at; /* the end of what came before it, in the ring */
 
 /*
  * Three statuses: the interrupt sends one, one is offered for the next exchange, the main loop
@@ -56,7 +57,7 @@ bool spi_slave_take_byte(uint8_t *byte)
 {
     uint8_t at = tail;
 
-    if (at == head) {
+    if (at == head || (is_paused && at == pause_at)) {
         return false;
     }
     *byte = ring[at];
@@ -70,9 +71,9 @@ bool spi_slave_take_pause(void)
 
     ATOMIC_BLOCK(ATOMIC_RESTORESTATE)
     {
-        if (head == tail) {
-            paused = is_paused;
+        if (is_paused && tail == pause_at) {
             is_paused = false;
+            paused = true;
         }
     }
     return paused;
@@ -112,6 +113,7 @@ void spi_slave_on_millisecond(void)
     {
         if (silent_ms < PAUSE_MS && ++silent_ms == PAUSE_MS) {
             is_paused = true;
+            pause_at = head;
             load_beginning();
         }
     }

@@ -13,7 +13,7 @@
 /* first: what is sent until spi_slave_offer is called. */
 void spi_slave_begin(const uint8_t first[FRAME_LENGTH]);
 
-/* Returns whether there was a byte. */
+/* Returns whether there was a byte. None is behind a pause that is not taken yet. */
 bool spi_slave_take_byte(uint8_t *byte);
 
 /* Returns, once, whether the master made a pause after the bytes taken so far. */

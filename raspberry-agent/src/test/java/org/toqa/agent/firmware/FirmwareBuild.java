@@ -38,6 +38,11 @@ public enum FirmwareBuild {
     return drive.equals("pwm");
   }
 
+  /** Of an exchange as fast as {@code docs/spi-frame.md} allows: 256 cycles a byte. */
+  int exchangeMicros() {
+    return (int) (FrameCodec.LENGTH * 256 * 1_000_000L / hertz);
+  }
+
   /** Of 10,000, the period of the wheels: what its program may take at most while it drives. */
   long busiestMicros() {
     return busiestMicros;

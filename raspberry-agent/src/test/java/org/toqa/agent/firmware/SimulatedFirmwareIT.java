@@ -5,11 +5,16 @@ import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.net.UnixDomainSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.channels.SocketChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -46,6 +51,10 @@ class SimulatedFirmwareIT {
   private static final Pose START = new Pose(1, 2, 0.5);
   private static final Duration STAND_LIMIT = Duration.ofMillis(250);
   private static final Duration BRAKE_LIMIT = Duration.ofMillis(50);
+
+  /** Micros that the master is silent at least, and 100 more. */
+  private static final int SHORTEST_PAUSE = 2_100;
+
   private static final long TICK = 20_000_000;
   private static final int SECOND = 50;
 
@@ -290,6 +299,29 @@ class SimulatedFirmwareIT {
     }
   }
 
+  /** The shortest pause ends while the main loop is still at the wheels, and has not noticed it. */
+  @Test
+  void frameThatComesBeforeItsPauseIsNoticedIsWhole() throws IOException {
+    try (SocketChannel master =
+        SocketChannel.open(UnixDomainSocketAddress.of(microcontroller.socket()))) {
+      exchange(master, 0, 200_000); // until it has started
+      for (int wheel = 0; wheel < 3; wheel++) {
+        probe.change("wheel " + wheel + " pushed");
+      }
+      exchange(master, 1, 20_000);
+      int badFrames = exchange(master, 2, 20_000).orElseThrow().badFrames();
+      Random random = new Random(1);
+      for (int i = 3; i < 1_500; i++) {
+        exchange(master, i % FrameCodec.SEQUENCES, SHORTEST_PAUSE + random.nextInt(6_000));
+      }
+      exchange(master, 0, 20_000);
+      FirmwareStatus status = exchange(master, 1, 20_000).orElseThrow();
+
+      assertEquals(badFrames, status.badFrames());
+      assertEquals(0, status.lostBytes());
+    }
+  }
+
   @Test
   void mainLoopHasTimeToSpare() throws IOException {
     try (Chassis chassis = chassis()) {
@@ -370,6 +402,25 @@ class SimulatedFirmwareIT {
     nanos += 1_000_000; // less than it takes
     byte[] frame = FrameCodec.encode(new Velocity(Twist.ZERO), sequence);
     return FrameCodec.decode(spi.exchange(frame, nanos));
+  }
+
+  /** The same with any pause in front of it, in micros. */
+  private Optional<FirmwareStatus> exchange(SocketChannel master, int sequence, int pause)
+      throws IOException {
+    ByteBuffer bytes =
+        ByteBuffer.allocate(7 + FrameCodec.LENGTH)
+            .order(ByteOrder.LITTLE_ENDIAN)
+            .put((byte) 'X')
+            .putInt(pause + build.exchangeMicros())
+            .putShort((short) FrameCodec.LENGTH)
+            .put(FrameCodec.encode(new Velocity(Twist.ZERO), sequence))
+            .flip();
+    while (bytes.hasRemaining()) {
+      master.write(bytes);
+    }
+    ByteBuffer answer = ByteBuffer.allocate(FrameCodec.LENGTH);
+    while (answer.hasRemaining() && master.read(answer) >= 0) {}
+    return FrameCodec.decode(answer.array());
   }
 
   private void clear(Chassis chassis) {
