@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.toqa.testbed.ToqaProcess;
@@ -82,9 +81,9 @@ final class RunningAgent implements AutoCloseable {
   void start(String... options) throws IOException, InterruptedException {
     Files.writeString(home.resolve("agent.yaml"), config + "port: " + port + "\n");
     List<String> command =
-        new ArrayList<>(List.of("agent", "--config", home.resolve("agent.yaml").toString()));
+        new ArrayList<>(List.of("--config", home.resolve("agent.yaml").toString()));
     command.addAll(List.of(options));
-    process = ToqaProcess.toqa(home, Map.of(), command.toArray(String[]::new));
+    process = ToqaProcess.agent(home, command.toArray(String[]::new));
     port = Integer.parseInt(process.awaitErr("listening on .* port (\\d+)").group(1));
   }
 

@@ -29,7 +29,7 @@ final class RunningServer implements AutoCloseable {
 
   RunningServer(Path folder, String... arguments) throws Exception {
     this.folder = folder;
-    List<String> command = new ArrayList<>(List.of("server", "--port", "0", "--data"));
+    List<String> command = new ArrayList<>(List.of("--port", "0", "--data"));
     command.add(folder.resolve("data").toString());
     command.addAll(List.of(arguments));
     this.arguments = command.toArray(String[]::new);
@@ -39,7 +39,7 @@ final class RunningServer implements AutoCloseable {
   }
 
   private ToqaProcess launch() throws Exception {
-    return ToqaProcess.toqa(folder, Map.of("TOQA_MANAGER", MANAGER + ":" + PASSWORD), arguments);
+    return ToqaProcess.server(folder, Map.of("TOQA_MANAGER", MANAGER + ":" + PASSWORD), arguments);
   }
 
   ApiClient api() {

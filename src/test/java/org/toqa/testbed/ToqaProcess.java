@@ -6,14 +6,12 @@ import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 
 /** A command of the product in a process of its own, as a user starts it. */
 public final class ToqaProcess implements AutoCloseable {
@@ -47,34 +45,54 @@ public final class ToqaProcess implements AutoCloseable {
     String launcher = Path.of("toqa").toAbsolutePath().toString();
     Map<String, String> all = new HashMap<>(variables);
     all.put("TOQA_JAVA_OPTIONS", String.join(" ", JAVA_OPTIONS));
-    return start(folder, CACHE, all, prepend(List.of(launcher), arguments));
+    List<String> command = new ArrayList<>(List.of(launcher));
+    command.addAll(List.of(arguments));
+    return start(folder, CACHE, all, command);
+  }
+
+  /** A server, without the launcher; for tests that are not about how it is started. */
+  public static ToqaProcess server(Path folder, Map<String, String> variables, String... arguments)
+      throws IOException {
+    List<String> command = new ArrayList<>(CachedProgram.server(CACHE));
+    command.add("server");
+    command.addAll(List.of(arguments));
+    return start(folder, CACHE, variables, command);
+  }
+
+  /** A robot's daemon, without the launcher. */
+  public static ToqaProcess agent(Path folder, String... arguments) throws IOException {
+    List<String> command = new ArrayList<>(CachedProgram.agent());
+    command.addAll(List.of(arguments));
+    return start(folder, CACHE, Map.of(), command);
   }
 
   /** A jar or WAR, run by this Java. */
   public static ToqaProcess jar(Path folder, Path jar, String... arguments) throws IOException {
+    return jar(folder, folder.resolve("cache"), jar, arguments);
+  }
+
+  static ToqaProcess jar(Path folder, Path cache, Path jar, String... arguments)
+      throws IOException {
     String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
     List<String> command = new ArrayList<>(List.of(java));
     command.addAll(JAVA_OPTIONS);
     command.addAll(List.of("-jar", jar.toAbsolutePath().toString()));
-    return command(folder, prepend(command, arguments));
+    command.addAll(List.of(arguments));
+    return start(folder, cache, Map.of(), command);
   }
 
   /** Any command, with its caches under the folder. */
   public static ToqaProcess command(Path folder, String... command) throws IOException {
-    return start(folder, folder.resolve("cache"), Map.of(), command);
+    return start(folder, folder.resolve("cache"), Map.of(), List.of(command));
   }
 
-  private static ToqaProcess start(
-      Path folder, Path cache, Map<String, String> variables, String... command)
+  static ToqaProcess start(
+      Path folder, Path cache, Map<String, String> variables, List<String> command)
       throws IOException {
     ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
     builder.environment().putAll(variables);
     builder.environment().put("XDG_CACHE_HOME", cache.toString());
     return new ToqaProcess(builder.start());
-  }
-
-  private static String[] prepend(List<String> first, String... rest) {
-    return Stream.concat(first.stream(), Arrays.stream(rest)).toArray(String[]::new);
   }
 
   public long pid() {
@@ -111,7 +129,7 @@ public final class ToqaProcess implements AutoCloseable {
 
   /** Asks it to end, as Ctrl-C and a service manager do. */
   public void terminate() {
-    process.destroy();
+    process.toHandle().destroy(); // unlike Process.destroy it leaves the output open
   }
 
   /** Ends it as {@code kill -9} does, and waits until it is gone. */
