@@ -38,13 +38,13 @@ class WebBenchIT {
             "5")) {
       assertEquals(0, bench.exitCode());
       JsonNode json = JsonMapper.shared().readTree(bench.out().getFirst());
-      assertTrue(json.get("pages").get("count").asLong() > 10, json::toString);
+      assertTrue(json.get("pages").get("count").asLong() > 0, json::toString);
       assertTrue(json.get("pages").get("p99Ms").asDouble() > 0, json::toString);
-      assertTrue(json.get("poses").get("count").asLong() > 10, json::toString);
+      assertTrue(json.get("poses").get("count").asLong() > 0, json::toString);
       assertTrue(json.get("poses").get("p50Ms").asDouble() > 0, json::toString);
       double heard = json.get("heard").get("p50Ms").asDouble();
       double seen = json.get("seen").get("p50Ms").asDouble();
-      assertTrue(json.get("seen").get("count").asLong() > 10, json::toString);
+      assertTrue(json.get("seen").get("count").asLong() > 0, json::toString);
       assertEquals(json.get("seen").get("count"), json.get("heard").get("count"));
       assertTrue(heard > 0 && heard <= seen, json::toString);
       // one in a hundred may be from the first word of a new connection
@@ -54,13 +54,13 @@ class WebBenchIT {
       if (HeadlessChromium.find().isPresent()) {
         double drawing = json.get("drawing").get("p50Ms").asDouble();
         double drawn = json.get("drawn").get("p50Ms").asDouble();
-        assertTrue(json.get("drawn").get("count").asLong() > 10, json::toString);
+        assertTrue(json.get("drawn").get("count").asLong() > 0, json::toString);
         assertTrue(drawn >= Math.max(heard, drawing), json::toString);
       } else {
         assertTrue(json.get("drawn").isNull(), json::toString);
         assertTrue(bench.err().toString().contains(HeadlessChromium.MISSING), json::toString);
       }
-      assertTrue(json.get("eventsSeen").asLong() > 10, json::toString);
+      assertTrue(json.get("eventsSeen").asLong() > 0, json::toString);
       assertEquals(0, json.get("failed").asInt());
     }
   }
