@@ -117,6 +117,13 @@ public final class OccupancyGrid {
     return (BitSet) occupied.clone();
   }
 
+  /** The cells that are free in one and occupied in the other, by {@link #index}; of equal size. */
+  public BitSet differences(OccupancyGrid other) {
+    BitSet cells = occupied();
+    cells.xor(other.occupied);
+    return cells;
+  }
+
   /** The same frame with other cells occupied. */
   public OccupancyGrid withOccupied(BitSet others) {
     return new OccupancyGrid(width, height, resolution, origin, others);

@@ -29,8 +29,9 @@ public final class DistanceField {
   }
 
   private void fill(int source) {
-    OctileSearch search = new OctileSearch(new MoveGraph(grid));
-    search.begin(source, source);
+    MoveGraph graph = new MoveGraph(grid);
+    OctileSearch search = new OctileSearch(graph);
+    search.begin(graph, source, source);
     for (int cell = 0; cell < lengths.length; cell++) {
       int length = search.distance(cell);
       if (length != OctileSearch.UNREACHABLE) {

@@ -1,11 +1,10 @@
 package org.toqa.planning;
 
-import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.BlockingDeque;
+import java.util.concurrent.LinkedBlockingDeque;
 import java.util.function.Function;
 import java.util.function.LongConsumer;
-import org.jspecify.annotations.Nullable;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.planning.PlanResult.Found;
@@ -13,16 +12,21 @@ import org.toqa.planning.PlanResult.NotFound;
 import org.toqa.planning.PlanResult.Reason;
 
 /**
- * What the planners on a grid have in common: the checks of start and goal, and the last grid's
- * search, kept for the next plan on the same grid.
+ * What the planners on a grid have in common: the checks of start and goal, and their searches,
+ * kept with what they have looked up of the last grids. Whoever plans many paths keeps the planner.
+ *
+ * <p>Any number of threads may plan at once. Each takes an idle search out and puts it back; where
+ * none is idle it makes one. So nothing is shared while it is used, as many searches stay as there
+ * are processors, and each of them looks its grids up once.
  */
 public abstract sealed class GridPlanner implements PathPlanner
     permits HeadingAStar, JumpPointSearch {
   private final Function<OccupancyGrid, GridSearch> searchFactory;
   private final LongConsumer expandedListener;
 
-  /** Empty while a thread searches: another one then lays out its own. */
-  private final AtomicReference<@Nullable GridSearch> idleSearch = new AtomicReference<>();
+  /** The one that was used last is the first. */
+  private final BlockingDeque<GridSearch> idleSearches =
+      new LinkedBlockingDeque<>(Runtime.getRuntime().availableProcessors());
 
   /**
    * @param expandedListener is told after each search how many states it has expanded
@@ -41,18 +45,17 @@ public abstract sealed class GridPlanner implements PathPlanner
       return new NotFound(Reason.GOAL_BLOCKED, goal);
     }
     if (start.equals(goal)) {
-      return new Found(Path.of(start, List.of(), false));
+      return new Found(Path.of(start, new MoveSequence(), false));
     }
-    GridSearch search = searchOn(grid);
-    long before = search.expandedCount();
-    Optional<Path> path = search.path(start, goal);
-    expandedListener.accept(search.expandedCount() - before);
-    idleSearch.set(search);
-    return path.<PlanResult>map(Found::new).orElseGet(() -> new NotFound(Reason.NO_PATH, goal));
-  }
-
-  private GridSearch searchOn(OccupancyGrid grid) {
-    GridSearch search = idleSearch.getAndSet(null);
-    return search != null && search.grid().equals(grid) ? search : searchFactory.apply(grid);
+    GridSearch idle = idleSearches.pollFirst();
+    GridSearch search = idle == null ? searchFactory.apply(grid) : idle;
+    try {
+      long before = search.expandedCount();
+      Optional<Path> path = search.path(grid, start, goal);
+      expandedListener.accept(search.expandedCount() - before);
+      return path.<PlanResult>map(Found::new).orElseGet(() -> new NotFound(Reason.NO_PATH, goal));
+    } finally {
+      idleSearches.offerFirst(search); // one too many is dropped
+    }
   }
 }

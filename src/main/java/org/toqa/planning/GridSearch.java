@@ -4,10 +4,11 @@ import java.util.Optional;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
-/** A search that is laid out for one grid; used by one thread at a time, then by the next. */
+/**
+ * A search with its room, and what it has looked up of the last grids; used by one thread at a
+ * time, then by the next.
+ */
 interface GridSearch {
-
-  OccupancyGrid grid();
 
   /**
    * A shortest path, empty where there is none.
@@ -15,7 +16,7 @@ interface GridSearch {
    * @param start free
    * @param goal free, not the start
    */
-  Optional<Path> path(Cell start, Cell goal);
+  Optional<Path> path(OccupancyGrid grid, Cell start, Cell goal);
 
   /** How many states this search has ever expanded. */
   long expandedCount();

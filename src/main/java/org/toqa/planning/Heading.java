@@ -50,6 +50,14 @@ public enum Heading {
     return ALL[ordinal];
   }
 
+  /** That of a move by so many columns and rows, each -1 to 1 and not both 0. */
+  static Heading of(int dColumn, int dRow) {
+    if (dRow == 0) {
+      return dColumn > 0 ? EAST : WEST;
+    }
+    return ALL[dRow < 0 ? NORTH.ordinal() - dColumn : SOUTH.ordinal() + dColumn];
+  }
+
   /** Eighths of a turn that lead to another heading, counter-clockwise, from -3 to 4. */
   public int eighthsTo(Heading other) {
     return Math.floorMod(other.ordinal() - ordinal() + 3, ALL.length) - 3;

@@ -1,43 +1,69 @@
 package org.toqa.planning;
 
-import java.util.List;
 import java.util.Optional;
+import org.jspecify.annotations.Nullable;
 import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
-/** The two searches of {@link HeadingAStar} on one grid. */
+/** The searches of {@link HeadingAStar}, and the last grids as they see them. */
 final class HeadingGridSearch implements GridSearch {
-  private final OccupancyGrid grid;
+  private final GridLayouts layouts = new GridLayouts();
+  private final JumpPoints jumpPoints;
+  private final PieceOrder pieceOrder;
   private final OctileSearch octile;
   private final HeadingSearch heading;
+  private final MoveSequence moves = new MoveSequence();
+
+  /** What the octile distances are of that are known: of a layout as it was, to a goal. */
+  private @Nullable GridLayout knownLayout;
+
+  private int knownUpdates;
+  private int knownGoal;
 
   HeadingGridSearch(OccupancyGrid grid) {
-    this.grid = grid;
-    MoveGraph graph = new MoveGraph(grid);
-    octile = new OctileSearch(graph);
-    heading = new HeadingSearch(graph, octile);
+    GridLayout layout = layouts.layout(grid);
+    jumpPoints = new JumpPoints(layout);
+    pieceOrder = new PieceOrder(layout.graph(), jumpPoints);
+    octile = new OctileSearch(layout.graph());
+    heading = new HeadingSearch(layout.graph(), octile);
   }
 
   @Override
-  public OccupancyGrid grid() {
-    return grid;
-  }
-
-  @Override
-  public Optional<Path> path(Cell start, Cell goal) {
+  public Optional<Path> path(OccupancyGrid grid, Cell start, Cell goal) {
+    GridLayout layout = layouts.layout(grid);
     int from = grid.index(start);
     int to = grid.index(goal);
-    octile.begin(to, from);
-    if (octile.distance(from) == OctileSearch.UNREACHABLE) {
+    if (!jumpPoints.search(layout, from, to)) {
       return Optional.empty();
     }
-    List<Heading> inArcs = heading.moves(from, to, false);
-    List<Heading> moves = inArcs.isEmpty() ? heading.moves(from, to, true) : inArcs;
+    if (!pieceOrder.order(layout.graph(), moves)) {
+      searchHeadings(layout, from, to);
+    }
     return Optional.of(Path.of(start, moves, true));
+  }
+
+  private void searchHeadings(GridLayout layout, int from, int to) {
+    boolean isKnown =
+        knownLayout == layout
+            && knownUpdates == layout.updates()
+            && knownGoal == to
+            && octile.isKnown(from);
+    knownLayout = null; // until this has come to its end
+    MoveGraph graph = layout.graph();
+    if (!isKnown) {
+      octile.begin(graph, to, from);
+    }
+    int shortest = jumpPoints.length();
+    if (!heading.search(graph, from, to, shortest, false, moves)) {
+      heading.search(graph, from, to, shortest, true, moves);
+    }
+    knownLayout = layout;
+    knownUpdates = layout.updates();
+    knownGoal = to;
   }
 
   @Override
   public long expandedCount() {
-    return octile.expandedCount() + heading.expandedCount();
+    return jumpPoints.expandedCount() + octile.expandedCount() + heading.expandedCount();
   }
 }

@@ -12,7 +12,7 @@ import java.util.function.LongConsumer;
  * points nothing is put on the open list. Straights are looked through 64 cells at a time, and
  * diagonals are no nodes of their own: a node's successors are the jump points beside them.
  *
- * <p>For benchmarks, and as the length below which no path with headings can be.
+ * <p>For benchmarks; and what {@link HeadingAStar} asks first.
  */
 public final class JumpPointSearch extends GridPlanner {
 

@@ -1,63 +1,84 @@
 package org.toqa.planning;
 
-import org.toqa.grid.Cell;
+import java.util.BitSet;
 import org.toqa.grid.OccupancyGrid;
 
 /**
  * Which of the eight moves each cell of a grid allows: a move needs a free target, a diagonal one
  * also both cells beside it (the MovingAI rule). One bit a {@link Heading}, by its ordinal; moves
- * are symmetric. Immutable.
+ * are symmetric. A byte a cell. Confined to one thread at a time.
  */
 final class MoveGraph {
-  private final OccupancyGrid grid;
+  /** A cell among the eight around it: bits of three columns, western first, of three cells. */
+  private static final int MIDDLE = bit(0, 0);
+
+  private static final int WINDOW = 0x1FF;
+
+  /** The moves of the cell in the middle, by such bits; a set one is free. */
+  private static final byte[] MOVES_BY_WINDOW = movesByWindow();
+
   private final int width;
   private final byte[] moves;
   private final int[] offset = new int[8];
 
   MoveGraph(OccupancyGrid grid) {
-    this.grid = grid;
     width = grid.width();
     for (Heading h : Heading.values()) {
       offset[h.ordinal()] = h.dRow() * width + h.dColumn();
     }
     moves = new byte[width * grid.height()];
-    boolean[][] free = new boolean[grid.height() + 2][width + 2]; // with a blocked border
     for (int row = 0; row < grid.height(); row++) {
+      int window = freeInColumn(grid, 0, row);
       for (int column = 0; column < width; column++) {
-        free[row + 1][column + 1] = grid.isFree(column, row);
-      }
-    }
-    for (int row = 0; row < grid.height(); row++) {
-      for (int column = 0; column < width; column++) {
-        moves[row * width + column] = (byte) mask(free, row + 1, column + 1);
+        window = (window << 3 | freeInColumn(grid, column + 1, row)) & WINDOW;
+        moves[row * width + column] = MOVES_BY_WINDOW[window];
       }
     }
   }
 
-  private static int mask(boolean[][] free, int row, int column) {
-    if (!free[row][column]) {
-      return 0;
+  /**
+   * Takes over a grid of the same size.
+   *
+   * @param changed the cells that are not as before, by their index
+   */
+  void update(OccupancyGrid grid, BitSet changed) {
+    for (int cell = changed.nextSetBit(0); cell >= 0; cell = changed.nextSetBit(cell + 1)) {
+      for (int row = row(cell) - 1; row <= row(cell) + 1; row++) {
+        for (int column = column(cell) - 1; column <= column(cell) + 1; column++) {
+          if (grid.contains(column, row)) {
+            int window =
+                freeInColumn(grid, column - 1, row) << 6
+                    | freeInColumn(grid, column, row) << 3
+                    | freeInColumn(grid, column + 1, row);
+            moves[row * width + column] = MOVES_BY_WINDOW[window];
+          }
+        }
+      }
     }
-    int east = free[row][column + 1] ? 1 : 0;
-    int north = free[row - 1][column] ? 1 : 0;
-    int west = free[row][column - 1] ? 1 : 0;
-    int south = free[row + 1][column] ? 1 : 0;
-    int northEast = free[row - 1][column + 1] ? east & north : 0;
-    int northWest = free[row - 1][column - 1] ? west & north : 0;
-    int southWest = free[row + 1][column - 1] ? west & south : 0;
-    int southEast = free[row + 1][column + 1] ? east & south : 0;
-    return east
-        | northEast << 1
-        | north << 2
-        | northWest << 3
-        | west << 4
-        | southWest << 5
-        | south << 6
-        | southEast << 7;
   }
 
-  OccupancyGrid grid() {
-    return grid;
+  /** Of three cells, the northern one first. */
+  private static int freeInColumn(OccupancyGrid grid, int column, int row) {
+    return (grid.isFree(column, row - 1) ? 4 : 0)
+        | (grid.isFree(column, row) ? 2 : 0)
+        | (grid.isFree(column, row + 1) ? 1 : 0);
+  }
+
+  private static byte[] movesByWindow() {
+    byte[] table = new byte[WINDOW + 1];
+    for (int window = 0; window <= WINDOW; window++) {
+      for (Heading h : Heading.values()) {
+        int needed = MIDDLE | bit(h.dColumn(), h.dRow()) | bit(h.dColumn(), 0) | bit(0, h.dRow());
+        if ((window & needed) == needed) {
+          table[window] |= (byte) (1 << h.ordinal());
+        }
+      }
+    }
+    return table;
+  }
+
+  private static int bit(int dColumn, int dRow) {
+    return 1 << (4 - 3 * dColumn - dRow);
   }
 
   int size() {
@@ -69,6 +90,10 @@ final class MoveGraph {
     return moves[cell] & 0xFF;
   }
 
+  boolean allows(int cell, int heading) {
+    return (moves[cell] >> heading & 1) == 1;
+  }
+
   /** The cell that a move leads to. */
   int target(int cell, int heading) {
     return cell + offset[heading];
@@ -78,15 +103,15 @@ final class MoveGraph {
     return (heading & 1) == 0 ? MoveCost.STRAIGHT : MoveCost.DIAGONAL;
   }
 
+  int width() {
+    return width;
+  }
+
   int column(int cell) {
     return cell % width;
   }
 
   int row(int cell) {
     return cell / width;
-  }
-
-  Cell cell(int index) {
-    return grid.cell(index);
   }
 }

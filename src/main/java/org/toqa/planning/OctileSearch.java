@@ -14,13 +14,13 @@ final class OctileSearch {
   static final int UNREACHABLE = Integer.MAX_VALUE;
   private static final int EXPANSIONS_A_CHECK = 1024;
 
-  private final int[] g;
+  private int[] g = {};
 
   /** {@code 2 generation}: g is valid; {@code 2 generation + 1}: and final. */
-  private final int[] stamp;
+  private int[] stamp = {};
 
-  private final OpenList open = new OpenList();
-  private final MoveGraph graph;
+  private final BucketQueue open = new BucketQueue();
+  private MoveGraph graph;
   private int generation;
   private long expandedCount;
   private int towardColumn;
@@ -28,8 +28,6 @@ final class OctileSearch {
 
   OctileSearch(MoveGraph graph) {
     this.graph = graph;
-    g = new int[graph.size()];
-    stamp = new int[graph.size()];
   }
 
   /**
@@ -38,7 +36,13 @@ final class OctileSearch {
    * @param toward the cell near which the questions will be: the search leans to it, the answers do
    *     not depend on it
    */
-  void begin(int source, int toward) {
+  void begin(MoveGraph moveGraph, int source, int toward) {
+    graph = moveGraph;
+    if (stamp.length < graph.size()) {
+      g = new int[graph.size()];
+      stamp = new int[graph.size()];
+      generation = 0;
+    }
     if (generation == Integer.MAX_VALUE / 2 - 1) {
       generation = 0;
       Arrays.fill(stamp, 0);
@@ -46,26 +50,45 @@ final class OctileSearch {
     generation++;
     towardColumn = graph.column(toward);
     towardRow = graph.row(toward);
-    open.clear();
+    int length = octile(source);
+    open.clear(length);
     g[source] = 0;
     stamp[source] = 2 * generation;
-    open.push(source, 0, h(source));
+    open.push(source, length);
+  }
+
+  /** Whether the distance of a cell has been found. */
+  boolean isKnown(int cell) {
+    return stamp[cell] == 2 * generation + 1;
   }
 
   /** Exact octile distance between the source and a cell, or {@link #UNREACHABLE}. */
   int distance(int cell) {
+    return search(cell, Integer.MAX_VALUE) ? g[cell] : UNREACHABLE;
+  }
+
+  /** The same, or {@link #UNREACHABLE} where it is above a limit. */
+  int distanceWithin(int cell, int limit) {
+    // what is still open is at least key - octile away: at most so much can be of use
+    return (isKnown(cell) || search(cell, limit + octile(cell))) && g[cell] <= limit
+        ? g[cell]
+        : UNREACHABLE;
+  }
+
+  /** Whether the distance is known when all below a key has been looked at. */
+  private boolean search(int cell, int limit) {
     int closed = 2 * generation + 1;
     while (stamp[cell] != closed) {
-      if (open.isEmpty()) {
-        return UNREACHABLE;
+      int next = open.pop(limit);
+      if (next < 0) {
+        return false;
       }
-      int next = open.pop();
       if (stamp[next] != closed) {
         stamp[next] = closed;
         expand(next, closed);
       }
     }
-    return g[cell];
+    return true;
   }
 
   /** How many cells were ever expanded. */
@@ -78,6 +101,8 @@ final class OctileSearch {
     if (expandedCount % EXPANSIONS_A_CHECK == 0) {
       SearchLimit.check();
     }
+    int columns = graph.column(cell) - towardColumn;
+    int rows = graph.row(cell) - towardRow;
     for (int moves = graph.moves(cell); moves != 0; moves &= moves - 1) {
       int heading = Integer.numberOfTrailingZeros(moves);
       int next = graph.target(cell, heading);
@@ -86,12 +111,13 @@ final class OctileSearch {
       if (known != closed && (known != closed - 1 || length < g[next])) {
         g[next] = length;
         stamp[next] = closed - 1;
-        open.push(next, length, h(next));
+        Heading h = Heading.of(heading);
+        open.push(next, length + MoveCost.octile(columns + h.dColumn(), rows + h.dRow()));
       }
     }
   }
 
-  private int h(int cell) {
+  private int octile(int cell) {
     return MoveCost.octile(graph.column(cell) - towardColumn, graph.row(cell) - towardRow);
   }
 }

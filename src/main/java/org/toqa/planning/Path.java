@@ -16,6 +16,7 @@ import org.toqa.grid.OccupancyGrid;
  *     three-move rule sufficed
  */
 public record Path(List<Step> steps, double cost, int turnsOnSpot) {
+  private static final double SQRT_2 = Math.sqrt(2);
 
   /** A cell, and the heading in which it is left (for the last one: was entered). */
   public record Step(Cell cell, Heading heading) {}
@@ -33,13 +34,14 @@ public record Path(List<Step> steps, double cost, int turnsOnSpot) {
    * @param turnsOnSpot whether a change of heading by more than 45 degrees is a turn on the spot,
    *     with its step and its cost; otherwise it is a corner like any other
    */
-  static Path of(Cell start, List<Heading> moves, boolean turnsOnSpot) {
+  static Path of(Cell start, MoveSequence moves, boolean turnsOnSpot) {
     List<Step> steps = new ArrayList<>(moves.size() + 1);
     double cost = 0;
     int turns = 0;
     Cell cell = start;
-    Heading heading = moves.isEmpty() ? Heading.EAST : moves.getFirst();
-    for (Heading move : moves) {
+    Heading heading = moves.size() == 0 ? Heading.EAST : moves.get(0);
+    for (int i = 0; i < moves.size(); i++) {
+      Heading move = moves.get(i);
       int eighths = turnsOnSpot ? Math.abs(heading.eighthsTo(move)) : 0;
       if (eighths > 1) {
         steps.add(new Step(cell, heading));
@@ -47,7 +49,7 @@ public record Path(List<Step> steps, double cost, int turnsOnSpot) {
         turns++;
       }
       steps.add(new Step(cell, move));
-      cost += move.isDiagonal() ? Math.sqrt(2) : 1;
+      cost += move.isDiagonal() ? SQRT_2 : 1;
       cell = new Cell(cell.column() + move.dColumn(), cell.row() + move.dRow());
       heading = move;
     }

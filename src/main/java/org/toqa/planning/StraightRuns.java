@@ -6,7 +6,7 @@ import org.toqa.grid.OccupancyGrid;
 /**
  * Where straight runs over a grid end, line by line as bits: 64 cells are looked through in a few
  * instructions (Harabor and Grastien, "Improving jump point search", 2014, "Block-based scanning").
- * A line is a row, or a column, and a position counts along it. Immutable.
+ * A line is a row, or a column, and a position counts along it. Confined to one thread at a time.
  *
  * <p>A run ends at the first occupied cell, or before it at a jump point: a free cell with a free
  * cell beside it where the run's cell before had an occupied one. There, and only there, may a
@@ -25,45 +25,66 @@ final class StraightRuns {
   /** And to lower positions. */
   private final long[] backwardEnds;
 
-  private StraightRuns(boolean[][] free) {
-    stride = (free[0].length + 2 + Long.SIZE - 1) / Long.SIZE;
-    occupied = new long[(free.length + 2) * stride];
+  private StraightRuns(int lines, int positions) {
+    stride = (positions + 2 + Long.SIZE - 1) / Long.SIZE;
+    occupied = new long[(lines + 2) * stride];
     Arrays.fill(occupied, -1);
-    for (int line = 0; line < free.length; line++) {
-      for (int position = 0; position < free[line].length; position++) {
-        if (free[line][position]) {
-          occupied[word(line, position)] &= ~(1L << (position + 1));
-        }
-      }
-    }
-    forwardEnds = occupied.clone();
-    backwardEnds = occupied.clone();
-    for (int word = stride; word < occupied.length - stride; word++) {
-      forwardEnds[word] |= opensForward(word - stride) | opensForward(word + stride);
-      backwardEnds[word] |= opensBackward(word - stride) | opensBackward(word + stride);
-    }
+    forwardEnds = new long[occupied.length];
+    backwardEnds = new long[occupied.length];
   }
 
   /** Lines are rows, positions are columns. */
   static StraightRuns alongRows(OccupancyGrid grid) {
-    boolean[][] free = new boolean[grid.height()][grid.width()];
+    StraightRuns runs = new StraightRuns(grid.height(), grid.width());
     for (int row = 0; row < grid.height(); row++) {
       for (int column = 0; column < grid.width(); column++) {
-        free[row][column] = grid.isFree(column, row);
+        if (grid.isFree(column, row)) {
+          runs.occupied[runs.word(row, column)] &= ~(1L << (column + 1));
+        }
       }
     }
-    return new StraightRuns(free);
+    runs.findEnds();
+    return runs;
   }
 
   /** Lines are columns, positions are rows. */
   static StraightRuns alongColumns(OccupancyGrid grid) {
-    boolean[][] free = new boolean[grid.width()][grid.height()];
-    for (int row = 0; row < grid.height(); row++) {
-      for (int column = 0; column < grid.width(); column++) {
-        free[column][row] = grid.isFree(column, row);
+    StraightRuns runs = new StraightRuns(grid.width(), grid.height());
+    for (int column = 0; column < grid.width(); column++) {
+      for (int row = 0; row < grid.height(); row++) {
+        if (grid.isFree(column, row)) {
+          runs.occupied[runs.word(column, row)] &= ~(1L << (row + 1));
+        }
       }
     }
-    return new StraightRuns(free);
+    runs.findEnds();
+    return runs;
+  }
+
+  private void findEnds() {
+    for (int word = 0; word < occupied.length; word++) {
+      findEnds(word);
+    }
+  }
+
+  /** Makes an occupied cell free, or the other way round. */
+  void flip(int line, int position) {
+    int flipped = word(line, position);
+    occupied[flipped] ^= 1L << (position + 1);
+    for (int row = flipped - stride; row <= flipped + stride; row += stride) {
+      for (int word = Math.max(0, row - 1); word <= row + 1 && word < occupied.length; word++) {
+        findEnds(word);
+      }
+    }
+  }
+
+  private void findEnds(int word) {
+    forwardEnds[word] = occupied[word];
+    backwardEnds[word] = occupied[word];
+    if (word >= stride && word < occupied.length - stride) { // no run goes along the border
+      forwardEnds[word] |= opensForward(word - stride) | opensForward(word + stride);
+      backwardEnds[word] |= opensBackward(word - stride) | opensBackward(word + stride);
+    }
   }
 
   /** Free cells whose neighbour at the next lower position is occupied. */

@@ -36,6 +36,16 @@ class GridPlannerPropertyTest {
     return RandomGrids.strewnAlongAnAisle(0.15);
   }
 
+  @Provide
+  Arbitrary<Query> caves() {
+    return RandomGrids.caves(10, 32);
+  }
+
+  @Provide
+  Arbitrary<Query> mazes() {
+    return RandomGrids.mazes(8, 32);
+  }
+
   @Property
   void headingWaysAreShortestOnStrewnGrids(@ForAll("strewn") Query query) {
     assertHeadingWayIsShortest(query);
@@ -43,6 +53,21 @@ class GridPlannerPropertyTest {
 
   @Property(tries = 300)
   void headingWaysAreShortestInRooms(@ForAll("rooms") Query query) {
+    assertHeadingWayIsShortest(query);
+  }
+
+  @Property(tries = 300)
+  void headingWaysAreShortestInCaves(@ForAll("caves") Query query) {
+    assertHeadingWayIsShortest(query);
+  }
+
+  @Property(tries = 300)
+  void headingWaysAreShortestInMazes(@ForAll("mazes") Query query) {
+    assertHeadingWayIsShortest(query);
+  }
+
+  @Property(tries = 300)
+  void headingWaysAreShortestAlongAisles(@ForAll("aisles") Query query) {
     assertHeadingWayIsShortest(query);
   }
 
@@ -70,6 +95,16 @@ class GridPlannerPropertyTest {
       used.plan(first.grid(), first.goal(), first.start());
       assertEquals(firstAnswer, used.plan(first.grid(), first.start(), first.goal()));
     }
+  }
+
+  @Property(tries = 200)
+  void octileWaysAreShortestInCaves(@ForAll("caves") Query query) {
+    assertOctileWayIsShortest(query);
+  }
+
+  @Property(tries = 200)
+  void octileWaysAreShortestInMazes(@ForAll("mazes") Query query) {
+    assertOctileWayIsShortest(query);
   }
 
   private void assertOctileWayIsShortest(Query query) {

@@ -86,7 +86,33 @@ final class RandomGrids {
             });
   }
 
-  private static Query query(OccupancyGrid grid, Random random) {
+  /** Wide and narrow places with rough walls: noise from which single cells have been taken. */
+  static Arbitrary<Query> caves(int shortestSide, int longestSide) {
+    return Combinators.combine(
+            Arbitraries.integers().between(shortestSide, longestSide),
+            Arbitraries.doubles().between(0.38, 0.45),
+            Arbitraries.longs())
+        .as(
+            (side, density, seed) -> {
+              Random random = new Random(seed);
+              return query(MadeMaps.cave(side, density, random), random);
+            });
+  }
+
+  /** Corridors with one path from any place to any other, and walls of one cell. */
+  static Arbitrary<Query> mazes(int shortestSide, int longestSide) {
+    return Combinators.combine(
+            Arbitraries.integers().between(shortestSide, longestSide),
+            Arbitraries.integers().between(1, 6),
+            Arbitraries.longs())
+        .as(
+            (side, corridor, seed) -> {
+              Random random = new Random(seed);
+              return query(MadeMaps.maze(side, corridor, random), random);
+            });
+  }
+
+  static Query query(OccupancyGrid grid, Random random) {
     return new Query(grid, cell(grid, random), cell(grid, random));
   }
 

@@ -24,6 +24,7 @@ import org.toqa.mission.Mission;
 import org.toqa.mission.TaskPlace;
 import org.toqa.mission.TransportTask.LoadSize;
 import org.toqa.planning.HeadingAStar;
+import org.toqa.planning.PathPlanner;
 import org.toqa.planning.PlanResult;
 import org.toqa.planning.SearchLimit;
 import org.toqa.traffic.Deadline;
@@ -48,6 +49,7 @@ final class PathQuery {
   /** On the clock of {@link #checkDeadline}, which stands at 0 before it. */
   private static final long OVER = Long.MAX_VALUE / 2;
 
+  private final PathPlanner planner = new HeadingAStar();
   private final Cache<PathKey, FloorPath> paths;
   private final AsyncCache<TeamKey, Optional<Sentence>> teams;
   private final Cache<FloorKey, EmptyFloor> emptyFloors;
@@ -118,7 +120,7 @@ final class PathQuery {
   }
 
   private FloorPath plan(PathKey key) {
-    FloorPath planned = emptyFloors.get(key.floor(), EmptyFloor::new).plan(key);
+    FloorPath planned = emptyFloors.get(key.floor(), EmptyFloor::new).plan(key, planner);
     paths.put(key, planned);
     return planned;
   }
@@ -178,10 +180,9 @@ final class PathQuery {
       this.standable = Inflation.inflate(grid, diameter / 2);
     }
 
-    FloorPath plan(PathKey key) {
+    FloorPath plan(PathKey key, PathPlanner planner) {
       PlanResult planned =
-          new HeadingAStar()
-              .plan(standable, standable.cellAt(key.start()), standable.cellAt(key.goal()));
+          planner.plan(standable, standable.cellAt(key.start()), standable.cellAt(key.goal()));
       if (planned instanceof PlanResult.Found(var path)) {
         return new FloorPath.Found(points(key.start(), path.waypoints(standable), key.goal()));
       }

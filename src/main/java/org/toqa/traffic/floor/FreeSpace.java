@@ -88,7 +88,7 @@ final class FreeSpace {
     if (claimed.isEmpty() && free.isFree(here)) {
       return free;
     }
-    BitSet more = (BitSet) free.occupied().clone();
+    BitSet more = free.occupied();
     for (SweptArea area : claimed) {
       double apart = radius + Clearance.needed(standing, area) - ROUNDING;
       area.cells(grid, Math.max(0, apart))

@@ -40,8 +40,7 @@ final class SingleRobotPlanner {
   private final FreeSpace freeSpace;
   private final SectionFitter fitter;
   private final FormationPlanner formationPlanner;
-  private final PathPlanner alone = new HeadingAStar();
-  private final PathPlanner amongOthers = new HeadingAStar();
+  private final PathPlanner planner = new HeadingAStar();
 
   SingleRobotPlanner(FreeSpace freeSpace, SectionFitter fitter) {
     this.freeSpace = freeSpace;
@@ -61,8 +60,7 @@ final class SingleRobotPlanner {
     }
     return roomiest(
         robot,
-        room ->
-            fittedPath(alone, freeCells(robot, room, List.of()), robot, goal, sections -> true));
+        room -> fittedPath(freeCells(robot, room, List.of()), robot, goal, sections -> true));
   }
 
   /**
@@ -103,7 +101,7 @@ final class SingleRobotPlanner {
     OccupancyGrid free = freeSpace.freeOfWalls(robot.radius());
     return goal == null
         ? List.of()
-        : path(alone, free, entry(free, robot), goal).stream()
+        : path(free, entry(free, robot), goal).stream()
             .flatMap(path -> path.cells().stream())
             .map(grid::centre)
             .toList();
@@ -181,7 +179,6 @@ final class SingleRobotPlanner {
     }
     SweptArea standing = robot.areaAt(robot.releasedEnd());
     return fittedPath(
-        amongOthers,
         free,
         robot,
         goal,
@@ -200,18 +197,14 @@ final class SingleRobotPlanner {
 
   /** Clear of walls and obstacles; straight to a goal that is near, else over cells. */
   private Optional<List<Section>> fittedPath(
-      PathPlanner planner,
-      OccupancyGrid free,
-      TrafficRobot robot,
-      Cell goal,
-      Predicate<List<Section>> isAcceptable) {
+      OccupancyGrid free, TrafficRobot robot, Cell goal, Predicate<List<Section>> isAcceptable) {
     Predicate<List<Section>> isClearAndRight =
         sections -> isClear(robot, sections) && isAcceptable.test(sections);
     return straightToGoal(robot, goal)
         .flatMap(waypoints -> firstFit(robot, waypoints, isClearAndRight))
         .or(
             () ->
-                waypoints(planner, free, robot, goal)
+                waypoints(free, robot, goal)
                     .flatMap(
                         waypoints ->
                             firstFit(robot, waypoints, isClearAndRight)
@@ -272,8 +265,7 @@ final class SingleRobotPlanner {
   }
 
   /** Where the path of a robot bends and ends; empty where there is none. */
-  private Optional<List<Waypoint>> waypoints(
-      PathPlanner planner, OccupancyGrid free, TrafficRobot robot, Cell goal) {
+  private Optional<List<Waypoint>> waypoints(OccupancyGrid free, TrafficRobot robot, Cell goal) {
     OccupancyGrid grid = freeSpace.grid();
     Cell entry = entry(free, robot);
     Cell exit = exit(free, robot, goal);
@@ -281,7 +273,7 @@ final class SingleRobotPlanner {
     if (!entry.equals(robot.releasedCell())) {
       waypoints.add(new Waypoint(grid.centre(entry), false));
     }
-    Optional<Path> path = path(planner, free, entry, exit);
+    Optional<Path> path = path(free, entry, exit);
     path.ifPresent(p -> waypoints.addAll(waypoints(p, robot)));
     if (!exit.equals(goal) && robot.goal() != null) {
       waypoints.add(new Waypoint(robot.goal(), false));
@@ -340,8 +332,7 @@ final class SingleRobotPlanner {
         .orElse(here);
   }
 
-  private static Optional<Path> path(
-      PathPlanner planner, OccupancyGrid free, Cell start, Cell goal) {
+  private Optional<Path> path(OccupancyGrid free, Cell start, Cell goal) {
     return planner.plan(free, start, goal) instanceof PlanResult.Found(Path path)
         ? Optional.of(path)
         : Optional.empty();

@@ -115,13 +115,19 @@ class OrderChecksTest {
         "the next who asks is answered");
   }
 
-  /** Walls from north and south by turns, so that the way leads round each. */
+  /**
+   * Walls from north and south by turns, so that the way leads round each, and between them rows of
+   * posts, beside each of which a path may turn.
+   */
   private static BitSet comb(int size) {
     BitSet walls = new BitSet();
     for (int column = 50; column < size; column += 50) {
       boolean isFromSouth = column % 100 == 0;
       for (int row = isFromSouth ? 0 : 50; row < (isFromSouth ? size - 50 : size); row++) {
         walls.set(row * size + column);
+      }
+      for (int row = 0; row < size; row += 20) {
+        walls.set(row * size + column - 25);
       }
     }
     return walls;
