@@ -25,8 +25,7 @@ public final class DaemonThread implements AutoCloseable {
    */
   public static DaemonThread start(Path config, boolean pair) throws IOException, ConfigException {
     AgentConfig settings = AgentConfig.read(config);
-    return new DaemonThread(
-        Daemon.open(settings, InstantSource.system(), System.nanoTime(), pair));
+    return new DaemonThread(Daemon.open(settings, InstantSource.system(), System.nanoTime(), pair));
   }
 
   /** The code that it shows. */

@@ -35,8 +35,8 @@ import org.toqa.motion.Segment;
 import org.toqa.testbed.LinkRecorder;
 
 /**
- * A daemon in real time that is paired, and what becomes of it. How it ends in a process of its own,
- * without a warning, is in {@link KilledDaemonTest}.
+ * A daemon in real time that is paired, and what becomes of it. How it ends in a process of its
+ * own, without a warning, is in {@link KilledDaemonTest}.
  */
 @Tag("full")
 @Timeout(120)
