@@ -39,9 +39,14 @@ public final class DaemonThread implements AutoCloseable {
 
   /** Ends it, once; its folder is free then. */
   @Override
-  public void close() throws IOException, InterruptedException {
+  public void close() throws IOException {
     loop.stop();
-    thread.join();
+    try {
+      thread.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("Interrupted before the daemon had ended.", e);
+    }
     daemon.close();
   }
 }
