@@ -53,6 +53,21 @@ class PlaceReservationsTest {
     assertEquals(Map.of(), waiting(policy, List.of(job(1, 2, 10), job(2, 2, 10)), inUse));
   }
 
+  /** A place of a team is 1.2 m round it; so near to it nobody else fetches or sets down. */
+  @ParameterizedTest
+  @EnumSource
+  void aPlaceBesideThatOfATeamIsTakenUpToItsEdge(Policy policy) {
+    List<PlaceUse> inUse = List.of(new PlaceUse(7, PLACE, true));
+    for (double metres : new double[] {0.3, 1.19, 1.21}) {
+      Vec2 beside = PLACE.plus(new Vec2(metres, 0));
+      AllocationTask fromThere = new AllocationTask(1, 2, beside, new Vec2(40, 5), NOON);
+      AllocationTask toThere = new AllocationTask(1, 2, new Vec2(40, 5), beside, NOON);
+      int waiting = metres < 1.2 ? 1 : 0;
+      assertEquals(waiting, waiting(policy, List.of(fromThere), inUse).size(), metres + " m");
+      assertEquals(waiting, waiting(policy, List.of(toThere), inUse).size(), metres + " m");
+    }
+  }
+
   @ParameterizedTest
   @EnumSource
   void ofTwoTeamsForOnePlaceTheSecondWaits(Policy policy) {

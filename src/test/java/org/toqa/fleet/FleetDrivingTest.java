@@ -65,6 +65,15 @@ class FleetDrivingTest extends HallFleetTest {
   }
 
   @Test
+  void aRobotIsToldThatTheEndOfItsTaskIsKept() throws Exception {
+    long task = submit("West", "East");
+
+    until(view -> task(view, task).state() == TaskState.DONE);
+
+    until(view -> !scriptedRobot("r1").hasUnacknowledgedEnd());
+  }
+
+  @Test
   void anIdleRobotAwayFromItsParkingPointGoesHome() throws Exception {
     reopenWith("r2", new Vec2(12.5, 2.5), "P2");
 

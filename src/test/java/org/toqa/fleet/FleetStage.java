@@ -126,7 +126,7 @@ public final class FleetStage implements AutoCloseable {
     AgentFleet opened =
         new AgentFleet(
             List.of(floor),
-            tamper.apply(store),
+            watched(tamper.apply(store)),
             new JdbiScheduleStore(database.jdbi()),
             links,
             allocator,
@@ -136,6 +136,15 @@ public final class FleetStage implements AutoCloseable {
             runtime);
     opened.rejections(List.of(), "Max").toCompletableFuture().join(); // then its agents have begun
     return opened;
+  }
+
+  private FleetStore watched(FleetStore asked) {
+    return TamperedStore.of(
+        asked,
+        (method, arguments, real) -> {
+          runtime.recordSlowCall(method);
+          return real.go();
+        });
   }
 
   /** Lets time go on, and the robots drive, until it is so. */

@@ -8,10 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.time.Instant;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Objects;
@@ -25,7 +26,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.toqa.agent.DaemonProcess;
+import org.toqa.agent.DaemonThread;
 import org.toqa.allocation.OptimalAllocator;
 import org.toqa.fleet.history.EventArchive.Entry;
 import org.toqa.fleet.history.EventArchive.Filter;
@@ -33,6 +34,7 @@ import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
 import org.toqa.grid.FloorReader;
 import org.toqa.link.TcpRobotLinkFactory;
+import org.toqa.link.message.LinkCodec;
 import org.toqa.link.message.ServerMessage.Drive;
 import org.toqa.link.trust.IdentityFile;
 import org.toqa.link.trust.LinkTls;
@@ -44,7 +46,7 @@ import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.MemoryDatabase;
 import org.toqa.wording.Sentence;
 
-/** The fleet over a real store, and a robot's daemon in a process of its own that is paired. */
+/** The fleet over a real store, and a robot's daemon that is paired, both in real time. */
 @Tag("full")
 @Timeout(120)
 class PairedFleetTest {
@@ -53,12 +55,12 @@ class PairedFleetTest {
 
   @TempDir private Path folder;
   private final Database database = MemoryDatabase.open("paired-" + System.nanoTime());
-  private Instant now = Instant.parse("2026-11-21T08:00:00Z");
+  private final InstantSource clock = InstantSource.system();
   private @Nullable AgentFleet fleet;
-  private @Nullable DaemonProcess daemon;
+  private @Nullable DaemonThread daemon;
 
   @BeforeEach
-  void start() throws IOException {
+  void start() throws Exception {
     Files.writeString(
         folder.resolve("agent.yaml"),
         """
@@ -67,12 +69,12 @@ class PairedFleetTest {
         dataDir: robot
         chassis: {type: simulated, start: {x: 1.05, y: 1.05, heading: 0}}
         """);
-    daemon = daemon("--pair");
+    daemon = daemon(true);
     fleet = fleet();
   }
 
   @AfterEach
-  void close() {
+  void close() throws Exception {
     fleetNow().close();
     daemonNow().close();
     database.close();
@@ -82,12 +84,12 @@ class PairedFleetTest {
     return Objects.requireNonNull(fleet);
   }
 
-  private DaemonProcess daemonNow() {
+  private DaemonThread daemonNow() {
     return Objects.requireNonNull(daemon);
   }
 
-  private DaemonProcess daemon(String... options) throws IOException {
-    return DaemonProcess.launch(folder.resolve("agent.yaml"), options);
+  private DaemonThread daemon(boolean pair) throws Exception {
+    return DaemonThread.start(folder.resolve("agent.yaml"), pair);
   }
 
   private AgentFleet fleet() throws IOException {
@@ -99,8 +101,8 @@ class PairedFleetTest {
         new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(data)), false),
         new OptimalAllocator(),
         new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, 1),
-        InstantSource.system(),
-        now);
+        clock,
+        clock.instant());
   }
 
   private static <T> T answer(CompletionStage<T> answer) throws Exception {
@@ -120,7 +122,7 @@ class PairedFleetTest {
     return answer(fleetNow().pairRobot("r1", order, "boss"));
   }
 
-  /** Time goes on until r1 is as wanted. */
+  /** Ticks until r1 is as wanted. */
   private RobotView until(Predicate<RobotView> condition) throws InterruptedException {
     long end = System.nanoTime() + LIMIT.toNanos();
     FleetSnapshot view = fleetNow().snapshots().latest();
@@ -130,8 +132,7 @@ class PairedFleetTest {
           return robot;
         }
       }
-      now = now.plusMillis(100);
-      fleetNow().tick(now);
+      fleetNow().tick(clock.instant());
       view = fleetNow().snapshots().awaitNewer(view.version(), Duration.ofMillis(100));
     }
     return fail("It is still so: " + view);
@@ -141,8 +142,7 @@ class PairedFleetTest {
   private EventRecord history(String kind) throws InterruptedException {
     long end = System.nanoTime() + LIMIT.toNanos();
     while (System.nanoTime() < end) {
-      now = now.plusMillis(100);
-      fleetNow().tick(now);
+      fleetNow().tick(clock.instant());
       for (EventRecord event : events()) {
         if (event.kind().equals(kind)) {
           return event;
@@ -173,13 +173,13 @@ class PairedFleetTest {
     assertInstanceOf(Answer.Accepted.class, added, added.toString());
     assertNotNull(until(PairedFleetTest::isHeard).record().fingerprint());
 
-    daemonNow().kill();
+    daemonNow().close();
     fleetNow().close();
     int port = daemonNow().port();
     Files.writeString(
         folder.resolve("agent.yaml"),
         Files.readString(folder.resolve("agent.yaml")).replace("port: 0", "port: " + port));
-    daemon = daemon();
+    daemon = daemon(false);
     fleet = fleet();
     until(PairedFleetTest::isHeard);
   }
@@ -204,13 +204,13 @@ class PairedFleetTest {
   void replacedKeyIsAnAlertUntilTheRobotIsPairedAnew() throws Exception {
     add(daemonNow().pairingCode());
     RobotView before = until(PairedFleetTest::isHeard);
-    daemonNow().kill();
+    daemonNow().close();
     Files.delete(folder.resolve("robot").resolve("link.p12"));
     Files.writeString(
         folder.resolve("agent.yaml"),
         Files.readString(folder.resolve("agent.yaml"))
             .replace("port: 0", "port: " + daemonNow().port()));
-    daemon = daemon("--pair");
+    daemon = daemon(true);
 
     String alert = String.valueOf(until(robot -> robot.alert() != null).alert());
     assertTrue(
@@ -227,8 +227,9 @@ class PairedFleetTest {
   void unknownPeerOfTheRobotIsInTheHistory() throws Exception {
     add(daemonNow().pairingCode());
     until(PairedFleetTest::isHeard);
-    try (var unpaired = daemonNow().connect()) { // speaks without encryption
-      unpaired.say(new Drive(1, null, 0, new Pose(1.05, 1.05, 0), List.of(), 0, true, 0));
+    try (var unpaired = new Socket(InetAddress.getLoopbackAddress(), daemonNow().port())) {
+      Drive drive = new Drive(1, null, 0, new Pose(1.05, 1.05, 0), List.of(), 0, true, 0);
+      unpaired.getOutputStream().write(LinkCodec.encode(drive)); // without encryption
       assertEquals(
           "r1 refused a connection. 127.0.0.1 was refused: it does not encrypt.",
           history("robot.stranger").text());

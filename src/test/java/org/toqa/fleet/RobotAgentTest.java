@@ -1,5 +1,6 @@
 package org.toqa.fleet;
 
+import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
@@ -29,6 +30,7 @@ import org.toqa.link.PairingResult;
 import org.toqa.link.RobotAddress;
 import org.toqa.link.RobotLink;
 import org.toqa.link.RobotLinkFactory;
+import org.toqa.link.message.AgentMessage;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.Phase;
@@ -55,6 +57,7 @@ class RobotAgentTest {
   private final List<RobotEvent> told = new ArrayList<>();
   private Instant now = Instant.parse("2026-11-21T08:00:00Z");
   private ActorSystem<RobotMessage> agent;
+  private volatile RobotLink.@Nullable Listener listener;
 
   @BeforeEach
   void start() throws InterruptedException {
@@ -97,8 +100,9 @@ class RobotAgentTest {
   private RobotLinkFactory links() {
     return new RobotLinkFactory() {
       @Override
-      public RobotLink open(RobotAddress address, RobotLink.Listener listener) {
-        return robot.link(listener);
+      public RobotLink open(RobotAddress address, RobotLink.Listener heard) {
+        listener = heard;
+        return robot.link(heard);
       }
 
       @Override
@@ -217,6 +221,29 @@ class RobotAgentTest {
       tick();
     }
     assertTrue(isSilent());
+  }
+
+  @Test
+  void ofEndsThatARobotSaysWithoutEndTheFloorHearsFiveASecond() throws Exception {
+    sayEnds(100);
+    assertEquals(10, endsTold()); // after a pause two seconds' worth at once
+
+    for (int i = 0; i < 10; i++) {
+      tick(); // a second
+    }
+    sayEnds(100);
+    assertEquals(10 + 5, endsTold());
+  }
+
+  private void sayEnds(int times) throws InterruptedException {
+    for (int i = 0; i < times; i++) {
+      requireNonNull(listener).received(new AgentMessage.Done(null, 0, 3));
+      runtime.awaitQuiescence();
+    }
+  }
+
+  private long endsTold() {
+    return told.stream().filter(RobotEvent.PhaseEnded.class::isInstance).count();
   }
 
   private boolean isSilent() {

@@ -201,6 +201,10 @@ public final class ScriptedRobot {
     listener = heard.equals(listener) ? null : listener;
   }
 
+  synchronized boolean hasUnacknowledgedEnd() {
+    return drive.done() != null;
+  }
+
   /** A moment of its life: a segment, and what it says then. */
   synchronized void step() {
     if (condition.mute || listener == null) {

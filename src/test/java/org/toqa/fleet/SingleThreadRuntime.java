@@ -12,6 +12,7 @@ import java.util.Optional;
 import java.util.Queue;
 import java.util.concurrent.AbstractExecutorService;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
@@ -47,6 +48,12 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
   private final AtomicLong agentTurns = new AtomicLong();
 
   private final AtomicLong agentWaits = new AtomicLong();
+
+  /** What agents did meanwhile that waits for a disk or another machine where those are slow. */
+  private final Queue<String> slowCalls = new ConcurrentLinkedQueue<>();
+
+  /** For its own thread alone: whether an agent runs on it and is looked at. */
+  private boolean isWatchedTurn;
 
   /** Guarded by this: what was handed in and is not done. */
   private long open;
@@ -112,9 +119,11 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
       return;
     }
     long before = waits();
+    isWatchedTurn = true;
     try {
       work.run();
     } finally {
+      isWatchedTurn = false;
       agentWaits.addAndGet(waits() - before);
       agentTurns.incrementAndGet();
     }
@@ -132,6 +141,13 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
     return THREADS.getThreadInfo(Thread.currentThread().threadId()).getWaitedCount();
   }
 
+  /** Something was called that may take long; no agent may do so. */
+  void recordSlowCall(String what) {
+    if (Thread.currentThread() == thread && isWatchedTurn) {
+      slowCalls.add(what);
+    }
+  }
+
   /**
    * No agent sleeps, or waits for a file, a database or an answer, in what it does again and again.
    * Another thread that logs at the same moment may hold one up, in one turn of a hundred.
@@ -140,6 +156,7 @@ final class SingleThreadRuntime implements FleetRuntime, AutoCloseable {
     assertTrue(
         agentWaits.get() <= agentTurns.get() / TURNS_TO_A_WAIT,
         () -> "agents waited " + agentWaits + " times in " + agentTurns + " turns");
+    assertTrue(slowCalls.isEmpty(), () -> "agents asked the store themselves: " + slowCalls);
   }
 
   /**

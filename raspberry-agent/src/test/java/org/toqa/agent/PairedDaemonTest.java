@@ -34,19 +34,22 @@ import org.toqa.link.trust.PairingCode;
 import org.toqa.motion.Segment;
 import org.toqa.testbed.LinkRecorder;
 
-/** A daemon in a process of its own that is paired, and what becomes of it. */
+/**
+ * A daemon in real time that is paired, and what becomes of it. How it ends in a process of its
+ * own, without a warning, is in {@link KilledDaemonTest}.
+ */
 @Tag("full")
 @Timeout(120)
 class PairedDaemonTest {
 
   @TempDir Path folder;
   private Path config;
-  private DaemonProcess daemon;
+  private DaemonThread daemon;
   private Fingerprint robot;
 
   /** What a link told. */
   @BeforeEach
-  void pair() throws IOException {
+  void pair() throws Exception {
     config = folder.resolve("agent.yaml");
     Files.writeString(
         config,
@@ -58,7 +61,7 @@ class PairedDaemonTest {
           type: simulated
           start: {x: 2, y: 3, heading: 0}
         """);
-    daemon = DaemonProcess.launch(config, "--pair");
+    daemon = DaemonThread.start(config, true);
     PairingCode code = PairingCode.parse(daemon.pairingCode()).orElseThrow();
     robot =
         assertInstanceOf(Paired.class, links("server").pair("r1", "127.0.0.1", daemon.port(), code))
@@ -66,7 +69,7 @@ class PairedDaemonTest {
   }
 
   @AfterEach
-  void close() {
+  void close() throws Exception {
     daemon.close();
   }
 
@@ -93,8 +96,8 @@ class PairedDaemonTest {
   }
 
   private void restart() throws Exception {
-    daemon.kill();
-    daemon = DaemonProcess.launch(config);
+    daemon.close();
+    daemon = DaemonThread.start(config, false);
   }
 
   @Test
@@ -169,9 +172,9 @@ class PairedDaemonTest {
 
   @Test
   void robotWithAnotherKeyIsRefusedByTheServer() throws Exception {
-    daemon.kill();
+    daemon.close();
     Files.delete(folder.resolve("robot").resolve("link.p12"));
-    daemon = DaemonProcess.launch(config);
+    daemon = DaemonThread.start(config, false);
     LinkRecorder heard = new LinkRecorder();
     try (RobotLink _ = link("server", heard)) {
       assertEquals(

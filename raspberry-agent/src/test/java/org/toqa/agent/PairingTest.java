@@ -1,6 +1,7 @@
 package org.toqa.agent;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -42,6 +43,7 @@ import org.toqa.link.trust.LinkSocket;
 import org.toqa.link.trust.LinkTls;
 import org.toqa.link.trust.PairingCode;
 import org.toqa.link.trust.PairingProof;
+import org.toqa.link.trust.TimeLimit;
 import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
@@ -53,6 +55,9 @@ import org.toqa.wording.Sentence;
 class PairingTest {
 
   private static final Duration LIMIT = Duration.ofSeconds(5);
+
+  /** Ends a test whose daemon neither speaks nor closes: reading cannot be interrupted. */
+  private static final Duration PATIENCE = Duration.ofSeconds(30);
 
   @TempDir Path folder;
   private LinkTls server;
@@ -311,7 +316,7 @@ class PairingTest {
   private void daemonGreets(LinkSocket link) throws IOException {
     LineReader lines = new LineReader(link.in());
     Thread ticks = Thread.startVirtualThread(this::tickOften);
-    try {
+    try (TimeLimit _ = link.startTimeLimit(PATIENCE)) {
       assertTrue(lines.readLine() instanceof LineReader.Text, "no hello");
     } finally {
       ticks.interrupt();
@@ -321,13 +326,20 @@ class PairingTest {
 
   private void tickUntilClosed(LinkSocket link) throws IOException {
     Thread ticks = Thread.startVirtualThread(this::tickOften);
+    try (TimeLimit patience = link.startTimeLimit(PATIENCE)) {
+      readToItsEnd(link);
+      assertFalse(patience.hasPassed(), "it is still heard");
+    } finally {
+      ticks.interrupt();
+      join(ticks);
+    }
+  }
+
+  private static void readToItsEnd(LinkSocket link) {
     try {
       link.in().readAllBytes();
     } catch (IOException e) {
       // cut off without the farewell of TLS: the same end
-    } finally {
-      ticks.interrupt();
-      join(ticks);
     }
   }
 

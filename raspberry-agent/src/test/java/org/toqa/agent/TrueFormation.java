@@ -85,4 +85,15 @@ final class TrueFormation implements Participant {
     assertTrue(judge.samples() > 0);
     assertTrue(largestError < metres, () -> largestError + " m off its place");
   }
+
+  /**
+   * The leader really is where it shall be: a group whose robots are all wrong in the same way is
+   * in shape too.
+   *
+   * @param metres how near
+   */
+  void assertLeaderAt(Pose goal, double metres) {
+    Pose leader = Objects.requireNonNull(poses.get(FormationRig.name(0)));
+    assertTrue(goal.distanceTo(leader) < metres, () -> leader + " is not near " + goal);
+  }
 }

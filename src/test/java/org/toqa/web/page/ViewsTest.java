@@ -97,6 +97,18 @@ class ViewsTest {
     }
   }
 
+  /** What people and robots call something is text, whatever it looks like. */
+  @Test
+  void noScriptMakesMarkupOfText() throws IOException {
+    Pattern markup =
+        Pattern.compile(
+            "(?:inner|outer)HTML\\s*\\+?=[^=]|insertAdjacentHTML|createContextualFragment"
+                + "|setHTML|srcdoc|document\\.write");
+    for (Path script : files(WEBAPP, ".js")) {
+      assertFalse(markup.matcher(read(script)).find(), script + " makes markup of a text");
+    }
+  }
+
   /** Style sheets for pages that run both ways name no left and no right. */
   @Test
   void theStyleSheetsAreLogical() throws IOException {

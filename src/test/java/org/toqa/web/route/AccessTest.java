@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.net.http.HttpHeaders;
 import java.net.http.HttpRequest.BodyPublishers;
 import java.net.http.HttpResponse;
 import java.nio.file.Files;
@@ -36,6 +37,15 @@ class AccessTest extends WebServerTest {
   /** Whoever sends these proves himself by what is in them. */
   private static final Set<String> WITHOUT_TOKEN =
       Set.of("/api/v1/session", "/api/v1/forgotten-password", "/api/v1/reset-password");
+
+  /** Beside the policy of contents, in every answer. */
+  private static final Map<String, String> SECURITY_HEADERS =
+      Map.of(
+          "X-Content-Type-Options", "nosniff",
+          "X-Frame-Options", "DENY",
+          "Referrer-Policy", "same-origin",
+          "Cross-Origin-Opener-Policy", "same-origin",
+          "Cross-Origin-Resource-Policy", "same-origin");
 
   private static final JsonMapper JSON = new JsonMapper();
 
@@ -213,14 +223,18 @@ class AccessTest extends WebServerTest {
   @ParameterizedTest
   @ValueSource(strings = {"", "map", "assets/css/base.css", "api/v1/map", "nothing"})
   void everyAnswerHasTheSecurityHeaders(String path) {
-    HttpResponse<String> answer = clerk.get(path);
+    HttpHeaders headers = clerk.get(path).headers();
 
-    String policy = answer.headers().firstValue("Content-Security-Policy").orElseThrow();
+    String policy = headers.firstValue("Content-Security-Policy").orElseThrow();
     assertTrue(policy.contains("default-src 'self'"));
     assertTrue(policy.contains("frame-ancestors 'none'"));
     assertFalse(policy.contains("unsafe"));
-    assertEquals("nosniff", answer.headers().firstValue("X-Content-Type-Options").orElseThrow());
-    assertEquals("same-origin", answer.headers().firstValue("Referrer-Policy").orElseThrow());
+    SECURITY_HEADERS.forEach(
+        (name, value) -> assertEquals(List.of(value), headers.allValues(name), name));
+    assertEquals(
+        List.of(path.startsWith("assets/") ? "no-cache" : "no-store"),
+        headers.allValues("Cache-Control"),
+        "what only a user may see is kept nowhere");
   }
 
   @ParameterizedTest

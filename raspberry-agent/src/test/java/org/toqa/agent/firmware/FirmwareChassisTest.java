@@ -15,6 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.toqa.agent.chassis.ChassisReading;
 import org.toqa.agent.firmware.FirmwareCommand.Clear;
@@ -130,6 +131,38 @@ class FirmwareChassisTest {
       assertEquals(List.of(), reading.ranges());
       assertEquals(List.of(), reading.faults());
     }
+  }
+
+  /** Rims at sqrt(3)/2 of 0.25 m/s: 5.413 rad/s, of 2808 counts a turn 242 in 0.1 s. */
+  @ParameterizedTest
+  @CsvSource({
+    "242, 0, -242, 0.25, 0, 0",
+    "-242, 0, 242, -0.25, 0, 0",
+    "-56, 112, -56, 0, 0.1, 0", // rims at 1/2, 1 and 1/2 of 0.1 m/s
+    "112, 112, 112, 0, 0, 1", // all rims at 0.1 m/s, 0.1 m from the middle
+  })
+  void whatTheWheelsHaveTurnedIsHowItMoves(
+      int first, int second, int third, double vx, double vy, double w) {
+    int[] counts = {0, Integer.MAX_VALUE, Integer.MIN_VALUE}; // two counters wrap around
+    answer = withWheels(1_000, counts);
+    tick(FORWARD, 1);
+    answer = withWheels(1_100, counts[0] + first, counts[1] + second, counts[2] + third);
+    Twist twist = chassis.exchange(FORWARD, nanos += TICK).twist();
+
+    assertEquals(vx, twist.vx(), 0.002);
+    assertEquals(vy, twist.vy(), 0.002);
+    assertEquals(w, twist.w(), 0.01);
+  }
+
+  private byte[] withWheels(int stampMillis, int... counts) {
+    byte[] changed = answer.clone();
+    ByteBuffer frame = ByteBuffer.wrap(changed).order(ByteOrder.LITTLE_ENDIAN);
+    frame.putInt(10, stampMillis);
+    for (int wheel = 0; wheel < counts.length; wheel++) {
+      frame.putInt(14 + 4 * wheel, counts[wheel]);
+    }
+    frame.putShort(62, (short) Crc16.of(changed, 62));
+    return changed;
   }
 
   private byte[] withRange(int sensor, int millimetres) {

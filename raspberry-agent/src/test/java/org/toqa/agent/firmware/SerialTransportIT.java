@@ -30,6 +30,7 @@ class SerialTransportIT {
 
   private static final int BAUD = 115_200;
   private static final long TICK = 20_000_000;
+  private static final int MOST_EXCHANGES = 500;
   private static final Twist AHEAD = new Twist(0.25, 0, 0);
 
   @TempDir Path folder;
@@ -78,15 +79,15 @@ class SerialTransportIT {
     }
   }
 
+  /** A machine that is busy with other things holds most exchanges up, but not all. */
   @Test
   void silenceCostsLessThanATick() throws Exception {
     try (SerialCable _ = SerialCable.plugIn(device, frame -> new byte[0]);
         FrameTransport transport = new SerialTransport(device, BAUD)) {
-      transport.exchange(command, nanos); // the classes are loaded
-      long fastest = Long.MAX_VALUE; // of a machine that is busy with other things
-      for (int i = 0; i < 10; i++) {
+      long fastest = Long.MAX_VALUE;
+      for (int i = 0; i < MOST_EXCHANGES && fastest >= TICK; i++) {
         long begin = System.nanoTime();
-        transport.exchange(command, nanos);
+        assertEquals(0, transport.exchange(command, nanos).length);
         fastest = Math.min(fastest, System.nanoTime() - begin);
       }
 
