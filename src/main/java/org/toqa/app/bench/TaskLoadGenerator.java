@@ -17,6 +17,7 @@ import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskView;
 import org.toqa.fleet.TaskOrder.Where;
 import org.toqa.grid.Place;
+import org.toqa.mission.TaskState;
 
 /** Random tasks all over a fleet's first floor, always more than it has robots. */
 final class TaskLoadGenerator {
@@ -83,7 +84,7 @@ final class TaskLoadGenerator {
 
   /** Orders what is missing. Where there is no path, the fleet rejects it; there will be others. */
   private void submitMissing(FleetSnapshot snapshot) throws Exception {
-    long missing = openTasks - snapshot.tasks().stream().filter(t -> !t.state().isEnded()).count();
+    long missing = openTasks - openTasks(snapshot);
     while (missing > 0) {
       long together = Math.min(missing, MOST_AT_ONCE);
       List<CompletableFuture<Answer<TaskView>>> answers =
@@ -93,6 +94,14 @@ final class TaskLoadGenerator {
       }
       missing -= together;
     }
+  }
+
+  /** Of those that wait in the queue a snapshot has the first ones only, and how many there are. */
+  static long openTasks(FleetSnapshot snapshot) {
+    return snapshot.queuedCount()
+        + snapshot.tasks().stream()
+            .filter(task -> !task.state().isEnded() && task.state() != TaskState.QUEUED)
+            .count();
   }
 
   private CompletableFuture<Answer<TaskView>> submitOne() {
