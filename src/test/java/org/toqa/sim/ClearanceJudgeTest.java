@@ -185,7 +185,8 @@ class ClearanceJudgeTest {
     for (Body one : bodies) {
       for (Body other : bodies) {
         double between = one.core().getFirst().distanceTo(other.core().getFirst());
-        nearest = one == other ? nearest : Math.min(nearest, between - one.radius() - other.radius());
+        nearest =
+            one == other ? nearest : Math.min(nearest, between - one.radius() - other.radius());
       }
     }
     return nearest;

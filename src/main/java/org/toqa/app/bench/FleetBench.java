@@ -105,12 +105,10 @@ final class FleetBench implements Callable<Integer> {
     load.run(time.warmUp(), stop, snapshot -> {});
     ClearanceJudge truth = new ClearanceJudge(toqa.fleet().floors().getFirst().grid());
     FleetMeter meter = new FleetMeter(toqa.fleetClock(), truth);
-    GoalRecorder goals =
-        new GoalRecorder(new RoadGraph(toqa.fleet().floors().getFirst().grid()));
+    GoalRecorder goals = new GoalRecorder(new RoadGraph(toqa.fleet().floors().getFirst().grid()));
     Consumer<FleetSnapshot> watcher = meter::observe;
     try (BodyObservation _ = toqa.observeBodies(truth::judge)) {
-      load.run(
-          time.seconds(), stop, tasks == null ? watcher : watcher.andThen(goals::observe));
+      load.run(time.seconds(), stop, tasks == null ? watcher : watcher.andThen(goals::observe));
     }
     Report report = meter.report();
     if (tasks != null) {

@@ -82,8 +82,7 @@ final class FleetMeter {
     snapshot.tasks().stream()
         .filter(task -> task.state() == TaskState.DONE && !doneBefore.contains(task.id()))
         .forEach(task -> ended.add(task.id()));
-    List<Body> bodies =
-        snapshot.robots().stream().flatMap(FleetMeter::reportedBody).toList();
+    List<Body> bodies = snapshot.robots().stream().flatMap(FleetMeter::reportedBody).toList();
     for (Body body : bodies) {
       Vec2 place = body.core().getFirst();
       Vec2 before = positions.put(body.name(), place);
@@ -95,9 +94,7 @@ final class FleetMeter {
   private static Stream<Body> reportedBody(RobotView robot) {
     return Stream.ofNullable(robot.telemetry().pose())
         .map(
-            pose ->
-                Body.disc(
-                    robot.name(), pose.position(), robot.capabilities().footprint() / 2));
+            pose -> Body.disc(robot.name(), pose.position(), robot.capabilities().footprint() / 2));
   }
 
   Report report() {

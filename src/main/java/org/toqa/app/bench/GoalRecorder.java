@@ -17,7 +17,6 @@ import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
 import org.toqa.grid.Cell;
 import org.toqa.mission.TaskPlace;
-import org.toqa.mission.TaskState;
 import org.toqa.planning.Heading;
 import org.toqa.traffic.GridPose;
 import org.toqa.traffic.RoadGraph;
@@ -89,7 +88,8 @@ final class GoalRecorder {
     }
     List<Cell> goals =
         switch (task.state()) {
-          case QUEUED, ASSIGNED, TO_OBJECT -> List.of(cell(task.object()), cell(task.task().goal()));
+          case QUEUED, ASSIGNED, TO_OBJECT ->
+              List.of(cell(task.object()), cell(task.task().goal()));
           case CARRYING -> List.of(cell(task.task().goal()));
           case RETURNING, DONE, FAILED, CANCELLED -> List.of();
         };

@@ -14,8 +14,8 @@ import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.TaskOrder;
-import org.toqa.fleet.TaskView;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TaskView;
 import org.toqa.grid.Place;
 import org.toqa.mission.TaskState;
 

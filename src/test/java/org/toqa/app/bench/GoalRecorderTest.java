@@ -32,12 +32,10 @@ class GoalRecorderTest {
   void robotsBeginWhereTheyWereSeenFirstAndGoWhereTheirTasksSendThem() {
     observe(
         List.of(robot("r1", 0.4, 2.6, Math.PI / 2 + 0.2, 1L), robot("r2", 3, 0.5, -0.3, 2L)),
-        List.of(
-            task(1, TaskState.TO_OBJECT, "r1", 2, 4), task(2, TaskState.CARRYING, "r2", 1, 5)));
+        List.of(task(1, TaskState.TO_OBJECT, "r1", 2, 4), task(2, TaskState.CARRYING, "r2", 1, 5)));
     observe(
         List.of(robot("r1", 2.5, 2.5, 0, 1L), robot("r2", 5.5, 2.5, 0, 2L)),
-        List.of(
-            task(1, TaskState.CARRYING, "r1", 2, 4), task(2, TaskState.RETURNING, "r2", 1, 5)));
+        List.of(task(1, TaskState.CARRYING, "r1", 2, 4), task(2, TaskState.RETURNING, "r2", 1, 5)));
     observe(
         List.of(robot("r1", 4.5, 2.5, 0, null), robot("r2", 5.5, 2.5, 0, 3L)),
         List.of(task(1, TaskState.DONE, "r1", 2, 4), task(3, TaskState.ASSIGNED, "r2", 0, 3)));
@@ -52,8 +50,7 @@ class GoalRecorderTest {
         List.of(task(1, TaskState.TO_OBJECT, "r1", 2, 4)));
     observe(
         List.of(robot("r1", 0.5, 2.5, 0, 2L), robot("r2", 0.5, 0.5, 0, 1L)),
-        List.of(
-            task(1, TaskState.TO_OBJECT, "r2", 2, 4), task(2, TaskState.ASSIGNED, "r1", 1, 3)));
+        List.of(task(1, TaskState.TO_OBJECT, "r2", 2, 4), task(2, TaskState.ASSIGNED, "r1", 1, 3)));
 
     assertEquals(List.of("0,0,E 1,0 3,0", "0,2,E 2,0 4,0"), lines());
   }

@@ -84,8 +84,7 @@ class PlacesInUseTest {
             null,
             "boss",
             NOON);
-    return new TaskView(
-        task, state, false, List.of("r1"), null, null, false, null, null, NOON);
+    return new TaskView(task, state, false, List.of("r1"), null, null, false, null, null, NOON);
   }
 
   private static RobotView robot(String name, long task, double x, double y) {
