@@ -186,7 +186,9 @@ class ClearanceJudgeTest {
       for (Body other : bodies) {
         double between = one.core().getFirst().distanceTo(other.core().getFirst());
         nearest =
-            one == other ? nearest : Math.min(nearest, between - one.radius() - other.radius());
+            one.equals(other)
+                ? nearest
+                : Math.min(nearest, between - one.radius() - other.radius());
       }
     }
     return nearest;
@@ -201,7 +203,7 @@ class ClearanceJudgeTest {
     for (int moment = 0; moment < moments; moment++) {
       double drift = 0.001 * moment;
       open.judge(
-          Duration.ofMillis(20 * moment),
+          Duration.ofMillis(20L * moment),
           IntStream.range(0, robots).mapToObj(i -> robot("r" + i, i + drift, i % 7)).toList());
     }
 
