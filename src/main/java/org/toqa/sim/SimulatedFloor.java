@@ -34,34 +34,9 @@ public final class SimulatedFloor {
   private final @Nullable OccupancyGrid walls;
 
   private final List<Vec2> chargers;
-  private final Map<String, Disc> obstacles = new ConcurrentHashMap<>();
-  private final Map<String, Disc> robots = new ConcurrentHashMap<>();
-
-  /**
-   * @param at map frame
-   * @param radius metres
-   */
-  private record Disc(Pose at, double radius) {
-
-    /** Metres along a ray until it meets the disc; beyond {@code farthest} anything above that. */
-    double distance(Pose ray, double farthest) {
-      double x = at.x() - ray.x();
-      double y = at.y() - ray.y();
-      double reach = farthest + radius;
-      if (Math.abs(x) > reach || Math.abs(y) > reach) {
-        return Double.POSITIVE_INFINITY;
-      }
-      double cos = Math.cos(ray.theta());
-      double sin = Math.sin(ray.theta());
-      double along = x * cos + y * sin;
-      double aside = y * cos - x * sin;
-      double half = radius * radius - aside * aside;
-      if (half <= 0 || along + Math.sqrt(half) < 0) {
-        return Double.POSITIVE_INFINITY;
-      }
-      return Math.max(0, along - Math.sqrt(half));
-    }
-  }
+  private final Map<String, Solid> obstacles = new ConcurrentHashMap<>();
+  private final Map<String, Solid> robots = new ConcurrentHashMap<>();
+  private final SolidIndex solids = new SolidIndex();
 
   private SimulatedFloor(@Nullable OccupancyGrid walls, List<Vec2> chargers) {
     this.walls = walls;
@@ -89,18 +64,26 @@ public final class SimulatedFloor {
    * @param middle metres, map frame
    * @param radius metres
    */
-  public void putObstacle(String obstacle, Vec2 middle, double radius) {
-    obstacles.put(obstacle, new Disc(new Pose(middle.x(), middle.y(), 0), radius));
+  public synchronized void putObstacle(String obstacle, Vec2 middle, double radius) {
+    Solid there = new Solid(new Pose(middle.x(), middle.y(), 0), radius);
+    solids.add(there);
+    removeSolid(obstacles.put(obstacle, there));
   }
 
   /** Takes an obstacle away. */
-  public void removeObstacle(String obstacle) {
-    obstacles.remove(obstacle);
+  public synchronized void removeObstacle(String obstacle) {
+    removeSolid(obstacles.remove(obstacle));
+  }
+
+  private void removeSolid(@Nullable Solid gone) {
+    if (gone != null) {
+      solids.remove(gone);
+    }
   }
 
   /** Where the robot really is, map frame; empty where its body is not simulated as a whole. */
   Optional<Pose> truePose(String robot) {
-    return Optional.ofNullable(robots.get(robot)).map(Disc::at);
+    return Optional.ofNullable(robots.get(robot)).map(Solid::at);
   }
 
   /** The robots whose bodies are simulated as a whole, where they really are. */
@@ -117,23 +100,22 @@ public final class SimulatedFloor {
    */
   Surroundings surroundings(String robot, double radius) {
     return new Surroundings() {
+      private @Nullable Solid body;
+
       @Override
       public void setTruePose(Pose truth) {
-        robots.put(robot, new Disc(truth, radius));
+        if (body == null) {
+          body = new Solid(truth, radius);
+          solids.add(body);
+          removeSolid(robots.put(robot, body));
+        } else {
+          solids.move(body, truth);
+        }
       }
 
       @Override
       public double distance(Pose ray, double farthest) {
-        double nearest = distanceToWall(ray, farthest);
-        for (Disc obstacle : obstacles.values()) {
-          nearest = Math.min(nearest, obstacle.distance(ray, nearest));
-        }
-        for (Map.Entry<String, Disc> other : robots.entrySet()) {
-          if (!other.getKey().equals(robot)) {
-            nearest = Math.min(nearest, other.getValue().distance(ray, nearest));
-          }
-        }
-        return nearest;
+        return solids.distance(ray, distanceToWall(ray, farthest), body);
       }
 
       @Override

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Random;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -155,6 +157,57 @@ class ClearanceJudgeTest {
 
     assertEquals(0, toWall(), 1e-12); // its edge is at 1.1 m, the wall begins at 1 m
     assertEquals("load", judge.toWall().orElseThrow().first());
+  }
+
+  /** Sizes differ, so that the nearest middles are not the nearest edges. */
+  @Test
+  void nearestOfManyIsFoundWhereverTheyAre() {
+    Random random = new Random(1);
+    for (int moment = 0; moment < 200; moment++) {
+      ClearanceJudge open = new ClearanceJudge(null);
+      List<Body> bodies =
+          IntStream.range(0, 30)
+              .mapToObj(i -> disc(i, random.nextDouble(40), random.nextDouble(40), random))
+              .toList();
+
+      open.judge(Duration.ZERO, bodies);
+
+      assertEquals(nearest(bodies), open.betweenBodies().orElseThrow().metres(), 1e-12);
+    }
+  }
+
+  private static Body disc(int name, double x, double y, Random random) {
+    return Body.disc("r" + name, new Vec2(x, y), 0.1 + random.nextDouble());
+  }
+
+  private static double nearest(List<Body> bodies) {
+    double nearest = Double.POSITIVE_INFINITY;
+    for (Body one : bodies) {
+      for (Body other : bodies) {
+        double between = one.core().getFirst().distanceTo(other.core().getFirst());
+        nearest =
+            one.equals(other)
+                ? nearest
+                : Math.min(nearest, between - one.radius() - other.radius());
+      }
+    }
+    return nearest;
+  }
+
+  /** A row of robots, each of which can be nearest to its neighbours only. */
+  @Test
+  void ofManyBodiesOnlyThoseThatCanBeNearestAreMeasured() {
+    ClearanceJudge open = new ClearanceJudge(null);
+    int robots = 500;
+    int moments = 50;
+    for (int moment = 0; moment < moments; moment++) {
+      double drift = 0.001 * moment;
+      open.judge(
+          Duration.ofMillis(20L * moment),
+          IntStream.range(0, robots).mapToObj(i -> robot("r" + i, i + drift, i % 7)).toList());
+    }
+
+    assertTrue(open.measured() <= 2L * robots * moments, () -> "measured " + open.measured());
   }
 
   private void judge(Body... bodies) {

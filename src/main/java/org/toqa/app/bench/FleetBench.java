@@ -1,11 +1,14 @@
 package org.toqa.app.bench;
 
 import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.FleetMeter.Report;
@@ -19,8 +22,10 @@ import org.toqa.app.config.Setting;
 import org.toqa.app.server.FleetServer;
 import org.toqa.app.server.FleetServer.BodyObservation;
 import org.toqa.app.server.ServerOperation;
+import org.toqa.fleet.FleetSnapshot;
 import org.toqa.sim.ClearanceJudge;
 import org.toqa.sim.ClearanceJudge.Clearance;
+import org.toqa.traffic.RoadGraph;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ExitCode;
 import picocli.CommandLine.Mixin;
@@ -74,12 +79,23 @@ final class FleetBench implements Callable<Integer> {
 
   @Mixin private OptionalMapOption map = new OptionalMapOption();
 
+  @Option(
+      names = "--write-tasks",
+      paramLabel = "FILE",
+      description =
+          "Write to FILE where robots are when measuring begins and where they are sent"
+              + " meanwhile, for bench floor --tasks.")
+  private @Nullable Path tasks;
+
   @Override
   public Integer call() throws Exception {
     Arguments arguments = new Arguments(spec);
     arguments.requireBetween("--robots", robots, 2, 500);
     arguments.requireDecimalBetween("--least-pace", leastPace, 0, 100);
     time.check(arguments);
+    if (tasks != null) {
+      arguments.requireWritable(tasks);
+    }
     ServerOperation measurement = this::measure;
     return measurement.runIsolated(settings());
   }
@@ -89,10 +105,15 @@ final class FleetBench implements Callable<Integer> {
     load.run(time.warmUp(), stop, snapshot -> {});
     ClearanceJudge truth = new ClearanceJudge(toqa.fleet().floors().getFirst().grid());
     FleetMeter meter = new FleetMeter(toqa.fleetClock(), truth);
+    GoalRecorder goals = new GoalRecorder(new RoadGraph(toqa.fleet().floors().getFirst().grid()));
+    Consumer<FleetSnapshot> watcher = meter::observe;
     try (BodyObservation _ = toqa.observeBodies(truth::judge)) {
-      load.run(time.seconds(), stop, meter::observe);
+      load.run(time.seconds(), stop, tasks == null ? watcher : watcher.andThen(goals::observe));
     }
     Report report = meter.report();
+    if (tasks != null) {
+      Files.write(tasks, goals.goals().stream().map(RobotGoals::line).toList());
+    }
     new BenchOutput(spec).printReport(report);
     List<String> failures = failures(report, truth, leastPace);
     failures.forEach(new CommandOutput(spec)::printError);

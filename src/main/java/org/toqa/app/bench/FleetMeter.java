@@ -1,5 +1,6 @@
 package org.toqa.app.bench;
 
+import java.time.Duration;
 import java.time.InstantSource;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -12,6 +13,7 @@ import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.RobotView;
 import org.toqa.geometry.Vec2;
 import org.toqa.mission.TaskState;
+import org.toqa.sim.Body;
 import org.toqa.sim.ClearanceJudge;
 import org.toqa.sim.ClearanceJudge.Clearance;
 
@@ -19,6 +21,10 @@ import org.toqa.sim.ClearanceJudge.Clearance;
 final class FleetMeter {
   private final ProcessMeter meter;
   private final ClearanceJudge truth;
+
+  /** Of robots where they report themselves. */
+  private final ClearanceJudge reported = new ClearanceJudge(null);
+
   private final double heapBefore = HeapMemory.usedMegabytes();
 
   /** Those that had ended before. */
@@ -28,21 +34,6 @@ final class FleetMeter {
   private final Map<String, Vec2> positions = new HashMap<>();
   private boolean isFirst = true;
   private double metres;
-  private double smallestGap = Double.POSITIVE_INFINITY;
-
-  /** The ground that a robot says it covers; metres, map frame. */
-  private record Disc(String robot, Vec2 centre, double radius) {
-    static Stream<Disc> of(RobotView robot) {
-      double radius = robot.capabilities().footprint() / 2;
-      return Stream.ofNullable(robot.telemetry().pose())
-          .map(pose -> new Disc(robot.name(), pose.position(), radius));
-    }
-
-    /** Metres between the edges; negative where they overlap. */
-    double gap(Disc other) {
-      return centre.distanceTo(other.centre) - radius - other.radius;
-    }
-  }
 
   /**
    * @param robots how many were seen
@@ -91,15 +82,19 @@ final class FleetMeter {
     snapshot.tasks().stream()
         .filter(task -> task.state() == TaskState.DONE && !doneBefore.contains(task.id()))
         .forEach(task -> ended.add(task.id()));
-    List<Disc> discs = snapshot.robots().stream().flatMap(Disc::of).toList();
-    for (int i = 0; i < discs.size(); i++) {
-      Disc disc = discs.get(i);
-      Vec2 before = positions.put(disc.robot(), disc.centre());
-      metres += before == null ? 0 : before.distanceTo(disc.centre());
-      for (int j = 0; j < i; j++) {
-        smallestGap = Math.min(smallestGap, disc.gap(discs.get(j)));
-      }
+    List<Body> bodies = snapshot.robots().stream().flatMap(FleetMeter::reportedBody).toList();
+    for (Body body : bodies) {
+      Vec2 place = body.core().getFirst();
+      Vec2 before = positions.put(body.name(), place);
+      metres += before == null ? 0 : before.distanceTo(place);
     }
+    reported.judge(Duration.ZERO, bodies);
+  }
+
+  private static Stream<Body> reportedBody(RobotView robot) {
+    return Stream.ofNullable(robot.telemetry().pose())
+        .map(
+            pose -> Body.disc(robot.name(), pose.position(), robot.capabilities().footprint() / 2));
   }
 
   Report report() {
@@ -111,7 +106,7 @@ final class FleetMeter {
         reading.cores(),
         metres,
         done.size(),
-        smallestGap,
+        reported.betweenBodies().map(Clearance::metres).orElse(Double.POSITIVE_INFINITY),
         truth.betweenBodies().map(Clearance::metres).orElse(null),
         truth.toWall().map(Clearance::metres).orElse(null),
         truth.samples(),

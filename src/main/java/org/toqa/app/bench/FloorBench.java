@@ -1,9 +1,11 @@
 package org.toqa.app.bench;
 
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import org.toqa.app.bench.FloorRun.Report;
 import org.toqa.app.bench.FloorRun.World;
 import org.toqa.app.command.Arguments;
@@ -57,10 +59,19 @@ final class FloorBench implements Callable<Integer> {
 
   @Option(
       names = "--robots",
-      required = true,
       paramLabel = "N",
-      description = "Number of robots, each on a cell of its own.")
-  private int robots;
+      description =
+          "Number of robots, each on a cell of its own; with --tasks, the first N of the file"
+              + " (default: all).")
+  private @Nullable Integer robots;
+
+  @Option(
+      names = "--tasks",
+      paramLabel = "FILE",
+      description =
+          "Read starts and goals from FILE instead of choosing them at random: one line per"
+              + " robot, column,row each. A robot that has reached all stays.")
+  private @Nullable Path tasks;
 
   @Option(
       names = "--seconds",
@@ -128,14 +139,13 @@ final class FloorBench implements Callable<Integer> {
     arguments.requireBetween("--warm-up", warmUp, 0, MAX_WARM_UP);
     FloorMap floor = arguments.readFloor(map.file());
     RoadGraph roads = new RoadGraph(floor.grid());
-    arguments.requireBetween("--robots", robots, 1, Math.min(MAX_ROBOTS, Workload.most(roads)));
     if (warmUp > 0) {
-      try (FloorRun run = new FloorRun(world(floor, roads))) {
+      try (FloorRun run = new FloorRun(world(floor, roads, arguments))) {
         Deadline end = Deadline.in(Duration.ofSeconds(warmUp), System::nanoTime);
         run.run(Duration.ofSeconds(seconds), end);
       }
     }
-    try (FloorRun run = new FloorRun(world(floor, roads))) {
+    try (FloorRun run = new FloorRun(world(floor, roads, arguments))) {
       run.run(Duration.ofSeconds(seconds), Deadline.none());
       Report report = run.report();
       new BenchOutput(spec).printReport(report);
@@ -145,15 +155,25 @@ final class FloorBench implements Callable<Integer> {
     }
   }
 
-  private World world(FloorMap floor, RoadGraph roads) {
+  private World world(FloorMap floor, RoadGraph roads, Arguments arguments) {
     return new World(
         floor,
-        Workload.random(roads, robots, seed.value()),
+        tasks == null
+            ? randomWorkload(roads, arguments)
+            : Workload.listed(tasks, robots, roads, arguments),
         poseError,
         Duration.ofMillis(storeMs),
         Duration.ofMillis(linkMs),
         Duration.ofNanos(lookNanos),
         seed.value());
+  }
+
+  private Workload randomWorkload(RoadGraph roads, Arguments arguments) {
+    if (robots == null) {
+      throw arguments.invalid("--robots is missing");
+    }
+    arguments.requireBetween("--robots", robots, 1, Math.min(MAX_ROBOTS, Workload.most(roads)));
+    return Workload.random(roads, robots, seed.value());
   }
 
   /** What is not as it must be, in sentences. */

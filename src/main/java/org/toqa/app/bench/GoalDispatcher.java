@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.TaskView;
@@ -16,7 +17,8 @@ import org.toqa.mission.TransportTask;
 
 /**
  * Keeps robots busy: a task brings its robot to two goals, the load's place and its destination,
- * and when it has reached both, the next task begins.
+ * and when it has reached both, the next task begins. A robot that has reached all its goals stays
+ * where its last task leaves it.
  */
 final class GoalDispatcher {
   private final GoalSource source;
@@ -69,23 +71,25 @@ final class GoalDispatcher {
 
   /** Each robot gets its first two goals: the first ones are drawn for all, then the second. */
   void begin() {
-    List<Cell> first = new ArrayList<>();
+    List<Optional<Cell>> first = new ArrayList<>();
     for (int robot = 0; robot < places.length; robot++) {
-      first.add(nextGoal(robot, places[robot]));
+      first.add(source.next(robot, places[robot]));
     }
     for (int robot = 0; robot < places.length; robot++) {
-      beginTask(robot, first.get(robot), nextGoal(robot, first.get(robot)));
+      int index = robot;
+      first.get(robot).ifPresent(start -> beginTask(index, start));
     }
   }
 
-  private Cell nextGoal(int robot, Cell at) {
-    return source.next(robot, at).orElseThrow();
-  }
-
-  private void beginTask(int robot, Cell start, Cell goal) {
+  /**
+   * @param start its first goal; also its second, which then does not count, where there is none
+   */
+  private void beginTask(int robot, Cell start) {
+    Optional<Cell> second = source.next(robot, start);
+    Cell goal = second.orElse(start);
     long id = ++lastTask;
     robots.put(id, robot);
-    reachedOfTask[robot] = 0;
+    reachedOfTask[robot] = second.isPresent() ? 0 : 1;
     places[robot] = goal;
     listener.goalChanged(robot);
     listener.taskMade(
@@ -133,8 +137,7 @@ final class GoalDispatcher {
     }
     if (reached == 2) {
       robots.remove(task.id());
-      Cell start = nextGoal(robot, places[robot]);
-      beginTask(robot, start, nextGoal(robot, start));
+      source.next(robot, places[robot]).ifPresent(start -> beginTask(robot, start));
     }
   }
 

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.toqa.app.command.Arguments;
 import org.toqa.grid.Cell;
@@ -62,6 +63,18 @@ record RobotGoals(GridPose start, List<Cell> goals) {
       throw arguments.invalid(file + " names no robot");
     }
     return lists;
+  }
+
+  /** As in a file. */
+  String line() {
+    return Stream.concat(
+            Stream.of(text(start.cell()) + "," + start.heading().name().charAt(0)),
+            goals.stream().map(RobotGoals::text))
+        .collect(Collectors.joining(" "));
+  }
+
+  private static String text(Cell cell) {
+    return cell.column() + "," + cell.row();
   }
 
   private static Optional<RobotGoals> parse(String text, RoadGraph roads) {

@@ -3,21 +3,29 @@ package org.toqa.app.bench;
 import java.time.Duration;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.stream.LongStream;
 import org.toqa.app.command.StopSignal;
 import org.toqa.app.server.FreeCells;
+import org.toqa.fleet.Answer;
 import org.toqa.fleet.Fleet;
 import org.toqa.fleet.FleetSnapshot;
 import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.TaskOrder.Where;
+import org.toqa.fleet.TaskView;
 import org.toqa.grid.Place;
+import org.toqa.mission.TaskState;
 
 /** Random tasks all over a fleet's first floor, always more than it has robots. */
 final class TaskLoadGenerator {
   private static final double TASKS_PER_ROBOT = 1.5;
   private static final double LOAD_KG = 2;
+
+  /** Orders that wait for their answers at once. */
+  private static final int MOST_AT_ONCE = 50;
 
   private static final Duration POLL_PERIOD = Duration.ofMillis(250);
 
@@ -76,12 +84,30 @@ final class TaskLoadGenerator {
 
   /** Orders what is missing. Where there is no path, the fleet rejects it; there will be others. */
   private void submitMissing(FleetSnapshot snapshot) throws Exception {
-    long missing = openTasks - snapshot.tasks().stream().filter(t -> !t.state().isEnded()).count();
-    for (long i = 0; i < missing; i++) {
-      TaskOrder order =
-          new TaskOrder("Load", LOAD_KG, randomPlace(), randomPlace(), null, 0, null, null);
-      fleet.submit(order, "bench").toCompletableFuture().get(30, TimeUnit.SECONDS);
+    long missing = openTasks - openTasks(snapshot);
+    while (missing > 0) {
+      long together = Math.min(missing, MOST_AT_ONCE);
+      List<CompletableFuture<Answer<TaskView>>> answers =
+          LongStream.range(0, together).mapToObj(_ -> submitOne()).toList();
+      for (CompletableFuture<Answer<TaskView>> answer : answers) {
+        answer.get(30, TimeUnit.SECONDS);
+      }
+      missing -= together;
     }
+  }
+
+  /** Of those that wait in the queue a snapshot has the first ones only, and how many there are. */
+  static long openTasks(FleetSnapshot snapshot) {
+    return snapshot.queuedCount()
+        + snapshot.tasks().stream()
+            .filter(task -> !task.state().isEnded() && task.state() != TaskState.QUEUED)
+            .count();
+  }
+
+  private CompletableFuture<Answer<TaskView>> submitOne() {
+    TaskOrder order =
+        new TaskOrder("Load", LOAD_KG, randomPlace(), randomPlace(), null, 0, null, null);
+    return fleet.submit(order, "bench").toCompletableFuture();
   }
 
   private Where randomPlace() {

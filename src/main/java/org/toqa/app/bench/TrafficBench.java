@@ -148,7 +148,9 @@ final class TrafficBench implements Callable<Integer> {
     MotionModel motion = motionModel(arguments);
     RoadGraph roads = new RoadGraph(grid);
     Workload work =
-        tasks == null ? randomWorkload(roads, arguments) : listedWorkload(tasks, roads, arguments);
+        tasks == null
+            ? randomWorkload(roads, arguments)
+            : Workload.listed(tasks, robots, roads, arguments);
     Duration limit = limit(work.starts().size());
     return new TrafficRun(
         roads,
@@ -215,13 +217,5 @@ final class TrafficBench implements Callable<Integer> {
     }
     arguments.requireBetween("--robots", robots, 1, Math.min(MAX_ROBOTS, Workload.most(roads)));
     return Workload.random(roads, robots, seed.value());
-  }
-
-  private Workload listedWorkload(Path file, RoadGraph roads, Arguments arguments) {
-    List<RobotGoals> all = RobotGoals.read(file, roads, arguments);
-    int count = robots == null ? all.size() : robots;
-    arguments.requireBetween("--robots", count, 1, all.size());
-    List<RobotGoals> lists = all.subList(0, count);
-    return new Workload(lists.stream().map(RobotGoals::start).toList(), GoalSource.ofLists(lists));
   }
 }

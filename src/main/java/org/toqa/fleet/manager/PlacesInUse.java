@@ -1,9 +1,10 @@
 package org.toqa.fleet.manager;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
 import org.toqa.allocation.PlaceUse;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.TaskView;
@@ -21,9 +22,10 @@ final class PlacesInUse {
    */
   static List<PlaceUse> of(Stream<TaskView> missions, List<RobotView> robots) {
     List<PlaceUse> uses = new ArrayList<>();
+    Map<Long, List<Pose>> posesByTask = posesByTask(robots);
     missions.forEach(
         task -> {
-          List<Pose> stand = robotPoses(task, robots);
+          List<Pose> stand = posesByTask.getOrDefault(task.id(), List.of());
           add(uses, task, task.object(), isComingForLoad(task), stand);
           add(uses, task, task.task().goal(), isComing(task), stand);
         });
@@ -54,11 +56,16 @@ final class PlacesInUse {
         };
   }
 
-  /** Those who still work for it. */
-  private static List<Pose> robotPoses(TaskView task, List<RobotView> robots) {
-    return robots.stream()
-        .filter(r -> Long.valueOf(task.id()).equals(r.work().task()))
-        .flatMap(r -> Stream.<@Nullable Pose>ofNullable(r.telemetry().pose()))
-        .toList();
+  /** Where those are who still work for a task. */
+  private static Map<Long, List<Pose>> posesByTask(List<RobotView> robots) {
+    Map<Long, List<Pose>> poses = new HashMap<>();
+    for (RobotView robot : robots) {
+      Long task = robot.work().task();
+      Pose pose = robot.telemetry().pose();
+      if (task != null && pose != null) {
+        poses.computeIfAbsent(task, _ -> new ArrayList<>()).add(pose);
+      }
+    }
+    return poses;
   }
 }

@@ -82,6 +82,19 @@ class FloorBenchTest {
     assertTrue(json.path("leavesOut").size() > 0, json::toString);
   }
 
+  /** One robot has two goals, one has three, and one has none. */
+  @Test
+  void robotsWithListsDriveToTheirGoalsAndStay() throws IOException {
+    Path tasks = folder.resolve("tasks.txt");
+    Files.writeString(tasks, "0,0,E 5,0 0,0\n0,3,E 3,3 2,3 4,3\n5,3,N\n");
+
+    ObjectNode json = report("--seconds 120 --pose-error 0 --tasks " + tasks);
+
+    assertEquals(5, json.path("goals").intValue(), json::toString);
+    // 5 m and 5 m back; 3 m, 1 m back and 2 m
+    assertEquals(16, json.path("metres").doubleValue(), 0.5, json::toString);
+  }
+
   @Test
   void theSameSeedDrivesTheSameWay() {
     ObjectNode one = report("--robots 5 --seconds 60 --seed 5");
@@ -132,6 +145,7 @@ class FloorBenchTest {
           small.map | --robots 2 --seconds 0                   | --seconds 0: it must be from 1
           small.map | --robots 2                               | --seconds
           small.map | --seconds 9                              | --robots
+          small.map | --seconds 9 --tasks none.txt             | none.txt
           small.map | --robots 2 --seconds 9 --pose-error -0.1 | --pose-error -0.1: it must be from 0 to 1
           small.map | --robots 2 --seconds 9 --pose-error nan  | --pose-error
           small.map | --robots 2 --seconds 9 --store-ms 1001   | --store-ms 1001: it must be from 0 to 1000
