@@ -91,9 +91,6 @@ class GroupCommitterPropertyTest {
       for (int i = 0; i < changes; i++) {
         String writer = "w" + random.nextInt(writers);
         writeOne(committer.writer(writer), writer, writer + " " + i);
-        if (random.nextInt(4) == 0) {
-          Thread.yield();
-        }
       }
       for (CountDownLatch settled : open) {
         assertTrue(settled.await(GUARD_SECONDS, TimeUnit.SECONDS), "not all are told");
