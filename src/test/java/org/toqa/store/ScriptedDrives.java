@@ -47,7 +47,7 @@ final class ScriptedDrives {
   }
 
   private static Random random(String robot, long seq, int number) {
-    return new Random(31 * (31 * robot.hashCode() + seq) + number);
+    return new Random(31 * (31L * robot.hashCode() + seq) + number);
   }
 
   private static List<Segment> segments(Random random, int count) {
