@@ -98,5 +98,13 @@ final class ForgetfulStore implements FleetStore {
   public void saveDrive(String robot, StoredDrive drive) {}
 
   @Override
+  public void saveExtension(String robot, DriveExtension extension) {}
+
+  @Override
+  public void saveTogether(Runnable changes) {
+    changes.run();
+  }
+
+  @Override
   public void addEvents(List<EventRecord> events) {}
 }

@@ -210,7 +210,14 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
-                RobotAgent.of(record, robotEvents, state.store, links, state.now, state.runtime),
+                RobotAgent.of(
+                    record,
+                    robotEvents,
+                    state.store,
+                    state.committer.writer(record.name()),
+                    links,
+                    state.now,
+                    state.runtime),
                 "robot-" + ++joined);
     FloorRobot robot =
         new FloorRobot(record, settings, agent, new StoreLimit(health, () -> state.now), state.now);
@@ -239,7 +246,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   }
 
   private Behavior<FloorMessage> stopped() {
-    state.writer.close();
+    state.committer.close();
     return this;
   }
 }

@@ -216,7 +216,8 @@ final class RobotEventHandler {
       String name = robot.name();
       double diameter = robot.reported.footprint();
       long drive = robot.drive.lastNumber();
-      state.writer.write(() -> state.store.savePlace(name, pose, diameter, drive), () -> {});
+      state.writer.writeNewest(
+          "place of " + name, () -> state.store.savePlace(name, pose, diameter, drive), () -> {});
     }
   }
 
@@ -292,7 +293,10 @@ final class RobotEventHandler {
           mission.get().id(), new MissionEvent.PhaseEnded(robot.name(), phase.get()));
     } // else its drive was changed meanwhile, or the task has ended
     // written in order: acknowledged only when what follows from the flag is safe
-    state.writer.write(() -> {}, () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));
+    state.writer.writeNewest(
+        "phase end of " + robot.name(),
+        () -> {},
+        () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));
   }
 
   private void driveBegun(FloorRobot robot, StoredDrive drive) {

@@ -21,6 +21,7 @@ import org.toqa.allocation.Candidate;
 import org.toqa.allocation.PlaceUse;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
+import org.toqa.fleet.GroupCommitter;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.StoreWriter;
@@ -45,6 +46,7 @@ final class FleetState {
   static final Sentence LOOKING_FOR_ROBOT = Phrase.LOOKING_FOR_ROBOT.with();
 
   final FleetStore store;
+  final GroupCommitter committer;
   final StoreWriter writer;
   final InstantSource clock;
   final FleetRuntime runtime;
@@ -79,7 +81,8 @@ final class FleetState {
       FleetRuntime runtime,
       Consumer<Sentence> onLeftOut) {
     this.store = store;
-    this.writer = new StoreWriter("manager", runtime, onLeftOut);
+    this.committer = new GroupCommitter("manager", store, runtime, onLeftOut);
+    this.writer = committer.writer();
     this.clock = clock;
     this.runtime = runtime;
     this.now = now;

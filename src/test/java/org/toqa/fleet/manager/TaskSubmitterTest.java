@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore.Submission;
+import org.toqa.fleet.GroupCommitter;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.TamperedStore;
 import org.toqa.mission.TransportTask;
@@ -31,7 +32,9 @@ class TaskSubmitterTest {
 
   private final Database database = MemoryDatabase.open("intake-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-  private final StoreWriter writer = new StoreWriter("test", FleetRuntime.USUAL, change -> {});
+  private final GroupCommitter committer =
+      new GroupCommitter("test", store, FleetRuntime.USUAL, change -> {});
+  private final StoreWriter writer = committer.writer();
   private final Queue<Integer> transactions = new ConcurrentLinkedQueue<>();
   private final Queue<TransportTask> accepted = new ConcurrentLinkedQueue<>();
   private final Queue<StoreException> refusals = new ConcurrentLinkedQueue<>();
@@ -41,7 +44,7 @@ class TaskSubmitterTest {
 
   @AfterEach
   void close() {
-    writer.close();
+    committer.close();
     database.close();
   }
 
@@ -80,7 +83,7 @@ class TaskSubmitterTest {
             writer,
             new PendingSubmissions(),
             System::nanoTime));
-    writer.close(); // what was to be withdrawn, is
+    committer.close(); // what was to be withdrawn, is
 
     assertEquals(List.of("0"), accepted.stream().map(TransportTask::name).toList());
     assertEquals(1, store.count());
@@ -99,7 +102,7 @@ class TaskSubmitterTest {
         List.of(submission), System.nanoTime() - 1, accepted::addAll, e -> refused.countDown());
 
     assertTrue(refused.await(20, TimeUnit.SECONDS));
-    writer.close();
+    committer.close();
     assertTrue(accepted.isEmpty());
     assertEquals(1, store.count());
   }
