@@ -18,19 +18,29 @@ import org.toqa.traffic.mapf.StateGraph;
  * operation, the rest of the last one if nothing else, so there is a valid plan at any time.
  *
  * <p>Afterwards robots picked by chance choose again, pushing whomever, where that makes all of
- * them together better off.
+ * them together better off; what a robot loses or gains counts the more, the longer it has been on
+ * its vertex. Where robots fill almost all vertices, these chains and rings are what moves them,
+ * and more time finds more of them.
  *
  * <p>Cost: listing a robot's operations, some hundred, is a tree walk that is cut where it meets a
- * second robot. A robot is asked {@value #MOST_VISITS} times at most for each that begins; all that
- * robots exchange asks {@value #EXCHANGE_EFFORT_PER_ROBOT} times as many as there are, or until the
- * deadline.
+ * second robot. A robot is asked {@value #MOST_VISITS} times at most for each that begins. Robots
+ * exchange until the deadline, or until {@value #EFFORT_IN_VAIN_PER_ROBOT} operations a robot were
+ * looked at in vain.
  *
  * <p>E. Yukhnevich and A. Andreychuk, "Enhancing PIBT via multi-action operations", 2025.
  */
 final class OperationSearch {
   private static final int MOST_VISITS = 10;
+
+  // Efforts are operations looked at, whole and in part.
+
+  /** What robots exchange at most. */
+  private static final long EXCHANGE_EFFORT_PER_ROBOT = 50_000;
+
+  /** After so much without success, hardly any is left to be found. */
+  private static final long EFFORT_IN_VAIN_PER_ROBOT = 5_000;
+
   private static final int LONGEST_CHAIN = 200;
-  private static final int EXCHANGE_EFFORT_PER_ROBOT = 40;
 
   // A choice as one number, best first: cost, slowness, blocking robot + 1, actions.
   private static final int ACTION_BITS = 3;
@@ -51,15 +61,16 @@ final class OperationSearch {
   private final boolean mayRotate;
   private final int depth;
 
-  private char[][] distances = new char[0][];
-  private int[] goals = new int[0];
-  private BitSet fixed = new BitSet();
-  private int[] ranks = new int[0];
+  private SearchTask task =
+      SearchTask.of(new int[0], new char[0][], new int[0], new BitSet(), new int[0]);
+
   private int[] visits = new int[0];
   private int[] visitedIn = new int[0];
   private int round;
   private boolean[] isInChain = new boolean[0];
-  private int effort;
+
+  /** Operations looked at so far, whole and in part: the time it takes, without a clock. */
+  private long effort;
 
   /** The robots that wait for each other's choice, and for each its choices and its last one. */
   private final int[] chain = new int[LONGEST_CHAIN];
@@ -68,7 +79,7 @@ final class OperationSearch {
   private final int[][] formers = new int[LONGEST_CHAIN][];
   private int listed;
 
-  /** The rank that began; only robots behind it can be pushed. Any, while robots exchange. */
+  /** The rank that began; only robots behind it can be pushed. */
   private int beginner;
 
   private boolean isExchange;
@@ -91,60 +102,55 @@ final class OperationSearch {
     }
   }
 
-  /**
-   * Gives the robots better operations; what they have is valid before and after.
-   *
-   * @param order the robots by falling priority
-   * @param distances costs to the goal by robot and state, as {@link Guidance} has them
-   * @param goals vertices, or {@code NONE}
-   * @param fixed the robots that keep the operation they have
-   */
-  void improve(int[] order, char[][] distances, int[] goals, BitSet fixed, Deadline deadline) {
-    this.fixed = fixed;
-    this.distances = distances;
-    this.goals = goals;
-    this.deadline = deadline;
-    if (ranks.length != order.length) {
-      ranks = new int[order.length];
-      visits = new int[order.length];
-      visitedIn = new int[order.length];
-      isInChain = new boolean[order.length];
-    }
-    for (int k = 0; k < order.length; k++) {
-      ranks[order[k]] = k;
+  /** Gives the robots better operations; what they have is valid before and after. */
+  void improve(SearchTask newTask, Deadline newDeadline) {
+    task = newTask;
+    deadline = newDeadline;
+    if (visits.length != task.robots()) {
+      visits = new int[task.robots()];
+      visitedIn = new int[task.robots()];
+      isInChain = new boolean[task.robots()];
     }
     effort = 0;
-    chooseInOrder(order);
-    exchange(order);
+    chooseInOrder();
+    if (task.fixed().cardinality() < task.robots()) {
+      exchange();
+    }
   }
 
-  private void chooseInOrder(int[] order) {
+  private void chooseInOrder() {
     isExchange = false;
     round++;
-    for (int k = 0; k < order.length && !deadline.isPassed(); k++) {
+    for (int k = 0; k < task.robots() && !deadline.isPassed(); k++) {
       beginner = k;
-      begin(order[k]);
+      begin(task.order()[k]);
     }
   }
 
-  private void exchange(int[] order) {
+  private void exchange() {
     isExchange = true;
-    beginner = order.length / 8;
-    int last = effort + EXCHANGE_EFFORT_PER_ROBOT * order.length;
-    while (fixed.cardinality() < order.length && effort < last && !deadline.isPassed()) {
+    beginner = NONE;
+    long last = effort + EXCHANGE_EFFORT_PER_ROBOT * task.robots();
+    long lastInVain = effort + EFFORT_IN_VAIN_PER_ROBOT * task.robots();
+    while (effort < Math.min(last, lastInVain) && !deadline.isPassed()) {
       round++;
-      begin(order[random.nextInt(order.length)]);
+      effort++;
+      if (begin(task.order()[random.nextInt(task.robots())])) {
+        lastInVain = effort + EFFORT_IN_VAIN_PER_ROBOT * task.robots();
+      }
     }
   }
 
-  private void begin(int robot) {
-    if (fixed.get(robot)) {
-      return;
+  private boolean begin(int robot) {
+    if (task.fixed().get(robot)) {
+      return false;
     }
     operations.take(robot);
-    if (!choose(robot, 0, 0)) {
+    boolean isChosen = choose(robot, 0, 0);
+    if (!isChosen) {
       operations.put(robot);
     }
+    return isChosen;
   }
 
   /**
@@ -154,7 +160,6 @@ final class OperationSearch {
    * @param worse by how much the robots before it in the chain are worse off than they were
    */
   private boolean choose(int robot, int level, int worse) {
-    effort++;
     visits[robot] = visits(robot) + 1;
     visitedIn[robot] = round;
     isInChain[robot] = true;
@@ -168,7 +173,7 @@ final class OperationSearch {
     for (int k = 0; k < count && !isChosen && !deadline.isPassed(); k++) {
       long choice = takeBest(list, k, count);
       int other = (int) (choice >>> ROBOT_SHIFT & ((1 << ROBOT_BITS) - 1)) - 1;
-      int nowWorse = worse + (int) (choice >>> COST_SHIFT) - cost;
+      int nowWorse = worse + task.weights()[robot] * ((int) (choice >>> COST_SHIFT) - cost);
       if (isExchange && nowWorse >= (other == NONE ? 0 : mostGain(other))) {
         break;
       }
@@ -219,9 +224,9 @@ final class OperationSearch {
   }
 
   private boolean isPushable(int robot) {
-    return !fixed.get(robot)
+    return !task.fixed().get(robot)
         && !isInChain[robot]
-        && ranks[robot] > beginner
+        && task.ranks()[robot] > beginner
         && visits(robot) < MOST_VISITS;
   }
 
@@ -265,16 +270,17 @@ final class OperationSearch {
   private int cost(int robot) {
     int[] operation = operations.of(robot);
     for (int t = 1; t <= depth; t++) {
-      if (graph.vertex(operation[t]) == goals[robot]) {
+      if (graph.vertex(operation[t]) == task.goals()[robot]) {
         return t * Guidance.STEP;
       }
     }
-    return depth * Guidance.STEP + distances[robot][operation[depth]];
+    return depth * Guidance.STEP + task.distances()[robot][operation[depth]];
   }
 
   /** By how much another operation could be better, at most. */
   private int mostGain(int robot) {
-    return Math.max(0, cost(robot) - distances[robot][operations.state(robot, 0)]);
+    return task.weights()[robot]
+        * Math.max(0, cost(robot) - task.distances()[robot][operations.state(robot, 0)]);
   }
 
   /** Lists the operations of a robot that conflict with one other at most. */
@@ -300,8 +306,9 @@ final class OperationSearch {
    */
   private void list(
       int robot, long[] into, int state, int t, int inWay, int code, int sum, int arrival) {
+    effort++;
     if (t == depth) {
-      into[listed++] = choice(robot, distances[robot][state], inWay, code, sum, arrival);
+      into[listed++] = choice(robot, task.distances()[robot][state], inWay, code, sum, arrival);
       return;
     }
     int vertex = graph.vertex(state);
@@ -320,7 +327,7 @@ final class OperationSearch {
           || (met != NONE && met != inWay && (inWay != NONE || !isPushable(met)))) {
         continue;
       }
-      boolean arrives = arrival == NONE && there == goals[robot];
+      boolean arrives = arrival == NONE && there == task.goals()[robot];
       int arrived = arrives ? t + 1 : arrival;
       list(
           robot,
@@ -329,7 +336,7 @@ final class OperationSearch {
           t + 1,
           met == NONE ? inWay : met,
           code | digit(action, t),
-          arrived == NONE ? sum + distances[robot][next] : sum,
+          arrived == NONE ? sum + task.distances()[robot][next] : sum,
           arrived);
     }
   }
@@ -343,7 +350,7 @@ final class OperationSearch {
     } else {
       cost = depth * Guidance.STEP + toGo;
       int lag = (sum - depth * toGo) / Guidance.STEP + SLOWEST / 4;
-      slowness = goals[robot] == NONE ? movesFrom(0, code) : Math.clamp(lag, 0, SLOWEST);
+      slowness = task.goals()[robot] == NONE ? movesFrom(0, code) : Math.clamp(lag, 0, SLOWEST);
     }
     return (long) cost << COST_SHIFT
         | (long) slowness << SLOWNESS_SHIFT

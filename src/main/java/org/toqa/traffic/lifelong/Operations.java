@@ -18,6 +18,7 @@ final class Operations {
 
   private final StateGraph graph;
   private final Spacing spacing;
+  private final boolean hasNoSpacing;
   private final int depth;
 
   /** By robot: its states after 0, 1, 2 ... steps. */
@@ -40,6 +41,7 @@ final class Operations {
   Operations(StateGraph graph, Spacing spacing, int depth) {
     this.graph = graph;
     this.spacing = spacing;
+    this.hasNoSpacing = spacing.isNone();
     this.depth = depth;
     this.occupants = new int[depth + 1][graph.roads().vertexCount()];
     for (int[] occupant : occupants) {
@@ -93,6 +95,10 @@ final class Operations {
    */
   int inWay(int from, int to, int direction, int t) {
     int robot = occupants[t + 1][to];
+    if (hasNoSpacing) {
+      int other = direction == NONE ? NONE : occupants[t][to];
+      return other != NONE && vertexAt(other, t + 1) == from ? with(robot, other) : robot;
+    }
     for (int vertex : spacing.near(to)) {
       int other = occupants[t + 1][vertex];
       if (other != NONE && !spacing.mayBeAt(to, vertex, from, vertexAt(other, t))) {

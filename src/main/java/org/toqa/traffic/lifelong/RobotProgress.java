@@ -24,6 +24,11 @@ final class RobotProgress {
   private static final int LONG_ON_VERTEX = 16;
   private static final int LONGEST_INSISTENCE = 16;
   private static final int MAX_SETBACKS = 12;
+  private static final int MAX_WEIGHT = 32;
+
+  /** Steps on a vertex after which a robot counts for one more. */
+  private static final int STEPS_PER_WEIGHT = 10;
+
   private static final int LONGEST_DETOUR = 24;
   private static final int[] NO_EDGES = {};
 
@@ -204,6 +209,13 @@ final class RobotProgress {
     stepsWithoutProgress = 0;
     setbacks++;
     needsOtherPath = true;
+  }
+
+  /** What a step of its counts for beside one of another robot: more, while it waits for long. */
+  int weight() {
+    return target() == NONE || vertex == goal
+        ? 1
+        : Math.min(MAX_WEIGHT, 1 + stepsOnVertex / STEPS_PER_WEIGHT);
   }
 
   /**

@@ -31,8 +31,25 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
   private static final int DEPTH_CLASSIC = 3;
   private static final int DEPTH_TURNS = 5;
 
-  /** Of the time there is, what the search for new paths may take. */
-  private static final double SHARE_OF_GUIDANCE = 0.6;
+  /**
+   * Where hardly a vertex is free, long operations meet more than one robot: shorter ones are
+   * exchanged more often in the same time.
+   */
+  private static final int DEPTH_PACKED = 3;
+
+  /** Robots for each vertex from which on the roads are packed. */
+  private static final double PACKED = 0.85;
+
+  /** Of the time there is, what the search for paths that are missing may take. */
+  private static final double SHARE_OF_SEEKERS = 0.6;
+
+  /** Of the time there is, after what share no more look for better paths. */
+  private static final double SHARE_OF_RENEWALS = 0.3;
+
+  /**
+   * Of the time left then, what the search for operations may take; the rest is to tell the plan.
+   */
+  private static final double SHARE_OF_OPERATIONS = 0.9;
 
   /** Paths that are looked for at the same time, without knowing of each other. */
   private static final int AT_ONCE = 4;
@@ -86,24 +103,21 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
   @Override
   public LifelongPlan plan(TrafficSnapshot snapshot, Deadline deadline) {
     planCount++;
-    GraphContext context = contextOf(snapshot.roads());
+    GraphContext context = contextOf(snapshot);
     ActiveRobots active = ActiveRobots.of(snapshot, context.graph());
     forgetAbsent(snapshot, context);
     List<RobotProgress> present = updateRobots(snapshot, active, context);
     BitSet fixed = fixed(active);
     context.guidance().setFixed(vertices(fixed, present, context.graph()));
     sendStuckOnDetours(present, context.graph());
-    findPaths(present, context.guidance(), deadline.afterShare(SHARE_OF_GUIDANCE));
+    findPaths(present, context.guidance(), deadline);
     fixed.stream().forEach(k -> present.get(k).forgetOperation());
     restartOperations(snapshot, present, context.operations());
     context
         .search()
         .improve(
-            byPriority(snapshot, active, present),
-            distances(present, context),
-            present.stream().mapToInt(RobotProgress::target).toArray(),
-            fixed,
-            deadline);
+            task(snapshot, active, present, fixed, context),
+            deadline.afterShare(SHARE_OF_OPERATIONS));
     return active.toPlan(
         context.operations().depth(),
         context.operations()::state,
@@ -122,14 +136,15 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     return vertices;
   }
 
-  private GraphContext contextOf(RoadGraph roads) {
+  private GraphContext contextOf(TrafficSnapshot snapshot) {
+    RoadGraph roads = snapshot.roads();
+    int depth = depth(roads, snapshot.robots().size());
     GraphContext last = lastContext;
-    if (last != null && last.graph().roads() == roads) {
+    if (last != null && last.graph().roads() == roads && last.operations().depth() == depth) {
       return last;
     }
     robots.values().forEach(RobotProgress::forgetGraph);
     StateGraph graph = new StateGraph(roads, model);
-    int depth = model == MotionModel.CLASSIC ? DEPTH_CLASSIC : DEPTH_TURNS;
     Spacing spacing = new Spacing(roads, apart);
     Operations operations = new Operations(graph, spacing, depth);
     GraphContext context =
@@ -141,6 +156,11 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
             new char[graph.stateCount()]);
     lastContext = context;
     return context;
+  }
+
+  private int depth(RoadGraph roads, int robotCount) {
+    int usual = model == MotionModel.CLASSIC ? DEPTH_CLASSIC : DEPTH_TURNS;
+    return robotCount > PACKED * roads.vertexCount() ? DEPTH_PACKED : usual;
   }
 
   private void forgetAbsent(TrafficSnapshot snapshot, GraphContext context) {
@@ -218,20 +238,21 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
    * announced who look for theirs: else each would avoid the jam that the others have left.
    */
   private void findPaths(List<RobotProgress> present, Guidance guidance, Deadline deadline) {
+    Deadline renewals = deadline.afterShare(SHARE_OF_RENEWALS);
     List<RobotProgress> seekers =
         present.stream()
             .filter(RobotProgress::needsPath)
             .sorted(Comparator.comparing(RobotProgress::hasPath))
             .toList();
     seekers.forEach(seeker -> guidance.withdraw(seeker.takeEdges()));
-    findPaths(seekers, guidance, deadline, RobotProgress::setPath);
+    findPaths(seekers, guidance, deadline.afterShare(SHARE_OF_SEEKERS), RobotProgress::setPath);
     List<RobotProgress> oldest =
         present.stream()
             .filter(robot -> robot.target() != NONE && !robot.needsPath())
             .sorted(Comparator.comparingInt(RobotProgress::pathPlan))
             .limit(RENEWALS)
             .toList();
-    findPaths(oldest, guidance, deadline, RobotProgress::renewPath);
+    findPaths(oldest, guidance, renewals, RobotProgress::renewPath);
   }
 
   /** Takes the path that was found for a robot. */
@@ -265,6 +286,20 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
     for (int k = 0; k < present.size(); k++) {
       present.get(k).setOperation(operations.of(k));
     }
+  }
+
+  private static SearchTask task(
+      TrafficSnapshot snapshot,
+      ActiveRobots active,
+      List<RobotProgress> present,
+      BitSet fixed,
+      GraphContext context) {
+    return SearchTask.of(
+        byPriority(snapshot, active, present),
+        distances(present, context),
+        present.stream().mapToInt(RobotProgress::target).toArray(),
+        fixed,
+        present.stream().mapToInt(RobotProgress::weight).toArray());
   }
 
   private static int[] byPriority(
