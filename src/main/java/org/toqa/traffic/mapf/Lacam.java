@@ -6,13 +6,11 @@ import static org.toqa.traffic.RoadGraph.NONE;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
-import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.RoadGraph;
@@ -117,7 +115,7 @@ final class Lacam {
   Outcome search(Deadline deadline) {
     Map<Key, Node> explored = new HashMap<>();
     ArrayList<Node> open = new ArrayList<>();
-    Node root = new Node(null, starts, farthestFirst());
+    Node root = new Node(null, starts, PriorityOrder.farthestFirst(distances, starts));
     explored.put(Key.of(starts), root);
     open.add(root);
     int[] next = new int[starts.length];
@@ -144,7 +142,8 @@ final class Lacam {
         open.add(known);
       } else {
         int[] places = next.clone();
-        Node child = new Node(node, places, unarrivedFirst(node.order, places));
+        Node child =
+            new Node(node, places, PriorityOrder.unarrivedFirst(node.order, places, goals));
         explored.put(new Key(places, key.hash()), child);
         open.add(child);
       }
@@ -167,34 +166,6 @@ final class Lacam {
       }
     }
     node.untried.add(constraints.with(robot, here));
-  }
-
-  private int[] farthestFirst() {
-    return IntStream.range(0, starts.length)
-        .boxed()
-        .sorted(Comparator.comparingInt(robot -> -distances[robot][starts[robot]]))
-        .mapToInt(Integer::intValue)
-        .toArray();
-  }
-
-  /**
-   * Whoever is at its goal goes behind all others; otherwise the order stays, so that the longer a
-   * robot is on its path, the further in front it is.
-   */
-  private int[] unarrivedFirst(int[] order, int[] places) {
-    int[] sorted = new int[order.length];
-    int front = 0;
-    for (int robot : order) {
-      if (places[robot] != goals[robot]) {
-        sorted[front++] = robot;
-      }
-    }
-    for (int robot : order) {
-      if (places[robot] == goals[robot]) {
-        sorted[front++] = robot;
-      }
-    }
-    return sorted;
   }
 
   private static List<int[]> trace(Node last) {

@@ -3,7 +3,9 @@ package org.toqa.traffic.mapf;
 import static org.toqa.traffic.RoadGraph.DIRECTIONS;
 import static org.toqa.traffic.RoadGraph.NONE;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.toqa.traffic.MotionModel;
 import org.toqa.traffic.RoadGraph;
@@ -42,10 +44,15 @@ final class NeighbourhoodSearch {
   private final boolean[] isInGroup;
   private int groupSize;
 
+  private long cost;
+
   /** Steps gained for each method of choosing a group, and the work spent on it. */
   private final double[] gains = new double[CHOICES];
 
   private final double[] efforts = new double[CHOICES];
+
+  /** Robots that got new paths together. */
+  record Change(int[] robots, int[][] paths) {}
 
   /**
    * @param paths the plan, a path a robot; changed in place
@@ -69,6 +76,7 @@ final class NeighbourhoodSearch {
     search = new SafeIntervalSearch(new StateGraph(roads, MotionModel.CLASSIC), reservations);
     group = new int[paths.length];
     former = new int[paths.length][];
+    cost = VertexPaths.sumOfCosts(paths);
     isInGroup = new boolean[paths.length];
     Arrays.fill(gains, 1);
     Arrays.fill(efforts, 1);
@@ -80,16 +88,88 @@ final class NeighbourhoodSearch {
    * @param lowerBound steps, of all robots together
    */
   void improve(long lowerBound, SearchBudget budget) {
-    long cost = VertexPaths.sumOfCosts(paths);
     while (cost > lowerBound && budget.takeIteration()) {
-      int choice = chooseByGain();
-      long effortBefore = search.effort();
-      chooseGroup(Math.min(paths.length, SIZES[choice / 2]), choice % 2 == 0);
-      int gain = replanGroup();
-      cost -= gain;
-      gains[choice] = DECAY * gains[choice] + gain;
-      efforts[choice] = DECAY * efforts[choice] + (search.effort() - effortBefore) / 1000.0;
+      iterate();
     }
+  }
+
+  /**
+   * Goes on for so much work, while the budget lasts, or until the sum of costs has come down to
+   * the lower bound; answers what it has changed, in that order.
+   *
+   * @param effort as {@link SafeIntervalSearch#effort} counts it
+   */
+  List<Change> improveFor(long effort, long lowerBound, SearchBudget budget) {
+    List<Change> changes = new ArrayList<>();
+    long end = search.effort() + effort;
+    while (cost > lowerBound && search.effort() < end && budget.takeIteration()) {
+      if (iterate()) {
+        changes.add(
+            new Change(
+                Arrays.copyOf(group, groupSize),
+                Arrays.stream(group, 0, groupSize)
+                    .mapToObj(robot -> paths[robot])
+                    .toArray(int[][]::new)));
+      }
+    }
+    return changes;
+  }
+
+  /** Takes over what was found for a plan that was a little different, where it fits and pays. */
+  void adopt(Change change) {
+    long gain = 0;
+    groupSize = change.robots().length;
+    for (int k = 0; k < groupSize; k++) {
+      int robot = change.robots()[k];
+      group[k] = robot;
+      former[k] = paths[robot];
+      reservations.remove(former[k]);
+      gain += former[k].length - change.paths()[k].length;
+    }
+    int taken = 0;
+    while (gain >= 0 && taken < groupSize && reservations.admits(change.paths()[taken])) {
+      paths[group[taken]] = change.paths()[taken];
+      reservations.add(change.paths()[taken]);
+      taken++;
+    }
+    if (taken < groupSize) {
+      restore(taken);
+    } else {
+      cost -= gain;
+    }
+  }
+
+  /** Takes over a whole plan. */
+  void follow(NeighbourhoodSearch other) {
+    groupSize = 0;
+    for (int robot = 0; robot < paths.length; robot++) {
+      if (paths[robot] != other.paths[robot]) {
+        group[groupSize++] = robot;
+        reservations.remove(paths[robot]);
+      }
+    }
+    for (int k = 0; k < groupSize; k++) {
+      paths[group[k]] = other.paths[group[k]];
+      reservations.add(paths[group[k]]);
+    }
+    cost = other.cost;
+  }
+
+  /** The sum of costs, steps. */
+  long cost() {
+    return cost;
+  }
+
+  /** Answers whether robots have got other paths, which may be as long as before. */
+  private boolean iterate() {
+    int choice = chooseByGain();
+    long effortBefore = search.effort();
+    chooseGroup(Math.min(paths.length, SIZES[choice / 2]), choice % 2 == 0);
+    int gain = replanGroup();
+    cost -= Math.max(0, gain);
+    gains[choice] = DECAY * gains[choice] + Math.max(0, gain);
+    efforts[choice] = DECAY * efforts[choice] + (search.effort() - effortBefore) / 1000.0;
+    return gain >= 0;
   }
 
   /** By chance, in proportion to what has been gained for the work. */
@@ -192,7 +272,7 @@ final class NeighbourhoodSearch {
     return distances[robot][paths[robot][0]];
   }
 
-  /** Answers the steps gained; 0 where the plan has not become shorter. */
+  /** Answers the steps gained; below 0 where nothing has been replanned. */
   private int replanGroup() {
     int costBefore = 0;
     int toGo = 0;
@@ -203,22 +283,22 @@ final class NeighbourhoodSearch {
       costBefore += former[k].length - 1;
       toGo += shortest(robot);
     }
-    int cost = 0;
+    int costAfter = 0;
     for (int k = 0; k < groupSize; k++) {
       int robot = group[k];
       int[] old = former[k];
       toGo -= shortest(robot);
-      int latest = costBefore - cost - toGo;
+      int latest = costBefore - costAfter - toGo;
       int[] path = search.path(old[0], old[old.length - 1], distances[robot], latest);
       if (path == null) {
         restore(k);
-        return 0;
+        return -1;
       }
-      cost += path.length - 1;
+      costAfter += path.length - 1;
       paths[robot] = path;
       reservations.add(path);
     }
-    return costBefore - cost;
+    return costBefore - costAfter;
   }
 
   /** Puts the former paths back, after the first {@code replanned} have got others. */

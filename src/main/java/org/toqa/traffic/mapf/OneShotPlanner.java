@@ -10,7 +10,6 @@ import org.toqa.grid.Cell;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.DistanceTables;
 import org.toqa.traffic.RoadGraph;
-import org.toqa.traffic.Spacing;
 import org.toqa.traffic.mapf.MapfResult.Culprit;
 import org.toqa.traffic.mapf.MapfResult.Reason;
 import org.toqa.traffic.mapf.MapfResult.Solved;
@@ -18,23 +17,34 @@ import org.toqa.traffic.mapf.MapfResult.Unsolved;
 
 /**
  * Plans paths for all robots from start to goal: a first plan as soon as can be ({@link Lacam}), a
- * second one that is better where the floor is not crowded ({@link PrioritisedPlanning}), and from
- * the better of the two on {@link NeighbourhoodSearch} until the deadline.
+ * second one that is better ({@link PrioritisedPlanning} where the floor is not crowded, else
+ * {@link GuidedPlanning}), and from the better of the two on {@link NeighbourhoodSearch}, on all
+ * cores, until the deadline.
  *
  * <p>A robot goes to a neighbour in one of four directions or waits, each a step; no two share a
  * cell or change places.
  */
 public final class OneShotPlanner {
-  /** Of the time left after the first plan, what the second may take. */
-  private static final double SHARE_OF_SECOND = 0.4;
+  /** More would spend their time on taking over what the others have found. */
+  private static final int MOST_THREADS = 8;
 
   private final long seed;
+  private final int threads;
 
   /**
-   * @param seed of all chance: the same seed and enough time, the same plan
+   * @param seed of all chance
    */
   public OneShotPlanner(long seed) {
+    this(seed, Math.min(MOST_THREADS, Runtime.getRuntime().availableProcessors()));
+  }
+
+  /**
+   * @param seed of all chance: the same seed, as many threads and enough time, the same plan
+   * @param threads at work at once, the caller's among them
+   */
+  public OneShotPlanner(long seed, int threads) {
     this.seed = seed;
+    this.threads = threads;
   }
 
   /**
@@ -97,27 +107,13 @@ public final class OneShotPlanner {
       case Lacam.Outcome.Found(List<int[]> configurations) -> {
         int[][] first = VertexPaths.of(configurations);
         onFirst.accept(new MapfPlan(roads, first));
-        int[][] best = secondPlan(roads, distances, first, deadline, random.split());
         long lowerBound = lowerBound(distances, starts);
-        new NeighbourhoodSearch(roads, Spacing.none(roads), distances, best, random.split())
-            .improve(lowerBound, SearchBudget.until(deadline));
+        int[][] best =
+            new PlanImprovement(roads, distances, first, lowerBound, random)
+                .improve(threads, deadline);
         yield new Solved(new MapfPlan(roads, best), lowerBound);
       }
     };
-  }
-
-  private static int[][] secondPlan(
-      RoadGraph roads,
-      char[][] distances,
-      int[][] first,
-      Deadline deadline,
-      SplittableRandom random) {
-    int[][] second =
-        new PrioritisedPlanning(roads, Spacing.none(roads), distances, first, random)
-            .plan(SearchBudget.until(deadline.afterShare(SHARE_OF_SECOND)));
-    return second != null && VertexPaths.sumOfCosts(second) < VertexPaths.sumOfCosts(first)
-        ? second
-        : first;
   }
 
   private static int[] vertices(RoadGraph roads, List<Cell> cells) {

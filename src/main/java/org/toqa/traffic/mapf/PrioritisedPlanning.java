@@ -77,9 +77,17 @@ final class PrioritisedPlanning {
 
   /** A path a robot, or null where the floor is too crowded or the budget is used up. */
   int @Nullable [][] plan(SearchBudget budget) {
+    return plan(budget, Long.MAX_VALUE);
+  }
+
+  /**
+   * @param mostEffort after which the floor counts as too crowded, as {@link
+   *     SafeIntervalSearch#effort} counts it
+   */
+  int @Nullable [][] plan(SearchBudget budget, long mostEffort) {
     int insertionsLeft = ROUNDS * starts.length;
     while (!queue.isEmpty()) {
-      if (!budget.takeIteration() || insertionsLeft-- == 0) {
+      if (!budget.takeIteration() || insertionsLeft-- == 0 || search.effort() > mostEffort) {
         return null;
       }
       int robot = queue.remove();

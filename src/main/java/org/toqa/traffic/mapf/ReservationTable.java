@@ -80,6 +80,22 @@ public class ReservationTable {
     return (vertexTaken[word(vertex, time)] >>> time & 1) != 0;
   }
 
+  /** Whether a path meets nobody, on its way and for ever at its goal. */
+  final boolean admits(int[] path) {
+    for (int t = 0; t < path.length; t++) {
+      if (isTaken(path[t], t)) {
+        return false;
+      }
+      if (t > 0 && path[t] != path[t - 1]) {
+        int back = roads.direction(path[t], path[t - 1]);
+        if (nextFreeEdge(path[t], back, t - 1) != t - 1) {
+          return false;
+        }
+      }
+    }
+    return nextTaken(path[path.length - 1], path.length - 1) == end();
+  }
+
   /** The first time from {@code time} on at which the vertex is free, or {@link #end}. */
   int nextFree(int vertex, int time) {
     return firstBit(vertexTaken, vertex * words, time, -1L);

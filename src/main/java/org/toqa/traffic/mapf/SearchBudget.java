@@ -25,4 +25,9 @@ final class SearchBudget {
   boolean takeIteration() {
     return iterationsLeft-- > 0 && !deadline.isPassed();
   }
+
+  /** Whether there is no iteration left, or no time for one. */
+  boolean isUsedUp() {
+    return iterationsLeft <= 0 || deadline.isPassed();
+  }
 }
