@@ -13,6 +13,9 @@ import org.toqa.motion.Segment;
 
 /** What a robot drives by: its reserved path, how far that is released, and what it was told. */
 final class Drive {
+  /** Metres; points nearer to each other are the same but for rounding. */
+  private static final double SAME_POINT = 1e-6;
+
   private @Nullable ReservedPath path;
 
   /** Counts the paths, so that a wait for an earlier one counts as over. */
@@ -44,6 +47,21 @@ final class Drive {
 
   Drive(Instant now) {
     this.lastProgress = now;
+  }
+
+  /** Another one in the same state. */
+  Drive copy() {
+    Drive copy = new Drive(lastProgress);
+    copy.path = path;
+    copy.pathNumber = pathNumber;
+    copy.isBegun = isBegun;
+    copy.sentReleased = sentReleased;
+    copy.isChangeUnsent = isChangeUnsent;
+    copy.completed = completed;
+    copy.completedSegments = completedSegments;
+    copy.released = released;
+    copy.lastPathEnd = lastPathEnd;
+    return copy;
   }
 
   @Nullable ReservedPath path() {
@@ -175,6 +193,51 @@ final class Drive {
     }
     pathNumber++;
     isChangeUnsent = true;
+  }
+
+  /**
+   * How much of a path it has been released since it was pictured, though on the path that it had
+   * then.
+   *
+   * @param next goes on where the released part ended then
+   * @return so many sections of it; below 0: its path does not lead there any more
+   */
+  int releasedAlong(ReservedPath next, Drive pictured) {
+    ReservedPath now = path;
+    if (pathNumber != pictured.pathNumber) {
+      return -1;
+    }
+    if (now == null) {
+      return 0;
+    }
+    int count = released - pictured.released;
+    if (count > next.sectionCount()) {
+      return -1;
+    }
+    for (int i = 1; i <= count; i++) {
+      if (now.poseAfter(pictured.released + i).distanceTo(next.poseAfter(i)) > SAME_POINT) {
+        return -1;
+      }
+    }
+    return count;
+  }
+
+  /**
+   * Takes the path of a plan that was made elsewhere.
+   *
+   * @param along so many of its sections are the last that it was released
+   * @param releasedAtOnce so many of its sections it may drive by that
+   * @param number of the path in that plan
+   */
+  void adopt(ReservedPath next, int along, int releasedAtOnce, int number) {
+    if (path == null) {
+      continueOn(next);
+    } else {
+      path = path.continuedWith(released, next, along);
+      isChangeUnsent = true;
+    }
+    released += Math.max(0, releasedAtOnce - along);
+    pathNumber = number;
   }
 
   /** The same visits in the same order, driven in other sections from the first unreleased on. */

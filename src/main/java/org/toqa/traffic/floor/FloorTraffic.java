@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.Executor;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -51,21 +52,24 @@ import org.toqa.wording.Sentence;
 public final class FloorTraffic {
   private static final long SEED = 7275;
 
-  private final FreeSpace freeSpace;
+  private final OccupancyGrid grid;
   private final PathAssigner pathAssigner;
   private final SectionReleaser releaser;
   private final Claims claims;
   private final StandstillDetector standstillDetector = new StandstillDetector();
   private final ReplanTrigger trigger = new ReplanTrigger();
   private final Map<String, TrafficRobot> robots = new TreeMap<>();
+  private BitSet obstacles = new BitSet();
   private int robotCount;
 
   /**
+   * Plans at once, on the thread that asks for decisions.
+   *
    * @param planningDeadline by when a plan for all robots that begins now is to be ready
    */
   public FloorTraffic(
       OccupancyGrid grid, JointPlanner jointPlanner, Supplier<Deadline> planningDeadline) {
-    this(grid, jointPlanner, FloorTraffic::rollingPlanner, planningDeadline);
+    this(grid, jointPlanner, FloorTraffic::rollingPlanner, planningDeadline, Runnable::run);
   }
 
   /** A planner of the next steps of robots that keep apart so many cells. */
@@ -76,31 +80,24 @@ public final class FloorTraffic {
   /**
    * @param nextSteps planners of the next steps of robots that keep apart so many cells
    * @param planningDeadline by when a plan for all robots that begins now is to be ready
+   * @param planning what plans, one thing at a time
    */
   public FloorTraffic(
       OccupancyGrid grid,
       JointPlanner jointPlanner,
       DoubleFunction<LifelongPlanner> nextSteps,
-      Supplier<Deadline> planningDeadline) {
-    SectionFitter fitter = new SectionFitter();
-    this.freeSpace = new FreeSpace(grid);
+      Supplier<Deadline> planningDeadline,
+      Executor planning) {
+    this.grid = grid;
     this.claims = new Claims(robots.values());
-    this.releaser = new SectionReleaser(fitter, robots, claims);
-    SingleRobotPlanner singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
+    this.releaser = new SectionReleaser(new SectionFitter(), robots, claims);
     this.pathAssigner =
         new PathAssigner(
             robots,
             claims,
             trigger,
-            singleRobotPlanner,
-            new LanePlanner(
-                freeSpace,
-                singleRobotPlanner,
-                fitter,
-                jointPlanner,
-                new NextStepsPlanner(nextSteps),
-                planningDeadline),
-            new WaitReasonFinder(freeSpace, singleRobotPlanner));
+            new FloorPlanner(grid, jointPlanner, nextSteps, planningDeadline),
+            planning);
   }
 
   // --- what is so -------------------------------------------------------------------------------
@@ -111,7 +108,6 @@ public final class FloorTraffic {
    * @param diameter of the disc that the robot fills, metres, above 0
    */
   public void reportStanding(String name, Pose pose, double diameter, Instant now) {
-    OccupancyGrid grid = freeSpace.grid();
     boolean isNew = !robots.containsKey(name);
     TrafficRobot robot =
         robots.computeIfAbsent(
@@ -253,7 +249,8 @@ public final class FloorTraffic {
    *     those told before
    */
   public void setObstacles(BitSet cells) {
-    if (freeSpace.setObstacles(cells)) {
+    if (!cells.equals(obstacles)) {
+      obstacles = (BitSet) cells.clone();
       trigger.markChanged();
       robots.values().stream()
           .filter(robot -> robot.drive.hasUnreleasedOn(cells))
@@ -329,7 +326,7 @@ public final class FloorTraffic {
    * @throws IllegalArgumentException if there is no such robot
    */
   public boolean isObstacleAhead(String name) {
-    return robot(name).drive.hasAheadOn(freeSpace.obstacles());
+    return robot(name).drive.hasAheadOn(obstacles);
   }
 
   /** Robots that do not get on as they should, each in one of these at most. */
@@ -353,12 +350,13 @@ public final class FloorTraffic {
 
   // --- decisions --------------------------------------------------------------------------------
 
-  /** Plans for whoever needs a path, and releases what can be. */
+  /** Has paths planned for whoever needs one, and releases what can be. */
   public List<DriveCommand> decide(Instant now) {
     claims.refresh();
     detectStalls(now);
-    pathAssigner.assignPaths(standstills(), now);
-    robots.values().forEach(robot -> releaser.release(robot, now));
+    pathAssigner.assignPaths(standstills(), obstacles, now);
+    boolean isPlanned = pathAssigner.isPlanningJointly();
+    robots.values().forEach(robot -> releaser.release(robot, isPlanned, now));
     standstillDetector.update(robots.values(), now);
     return robots.values().stream().flatMap(robot -> robot.takeUnsentCommand().stream()).toList();
   }
