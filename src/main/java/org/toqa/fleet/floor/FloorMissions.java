@@ -204,10 +204,7 @@ final class FloorMissions {
             .toList();
     return state.leftLoads.blockedCells(
         fetched,
-        cells ->
-            state.robots.keySet().stream()
-                .filter(state.traffic::hasRobot)
-                .anyMatch(robot -> state.traffic.allocatedCells(robot).intersects(cells)));
+        cells -> cells.stream().anyMatch(cell -> !state.traffic.robotsAt(cell).isEmpty()));
   }
 
   /** Stores the step; its commands are carried out when it is safe. */

@@ -202,7 +202,6 @@ final class RobotEventHandler {
               robot.name(),
               said.pose().position(),
               said.obstacles(),
-              state.robots.keySet(),
               state.now));
     }
   }

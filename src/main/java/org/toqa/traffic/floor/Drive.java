@@ -42,6 +42,9 @@ final class Drive {
   /** When it last completed a section or was given one to drive. */
   private Instant lastProgress;
 
+  /** How often what it may drive, or has still to drive of that, became another. */
+  private long changes;
+
   /** Where its last path ended, which it came to but for what a robot is off its place. */
   private @Nullable Pose lastPathEnd;
 
@@ -66,6 +69,11 @@ final class Drive {
 
   @Nullable ReservedPath path() {
     return path;
+  }
+
+  /** Rises whenever what it may drive, or has still to drive of that, becomes another. */
+  long changes() {
+    return changes;
   }
 
   int pathNumber() {
@@ -192,6 +200,7 @@ final class Drive {
       released = 0;
     }
     pathNumber++;
+    changes++;
     isChangeUnsent = true;
   }
 
@@ -238,6 +247,7 @@ final class Drive {
     }
     released += Math.max(0, releasedAtOnce - along);
     pathNumber = number;
+    changes++;
   }
 
   /** The same visits in the same order, driven in other sections from the first unreleased on. */
@@ -255,6 +265,7 @@ final class Drive {
   void resume(int completedSections, Instant now) {
     releaseAll();
     completed = Math.min(completedSections, released);
+    changes++;
     completedSegments = Objects.requireNonNull(path).segmentCount(completed);
     isBegun = true;
     sentReleased = released;
@@ -266,10 +277,12 @@ final class Drive {
       lastProgress = now;
     }
     released++;
+    changes++;
   }
 
   void releaseAll() {
     released = Objects.requireNonNull(path).sectionCount();
+    changes++;
   }
 
   /**
@@ -277,12 +290,14 @@ final class Drive {
    * @return whether a section more than before is
    */
   boolean complete(int segments, Instant now) {
+    changes += completedSegments == segments ? 0 : 1;
     completedSegments = path == null ? 0 : segments;
     int done = path == null ? 0 : Math.min(path.completedSections(segments), released);
     if (done <= completed) {
       return false;
     }
     completed = done;
+    changes++;
     lastProgress = now;
     return true;
   }
@@ -294,7 +309,10 @@ final class Drive {
 
   /** The robot is stopped and has no path. */
   void stop() {
-    lastPathEnd = path == null ? lastPathEnd : path.poseAfter(released);
+    if (path != null) {
+      lastPathEnd = path.poseAfter(released);
+      changes++;
+    }
     path = null;
     completed = 0;
     completedSegments = 0;

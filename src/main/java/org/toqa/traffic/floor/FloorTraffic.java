@@ -5,10 +5,12 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.Executor;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -262,7 +264,9 @@ public final class FloorTraffic {
    * @throws IllegalArgumentException if there is no such robot
    */
   public void removeRobot(String name) {
-    trigger.markFreed(robot(name));
+    TrafficRobot robot = robot(name);
+    trigger.markFreed(robot);
+    claims.remove(robot);
     robots.remove(name);
     trigger.markChanged();
   }
@@ -318,6 +322,16 @@ public final class FloorTraffic {
    */
   public BitSet allocatedCells(String name) {
     return robot(name).allocatedCells();
+  }
+
+  /**
+   * The robots that have a cell for their own now.
+   *
+   * @param cell by {@link OccupancyGrid#index}
+   */
+  public Set<String> robotsAt(int cell) {
+    claims.refresh();
+    return claims.at(grid, cell).stream().map(robot -> robot.name).collect(Collectors.toSet());
   }
 
   /**

@@ -58,6 +58,9 @@ final class TrafficRobot {
   /** What it covers where it is. */
   private SweptArea standingArea;
 
+  /** How often that became another. */
+  private long moves;
+
   TrafficRobot(String name, int number, OccupancyGrid grid, Pose pose, double radius, Instant now) {
     this.name = name;
     this.number = number;
@@ -166,13 +169,20 @@ final class TrafficRobot {
     radius = newRadius;
     if (!isSame) {
       standingArea = areaAt(newPose);
+      moves++;
     }
+  }
+
+  /** Rises whenever it is elsewhere, or what is its own becomes another. */
+  long changes() {
+    return moves + drive.changes();
   }
 
   /** Others drive with it as one from now on; null: it drives alone. */
   void setFormation(@Nullable FormationFootprint newFormation) {
     formation = newFormation;
     standingArea = areaAt(pose);
+    moves++;
   }
 
   @Nullable FormationFootprint formation() {

@@ -8,6 +8,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import java.util.function.IntPredicate;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.floor.ObstacleMap.Obstacle;
 import org.toqa.geometry.Vec2;
@@ -15,7 +16,7 @@ import org.toqa.grid.Cell;
 import org.toqa.grid.OccupancyGrid;
 
 class ObstacleMapTest {
-  private static final BitSet NOBODY = new BitSet();
+  private static final IntPredicate NOBODY = cell -> false;
   private static final Instant START = Instant.EPOCH;
 
   /** Cells of 1 m; the lower left corner of the picture is (0, 0). */
@@ -52,7 +53,7 @@ class ObstacleMapTest {
   void whatIsSeenWhereAnotherRobotIsIsThatRobot() {
     BitSet others = cells(new Cell(4, 2));
 
-    assertEquals(List.of(), map.addPercepts("r1", List.of(new Vec2(4.5, 0.5)), others, START));
+    assertEquals(List.of(), map.addPercepts("r1", List.of(new Vec2(4.5, 0.5)), others::get, START));
     assertTrue(map.cells().isEmpty());
   }
 
