@@ -368,11 +368,19 @@ public final class FloorTraffic {
   public List<DriveCommand> decide(Instant now) {
     claims.refresh();
     detectStalls(now);
-    pathAssigner.assignPaths(standstills(), obstacles, now);
-    boolean isPlanned = pathAssigner.isPlanningJointly();
-    robots.values().forEach(robot -> releaser.release(robot, isPlanned, now));
+    pathAssigner.adoptPlan(obstacles, now);
+    release(now);
+    if (pathAssigner.requestPlan(standstills(), obstacles, now)) {
+      pathAssigner.adoptPlan(obstacles, now); // if it is made already
+      release(now);
+    }
     standstillDetector.update(robots.values(), now);
     return robots.values().stream().flatMap(robot -> robot.takeUnsentCommand().stream()).toList();
+  }
+
+  private void release(Instant now) {
+    boolean isPlanned = pathAssigner.isPlanningJointly();
+    robots.values().forEach(robot -> releaser.release(robot, isPlanned, now));
   }
 
   private void freeUnreleased(TrafficRobot robot) {

@@ -43,19 +43,6 @@ final class PathAssigner {
     this.adopter = new PlanAdopter(robots, claims, trigger);
   }
 
-  /**
-   * @param standstills those that are known now
-   * @param obstacles not to be changed afterwards
-   */
-  void assignPaths(List<Standstill> standstills, BitSet obstacles, Instant now) {
-    updateWaits(now);
-    adoptPlan(obstacles);
-    if (pending == null) {
-      requestPlan(standstills, obstacles, now);
-      adoptPlan(obstacles);
-    }
-  }
-
   /** Whether robots are being planned together. */
   boolean isPlanningJointly() {
     return pending != null && pending.request().need().isDue();
@@ -71,7 +58,18 @@ final class PathAssigner {
     }
   }
 
-  private void requestPlan(List<Standstill> standstills, BitSet obstacles, Instant now) {
+  /**
+   * Pictures the floor and has paths planned, if any are needed and no plan is being made.
+   *
+   * @param standstills those that are known now
+   * @param obstacles not to be changed afterwards
+   * @return whether it did
+   */
+  boolean requestPlan(List<Standstill> standstills, BitSet obstacles, Instant now) {
+    updateWaits(now);
+    if (pending != null) {
+      return false;
+    }
     ReplanTrigger.Need need = trigger.need(robots.values(), standstills, now);
     List<TrafficRobot> unserved =
         robots.values().stream().filter(TrafficRobot::needsPath).toList();
@@ -90,7 +88,7 @@ final class PathAssigner {
                 robot -> robot.waiting.isNoPathReasonOlderThan(FloorPlanner.RETRY_AFTER, now));
     boolean isJointPlanDue = need.isDue() && need.isOf(robots.values());
     if (dueForOwnPath.isEmpty() && !isReasonDue && !isJointPlanDue) {
-      return;
+      return false;
     }
     unserved.stream()
         .filter(robot -> dueForOwnPath.contains(robot.name))
@@ -106,10 +104,15 @@ final class PathAssigner {
     pending =
         new Pending(
             request, CompletableFuture.supplyAsync(() -> planner.plan(request), planning));
+    return true;
   }
 
-  /** Adopts the plan that is being made, if it is ready. */
-  private void adoptPlan(BitSet obstacles) {
+  /**
+   * Adopts the plan that is being made, if it is ready.
+   *
+   * @param obstacles those that are there now
+   */
+  void adoptPlan(BitSet obstacles, Instant now) {
     Pending ready = pending;
     if (ready == null || !ready.plan().isDone()) {
       return;
@@ -123,6 +126,7 @@ final class PathAssigner {
           .filter(TrafficRobot::hasPathToGoal)
           .forEach(robot -> robot.waiting.endWaitForPath());
     }
+    updateWaits(now);
   }
 
   private FloorPlan result(Pending ready) {

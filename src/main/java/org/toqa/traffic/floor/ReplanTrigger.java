@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.Collection;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /** Says when the robots of a floor have to be planned together again. */
 final class ReplanTrigger {
@@ -24,8 +25,8 @@ final class ReplanTrigger {
   /** Whether a part of the last plan no longer fitted when it was ready. */
   private boolean isInPart;
 
-  /** When any robot last completed a section. */
-  private Instant lastProgress = Instant.MIN;
+  /** When any robot last completed a section; null: it was not asked for yet. */
+  private @Nullable Instant lastProgress;
 
   private Instant lastJointPlan = Instant.MIN;
 
@@ -79,7 +80,8 @@ final class ReplanTrigger {
   Need need(Collection<TrafficRobot> robots, List<Standstill> standstills, Instant now) {
     boolean isCycle =
         standstills.stream().anyMatch(s -> s.kind() == Standstill.Kind.CYCLE_OF_WAITS);
-    boolean isStill = hasNoProgress(robots, now);
+    lastProgress = lastProgress == null ? now : lastProgress;
+    boolean isStill = hasNoProgress(lastProgress, robots, now);
     boolean isDue =
         plannedAhead
             ? !now.isBefore(lastJointPlan.plus(isInPart ? REST_AFTER : NEXT_STEPS_AFTER))
@@ -122,7 +124,8 @@ final class ReplanTrigger {
   }
 
   /** Whether robots have paths, and none has got on for long. */
-  private boolean hasNoProgress(Collection<TrafficRobot> robots, Instant now) {
+  private static boolean hasNoProgress(
+      Instant lastProgress, Collection<TrafficRobot> robots, Instant now) {
     return lastProgress.plus(NO_PROGRESS_AFTER).isBefore(now)
         && robots.stream().anyMatch(robot -> robot.drive.hasUnreleased())
         && robots.stream().noneMatch(robot -> robot.drive.isDriving() && !robot.isStalled());

@@ -97,7 +97,7 @@ final class TrafficRobot {
   /** Whether it is to go to the same place as when it was pictured, and can as well as then. */
   boolean isUnchangedSince(TrafficRobot pictured) {
     return movable
-        && !stalled
+        && stalled == pictured.stalled
         && Objects.equals(goal, pictured.goal)
         && Objects.equals(goalHeading, pictured.goalHeading)
         && speeds.equals(pictured.speeds)
