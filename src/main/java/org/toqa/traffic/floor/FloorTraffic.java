@@ -41,9 +41,11 @@ import org.toqa.wording.Sentence;
  * robot never enters what another has not left, however late anyone is, and since the order has no
  * cycle somebody can always go on.
  *
- * <p>Confined to one thread. It knows no clock: time is handed in. Points and poses are in metres
+ * <p>Confined to one thread; paths are planned by another, and adopted when they are ready and
+ * still fit. It knows no clock: time is handed in. Points and poses are in metres
  * and radians, counter-clockwise from map east, in the map frame. A robot must be known here, by
- * {@link #reportStanding}, before anything else is said or asked of it.
+ * {@link #reportStanding}, before anything else is said or asked of it: else that is an {@link
+ * IllegalArgumentException}.
  *
  * <ol>
  *   <li>Tell it what is so: {@link #reportStanding}, {@link #reportProgress}, {@link #setGoal},
@@ -285,41 +287,25 @@ public final class FloorTraffic {
 
   // --- what can be read -------------------------------------------------------------------------
 
-  /**
-   * Whether the robot is stopped at its goal.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** Whether the robot is stopped at its goal. */
   public boolean isAtGoal(String name) {
     return robot(name).isAtGoal();
   }
 
-  /**
-   * Why it does not go on, for people; null while it does.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** Why it does not go on, for people; null while it does. */
   public @Nullable Sentence waitReason(String name) {
     WaitReason waitReason = robot(name).waitReason();
     return waitReason == null ? null : waitReason.sentence();
   }
 
-  /**
-   * The robot that stands in its way and cannot be told to make room, if one does.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** The robot that stands in its way and cannot be told to make room, if one does. */
   public Optional<String> blockedBy(String name) {
     return robot(name).waitReason() instanceof WaitReason.RobotNotMovable(String other, Vec2 _)
         ? Optional.of(other)
         : Optional.empty();
   }
 
-  /**
-   * The cells that are its own now, as bits by {@link OccupancyGrid#index}.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** The cells that are its own now, as bits by {@link OccupancyGrid#index}. */
   public BitSet allocatedCells(String name) {
     return robot(name).allocatedCells();
   }
@@ -334,11 +320,7 @@ public final class FloorTraffic {
     return claims.at(grid, cell).stream().map(robot -> robot.name).collect(Collectors.toSet());
   }
 
-  /**
-   * Whether an obstacle is on what it has been released and not driven yet.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** Whether an obstacle is on what it has been released and not driven yet. */
   public boolean isObstacleAhead(String name) {
     return robot(name).drive.hasAheadOn(obstacles);
   }
@@ -348,11 +330,7 @@ public final class FloorTraffic {
     return standstillDetector.standstills();
   }
 
-  /**
-   * The rest of its path.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** The rest of its path. */
   public RemainingPath remainingPath(String name) {
     TrafficRobot robot = robot(name);
     Drive drive = robot.drive;

@@ -1,5 +1,6 @@
 package org.toqa.traffic.floor;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.BitSet;
 import java.util.List;
@@ -10,6 +11,7 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.Executor;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Vec2;
 
 /**
  * Gives paths to the robots that need one: has them planned by other threads, from a picture of the
@@ -17,6 +19,9 @@ import org.jspecify.annotations.Nullable;
  * meanwhile is in the next picture. Confined to one thread, and waits for none.
  */
 final class PathAssigner {
+  /** Who waits for a plan that takes so long is told that. */
+  private static final Duration LATE_AFTER = Duration.ofSeconds(2);
+
   private final Map<String, TrafficRobot> robots;
   private final ReplanTrigger trigger;
   private final FloorPlanner planner;
@@ -24,7 +29,11 @@ final class PathAssigner {
   private final PlanAdopter adopter;
   private @Nullable Pending pending;
 
-  private record Pending(PlanningRequest request, CompletableFuture<FloorPlan> plan) {}
+  private record Pending(PlanningRequest request, CompletableFuture<FloorPlan> plan) {
+    boolean isLate(Instant now) {
+      return !request.now().plus(LATE_AFTER).isAfter(now);
+    }
+  }
 
   /**
    * @param robots all on the floor by name, as they are at any time
@@ -49,11 +58,18 @@ final class PathAssigner {
   }
 
   private void updateWaits(Instant now) {
+    boolean isPlanLate = pending != null && pending.isLate(now);
     for (TrafficRobot robot : robots.values()) {
-      if (!robot.needsPath()) {
+      Vec2 goal = robot.goal();
+      if (!robot.needsPath() || goal == null) {
         robot.waiting.clearNoPathReason();
-      } else if (robot.waiting.since() == null) {
+        continue;
+      }
+      if (robot.waiting.since() == null) {
         robot.waiting.setSince(now);
+      }
+      if (isPlanLate && robot.waiting.noPathReason() == null) {
+        robot.waiting.setNoPathReason(new WaitReason.NoPlan(goal), now);
       }
     }
   }

@@ -11,7 +11,10 @@ final class ReplanTrigger {
   private static final Duration NO_PROGRESS_AFTER = Duration.ofSeconds(10);
   private static final Duration PLAN_AGAIN_AFTER = Duration.ofSeconds(5);
   private static final Duration NEXT_STEPS_AFTER = Duration.ofSeconds(1);
+
+  /** What no longer fitted of a plan when it was ready is planned again then. */
   private static final Duration REST_AFTER = Duration.ofMillis(300);
+
 
   /** Whether something changed since the robots were last planned together. */
   private boolean changed = true;
@@ -83,9 +86,11 @@ final class ReplanTrigger {
     lastProgress = lastProgress == null ? now : lastProgress;
     boolean isStill = hasNoProgress(lastProgress, robots, now);
     boolean isDue =
-        plannedAhead
-            ? !now.isBefore(lastJointPlan.plus(isInPart ? REST_AFTER : NEXT_STEPS_AFTER))
-            : changed || lastJointPlan.plus(PLAN_AGAIN_AFTER).isBefore(now);
+        isInPart
+            ? !now.isBefore(lastJointPlan.plus(REST_AFTER))
+            : plannedAhead
+                ? !now.isBefore(lastJointPlan.plus(NEXT_STEPS_AFTER))
+                : changed || lastJointPlan.plus(PLAN_AGAIN_AFTER).isBefore(now);
     return new Need(isDue, mustReplan || isCycle || isStill, isStill, changed, plannedAhead);
   }
 
@@ -106,10 +111,10 @@ final class ReplanTrigger {
       changed |= need.wasChanged();
     } else {
       lastJointPlan = plan.request().now();
+      isInPart = plan.isJoint() && !isWhole;
     }
     if (plan.isJoint()) {
       plannedAhead = plan.isPlannedAhead();
-      isInPart = !isWhole;
       mustReplan |= !isWhole;
     } else {
       mustReplan |= need.mustReplan();

@@ -47,7 +47,7 @@ class LatePlanPropertyTest {
     driveToThreeGoals(new DrivenFloor(grid, seed, MOST_PLANNING), free, robots, random);
   }
 
-  /** Goals change, robots stop, and some are lost, also while they are planned. */
+  /** Goals are given up, robots stop, and some are lost, also while they are planned. */
   @Property(tries = 20, seed = "20261125")
   void troublesWhileAPlanIsMadeDisturbNothing(@ForAll @LongRange(min = 0) long seed) {
     Random random = new Random(seed);
@@ -71,6 +71,10 @@ class LatePlanPropertyTest {
     for (int i = 0; i < robots; i++) {
       floor.body("r" + i).isStuck = false;
       floor.find("r" + i);
+      floor.giveUp("r" + i);
+    }
+    floor.step();
+    for (int i = 0; i < robots; i++) {
       floor.send("r" + i, free.get(i));
     }
     floor.drive(Duration.ofMinutes(20));
@@ -78,7 +82,9 @@ class LatePlanPropertyTest {
   }
 
   private static void disturb(DrivenFloor floor, String robot, List<Cell> free, Random random) {
-    if (random.nextInt(40) == 0) {
+    if (random.nextInt(100) == 0) {
+      floor.giveUp(robot);
+    } else if (random.nextInt(20) == 0 && floor.isArrived(robot)) {
       floor.send(robot, free.get(random.nextInt(free.size())));
     }
     if (random.nextInt(60) == 0) {
