@@ -20,9 +20,9 @@ import org.toqa.fleet.FleetRuntime;
 /**
  * Simulated time in which one thread does all that agents do and all that is due: the same events
  * bring the same run. Nothing takes simulated time but what is said to: a store answers after a
- * while, plans are made after another, and so is what agents hand to other threads. Limits of planning are of
- * real time, as in a server, or of a time that counts how often it was looked at, so that the
- * machine's speed decides nothing.
+ * while, plans are made after another, and so is what agents hand to other threads. Limits of
+ * planning are of real time, as in a server, or of a time that counts how often it was looked at,
+ * so that the machine's speed decides nothing.
  */
 final class SteppedRuntime implements FleetRuntime, InstantSource {
   private static final Instant EPOCH = Instant.parse("2026-01-01T08:00:00Z");

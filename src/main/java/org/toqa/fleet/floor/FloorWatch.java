@@ -46,8 +46,7 @@ final class FloorWatch {
    * @param from where the robot is, map frame
    * @param percepts metres, map frame
    */
-  List<HistoryLine> addPercepts(
-      String robot, Vec2 from, List<Vec2> percepts, Instant now) {
+  List<HistoryLine> addPercepts(String robot, Vec2 from, List<Vec2> percepts, Instant now) {
     List<Vec2> seen = percepts.stream().map(percept -> beyondOwnCell(from, percept)).toList();
     return obstacles.addPercepts(robot, seen, cell -> isOfOther(robot, cell), now).stream()
         .map(

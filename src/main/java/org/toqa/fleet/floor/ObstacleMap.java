@@ -87,7 +87,8 @@ public final class ObstacleMap {
    *     seen there is that one
    * @return the obstacles that were not known before
    */
-  List<Obstacle> addPercepts(String robot, List<Vec2> percepts, IntPredicate isOthers, Instant now) {
+  List<Obstacle> addPercepts(
+      String robot, List<Vec2> percepts, IntPredicate isOthers, Instant now) {
     List<Obstacle> appeared = new ArrayList<>();
     long ownCells = marks.values().stream().filter(m -> m.sightings().containsKey(robot)).count();
     for (Vec2 percept : percepts) {

@@ -3,6 +3,7 @@ package org.toqa.traffic.floor;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import org.toqa.traffic.floor.LanePlanner.Outcome;
 
 /**
  * What planning answers to a request. Immutable: any thread may read it.
@@ -14,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 record FloorPlan(
     PlanningRequest request,
     List<ProposedPath> paths,
-    LanePlanner.@Nullable Outcome jointOutcome,
+    @Nullable Outcome jointOutcome,
     Map<String, WaitState.Findings> findings) {
   FloorPlan {
     paths = List.copyOf(paths);
@@ -23,11 +24,11 @@ record FloorPlan(
 
   /** Whether robots have paths by a plan for all of them. */
   boolean isJoint() {
-    return jointOutcome == LanePlanner.Outcome.PLANNED || isPlannedAhead();
+    return jointOutcome == Outcome.PLANNED || isPlannedAhead();
   }
 
   /** Whether these are only the next steps. */
   boolean isPlannedAhead() {
-    return jointOutcome == LanePlanner.Outcome.PLANNED_AHEAD;
+    return jointOutcome == Outcome.PLANNED_AHEAD;
   }
 }

@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.traffic.Deadline;
 import org.toqa.traffic.JointPlanner;
+import org.toqa.traffic.floor.LanePlanner.Outcome;
 import org.toqa.traffic.lifelong.LifelongPlanner;
 
 /**
@@ -65,7 +66,7 @@ final class FloorPlanner {
     request.robots().forEach(pictured -> robots.put(pictured.name, pictured.copy()));
     freeSpace.setObstacles(request.obstacles());
     planSingleRobots(request, robots.values());
-    LanePlanner.Outcome outcome = planJointly(request, robots.values());
+    Outcome outcome = planJointly(request, robots.values());
     findWaitReasons(robots.values(), request.now());
     robots.values().stream()
         .filter(TrafficRobot::needsPath)
@@ -99,17 +100,16 @@ final class FloorPlanner {
             });
   }
 
-  private LanePlanner.@Nullable Outcome planJointly(
-      PlanningRequest request, Collection<TrafficRobot> robots) {
+  private @Nullable Outcome planJointly(PlanningRequest request, Collection<TrafficRobot> robots) {
     ReplanTrigger.Need need = request.need();
     if (!need.isDue() || !need.isOf(robots)) {
       return null;
     }
     Claims claims = new Claims(robots);
     claims.refresh();
-    LanePlanner.Outcome outcome =
+    Outcome outcome =
         lanePlanner.plan(robots, claims, need.mustReplan(), need.isStill(), request.now());
-    if (outcome == LanePlanner.Outcome.PLANNED || outcome == LanePlanner.Outcome.PLANNED_AHEAD) {
+    if (outcome == Outcome.PLANNED || outcome == Outcome.PLANNED_AHEAD) {
       robots.stream()
           .filter(TrafficRobot::hasPathToGoal)
           .forEach(robot -> robot.waiting.endWaitForPath());
@@ -128,9 +128,7 @@ final class FloorPlanner {
   }
 
   private static FloorPlan result(
-      PlanningRequest request,
-      Map<String, TrafficRobot> robots,
-      LanePlanner.@Nullable Outcome outcome) {
+      PlanningRequest request, Map<String, TrafficRobot> robots, @Nullable Outcome outcome) {
     List<ProposedPath> paths = new ArrayList<>();
     Map<String, WaitState.Findings> findings = new HashMap<>();
     for (TrafficRobot pictured : request.robots()) {

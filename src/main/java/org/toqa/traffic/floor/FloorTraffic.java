@@ -42,9 +42,9 @@ import org.toqa.wording.Sentence;
  * cycle somebody can always go on.
  *
  * <p>Confined to one thread; paths are planned by another, and adopted when they are ready and
- * still fit. It knows no clock: time is handed in. Points and poses are in metres
- * and radians, counter-clockwise from map east, in the map frame. A robot must be known here, by
- * {@link #reportStanding}, before anything else is said or asked of it: else that is an {@link
+ * still fit. It knows no clock: time is handed in. Points and poses are in metres and radians,
+ * counter-clockwise from map east, in the map frame. A robot must be known here, by {@link
+ * #reportStanding}, before anything else is said or asked of it: else that is an {@link
  * IllegalArgumentException}.
  *
  * <ol>

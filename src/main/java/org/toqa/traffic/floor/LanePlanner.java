@@ -303,9 +303,7 @@ final class LanePlanner {
       List<TrafficRobot> aside = new ArrayList<>();
       for (TrafficRobot robot : planned) {
         Cell cell = lanes.lattice().cellAt(robot.releasedEnd().position());
-        if (!isOnLane(robot)
-            || roads.vertex(cell) == RoadGraph.NONE
-            || !taken.add(cell)) {
+        if (!isOnLane(robot) || roads.vertex(cell) == RoadGraph.NONE || !taken.add(cell)) {
           aside.add(robot);
         } else {
           places.put(robot, cell);

@@ -87,8 +87,7 @@ final class PathAssigner {
       return false;
     }
     ReplanTrigger.Need need = trigger.need(robots.values(), standstills, now);
-    List<TrafficRobot> unserved =
-        robots.values().stream().filter(TrafficRobot::needsPath).toList();
+    List<TrafficRobot> unserved = robots.values().stream().filter(TrafficRobot::needsPath).toList();
     boolean isAnyChange = trigger.isChanged() && !trigger.isPlannedAhead();
     Set<String> dueForOwnPath =
         unserved.stream()
@@ -118,8 +117,7 @@ final class PathAssigner {
             dueForOwnPath,
             need);
     pending =
-        new Pending(
-            request, CompletableFuture.supplyAsync(() -> planner.plan(request), planning));
+        new Pending(request, CompletableFuture.supplyAsync(() -> planner.plan(request), planning));
     return true;
   }
 

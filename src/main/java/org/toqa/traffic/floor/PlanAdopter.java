@@ -5,7 +5,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import org.toqa.traffic.floor.ReservedPath.Dependency;
 
 /**
@@ -68,7 +67,8 @@ final class PlanAdopter {
       }
       int count = robot.drive.releasedAlong(path.path(), pictured(path).drive);
       boolean isThere =
-          count >= 0 && FormationPlanner.isAtPlace(path.path().poseAfter(count), robot.releasedEnd());
+          count >= 0
+              && FormationPlanner.isAtPlace(path.path().poseAfter(count), robot.releasedEnd());
       return isThere && isClear(path) ? count : -1;
     }
 
@@ -98,8 +98,7 @@ final class PlanAdopter {
     for (TrafficRobot pictured : adoption.plan.request().robots()) {
       TrafficRobot robot = robots.get(pictured.name);
       if (robot != null && Objects.equals(robot.goal(), pictured.goal())) {
-        robot.waiting.adopt(
-            Objects.requireNonNull(adoption.plan.findings().get(pictured.name)));
+        robot.waiting.adopt(Objects.requireNonNull(adoption.plan.findings().get(pictured.name)));
       }
     }
   }
@@ -123,7 +122,8 @@ final class PlanAdopter {
         .forEach(path -> adoption.along.remove(path.robot()));
     paths.forEach(path -> adoptShared(adoption, path));
     return paths.stream()
-        .allMatch(path -> adoption.along.containsKey(path.robot()) || !robots.containsKey(path.robot()));
+        .allMatch(
+            path -> adoption.along.containsKey(path.robot()) || !robots.containsKey(path.robot()));
   }
 
   /** Whether nobody whom the plan lets go first is left behind by one that has gone on. */
@@ -141,8 +141,7 @@ final class PlanAdopter {
   private static boolean isOver(Adoption adoption, Dependency dependency) {
     Integer along = adoption.along.get(dependency.robot());
     return along == null
-        || adoption.path(dependency.robot()).path().visitAfterSections(along)
-            > dependency.visit();
+        || adoption.path(dependency.robot()).path().visitAfterSections(along) > dependency.visit();
   }
 
   /** Whether what it is to drive to where it was planned from is still free; it is its own then. */

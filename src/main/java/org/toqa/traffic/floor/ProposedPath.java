@@ -14,11 +14,7 @@ import org.jspecify.annotations.Nullable;
  * @param waitsSince since when it then waits short of its goal; null: it does not
  */
 record ProposedPath(
-    String robot,
-    ReservedPath path,
-    int number,
-    int releasedAtOnce,
-    @Nullable Instant waitsSince) {
+    String robot, ReservedPath path, int number, int releasedAtOnce, @Nullable Instant waitsSince) {
 
   /** What planning made of a robot's path; to be asked if that is another one. */
   static ProposedPath of(TrafficRobot pictured, TrafficRobot planned) {

@@ -15,7 +15,6 @@ final class ReplanTrigger {
   /** What no longer fitted of a plan when it was ready is planned again then. */
   private static final Duration REST_AFTER = Duration.ofMillis(300);
 
-
   /** Whether something changed since the robots were last planned together. */
   private boolean changed = true;
 

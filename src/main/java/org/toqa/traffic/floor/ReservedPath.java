@@ -115,7 +115,9 @@ record ReservedPath(
         next.dependencies);
   }
 
-  /** What of it comes behind its first {@code count} sections, of which none was planned with it. */
+  /**
+   * What of it comes behind its first {@code count} sections, of which none was planned with it.
+   */
   ReservedPath from(int count) {
     return new ReservedPath(
         poseAfter(count),

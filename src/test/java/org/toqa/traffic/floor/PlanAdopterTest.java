@@ -49,16 +49,19 @@ class PlanAdopterTest {
 
   @BeforeEach
   void pictureAndPlan() {
-    drive(List.of(a), List.of(at(0, 1)), List.of(at(1, 1)), List.of(at(2, 1)), List.of(at(3, 1)));
+    drive(
+        List.of(a),
+        List.of(List.of(at(0, 1)), List.of(at(1, 1)), List.of(at(2, 1)), List.of(at(3, 1))));
     List<TrafficRobot> pictured = List.of(a.copy(), b.copy());
     List<TrafficRobot> planned = pictured.stream().map(TrafficRobot::copy).toList();
     drive(
         planned,
-        List.of(at(0, 1), at(2, 0)),
-        List.of(at(1, 1), at(2, 1)),
-        List.of(at(1, 1), at(2, 2)),
-        List.of(at(2, 1), at(2, 2)),
-        List.of(at(3, 1), at(2, 2)));
+        List.of(
+            List.of(at(0, 1), at(2, 0)),
+            List.of(at(1, 1), at(2, 1)),
+            List.of(at(1, 1), at(2, 2)),
+            List.of(at(2, 1), at(2, 2)),
+            List.of(at(3, 1), at(2, 2))));
     ReplanTrigger.Need need = new ReplanTrigger.Need(true, false, false, true, false);
     plan =
         new FloorPlan(
@@ -75,10 +78,9 @@ class PlanAdopterTest {
     return new Cell(column, row);
   }
 
-  @SafeVarargs
-  private void drive(List<TrafficRobot> together, List<Cell>... steps) {
+  private void drive(List<TrafficRobot> together, List<List<Cell>> steps) {
     List<int[]> vertices =
-        List.of(steps).stream().map(s -> s.stream().mapToInt(roads::vertex).toArray()).toList();
+        steps.stream().map(s -> s.stream().mapToInt(roads::vertex).toArray()).toList();
     new JointPlan(
             new FreeSpace(floor),
             lanes.points(new BitSet()),

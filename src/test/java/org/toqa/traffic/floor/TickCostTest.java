@@ -1,11 +1,13 @@
 package org.toqa.traffic.floor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -59,7 +61,7 @@ class TickCostTest {
   private long comparisonsOfAll(Claims claims) {
     long before = claims.comparisons();
     for (TrafficRobot robot : robots) {
-      Section next = robot.drive.path().sections().getFirst();
+      Section next = Objects.requireNonNull(robot.drive.path()).sections().getFirst();
       assertTrue(claims.tooNear(robot, robot.standingArea(), next.area()).isEmpty());
     }
     return claims.comparisons() - before;
@@ -110,8 +112,7 @@ class TickCostTest {
     floorWith(50);
     for (TrafficRobot robot : robots) {
       TrafficRobot copy = robot.copy();
-      assertEquals(robot.drive.path(), copy.drive.path());
-      assertTrue(robot.drive.path() == copy.drive.path(), "it was copied");
+      assertSame(robot.drive.path(), copy.drive.path());
     }
   }
 }
