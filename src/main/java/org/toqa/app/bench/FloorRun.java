@@ -93,7 +93,7 @@ final class FloorRun implements AutoCloseable {
    * @param goals visited cells, of all robots together
    * @param goalsPerStep a step being what a robot takes to the next cell, stepSeconds
    * @param planP50Ms planning several robots together, once
-   * @param tickP50Ms one tick of the floor's agent
+   * @param tickP50Ms the longest turn of an agent at a tick, which is that of the floor's
    * @param longestWaitSeconds in which a robot stood short of its goal
    * @param longestWaitReason what the floor said then; null: nothing
    * @param longestUnnamedWaitSeconds in which it stood and the floor did not say why

@@ -119,17 +119,20 @@ final class SteppedRuntime implements FleetRuntime, InstantSource {
   /**
    * Lets the agents do all that they have to.
    *
-   * @return nanoseconds of real time that the first of them took
+   * @return nanoseconds of real time that the longest turn of one of them took
    */
   long runAgents() {
     long begin = System.nanoTime();
-    long first = 0;
+    long longest = 0;
+    long last = begin;
     for (Runnable turn = turns.poll(); turn != null; turn = turns.poll()) {
       turn.run();
-      first = first == 0 ? System.nanoTime() - begin : first;
+      long end = System.nanoTime();
+      longest = Math.max(longest, end - last);
+      last = end;
     }
-    agentNanos += System.nanoTime() - begin;
-    return first;
+    agentNanos += last - begin;
+    return longest;
   }
 
   /** Lets the agents go on until another thread has waited for something of theirs. */
