@@ -10,6 +10,7 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -22,6 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.toqa.allocation.Policy;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
+import org.toqa.geometry.Vec2;
 import org.toqa.grid.FloorMap;
 import org.toqa.grid.OccupancyGrid;
 import org.toqa.grid.Place;
@@ -48,7 +50,10 @@ import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.MemoryDatabase;
 import org.toqa.wording.Sentence;
 
-/** Two real daemons that have to pass each other, and a plan for both of them that never ends. */
+/**
+ * Two real daemons that have to pass each other, and a plan for both of them that never ends; a
+ * third one drives apart from them.
+ */
 @Timeout(120)
 class BusyFloorTest {
   private static final double SPEED = 5;
@@ -62,13 +67,17 @@ class BusyFloorTest {
 
   @BeforeEach
   void open() throws Exception {
-    Place left = new Place("Left", new Pose(0.5, 1.5, 0).position());
-    Place right = new Place("Right", new Pose(7.5, 1.5, 0).position());
+    List<Place> places =
+        List.of(
+            new Place("Left", new Vec2(0.5, 3.5)),
+            new Place("Right", new Vec2(11.5, 3.5)),
+            new Place("Begin", new Vec2(0.5, 0.5)),
+            new Place("End", new Vec2(11.5, 0.5)));
     FloorMap floor =
         new FloorMap(
             "aisle",
-            OccupancyGrid.parse("........", "###..###"),
-            List.of(left, right),
+            OccupancyGrid.parse("............", "###..#######", "############", "............"),
+            places,
             List.of(),
             List.of());
     VirtualClock clock = new VirtualClock(Instant.EPOCH, SPEED);
@@ -76,15 +85,16 @@ class BusyFloorTest {
         SimulatedFleet.open(
             folder,
             List.of(
-                new SimulatedRobot("r1", new Pose(0.5, 1.5, 0), 5, 1),
-                new SimulatedRobot("r2", new Pose(7.5, 1.5, 0), 5, 1)),
+                new SimulatedRobot("r1", new Pose(0.5, 3.5, 0), 5, 1),
+                new SimulatedRobot("r2", new Pose(11.5, 3.5, 0), 5, 1),
+                new SimulatedRobot("r3", new Pose(0.5, 0.5, 0), 5, 1)),
             SimulatedFloor.of(floor),
             clock);
     parts.add(robots);
     Database database = MemoryDatabase.open("busy-" + System.nanoTime());
     parts.add(database);
     JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-    for (String robot : List.of("r1", "r2")) {
+    for (String robot : List.of("r1", "r2", "r3")) {
       store.saveRobot(
           new RobotRecord(robot, "aisle", "127.0.0.1", robots.port(robot), 5, null, true, null));
     }
@@ -115,16 +125,20 @@ class BusyFloorTest {
   }
 
   @Test
-  void robotsArePingedAndStoppedAllTheSame() throws Exception {
+  void robotsArePingedReleasedShownAndStoppedAllTheSame() throws Exception {
     until(
         () ->
             fleet.snapshots().latest().robots().stream()
                     .filter(r -> r.state() == RobotState.IDLE)
                     .count()
-                == 2);
+                == 3);
+    order("Begin", "End");
+    until(() -> eastOf("r3") > 1.5);
     order("Left", "Right");
     order("Right", "Left");
     assertTrue(runtime.isPlanning.await(60, TimeUnit.SECONDS));
+    assertTrue(eastOf("r3") < 10, "it has nearly arrived");
+    until(() -> eastOf("r3") > 11.4);
 
     pings.clear();
     until(() -> pings.getOrDefault("r1", 0) >= 10 && pings.getOrDefault("r2", 0) >= 10);
@@ -138,6 +152,17 @@ class BusyFloorTest {
     runtime.end.countDown();
     held.toCompletableFuture().get(60, TimeUnit.SECONDS);
     paused.toCompletableFuture().get(60, TimeUnit.SECONDS);
+  }
+
+  /** Where the snapshots show it, metres. */
+  private double eastOf(String robot) {
+    return fleet.snapshots().latest().robots().stream()
+        .filter(view -> view.name().equals(robot))
+        .map(view -> view.telemetry().pose())
+        .filter(Objects::nonNull)
+        .mapToDouble(Pose::x)
+        .findFirst()
+        .orElse(0);
   }
 
   private void order(String from, String to) throws Exception {

@@ -68,6 +68,7 @@ final class FloorRun implements AutoCloseable {
    * @param poseError metres that a body is beside where its robot takes itself to be, at most
    * @param store until a change is stored
    * @param link until a message is at the other end
+   * @param planning until a plan is ready
    * @param look of {@link SteppedRuntime}
    */
   record World(
@@ -76,6 +77,7 @@ final class FloorRun implements AutoCloseable {
       double poseError,
       Duration store,
       Duration link,
+      Duration planning,
       Duration look,
       long seed) {
 
@@ -91,7 +93,7 @@ final class FloorRun implements AutoCloseable {
    * @param goals visited cells, of all robots together
    * @param goalsPerStep a step being what a robot takes to the next cell, stepSeconds
    * @param planP50Ms planning several robots together, once
-   * @param tickP50Ms one tick of the floor's agent, planning included
+   * @param tickP50Ms the longest turn of an agent at a tick, which is that of the floor's
    * @param longestWaitSeconds in which a robot stood short of its goal
    * @param longestWaitReason what the floor said then; null: nothing
    * @param longestUnnamedWaitSeconds in which it stood and the floor did not say why
@@ -102,7 +104,7 @@ final class FloorRun implements AutoCloseable {
    * @param speed simulated seconds a real second
    * @param processorSeconds of the one thread that does it all
    * @param agentSeconds real time that all agents took
-   * @param planSeconds of that, planning several robots together
+   * @param planSeconds real time that planning several robots together took
    * @param robotSeconds real time that the simulated robots took
    */
   record Report(
@@ -136,7 +138,7 @@ final class FloorRun implements AutoCloseable {
 
   FloorRun(World world) {
     grid = world.map().grid();
-    runtime = new SteppedRuntime(world.store(), world.look());
+    runtime = new SteppedRuntime(world.store(), world.planning(), world.look());
     linkDelay = world.link();
     List<GridPose> starts = world.work().starts();
     servers = new RobotLink.Listener[starts.size()];

@@ -20,9 +20,9 @@ import org.toqa.fleet.FleetRuntime;
 /**
  * Simulated time in which one thread does all that agents do and all that is due: the same events
  * bring the same run. Nothing takes simulated time but what is said to: a store answers after a
- * while, and what agents hand to other threads is done after a while. Limits of planning are of
- * real time, as in a server, or of a time that counts how often it was looked at, so that the
- * machine's speed decides nothing.
+ * while, plans are made after another, and so is what agents hand to other threads. Limits of
+ * planning are of real time, as in a server, or of a time that counts how often it was looked at,
+ * so that the machine's speed decides nothing.
  */
 final class SteppedRuntime implements FleetRuntime, InstantSource {
   private static final Instant EPOCH = Instant.parse("2026-01-01T08:00:00Z");
@@ -33,6 +33,7 @@ final class SteppedRuntime implements FleetRuntime, InstantSource {
   private static final long PATIENCE_MS = 10;
 
   private final long storeNanos;
+  private final Duration planning;
   private final long lookNanos;
   private final BlockingQueue<Runnable> turns = new LinkedBlockingQueue<>();
   private final PriorityQueue<Event> events = new PriorityQueue<>();
@@ -55,10 +56,12 @@ final class SteppedRuntime implements FleetRuntime, InstantSource {
 
   /**
    * @param store until a change is stored; of changes of one agent none overtakes another
+   * @param planning until a plan is made that an agent asks for
    * @param look what planning is taken to last from one look at the time to the next; zero: its
    *     limits are of real time
    */
-  SteppedRuntime(Duration store, Duration look) {
+  SteppedRuntime(Duration store, Duration planning, Duration look) {
+    this.planning = planning;
     storeNanos = store.toNanos();
     lookNanos = look.toNanos();
   }
@@ -116,17 +119,20 @@ final class SteppedRuntime implements FleetRuntime, InstantSource {
   /**
    * Lets the agents do all that they have to.
    *
-   * @return nanoseconds of real time that the first of them took
+   * @return nanoseconds of real time that the longest turn of one of them took
    */
   long runAgents() {
     long begin = System.nanoTime();
-    long first = 0;
+    long longest = 0;
+    long last = begin;
     for (Runnable turn = turns.poll(); turn != null; turn = turns.poll()) {
       turn.run();
-      first = first == 0 ? System.nanoTime() - begin : first;
+      long end = System.nanoTime();
+      longest = Math.max(longest, end - last);
+      last = end;
     }
-    agentNanos += System.nanoTime() - begin;
-    return first;
+    agentNanos += last - begin;
+    return longest;
   }
 
   /** Lets the agents go on until another thread has waited for something of theirs. */
@@ -164,7 +170,7 @@ final class SteppedRuntime implements FleetRuntime, InstantSource {
 
   @Override
   public Executor boundedExecutor(String name, int threads) {
-    return threadPerTaskExecutor(name);
+    return work -> schedule(planning, work);
   }
 
   @Override

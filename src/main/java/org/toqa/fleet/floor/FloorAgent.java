@@ -97,7 +97,8 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
             floor.grid(),
             new TimedPlanner(new LacamJointPlanner(), runtime),
             apart -> new TimedLifelongPlanner(FloorTraffic.rollingPlanner(apart), runtime),
-            () -> Deadline.in(PLANNING_LIMIT, runtime::nanoTime));
+            () -> Deadline.in(PLANNING_LIMIT, runtime::nanoTime),
+            runtime.boundedExecutor("planning-" + floor.name(), 1));
     state =
         new FloorState(
             floor,

@@ -203,11 +203,7 @@ final class FloorMissions {
             .map(mission -> mission.object().position())
             .toList();
     return state.leftLoads.blockedCells(
-        fetched,
-        cells ->
-            state.robots.keySet().stream()
-                .filter(state.traffic::hasRobot)
-                .anyMatch(robot -> state.traffic.allocatedCells(robot).intersects(cells)));
+        fetched, cells -> cells.stream().anyMatch(cell -> !state.traffic.robotsAt(cell).isEmpty()));
   }
 
   /** Stores the step; its commands are carried out when it is safe. */

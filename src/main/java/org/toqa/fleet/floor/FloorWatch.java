@@ -3,7 +3,6 @@ package org.toqa.fleet.floor;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
@@ -46,19 +45,10 @@ final class FloorWatch {
   /**
    * @param from where the robot is, map frame
    * @param percepts metres, map frame
-   * @param robots all of the floor
    */
-  List<HistoryLine> addPercepts(
-      String robot, Vec2 from, List<Vec2> percepts, Collection<String> robots, Instant now) {
-    if (percepts.isEmpty()) {
-      return List.of();
-    }
-    BitSet others = new BitSet();
-    robots.stream()
-        .filter(other -> !other.equals(robot) && traffic.hasRobot(other))
-        .forEach(other -> others.or(traffic.allocatedCells(other)));
+  List<HistoryLine> addPercepts(String robot, Vec2 from, List<Vec2> percepts, Instant now) {
     List<Vec2> seen = percepts.stream().map(percept -> beyondOwnCell(from, percept)).toList();
-    return obstacles.addPercepts(robot, seen, others, now).stream()
+    return obstacles.addPercepts(robot, seen, cell -> isOfOther(robot, cell), now).stream()
         .map(
             obstacle ->
                 new HistoryLine(
@@ -66,6 +56,10 @@ final class FloorWatch {
                     robot,
                     Phrase.SEES_OBSTACLE.with(robot, sentence(obstacle))))
         .toList();
+  }
+
+  private boolean isOfOther(String robot, int cell) {
+    return traffic.robotsAt(cell).stream().anyMatch(other -> !other.equals(robot));
   }
 
   /** What a robot sees in the cell that it is in fills the next one: it cannot be there. */

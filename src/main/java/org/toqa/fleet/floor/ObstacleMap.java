@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.IntPredicate;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Vec2;
@@ -82,15 +83,17 @@ public final class ObstacleMap {
    * odometry are wrong, say nothing new.
    *
    * @param percepts metres, map frame
-   * @param others the cells that other robots hold: what is seen there is them
+   * @param isOthers whether another robot has the cell of that {@link OccupancyGrid#index}: what is
+   *     seen there is that one
    * @return the obstacles that were not known before
    */
-  List<Obstacle> addPercepts(String robot, List<Vec2> percepts, BitSet others, Instant now) {
+  List<Obstacle> addPercepts(
+      String robot, List<Vec2> percepts, IntPredicate isOthers, Instant now) {
     List<Obstacle> appeared = new ArrayList<>();
     long ownCells = marks.values().stream().filter(m -> m.sightings().containsKey(robot)).count();
     for (Vec2 percept : percepts) {
       Cell cell = grid.cellAt(percept);
-      if (!isOffWalls(percept) || others.get(grid.index(cell))) {
+      if (!isOffWalls(percept) || isOthers.test(grid.index(cell))) {
         continue;
       }
       Mark known = marks.get(grid.index(cell));

@@ -198,12 +198,7 @@ final class RobotEventHandler {
     }
     if (said.localised()) {
       state.addRobotLines(
-          watch.addPercepts(
-              robot.name(),
-              said.pose().position(),
-              said.obstacles(),
-              state.robots.keySet(),
-              state.now));
+          watch.addPercepts(robot.name(), said.pose().position(), said.obstacles(), state.now));
     }
   }
 

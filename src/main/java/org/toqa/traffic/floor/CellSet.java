@@ -32,6 +32,10 @@ final class CellSet {
     }
   }
 
+  boolean contains(int index) {
+    return Arrays.binarySearch(indices, index) >= 0;
+  }
+
   boolean intersects(BitSet cells) {
     return firstIn(cells) >= 0;
   }

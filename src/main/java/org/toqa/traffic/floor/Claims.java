@@ -8,34 +8,73 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.toqa.grid.OccupancyGrid;
 
-/** What is whose now, found by place. Read anew from the robots with {@link #refresh}. */
+/**
+ * What is whose now, found by place. {@link #refresh} reads again what robots have whose place or
+ * path has changed; what is asked costs as much as there is near to it, however many robots the
+ * floor has.
+ */
 final class Claims {
   /** The side of the squares by which areas are found, metres. */
   private static final double SQUARE = 1;
 
   private final Collection<TrafficRobot> robots;
+  private final Map<TrafficRobot, Entry> byRobot = new HashMap<>();
   private final Map<Square, List<Claim>> bySquare = new HashMap<>();
+  private long readings;
+  private long comparisons;
 
   private record Square(int column, int row) {}
 
   private record Claim(TrafficRobot robot, SweptArea area) {}
+
+  /** A robot's areas, as they were when it had changed so many times. */
+  private record Entry(long changes, List<SweptArea> areas) {}
 
   Claims(Collection<TrafficRobot> robots) {
     this.robots = robots;
   }
 
   void refresh() {
-    bySquare.clear();
-    robots.forEach(robot -> robot.allocated().forEach(area -> add(robot, area)));
+    for (TrafficRobot robot : robots) {
+      Entry known = byRobot.get(robot);
+      if (known == null || known.changes != robot.changes()) {
+        remove(robot);
+        readings++;
+        byRobot.put(robot, new Entry(robot.changes(), new ArrayList<>()));
+        robot.allocated().forEach(area -> add(robot, area));
+      }
+    }
   }
 
+  /** The robot has that too, until it is read again. */
   void add(TrafficRobot robot, SweptArea area) {
+    Entry entry = byRobot.get(robot);
+    if (entry == null) {
+      throw new IllegalArgumentException(robot.name + " is not known.");
+    }
+    entry.areas.add(area);
+    Claim claim = new Claim(robot, area);
     forEachSquare(
-        area,
-        0,
-        square ->
-            bySquare.computeIfAbsent(square, s -> new ArrayList<>()).add(new Claim(robot, area)));
+        area, 0, square -> bySquare.computeIfAbsent(square, s -> new ArrayList<>()).add(claim));
+  }
+
+  /** The robot has nothing any more. */
+  void remove(TrafficRobot robot) {
+    Entry entry = byRobot.remove(robot);
+    if (entry != null) {
+      entry.areas.forEach(area -> forEachSquare(area, 0, square -> removeFrom(square, robot)));
+    }
+  }
+
+  private void removeFrom(Square square, TrafficRobot robot) {
+    bySquare.computeIfPresent(
+        square,
+        (s, there) -> {
+          there.removeIf(claim -> claim.robot == robot);
+          return there.isEmpty() ? null : there;
+        });
   }
 
   /**
@@ -51,6 +90,7 @@ final class Claims {
         Clearance.BETWEEN_ROBOTS,
         square -> {
           for (Claim claim : bySquare.getOrDefault(square, List.of())) {
+            comparisons++;
             if (claim.robot != robot
                 && !others.contains(claim.robot)
                 && !Clearance.isKept(standing, area, claim.area)) {
@@ -59,6 +99,35 @@ final class Claims {
           }
         });
     return others;
+  }
+
+  /** The robots of whose areas one touches a cell. */
+  Set<TrafficRobot> at(OccupancyGrid grid, int cell) {
+    Set<TrafficRobot> found = new LinkedHashSet<>();
+    double half = grid.resolution() / 2;
+    SweptArea whole = SweptArea.at(grid.centre(grid.cell(cell)), half);
+    forEachSquare(
+        whole,
+        0,
+        square -> {
+          for (Claim claim : bySquare.getOrDefault(square, List.of())) {
+            comparisons++;
+            if (!found.contains(claim.robot) && claim.area.cells(grid, 0).contains(cell)) {
+              found.add(claim.robot);
+            }
+          }
+        });
+    return found;
+  }
+
+  /** How often a robot's areas were read, since the beginning. */
+  long readings() {
+    return readings;
+  }
+
+  /** How many areas were looked at to answer what was asked, since the beginning. */
+  long comparisons() {
+    return comparisons;
   }
 
   private static void forEachSquare(SweptArea area, double around, Consumer<Square> consumer) {

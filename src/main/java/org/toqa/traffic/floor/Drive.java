@@ -13,6 +13,9 @@ import org.toqa.motion.Segment;
 
 /** What a robot drives by: its reserved path, how far that is released, and what it was told. */
 final class Drive {
+  /** Metres; points nearer to each other are the same but for rounding. */
+  private static final double SAME_POINT = 1e-6;
+
   private @Nullable ReservedPath path;
 
   /** Counts the paths, so that a wait for an earlier one counts as over. */
@@ -39,6 +42,9 @@ final class Drive {
   /** When it last completed a section or was given one to drive. */
   private Instant lastProgress;
 
+  /** How often what it may drive, or has still to drive of that, became another. */
+  private long changes;
+
   /** Where its last path ended, which it came to but for what a robot is off its place. */
   private @Nullable Pose lastPathEnd;
 
@@ -46,8 +52,28 @@ final class Drive {
     this.lastProgress = now;
   }
 
+  /** Another one in the same state. */
+  Drive copy() {
+    Drive copy = new Drive(lastProgress);
+    copy.path = path;
+    copy.pathNumber = pathNumber;
+    copy.isBegun = isBegun;
+    copy.sentReleased = sentReleased;
+    copy.isChangeUnsent = isChangeUnsent;
+    copy.completed = completed;
+    copy.completedSegments = completedSegments;
+    copy.released = released;
+    copy.lastPathEnd = lastPathEnd;
+    return copy;
+  }
+
   @Nullable ReservedPath path() {
     return path;
+  }
+
+  /** Rises whenever what it may drive, or has still to drive of that, becomes another. */
+  long changes() {
+    return changes;
   }
 
   int pathNumber() {
@@ -174,7 +200,54 @@ final class Drive {
       released = 0;
     }
     pathNumber++;
+    changes++;
     isChangeUnsent = true;
+  }
+
+  /**
+   * How much of a path it has been released since it was pictured, though on the path that it had
+   * then.
+   *
+   * @param next goes on where the released part ended then
+   * @return so many sections of it; below 0: its path does not lead there any more
+   */
+  int releasedAlong(ReservedPath next, Drive pictured) {
+    ReservedPath now = path;
+    if (pathNumber != pictured.pathNumber) {
+      return -1;
+    }
+    if (now == null) {
+      return 0;
+    }
+    int count = released - pictured.released;
+    if (count > next.sectionCount()) {
+      return -1;
+    }
+    for (int i = 1; i <= count; i++) {
+      if (now.poseAfter(pictured.released + i).distanceTo(next.poseAfter(i)) > SAME_POINT) {
+        return -1;
+      }
+    }
+    return count;
+  }
+
+  /**
+   * Takes the path of a plan that was made elsewhere.
+   *
+   * @param along so many of its sections are the last that it was released
+   * @param releasedAtOnce so many of its sections it may drive by that
+   * @param number of the path in that plan
+   */
+  void adopt(ReservedPath next, int along, int releasedAtOnce, int number) {
+    if (path == null) {
+      continueOn(next);
+    } else {
+      path = path.continuedWith(released, next, along);
+      isChangeUnsent = true;
+    }
+    released += Math.max(0, releasedAtOnce - along);
+    pathNumber = number;
+    changes++;
   }
 
   /** The same visits in the same order, driven in other sections from the first unreleased on. */
@@ -192,6 +265,7 @@ final class Drive {
   void resume(int completedSections, Instant now) {
     releaseAll();
     completed = Math.min(completedSections, released);
+    changes++;
     completedSegments = Objects.requireNonNull(path).segmentCount(completed);
     isBegun = true;
     sentReleased = released;
@@ -203,10 +277,12 @@ final class Drive {
       lastProgress = now;
     }
     released++;
+    changes++;
   }
 
   void releaseAll() {
     released = Objects.requireNonNull(path).sectionCount();
+    changes++;
   }
 
   /**
@@ -214,12 +290,14 @@ final class Drive {
    * @return whether a section more than before is
    */
   boolean complete(int segments, Instant now) {
+    changes += completedSegments == segments ? 0 : 1;
     completedSegments = path == null ? 0 : segments;
     int done = path == null ? 0 : Math.min(path.completedSections(segments), released);
     if (done <= completed) {
       return false;
     }
     completed = done;
+    changes++;
     lastProgress = now;
     return true;
   }
@@ -231,7 +309,10 @@ final class Drive {
 
   /** The robot is stopped and has no path. */
   void stop() {
-    lastPathEnd = path == null ? lastPathEnd : path.poseAfter(released);
+    if (path != null) {
+      lastPathEnd = path.poseAfter(released);
+      changes++;
+    }
     path = null;
     completed = 0;
     completedSegments = 0;

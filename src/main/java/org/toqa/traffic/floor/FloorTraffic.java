@@ -5,9 +5,12 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.Executor;
 import java.util.function.DoubleFunction;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -38,9 +41,11 @@ import org.toqa.wording.Sentence;
  * robot never enters what another has not left, however late anyone is, and since the order has no
  * cycle somebody can always go on.
  *
- * <p>Confined to one thread. It knows no clock: time is handed in. Points and poses are in metres
- * and radians, counter-clockwise from map east, in the map frame. A robot must be known here, by
- * {@link #reportStanding}, before anything else is said or asked of it.
+ * <p>Confined to one thread; paths are planned by another, and adopted when they are ready and
+ * still fit. It knows no clock: time is handed in. Points and poses are in metres and radians,
+ * counter-clockwise from map east, in the map frame. A robot must be known here, by {@link
+ * #reportStanding}, before anything else is said or asked of it: else that is an {@link
+ * IllegalArgumentException}.
  *
  * <ol>
  *   <li>Tell it what is so: {@link #reportStanding}, {@link #reportProgress}, {@link #setGoal},
@@ -51,21 +56,24 @@ import org.toqa.wording.Sentence;
 public final class FloorTraffic {
   private static final long SEED = 7275;
 
-  private final FreeSpace freeSpace;
+  private final OccupancyGrid grid;
   private final PathAssigner pathAssigner;
   private final SectionReleaser releaser;
   private final Claims claims;
   private final StandstillDetector standstillDetector = new StandstillDetector();
   private final ReplanTrigger trigger = new ReplanTrigger();
   private final Map<String, TrafficRobot> robots = new TreeMap<>();
+  private BitSet obstacles = new BitSet();
   private int robotCount;
 
   /**
+   * Plans at once, on the thread that asks for decisions.
+   *
    * @param planningDeadline by when a plan for all robots that begins now is to be ready
    */
   public FloorTraffic(
       OccupancyGrid grid, JointPlanner jointPlanner, Supplier<Deadline> planningDeadline) {
-    this(grid, jointPlanner, FloorTraffic::rollingPlanner, planningDeadline);
+    this(grid, jointPlanner, FloorTraffic::rollingPlanner, planningDeadline, Runnable::run);
   }
 
   /** A planner of the next steps of robots that keep apart so many cells. */
@@ -76,31 +84,24 @@ public final class FloorTraffic {
   /**
    * @param nextSteps planners of the next steps of robots that keep apart so many cells
    * @param planningDeadline by when a plan for all robots that begins now is to be ready
+   * @param planning what plans, one thing at a time
    */
   public FloorTraffic(
       OccupancyGrid grid,
       JointPlanner jointPlanner,
       DoubleFunction<LifelongPlanner> nextSteps,
-      Supplier<Deadline> planningDeadline) {
-    SectionFitter fitter = new SectionFitter();
-    this.freeSpace = new FreeSpace(grid);
+      Supplier<Deadline> planningDeadline,
+      Executor planning) {
+    this.grid = grid;
     this.claims = new Claims(robots.values());
-    this.releaser = new SectionReleaser(fitter, robots, claims);
-    SingleRobotPlanner singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
+    this.releaser = new SectionReleaser(new SectionFitter(), robots, claims);
     this.pathAssigner =
         new PathAssigner(
             robots,
             claims,
             trigger,
-            singleRobotPlanner,
-            new LanePlanner(
-                freeSpace,
-                singleRobotPlanner,
-                fitter,
-                jointPlanner,
-                new NextStepsPlanner(nextSteps),
-                planningDeadline),
-            new WaitReasonFinder(freeSpace, singleRobotPlanner));
+            new FloorPlanner(grid, jointPlanner, nextSteps, planningDeadline),
+            planning);
   }
 
   // --- what is so -------------------------------------------------------------------------------
@@ -111,7 +112,6 @@ public final class FloorTraffic {
    * @param diameter of the disc that the robot fills, metres, above 0
    */
   public void reportStanding(String name, Pose pose, double diameter, Instant now) {
-    OccupancyGrid grid = freeSpace.grid();
     boolean isNew = !robots.containsKey(name);
     TrafficRobot robot =
         robots.computeIfAbsent(
@@ -253,7 +253,8 @@ public final class FloorTraffic {
    *     those told before
    */
   public void setObstacles(BitSet cells) {
-    if (freeSpace.setObstacles(cells)) {
+    if (!cells.equals(obstacles)) {
+      obstacles = (BitSet) cells.clone();
       trigger.markChanged();
       robots.values().stream()
           .filter(robot -> robot.drive.hasUnreleasedOn(cells))
@@ -265,7 +266,9 @@ public final class FloorTraffic {
    * @throws IllegalArgumentException if there is no such robot
    */
   public void removeRobot(String name) {
-    trigger.markFreed(robot(name));
+    TrafficRobot robot = robot(name);
+    trigger.markFreed(robot);
+    claims.remove(robot);
     robots.remove(name);
     trigger.markChanged();
   }
@@ -284,52 +287,42 @@ public final class FloorTraffic {
 
   // --- what can be read -------------------------------------------------------------------------
 
-  /**
-   * Whether the robot is stopped at its goal.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** Whether the robot is stopped at its goal. */
   public boolean isAtGoal(String name) {
     return robot(name).isAtGoal();
   }
 
-  /**
-   * Why it does not go on, for people; null while it does.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** Why it does not go on, for people; null while it does. */
   public @Nullable Sentence waitReason(String name) {
     WaitReason waitReason = robot(name).waitReason();
     return waitReason == null ? null : waitReason.sentence();
   }
 
-  /**
-   * The robot that stands in its way and cannot be told to make room, if one does.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** The robot that stands in its way and cannot be told to make room, if one does. */
   public Optional<String> blockedBy(String name) {
     return robot(name).waitReason() instanceof WaitReason.RobotNotMovable(String other, Vec2 _)
         ? Optional.of(other)
         : Optional.empty();
   }
 
-  /**
-   * The cells that are its own now, as bits by {@link OccupancyGrid#index}.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** The cells that are its own now, as bits by {@link OccupancyGrid#index}. */
   public BitSet allocatedCells(String name) {
     return robot(name).allocatedCells();
   }
 
   /**
-   * Whether an obstacle is on what it has been released and not driven yet.
+   * The robots that have a cell for their own now.
    *
-   * @throws IllegalArgumentException if there is no such robot
+   * @param cell by {@link OccupancyGrid#index}
    */
+  public Set<String> robotsAt(int cell) {
+    claims.refresh();
+    return claims.at(grid, cell).stream().map(robot -> robot.name).collect(Collectors.toSet());
+  }
+
+  /** Whether an obstacle is on what it has been released and not driven yet. */
   public boolean isObstacleAhead(String name) {
-    return robot(name).drive.hasAheadOn(freeSpace.obstacles());
+    return robot(name).drive.hasAheadOn(obstacles);
   }
 
   /** Robots that do not get on as they should, each in one of these at most. */
@@ -337,11 +330,7 @@ public final class FloorTraffic {
     return standstillDetector.standstills();
   }
 
-  /**
-   * The rest of its path.
-   *
-   * @throws IllegalArgumentException if there is no such robot
-   */
+  /** The rest of its path. */
   public RemainingPath remainingPath(String name) {
     TrafficRobot robot = robot(name);
     Drive drive = robot.drive;
@@ -353,14 +342,23 @@ public final class FloorTraffic {
 
   // --- decisions --------------------------------------------------------------------------------
 
-  /** Plans for whoever needs a path, and releases what can be. */
+  /** Has paths planned for whoever needs one, and releases what can be. */
   public List<DriveCommand> decide(Instant now) {
     claims.refresh();
     detectStalls(now);
-    pathAssigner.assignPaths(standstills(), now);
-    robots.values().forEach(robot -> releaser.release(robot, now));
+    pathAssigner.adoptPlan(obstacles, now);
+    release(now);
+    if (pathAssigner.requestPlan(standstills(), obstacles, now)) {
+      pathAssigner.adoptPlan(obstacles, now); // if it is made already
+      release(now);
+    }
     standstillDetector.update(robots.values(), now);
     return robots.values().stream().flatMap(robot -> robot.takeUnsentCommand().stream()).toList();
+  }
+
+  private void release(Instant now) {
+    boolean isPlanned = pathAssigner.isPlanningJointly();
+    robots.values().forEach(robot -> releaser.release(robot, isPlanned, now));
   }
 
   private void freeUnreleased(TrafficRobot robot) {

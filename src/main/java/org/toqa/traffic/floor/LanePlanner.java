@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -276,9 +277,10 @@ final class LanePlanner {
 
     /** What others have or will need. */
     private OccupiedSpace findOccupied() {
+      Set<TrafficRobot> members = new HashSet<>(planned);
       List<SweptArea> claimed =
           robots.stream()
-              .filter(robot -> !planned.contains(robot))
+              .filter(robot -> !members.contains(robot))
               .flatMap(robot -> robot.claimed().stream())
               .toList();
       return new OccupiedSpace(freeSpace.grid(), freeSpace.blocked(), claimed);
@@ -297,32 +299,25 @@ final class LanePlanner {
     private boolean assignPlaces() {
       places = new HashMap<>();
       sectionsToPlaces = new HashMap<>();
+      Set<Cell> taken = new HashSet<>();
       List<TrafficRobot> aside = new ArrayList<>();
       for (TrafficRobot robot : planned) {
         Cell cell = lanes.lattice().cellAt(robot.releasedEnd().position());
-        if (!isOnLane(robot)
-            || roads.vertex(cell) == RoadGraph.NONE
-            || places.containsValue(cell)) {
+        if (!isOnLane(robot) || roads.vertex(cell) == RoadGraph.NONE || !taken.add(cell)) {
           aside.add(robot);
         } else {
           places.put(robot, cell);
         }
       }
       List<SweptArea> swept = new ArrayList<>();
-      boolean all = true;
-      for (TrafficRobot robot : aside) {
-        if (!assignPlace(robot, swept)) {
-          planned.remove(robot);
-          all = false;
-        }
-      }
-      return all;
+      aside.removeIf(robot -> assignPlace(robot, taken, swept));
+      return !planned.removeAll(Set.copyOf(aside));
     }
 
-    private boolean assignPlace(TrafficRobot robot, List<SweptArea> swept) {
+    private boolean assignPlace(TrafficRobot robot, Set<Cell> taken, List<SweptArea> swept) {
       Pose from = robot.releasedEnd();
       for (Cell cell : lanes.cellsAround(from.position())) {
-        if (roads.vertex(cell) == RoadGraph.NONE || places.containsValue(cell)) {
+        if (roads.vertex(cell) == RoadGraph.NONE || taken.contains(cell)) {
           continue;
         }
         List<Waypoint> middle = List.of(new Waypoint(points.of(cell), false));
@@ -331,6 +326,7 @@ final class LanePlanner {
             fitter.fit(robot, from, middle, length, new PassingPlaces.OnlyAtEnd());
         if (sections.size() == 1 && canDrive(robot, from, sections.getFirst(), swept)) {
           swept.add(sections.getFirst().area());
+          taken.add(cell);
           places.put(robot, cell);
           sectionsToPlaces.put(robot, sections);
           return true;
@@ -350,7 +346,7 @@ final class LanePlanner {
     /** How many that want to go somewhere would get nowhere by this. */
     int leftOutCount() {
       long notPlanned =
-          robots.stream().filter(robot -> robot.needsPath() && !planned.contains(robot)).count();
+          robots.stream().filter(robot -> robot.needsPath() && !places.containsKey(robot)).count();
       return goals.unreachableCount() + (int) notPlanned;
     }
 
@@ -380,7 +376,7 @@ final class LanePlanner {
 
     private void adopt(RoadGraph plannedOn, Spacing kept, List<int[]> steps) {
       for (TrafficRobot robot : robots) {
-        if (!planned.contains(robot) && robot.drive.isOnSharedPath()) {
+        if (!places.containsKey(robot) && robot.drive.isOnSharedPath()) {
           robot.freeUnreleased();
         }
       }

@@ -1,117 +1,157 @@
 package org.toqa.traffic.floor;
 
-import static java.util.Comparator.nullsLast;
-
 import java.time.Duration;
 import java.time.Instant;
-import java.util.ArrayList;
-import java.util.Comparator;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.Executor;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.toqa.geometry.Vec2;
 
 /**
- * Gives paths to the robots that need one: first each its own, then all together where that helps,
- * and to those without one the reason, and room by others that step aside. Confined to one thread.
+ * Gives paths to the robots that need one: has them planned by other threads, from a picture of the
+ * floor, and adopts what still fits when that is done. One plan is made at a time; what comes up
+ * meanwhile is in the next picture. Confined to one thread, and waits for none.
  */
 final class PathAssigner {
-  private static final Duration RETRY_AFTER = Duration.ofSeconds(1);
+  /** Who waits for a plan that takes so long is told that. */
+  private static final Duration LATE_AFTER = Duration.ofSeconds(2);
 
   private final Map<String, TrafficRobot> robots;
-  private final Claims claims;
   private final ReplanTrigger trigger;
-  private final SingleRobotPlanner singleRobotPlanner;
-  private final LanePlanner lanePlanner;
-  private final WaitReasonFinder waitReasons;
-  private final RoomMaker roomMaker;
+  private final FloorPlanner planner;
+  private final Executor planning;
+  private final PlanAdopter adopter;
+  private @Nullable Pending pending;
+
+  private record Pending(PlanningRequest request, CompletableFuture<FloorPlan> plan) {
+    boolean isLate(Instant now) {
+      return !request.now().plus(LATE_AFTER).isAfter(now);
+    }
+  }
 
   /**
    * @param robots all on the floor by name, as they are at any time
+   * @param planning what plans; it may do so at once
    */
   PathAssigner(
       Map<String, TrafficRobot> robots,
       Claims claims,
       ReplanTrigger trigger,
-      SingleRobotPlanner singleRobotPlanner,
-      LanePlanner lanePlanner,
-      WaitReasonFinder waitReasons) {
+      FloorPlanner planner,
+      Executor planning) {
     this.robots = robots;
-    this.claims = claims;
     this.trigger = trigger;
-    this.singleRobotPlanner = singleRobotPlanner;
-    this.lanePlanner = lanePlanner;
-    this.waitReasons = waitReasons;
-    this.roomMaker = new RoomMaker(singleRobotPlanner, robots, trigger);
+    this.planner = planner;
+    this.planning = planning;
+    this.adopter = new PlanAdopter(robots, claims, trigger);
   }
 
-  /**
-   * @param standstills those that are known now
-   */
-  void assignPaths(List<Standstill> standstills, Instant now) {
-    planSingleRobots(now);
-    planJointly(standstills, now);
-    findWaitReasons(now);
-    robots.values().stream()
-        .filter(TrafficRobot::needsPath)
-        .forEach(robot -> roomMaker.makeRoomFor(robot, now));
+  /** Whether robots are being planned together. */
+  boolean isPlanningJointly() {
+    return pending != null && pending.request().need().isDue();
   }
 
-  /** Gives their own paths to those that wait: formations first, then the longest waiting. */
-  private void planSingleRobots(Instant now) {
-    List<TrafficRobot> unserved =
-        robots.values().stream()
-            .filter(TrafficRobot::needsPath)
-            .sorted(
-                Comparator.<TrafficRobot, Boolean>comparing(robot -> !robot.isFormation())
-                    .thenComparing(
-                        robot -> robot.waiting.since(),
-                        nullsLast(Comparator.<Instant>naturalOrder())))
-            .toList();
-    for (TrafficRobot robot : unserved) {
+  private void updateWaits(Instant now) {
+    boolean isPlanLate = pending != null && pending.isLate(now);
+    for (TrafficRobot robot : robots.values()) {
+      Vec2 goal = robot.goal();
+      if (!robot.needsPath() || goal == null) {
+        robot.waiting.clearNoPathReason();
+        continue;
+      }
       if (robot.waiting.since() == null) {
         robot.waiting.setSince(now);
       }
-      if ((trigger.isChanged() && !trigger.isPlannedAhead())
-          || robot.waiting.isSinglePlanOlderThan(RETRY_AFTER, now)) {
-        robot.waiting.recordSinglePlan(now);
-        planSingleRobot(robot);
+      if (isPlanLate && robot.waiting.noPathReason() == null) {
+        robot.waiting.setNoPathReason(new WaitReason.NoPlan(goal), now);
       }
     }
   }
 
-  private void planSingleRobot(TrafficRobot robot) {
-    List<SweptArea> claimed = new ArrayList<>(robot.claimedByOthers(robots.values()));
-    robots.values().stream()
-        .filter(other -> other.hasPrecedenceOver(robot))
-        .forEach(other -> claimed.addAll(other.waiting.wanted()));
-    singleRobotPlanner
-        .pathAmong(robot, claimed)
-        .ifPresent(
-            sections -> {
-              robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
-              robot.waiting.restart(null);
-            });
+  /**
+   * Pictures the floor and has paths planned, if any are needed and no plan is being made.
+   *
+   * @param standstills those that are known now
+   * @param obstacles not to be changed afterwards
+   * @return whether it did
+   */
+  boolean requestPlan(List<Standstill> standstills, BitSet obstacles, Instant now) {
+    updateWaits(now);
+    if (pending != null) {
+      return false;
+    }
+    ReplanTrigger.Need need = trigger.need(robots.values(), standstills, now);
+    List<TrafficRobot> unserved = robots.values().stream().filter(TrafficRobot::needsPath).toList();
+    boolean isAnyChange = trigger.isChanged() && !trigger.isPlannedAhead();
+    Set<String> dueForOwnPath =
+        unserved.stream()
+            .filter(
+                robot ->
+                    isAnyChange
+                        || robot.waiting.isSinglePlanOlderThan(FloorPlanner.RETRY_AFTER, now))
+            .map(robot -> robot.name)
+            .collect(Collectors.toSet());
+    boolean isReasonDue =
+        unserved.stream()
+            .anyMatch(
+                robot -> robot.waiting.isNoPathReasonOlderThan(FloorPlanner.RETRY_AFTER, now));
+    boolean isJointPlanDue = need.isDue() && need.isOf(robots.values());
+    if (dueForOwnPath.isEmpty() && !isReasonDue && !isJointPlanDue) {
+      return false;
+    }
+    unserved.stream()
+        .filter(robot -> dueForOwnPath.contains(robot.name))
+        .forEach(robot -> robot.waiting.recordSinglePlan(now));
+    trigger.recordRequest();
+    PlanningRequest request =
+        new PlanningRequest(
+            now,
+            obstacles,
+            robots.values().stream().map(TrafficRobot::copy).toList(),
+            dueForOwnPath,
+            need);
+    pending =
+        new Pending(request, CompletableFuture.supplyAsync(() -> planner.plan(request), planning));
+    return true;
   }
 
-  private void planJointly(List<Standstill> standstills, Instant now) {
-    if (!trigger.takePlanNeeded(robots.values(), standstills, now)) {
+  /**
+   * Adopts the plan that is being made, if it is ready.
+   *
+   * @param obstacles those that are there now
+   */
+  void adoptPlan(BitSet obstacles, Instant now) {
+    Pending ready = pending;
+    if (ready == null || !ready.plan().isDone()) {
       return;
     }
-    LanePlanner.Outcome outcome =
-        lanePlanner.plan(robots.values(), claims, trigger.mustReplan(), trigger.isStill(), now);
-    if (outcome == LanePlanner.Outcome.PLANNED || outcome == LanePlanner.Outcome.PLANNED_AHEAD) {
-      trigger.recordPlanned(outcome == LanePlanner.Outcome.PLANNED_AHEAD);
+    pending = null;
+    FloorPlan plan = result(ready);
+    boolean isWhole = adopter.adopt(plan, obstacles);
+    trigger.recordPlan(plan, isWhole);
+    if (plan.isJoint()) {
       robots.values().stream()
           .filter(TrafficRobot::hasPathToGoal)
           .forEach(robot -> robot.waiting.endWaitForPath());
     }
+    updateWaits(now);
   }
 
-  private void findWaitReasons(Instant now) {
-    for (TrafficRobot robot : robots.values()) {
-      if (!robot.needsPath()) {
-        robot.waiting.clearNoPathReason();
-      } else if (robot.waiting.isNoPathReasonOlderThan(RETRY_AFTER, now)) {
-        robot.waiting.setNoPathReason(waitReasons.reasonFor(robot, robots.values()), now);
+  private FloorPlan result(Pending ready) {
+    try {
+      return ready.plan().join();
+    } catch (CompletionException e) {
+      trigger.recordFailure(ready.request());
+      switch (e.getCause()) {
+        case RuntimeException cause -> throw cause;
+        case Error cause -> throw cause;
+        case null, default -> throw e;
       }
     }
   }

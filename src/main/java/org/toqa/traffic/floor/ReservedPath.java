@@ -95,10 +95,38 @@ record ReservedPath(
 
   /** Its first {@code count} sections, and then the whole of another path. */
   ReservedPath continuedWith(int count, ReservedPath next) {
+    return continuedWith(count, next, 0);
+  }
+
+  /**
+   * Its first {@code count} sections, and then the rest of another path, whose first {@code along}
+   * are driven as the last of these.
+   */
+  ReservedPath continuedWith(int count, ReservedPath next, int along) {
     List<Section> joined = new ArrayList<>(sections.subList(0, count));
-    joined.addAll(next.sections);
+    joined.addAll(next.sections.subList(along, next.sectionCount()));
     return new ReservedPath(
-        start, joined, count, next.lanes, next.visits, next.visitAtEnd, next.dependencies);
+        start,
+        joined,
+        count - along + next.inherited,
+        next.lanes,
+        next.visits,
+        next.visitAtEnd,
+        next.dependencies);
+  }
+
+  /**
+   * What of it comes behind its first {@code count} sections, of which none was planned with it.
+   */
+  ReservedPath from(int count) {
+    return new ReservedPath(
+        poseAfter(count),
+        sections.subList(count, sectionCount()),
+        inherited - count,
+        lanes,
+        visits,
+        visitAtEnd,
+        dependencies);
   }
 
   ReservedPath withDependencies(List<List<Dependency>> others) {

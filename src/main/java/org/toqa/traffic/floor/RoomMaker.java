@@ -15,25 +15,22 @@ final class RoomMaker {
   private static final Duration MAKE_ROOM_AFTER = Duration.ofSeconds(2);
 
   private final SingleRobotPlanner singleRobotPlanner;
-  private final Map<String, TrafficRobot> robots;
-  private final ReplanTrigger trigger;
 
-  RoomMaker(
-      SingleRobotPlanner singleRobotPlanner,
-      Map<String, TrafficRobot> robots,
-      ReplanTrigger trigger) {
+  RoomMaker(SingleRobotPlanner singleRobotPlanner) {
     this.singleRobotPlanner = singleRobotPlanner;
-    this.robots = robots;
-    this.trigger = trigger;
   }
 
-  /** Sends away who is on the only path of a robot that has waited long enough. */
-  void makeRoomFor(TrafficRobot robot, Instant now) {
+  /**
+   * Sends away who is on the only path of a robot that has waited long enough.
+   *
+   * @param robots all, by name
+   */
+  void makeRoomFor(TrafficRobot robot, Map<String, TrafficRobot> robots, Instant now) {
     Instant since = robot.waiting.since();
     if (since == null || since.plus(MAKE_ROOM_AFTER).isAfter(now)) {
       return;
     }
-    TrafficRobot other = robotBlocking(robot);
+    TrafficRobot other = robotBlocking(robot, robots);
     if (other == null || !other.isMovable() || other.hasPrecedenceOver(robot)) {
       return;
     }
@@ -46,7 +43,6 @@ final class RoomMaker {
     Optional<List<Section>> out =
         singleRobotPlanner.pathOutOf(other, other.claimedByOthers(robots.values()), wanted);
     if (out.isPresent()) {
-      trigger.markFreed(other);
       other.freeUnreleased();
       other.continueOn(ReservedPath.independent(other.releasedEnd(), out.get()));
       other.waiting.setSince(other.goal() == null ? null : now);
@@ -54,7 +50,8 @@ final class RoomMaker {
   }
 
   /** One that has a path and cannot go on it, as to where a formation is, blocks that too. */
-  private @Nullable TrafficRobot robotBlocking(TrafficRobot robot) {
+  private @Nullable TrafficRobot robotBlocking(
+      TrafficRobot robot, Map<String, TrafficRobot> robots) {
     WaitReason reason = robot.waiting.noPathReason();
     if (reason == null || reason.robot() == null) {
       return null;

@@ -21,6 +21,9 @@ final class SectionReleaser {
   /** Released ahead of a robot: at least so many seconds of driving. */
   private static final double SECONDS_AHEAD = 3;
 
+  /** The same of one that a plan is being made for, which had more when that began. */
+  private static final double SECONDS_AHEAD_WHILE_PLANNED = 2;
+
   private final SectionFitter fitter;
   private final Map<String, TrafficRobot> robots;
   private final Claims claims;
@@ -31,12 +34,18 @@ final class SectionReleaser {
     this.claims = claims;
   }
 
-  void release(TrafficRobot robot, Instant now) {
+  /**
+   * @param isPlanned whether a plan is being made that goes on where its released part ends: if
+   *     that can stay there, it does
+   */
+  void release(TrafficRobot robot, boolean isPlanned, Instant now) {
     ReservedPath path = robot.drive.path();
     if (path == null || !robot.isMovable() || robot.isStalled()) {
       return;
     }
-    while (robot.drive.released() < path.sectionCount() && robot.secondsAhead() < SECONDS_AHEAD) {
+    double enough = isPlanned ? SECONDS_AHEAD_WHILE_PLANNED : SECONDS_AHEAD;
+    while (robot.drive.released() < path.sectionCount()
+        && Allocation.secondsAhead(robot) < enough) {
       if (!canEnter(robot, path, robot.drive.released())) {
         if (!hasWaited(robot, now) || !splitCorner(robot, path)) {
           return;

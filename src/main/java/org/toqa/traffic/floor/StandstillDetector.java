@@ -4,8 +4,11 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -61,11 +64,10 @@ final class StandstillDetector {
     }
     notMoving.keySet().retainAll(stalled);
     Set<Set<String>> found = new HashSet<>();
-    for (TrafficRobot robot : robots) {
-      List<TrafficRobot> cycle = cycleFrom(robot, byName);
+    for (List<TrafficRobot> cycle : cycles(robots, byName)) {
       Set<String> names = new HashSet<>();
       cycle.forEach(c -> names.add(c.name));
-      if (!cycle.isEmpty() && found.add(names)) {
+      if (found.add(names)) {
         Instant since = cycles.computeIfAbsent(names, key -> now);
         if (!since.plus(CYCLE_AFTER).isAfter(now)) {
           seen.add(standstill(Standstill.Kind.CYCLE_OF_WAITS, cycle, since));
@@ -82,18 +84,31 @@ final class StandstillDetector {
     return new Standstill(kind, robots.stream().map(robot -> robot.name).toList(), cells, since);
   }
 
-  /** The cycle of waits that the robot is the first of by name, or nothing. */
-  private static List<TrafficRobot> cycleFrom(
-      TrafficRobot first, Map<String, TrafficRobot> byName) {
-    List<TrafficRobot> chain = new ArrayList<>();
-    TrafficRobot at = first;
-    while (at != null && !chain.contains(at)) {
-      chain.add(at);
-      at = blockingRobot(at, byName);
+  /**
+   * All cycles of waits, each from its first robot by name. Each robot waits for one at most, so
+   * each is looked at once: a chain that comes to one seen in an earlier chain brings nothing new.
+   */
+  private static List<List<TrafficRobot>> cycles(
+      Collection<TrafficRobot> robots, Map<String, TrafficRobot> byName) {
+    List<List<TrafficRobot>> all = new ArrayList<>();
+    Set<TrafficRobot> seen = new HashSet<>();
+    for (TrafficRobot first : robots) {
+      Map<TrafficRobot, Integer> chain = new LinkedHashMap<>();
+      TrafficRobot at = first;
+      while (at != null && seen.add(at)) {
+        chain.put(at, chain.size());
+        at = blockingRobot(at, byName);
+      }
+      Integer begin = at == null ? null : chain.get(at);
+      if (begin != null) {
+        List<TrafficRobot> cycle = new ArrayList<>(chain.keySet()).subList(begin, chain.size());
+        TrafficRobot least = Collections.min(cycle, Comparator.comparing(robot -> robot.name));
+        Collections.rotate(cycle, -cycle.indexOf(least));
+        all.add(cycle);
+      }
     }
-    boolean isCycle = at == first;
-    boolean isFirstByName = chain.stream().noneMatch(robot -> robot.name.compareTo(first.name) < 0);
-    return isCycle && isFirstByName ? chain : List.of();
+    all.sort(Comparator.comparing(cycle -> cycle.getFirst().name));
+    return all;
   }
 
   private static @Nullable TrafficRobot blockingRobot(

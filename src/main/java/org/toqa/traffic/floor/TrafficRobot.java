@@ -37,7 +37,7 @@ final class TrafficRobot {
   final Drive drive;
 
   /** What it waits for. */
-  final WaitState waiting = new WaitState();
+  final WaitState waiting;
 
   private final OccupancyGrid grid;
   private Pose pose;
@@ -58,6 +58,9 @@ final class TrafficRobot {
   /** What it covers where it is. */
   private SweptArea standingArea;
 
+  /** How often that became another. */
+  private long moves;
+
   TrafficRobot(String name, int number, OccupancyGrid grid, Pose pose, double radius, Instant now) {
     this.name = name;
     this.number = number;
@@ -65,7 +68,41 @@ final class TrafficRobot {
     this.pose = pose;
     this.radius = radius;
     this.drive = new Drive(now);
+    this.waiting = new WaitState();
     this.standingArea = SweptArea.at(pose.position(), radius);
+  }
+
+  private TrafficRobot(TrafficRobot other) {
+    name = other.name;
+    number = other.number;
+    grid = other.grid;
+    drive = other.drive.copy();
+    waiting = other.waiting.copy();
+    pose = other.pose;
+    radius = other.radius;
+    speeds = other.speeds;
+    movable = other.movable;
+    goal = other.goal;
+    goalHeading = other.goalHeading;
+    formation = other.formation;
+    stalled = other.stalled;
+    standingArea = other.standingArea;
+  }
+
+  /** Another one in the same state: neither learns what becomes of the other. */
+  TrafficRobot copy() {
+    return new TrafficRobot(this);
+  }
+
+  /** Whether it is to go to the same place as when it was pictured, and can as well as then. */
+  boolean isUnchangedSince(TrafficRobot pictured) {
+    return movable
+        && stalled == pictured.stalled
+        && Objects.equals(goal, pictured.goal)
+        && Objects.equals(goalHeading, pictured.goalHeading)
+        && speeds.equals(pictured.speeds)
+        && radius == pictured.radius
+        && formation == pictured.formation;
   }
 
   /** Where it is, map frame. */
@@ -132,13 +169,20 @@ final class TrafficRobot {
     radius = newRadius;
     if (!isSame) {
       standingArea = areaAt(newPose);
+      moves++;
     }
+  }
+
+  /** Rises whenever it is elsewhere, or what is its own becomes another. */
+  long changes() {
+    return moves + drive.changes();
   }
 
   /** Others drive with it as one from now on; null: it drives alone. */
   void setFormation(@Nullable FormationFootprint newFormation) {
     formation = newFormation;
     standingArea = areaAt(pose);
+    moves++;
   }
 
   @Nullable FormationFootprint formation() {
@@ -176,51 +220,7 @@ final class TrafficRobot {
 
   /** What is its own now, in parts: where it is, and all of what it may drive. */
   List<SweptArea> allocated() {
-    List<SweptArea> areas = new ArrayList<>(drive.allocatedBehindOpen());
-    drive.openSection().ifPresent(open -> areas.addAll(areasAhead(open)));
-    if (areas.stream().noneMatch(this::isWithin)) {
-      areas.add(placeArea());
-    }
-    return areas;
-  }
-
-  /** What it has still to cover of the section that it is on: what is behind it is nobody's. */
-  private List<SweptArea> areasAhead(Drive.OpenSection open) {
-    Segment first = open.segments().getFirst();
-    double done = formation == null ? first.shareDone(open.start(), pose) : 0;
-    Pose at = open.start().advanced(first.twist(), done * first.t());
-    List<SweptArea> areas = new ArrayList<>();
-    areas.add(done == 1 ? areaAt(at) : sweptArea(at, first.after(done)));
-    at = open.start().advanced(first.twist(), first.t());
-    for (Segment segment : open.segments().subList(1, open.segments().size())) {
-      areas.add(sweptArea(at, segment));
-      at = at.advanced(segment.twist(), segment.t());
-    }
-    return areas;
-  }
-
-  /** Seconds at the planned speed until it has driven all that it may. */
-  double secondsAhead() {
-    double seconds = drive.secondsBehindOpen();
-    Drive.OpenSection open = drive.openSection().orElse(null);
-    if (open == null) {
-      return seconds;
-    }
-    double done = open.segments().getFirst().shareDone(open.start(), pose);
-    return seconds
-        + open.segments().stream().mapToDouble(Segment::t).sum()
-        - done * open.segments().getFirst().t();
-  }
-
-  /** What it covers at the place that it was sent to, if it is there; else where it is. */
-  private SweptArea placeArea() {
-    Pose place = drive.lastPathEnd();
-    if (place == null) {
-      return standingArea;
-    }
-    SweptArea area = areaAt(place);
-    boolean isThere = formation == null ? isWithin(area) : FormationPlanner.isAtPlace(place, pose);
-    return isThere ? area : standingArea;
+    return Allocation.areas(this);
   }
 
   /** Whether it is there, but for what a robot may be beside its path. */
@@ -346,6 +346,16 @@ final class TrafficRobot {
   /** Begins another path where the released part of this one ends. */
   void continueOn(ReservedPath next) {
     drive.continueOn(next);
+    waiting.forgetPath();
+  }
+
+  /**
+   * Begins a path that was planned elsewhere.
+   *
+   * @param along so many of its sections are the last that it was released
+   */
+  void adopt(ProposedPath next, int along) {
+    drive.adopt(next.path(), along, next.releasedAtOnce(), next.number());
     waiting.forgetPath();
   }
 

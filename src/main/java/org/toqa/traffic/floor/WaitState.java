@@ -30,6 +30,40 @@ final class WaitState {
   /** What a robot too large to be planned with the others waits for to become free. */
   private List<SweptArea> wanted = List.of();
 
+  /** Another one in the same state. */
+  WaitState copy() {
+    WaitState copy = new WaitState();
+    copy.since = since;
+    copy.blockedSince = blockedSince;
+    copy.blockedReason = blockedReason;
+    copy.lastSinglePlan = lastSinglePlan;
+    copy.adopt(findings());
+    return copy;
+  }
+
+  /**
+   * What planning finds out of a robot that has no path.
+   *
+   * @param noPathReason null: it has one
+   * @param found when that was found
+   */
+  record Findings(
+      @Nullable WaitReason noPathReason,
+      Instant found,
+      @Nullable String goalTakenBy,
+      List<SweptArea> wanted) {}
+
+  Findings findings() {
+    return new Findings(noPathReason, noPathReasonFound, goalTakenBy, wanted);
+  }
+
+  void adopt(Findings findings) {
+    noPathReason = findings.noPathReason();
+    noPathReasonFound = findings.found();
+    goalTakenBy = findings.goalTakenBy();
+    wanted = findings.wanted();
+  }
+
   @Nullable Instant since() {
     return since;
   }

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 class SteppedRuntimeTest {
   private final SteppedRuntime runtime =
-      new SteppedRuntime(Duration.ofMillis(10), Duration.ofNanos(1_000));
+      new SteppedRuntime(Duration.ofMillis(10), Duration.ofMillis(20), Duration.ofNanos(1_000));
   private final List<String> done = new ArrayList<>();
 
   @Test

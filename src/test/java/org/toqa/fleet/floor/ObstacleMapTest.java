@@ -28,7 +28,8 @@ class ObstacleMapTest {
 
   @Test
   void aPerceptMarksTheCellThatItLiesIn() {
-    List<Obstacle> appeared = map.addPercepts("r1", List.of(new Vec2(4.9, 0.1)), NOBODY, START);
+    List<Obstacle> appeared =
+        map.addPercepts("r1", List.of(new Vec2(4.9, 0.1)), NOBODY::get, START);
 
     assertEquals(List.of(new Obstacle(new Cell(4, 2), "r1", START)), appeared);
     assertEquals(cells(new Cell(4, 2)), map.cells());
@@ -44,7 +45,7 @@ class ObstacleMapTest {
             new Vec2(0.5, 3.2),
             new Vec2(9e15, -9e15));
 
-    assertEquals(List.of(), map.addPercepts("r1", percepts, NOBODY, START));
+    assertEquals(List.of(), map.addPercepts("r1", percepts, NOBODY::get, START));
     assertTrue(map.cells().isEmpty());
   }
 
@@ -52,19 +53,19 @@ class ObstacleMapTest {
   void whatIsSeenWhereAnotherRobotIsIsThatRobot() {
     BitSet others = cells(new Cell(4, 2));
 
-    assertEquals(List.of(), map.addPercepts("r1", List.of(new Vec2(4.5, 0.5)), others, START));
+    assertEquals(List.of(), map.addPercepts("r1", List.of(new Vec2(4.5, 0.5)), others::get, START));
     assertTrue(map.cells().isEmpty());
   }
 
   @Test
   void cellsThatTouchAreOneObstacle() {
-    map.addPercepts("r1", List.of(new Vec2(3.5, 0.5)), NOBODY, START);
+    map.addPercepts("r1", List.of(new Vec2(3.5, 0.5)), NOBODY::get, START);
 
     List<Obstacle> later =
         map.addPercepts(
             "r2",
             List.of(new Vec2(4.5, 1.5), new Vec2(5.5, 2.5), new Vec2(0.5, 0.5)),
-            NOBODY,
+            NOBODY::get,
             START);
 
     assertEquals(List.of(new Obstacle(new Cell(0, 2), "r2", START)), later);
@@ -74,7 +75,7 @@ class ObstacleMapTest {
   @Test
   void whatIsNotSeenAgainIsForgotten() {
     Obstacle obstacle =
-        map.addPercepts("r1", List.of(new Vec2(0.5, 0.5)), NOBODY, START).getFirst();
+        map.addPercepts("r1", List.of(new Vec2(0.5, 0.5)), NOBODY::get, START).getFirst();
     Instant end = START.plus(ObstacleMap.REMEMBER_FOR);
 
     assertEquals(List.of(), map.forgetExpired(end.minusMillis(1)));
@@ -87,10 +88,10 @@ class ObstacleMapTest {
   @Test
   void whatIsSeenAgainStays() {
     Vec2 there = new Vec2(0.5, 0.5);
-    Obstacle obstacle = map.addPercepts("r1", List.of(there), NOBODY, START).getFirst();
+    Obstacle obstacle = map.addPercepts("r1", List.of(there), NOBODY::get, START).getFirst();
     Instant again = START.plusSeconds(20);
 
-    assertEquals(List.of(), map.addPercepts("r2", List.of(there), NOBODY, again));
+    assertEquals(List.of(), map.addPercepts("r2", List.of(there), NOBODY::get, again));
     assertEquals(List.of(), map.forgetExpired(START.plus(ObstacleMap.REMEMBER_FOR)));
     assertEquals(List.of(obstacle), map.forgetExpired(again.plus(ObstacleMap.REMEMBER_FOR)));
   }
@@ -100,9 +101,9 @@ class ObstacleMapTest {
     Vec2 first = new Vec2(3.5, 0.5);
     Vec2 second = new Vec2(4.5, 0.5);
     Vec2 third = new Vec2(5.5, 0.5);
-    map.addPercepts("r1", List.of(first, second), NOBODY, START);
+    map.addPercepts("r1", List.of(first, second), NOBODY::get, START);
     Instant later = START.plusSeconds(10);
-    map.addPercepts("r1", List.of(third), NOBODY, later);
+    map.addPercepts("r1", List.of(third), NOBODY::get, later);
 
     assertEquals(List.of(), map.forgetExpired(START.plus(ObstacleMap.REMEMBER_FOR)));
     assertEquals(cells(new Cell(5, 2)), map.cells());
@@ -118,7 +119,7 @@ class ObstacleMapTest {
       everywhere.add(hall.centre(hall.cell(i)));
     }
 
-    ofHall.addPercepts("r1", everywhere, NOBODY, START);
+    ofHall.addPercepts("r1", everywhere, NOBODY::get, START);
 
     assertEquals(ObstacleMap.MAX_CELLS, ofHall.cells().cardinality());
   }
@@ -131,9 +132,9 @@ class ObstacleMapTest {
     for (int i = 0; i < 5_000; i++) {
       everywhere.add(hall.centre(hall.cell(i)));
     }
-    ofHall.addPercepts("r1", everywhere, NOBODY, START);
+    ofHall.addPercepts("r1", everywhere, NOBODY::get, START);
 
-    ofHall.addPercepts("r2", List.of(hall.centre(hall.cell(9_999))), NOBODY, START);
+    ofHall.addPercepts("r2", List.of(hall.centre(hall.cell(9_999))), NOBODY::get, START);
 
     assertTrue(ofHall.cells().get(9_999));
   }
@@ -141,7 +142,7 @@ class ObstacleMapTest {
   @Test
   void whatOneRobotAloneSeesForLongIsDoubtedAndToldOnce() {
     Vec2 there = new Vec2(3.5, 0.5);
-    Obstacle obstacle = map.addPercepts("r1", List.of(there), NOBODY, START).getFirst();
+    Obstacle obstacle = map.addPercepts("r1", List.of(there), NOBODY::get, START).getFirst();
     Instant end = watch(START, ObstacleMap.BELIEVE_ONE_FOR.minusSeconds(1), there);
     assertEquals(cells(new Cell(3, 2)), map.cells());
     assertEquals(List.of(), map.takeDoubted());
@@ -159,7 +160,7 @@ class ObstacleMapTest {
     Instant now = START;
     for (int i = 0; i < 60; i++) { // each cell rests for a minute in between
       for (double x : new double[] {3.5, 4.5, 5.5}) {
-        map.addPercepts("r1", List.of(new Vec2(x, 0.5)), NOBODY, now);
+        map.addPercepts("r1", List.of(new Vec2(x, 0.5)), NOBODY::get, now);
         map.forgetExpired(now);
         now = now.plusSeconds(20);
       }
@@ -174,7 +175,7 @@ class ObstacleMapTest {
     Instant end = watch(START, ObstacleMap.BELIEVE_ONE_FOR.plusSeconds(30), there);
     assertEquals(new BitSet(), map.cells());
 
-    map.addPercepts("r2", List.of(there), NOBODY, end);
+    map.addPercepts("r2", List.of(there), NOBODY::get, end);
     assertEquals(cells(new Cell(3, 2)), map.cells());
     watch(end, Duration.ofMinutes(5), there);
     assertEquals(cells(new Cell(3, 2)), map.cells(), "r2 has gone, but was right");
@@ -188,7 +189,7 @@ class ObstacleMapTest {
             .plus(ObstacleMap.REMEMBER_FOR);
     map.forgetExpired(end);
 
-    map.addPercepts("r1", List.of(there), NOBODY, end);
+    map.addPercepts("r1", List.of(there), NOBODY::get, end);
 
     assertEquals(cells(new Cell(3, 2)), map.cells());
   }
@@ -196,7 +197,7 @@ class ObstacleMapTest {
   private Instant watch(Instant begin, Duration time, Vec2 there) {
     Instant now = begin;
     for (; !now.isAfter(begin.plus(time)); now = now.plusSeconds(10)) {
-      map.addPercepts("r1", List.of(there), NOBODY, now);
+      map.addPercepts("r1", List.of(there), NOBODY::get, now);
       map.forgetExpired(now);
     }
     return now;

@@ -2,11 +2,13 @@ package org.toqa.traffic.floor;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Queue;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
@@ -55,12 +57,44 @@ final class DrivenFloor {
   /** So far from where they take themselves to be robots may really be, metres. */
   double mostError;
 
+  /** Plans that are being made. */
+  private final Queue<DuePlan> plans = new ArrayDeque<>();
+
+  private record DuePlan(Instant due, Runnable planning) {}
+
+  /** Plans take no time. */
   DrivenFloor(OccupancyGrid grid, long seed) {
+    this(grid, seed, Duration.ZERO);
+  }
+
+  /** Each plan takes a time of its own. */
+  DrivenFloor(OccupancyGrid grid, long seed, Duration mostPlanning) {
     this.grid = grid;
     this.chance = new SplittableRandom(seed);
+    SplittableRandom delays = new SplittableRandom(seed + 1);
     this.traffic =
         new FloorTraffic(
-            grid, new LacamJointPlanner(), () -> Deadline.in(PLANNING_LIMIT, this::planningNanos));
+            grid,
+            new LacamJointPlanner(),
+            FloorTraffic::rollingPlanner,
+            () -> Deadline.in(PLANNING_LIMIT, this::planningNanos),
+            planning -> plan(planning, delays.nextLong(mostPlanning.toMillis() + 1)));
+  }
+
+  private void plan(Runnable planning, long millis) {
+    if (millis == 0) {
+      planning.run();
+    } else {
+      plans.add(new DuePlan(now.plusMillis(millis), planning));
+    }
+  }
+
+  private void makePlans() {
+    for (DuePlan plan = plans.peek(); plan != null && !plan.due().isAfter(now); ) {
+      plans.remove();
+      plan.planning().run();
+      plan = plans.peek();
+    }
   }
 
   private long planningNanos() {
@@ -205,6 +239,7 @@ final class DrivenFloor {
 
   void step() {
     now = now.plusMillis((long) (STEP * 1000));
+    makePlans();
     bodies.forEach(this::report);
     traffic.decide(now).forEach(this::obey);
     bodies.values().forEach(body -> body.move(STEP, chance));

@@ -50,7 +50,7 @@ class ManyRobotsPropertyTest {
     }
   }
 
-  private static OccupancyGrid hall(Random random, double cell) {
+  static OccupancyGrid hall(Random random, double cell) {
     int width = 14 + random.nextInt(6);
     int height = 10 + random.nextInt(6);
     BitSet pillars = new BitSet();

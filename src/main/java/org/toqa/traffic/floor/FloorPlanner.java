@@ -1,0 +1,143 @@
+package org.toqa.traffic.floor;
+
+import static java.util.Comparator.nullsLast;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+import java.util.function.DoubleFunction;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.toqa.grid.OccupancyGrid;
+import org.toqa.traffic.Deadline;
+import org.toqa.traffic.JointPlanner;
+import org.toqa.traffic.floor.LanePlanner.Outcome;
+import org.toqa.traffic.lifelong.LifelongPlanner;
+
+/**
+ * Plans paths on a picture of the floor: first each robot's own, then all together where that
+ * helps; and for those without one the reason, and room by others that step aside.
+ *
+ * <p>It changes nothing but copies of its own; what comes out is a value. One thread at a time may
+ * ask it: it keeps what it knows of the floor and of who has waited from plan to plan.
+ */
+final class FloorPlanner {
+  static final Duration RETRY_AFTER = Duration.ofSeconds(1);
+
+  private final FreeSpace freeSpace;
+  private final SingleRobotPlanner singleRobotPlanner;
+  private final LanePlanner lanePlanner;
+  private final WaitReasonFinder waitReasons;
+  private final RoomMaker roomMaker;
+
+  /**
+   * @param nextSteps planners of the next steps of robots that keep apart so many cells
+   * @param planningDeadline by when a plan for all robots that begins now is to be ready
+   */
+  FloorPlanner(
+      OccupancyGrid grid,
+      JointPlanner jointPlanner,
+      DoubleFunction<LifelongPlanner> nextSteps,
+      Supplier<Deadline> planningDeadline) {
+    SectionFitter fitter = new SectionFitter();
+    this.freeSpace = new FreeSpace(grid);
+    this.singleRobotPlanner = new SingleRobotPlanner(freeSpace, fitter);
+    this.lanePlanner =
+        new LanePlanner(
+            freeSpace,
+            singleRobotPlanner,
+            fitter,
+            jointPlanner,
+            new NextStepsPlanner(nextSteps),
+            planningDeadline);
+    this.waitReasons = new WaitReasonFinder(freeSpace, singleRobotPlanner);
+    this.roomMaker = new RoomMaker(singleRobotPlanner);
+  }
+
+  FloorPlan plan(PlanningRequest request) {
+    Map<String, TrafficRobot> robots = new TreeMap<>();
+    request.robots().forEach(pictured -> robots.put(pictured.name, pictured.copy()));
+    freeSpace.setObstacles(request.obstacles());
+    planSingleRobots(request, robots.values());
+    Outcome outcome = planJointly(request, robots.values());
+    findWaitReasons(robots.values(), request.now());
+    robots.values().stream()
+        .filter(TrafficRobot::needsPath)
+        .forEach(robot -> roomMaker.makeRoomFor(robot, robots, request.now()));
+    return result(request, robots, outcome);
+  }
+
+  /** Gives their own paths to those that wait: formations first, then the longest waiting. */
+  private void planSingleRobots(PlanningRequest request, Collection<TrafficRobot> robots) {
+    robots.stream()
+        .filter(robot -> request.dueForOwnPath().contains(robot.name))
+        .sorted(
+            Comparator.<TrafficRobot, Boolean>comparing(robot -> !robot.isFormation())
+                .thenComparing(
+                    robot -> robot.waiting.since(), nullsLast(Comparator.<Instant>naturalOrder())))
+        .toList()
+        .forEach(robot -> planSingleRobot(robot, robots));
+  }
+
+  private void planSingleRobot(TrafficRobot robot, Collection<TrafficRobot> robots) {
+    List<SweptArea> claimed = new ArrayList<>(robot.claimedByOthers(robots));
+    robots.stream()
+        .filter(other -> other.hasPrecedenceOver(robot))
+        .forEach(other -> claimed.addAll(other.waiting.wanted()));
+    singleRobotPlanner
+        .pathAmong(robot, claimed)
+        .ifPresent(
+            sections -> {
+              robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
+              robot.waiting.restart(null);
+            });
+  }
+
+  private @Nullable Outcome planJointly(PlanningRequest request, Collection<TrafficRobot> robots) {
+    ReplanTrigger.Need need = request.need();
+    if (!need.isDue() || !need.isOf(robots)) {
+      return null;
+    }
+    Claims claims = new Claims(robots);
+    claims.refresh();
+    Outcome outcome =
+        lanePlanner.plan(robots, claims, need.mustReplan(), need.isStill(), request.now());
+    if (outcome == Outcome.PLANNED || outcome == Outcome.PLANNED_AHEAD) {
+      robots.stream()
+          .filter(TrafficRobot::hasPathToGoal)
+          .forEach(robot -> robot.waiting.endWaitForPath());
+    }
+    return outcome;
+  }
+
+  private void findWaitReasons(Collection<TrafficRobot> robots, Instant now) {
+    for (TrafficRobot robot : robots) {
+      if (!robot.needsPath()) {
+        robot.waiting.clearNoPathReason();
+      } else if (robot.waiting.isNoPathReasonOlderThan(RETRY_AFTER, now)) {
+        robot.waiting.setNoPathReason(waitReasons.reasonFor(robot, robots), now);
+      }
+    }
+  }
+
+  private static FloorPlan result(
+      PlanningRequest request, Map<String, TrafficRobot> robots, @Nullable Outcome outcome) {
+    List<ProposedPath> paths = new ArrayList<>();
+    Map<String, WaitState.Findings> findings = new HashMap<>();
+    for (TrafficRobot pictured : request.robots()) {
+      TrafficRobot robot = Objects.requireNonNull(robots.get(pictured.name));
+      findings.put(robot.name, robot.waiting.findings());
+      if (robot.drive.pathNumber() != pictured.drive.pathNumber()) {
+        paths.add(ProposedPath.of(pictured, robot));
+      }
+    }
+    return new FloorPlan(request, paths, outcome, findings);
+  }
+}
