@@ -1,5 +1,6 @@
 package org.toqa.app.server;
 
+import ch.qos.logback.classic.Level;
 import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.classic.spi.ThrowableProxyUtil;
@@ -16,13 +17,17 @@ import java.util.logging.LogManager;
 import java.util.logging.LogRecord;
 import org.slf4j.LoggerFactory;
 
-/** Everything that is logged in this process, by whom ever, and what is printed. */
+/**
+ * Everything that is logged in this process, by whom ever, and what is printed; as the server is
+ * shipped, whatever other tests of this process have set.
+ */
 final class LogRecording implements AutoCloseable {
   private final Queue<String> lines = new ConcurrentLinkedQueue<>();
   private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
   private final PrintStream out = System.out;
   private final PrintStream err = System.err;
   private final Logger root = (Logger) LoggerFactory.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
+  private final Level levelBefore = root.getLevel();
   private final java.util.logging.Logger julRoot = LogManager.getLogManager().getLogger("");
 
   private final AppenderBase<ILoggingEvent> appender =
@@ -61,6 +66,7 @@ final class LogRecording implements AutoCloseable {
     recording.appender.setContext(recording.root.getLoggerContext());
     recording.appender.start();
     recording.root.addAppender(recording.appender);
+    recording.root.setLevel(Level.INFO);
     recording.julRoot.addHandler(recording.handler);
     System.setOut(recording.copying(recording.out));
     System.setErr(recording.copying(recording.err));
@@ -94,6 +100,7 @@ final class LogRecording implements AutoCloseable {
     System.setOut(out);
     System.setErr(err);
     root.detachAppender(appender);
+    root.setLevel(levelBefore);
     julRoot.removeHandler(handler);
   }
 }
