@@ -11,7 +11,6 @@ import org.toqa.geometry.Pose;
 import org.toqa.mission.Mission;
 import org.toqa.mission.Phase;
 import org.toqa.mission.TransportTask;
-import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
 
@@ -24,10 +23,9 @@ import org.toqa.persistence.StoreException;
  *   <li>From then on every change is written here before the command that follows from it is sent.
  * </ol>
  *
- * Each call is one transaction, unless it is a part of {@link #saveTogether}: when it returns, a
- * crash loses nothing of it; when it throws {@link StoreException}, it has happened as a whole or
- * not at all, and nobody knows which. It may then be repeated: what was stored twice is stored
- * once. Calls may wait; they come from virtual threads.
+ * Each call is one transaction: when it returns, a crash loses nothing of it; when it throws {@link
+ * StoreException}, it has happened as a whole or not at all, and nobody knows which. It may then be
+ * repeated: what was stored twice is stored once. Calls may wait; they come from virtual threads.
  */
 public interface FleetStore {
 
@@ -125,15 +123,6 @@ public interface FleetStore {
   /** Replaces the robot's last drive, and remembers its sequence number. */
   void saveDrive(String robot, StoredDrive drive);
 
-  /** Gives the robot's last drive another end. Does nothing where another drive is its last. */
-  void saveExtension(String robot, DriveExtension extension);
-
-  /**
-   * Makes changes in one transaction: all that the work changes by calls of this store, on the
-   * thread that it is called on, happens, or nothing of it.
-   */
-  void saveTogether(Runnable changes);
-
   void addEvents(List<EventRecord> events);
 
   /**
@@ -153,42 +142,6 @@ public interface FleetStore {
   /**
    * @param seq of the robot link
    * @param task null when it drives for no task
-   * @param trajectory as it is extended
-   * @param extensions how many there were
    */
-  record StoredDrive(
-      long seq, @Nullable Long task, Phase phase, Trajectory trajectory, int extensions) {
-    /** A drive as it begins. */
-    public StoredDrive(long seq, @Nullable Long task, Phase phase, Trajectory trajectory) {
-      this(seq, task, phase, trajectory, 0);
-    }
-
-    /**
-     * The drive when it goes on otherwise.
-     *
-     * @param extension of this drive
-     */
-    public StoredDrive with(DriveExtension extension) {
-      return new StoredDrive(
-          seq,
-          task,
-          phase,
-          trajectory.withEnd(extension.from(), extension.segments()),
-          extension.number());
-    }
-  }
-
-  /**
-   * How a drive goes on.
-   *
-   * @param drive the number of that
-   * @param number the first extension of a drive has 1, and each later one a higher one
-   * @param from index of the first segment that is replaced
-   * @param segments what comes from there on
-   */
-  record DriveExtension(long drive, int number, int from, List<Segment> segments) {
-    public DriveExtension {
-      segments = List.copyOf(segments);
-    }
-  }
+  record StoredDrive(long seq, @Nullable Long task, Phase phase, Trajectory trajectory) {}
 }

@@ -1,6 +1,5 @@
 package org.toqa.motion;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.toqa.geometry.Pose;
 
@@ -18,18 +17,6 @@ public record Trajectory(Pose start, List<Segment> segments) {
 
   public Trajectory {
     segments = List.copyOf(segments);
-  }
-
-  /**
-   * The same up to a segment, and then others.
-   *
-   * @param from index of the first segment that is replaced, 0 to the number of segments
-   */
-  public Trajectory withEnd(int from, List<Segment> others) {
-    List<Segment> joined = new ArrayList<>(from + others.size());
-    joined.addAll(segments.subList(0, from));
-    joined.addAll(others);
-    return new Trajectory(start, joined);
   }
 
   /** Seconds in all. */

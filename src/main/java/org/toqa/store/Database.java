@@ -31,13 +31,6 @@ public final class Database implements AutoCloseable {
   private static final int READER_CONNECTIONS = 5;
   private static final int SESSION_CONNECTIONS = 5;
 
-  /**
-   * Of those who write: a change of several that are stored together reads what is stored when its
-   * turn comes, not what was when the first one began; and no two writers lock rows that are not
-   * there yet against each other.
-   */
-  private static final String READ_COMMITTED = "TRANSACTION_READ_COMMITTED";
-
   /** Of each pool; others are opened when they are needed. */
   private static final int MIN_IDLE = 2;
 
@@ -81,9 +74,7 @@ public final class Database implements AutoCloseable {
    * @param readLimit what a statement of a reader may take
    */
   Database(String url, String user, String password, Duration readLimit) {
-    HikariConfig writers = config(url, user, password, "toqa", FLEET_CONNECTIONS, WRITE_LIMIT);
-    writers.setTransactionIsolation(READ_COMMITTED);
-    fleet = Pool.of(writers);
+    fleet = Pool.of(config(url, user, password, "toqa", FLEET_CONNECTIONS, WRITE_LIMIT));
     readers = Pool.of(config(url, user, password, "toqa-readers", READER_CONNECTIONS, readLimit));
     sessions =
         Pool.of(config(url, user, password, "toqa-sessions", SESSION_CONNECTIONS, WRITE_LIMIT));

@@ -16,6 +16,7 @@ import org.jdbi.v3.core.argument.ArgumentFactory;
 import org.jdbi.v3.core.argument.NullArgument;
 import org.jspecify.annotations.Nullable;
 import org.toqa.accounts.Account;
+import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.link.trust.Fingerprint;
@@ -56,7 +57,7 @@ final class DatabaseTypes {
 
     register(jdbi, RobotRecord.class);
     register(jdbi, Hold.class);
-    register(jdbi, DriveTable.DriveRow.class);
+    register(jdbi, StoredDrive.class);
     register(jdbi, RobotTable.StoredRobotRow.class);
     register(jdbi, TaskRow.class);
     register(jdbi, TaskTable.AssignedRobotRow.class);

@@ -45,16 +45,6 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
         });
   }
 
-  /** Calls within are of the same thread, whose handle Jdbi gives them. */
-  @Override
-  public void saveTogether(Runnable changes) {
-    sql.inTransaction(
-        h -> {
-          changes.run();
-          return null;
-        });
-  }
-
   // --- robots -----------------------------------------------------------------------------------
 
   @Override
@@ -116,25 +106,12 @@ public final class JdbiFleetStore implements FleetStore, TaskArchive {
 
   @Override
   public Optional<StoredDrive> drive(String robot) {
-    return sql.withHandle(h -> DriveTable.drive(h, robot));
+    return sql.withHandle(h -> RobotTable.drive(h, robot));
   }
 
   @Override
   public void saveDrive(String robot, StoredDrive drive) {
-    sql.inTransaction(
-        h -> {
-          DriveTable.save(h, robot, drive);
-          return null;
-        });
-  }
-
-  @Override
-  public void saveExtension(String robot, DriveExtension extension) {
-    sql.inTransaction(
-        h -> {
-          DriveTable.saveExtension(h, robot, extension);
-          return null;
-        });
+    sql.inTransaction(h -> RobotTable.saveDrive(h, robot, drive));
   }
 
   // --- all robots, and those of a floor ---------------------------------------------------------

@@ -1,18 +1,17 @@
 package org.toqa.store;
 
-import static java.util.Objects.requireNonNull;
-
 import java.sql.Types;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import org.jdbi.v3.core.Handle;
 import org.jdbi.v3.core.mapper.Nested;
 import org.jdbi.v3.core.statement.Update;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
+import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.LastPlace;
 import org.toqa.fleet.RobotCapabilities;
 import org.toqa.fleet.RobotRecord;
@@ -22,27 +21,24 @@ import org.toqa.link.trust.Fingerprint;
 import org.toqa.motion.Trajectory;
 import org.toqa.persistence.StoreException;
 
-/** The tables of robots and of where they are, within a transaction of somebody else. */
+/** The tables of robots and of their drives, within a transaction of somebody else. */
 final class RobotTable {
   private RobotTable() {}
 
   static List<StoredRobot> storedRobots(Handle h) {
-    List<StoredRobotRow> rows =
-        h.createQuery(
-                """
+    return h.createQuery(
+            """
             select name, floor, host, port, max_load, parking, simulated, fingerprint,
               out_of_service, held, worked_s, charger, charger_since,
               p.x, p.y, p.theta, p.diameter,
-              d.robot_id is not null and (p.robot_id is null or d.seq > p.drive) as has_driven
+              case when p.robot_id is null or d.seq > p.drive then d.way end as since_driven
             from robots r left join places p on p.robot_id = r.id
               left join drives d on d.robot_id = r.id
             where not removed order by id
             """)
-            .mapTo(StoredRobotRow.class)
-            .list();
-    Map<String, Trajectory> drives =
-        DriveTable.trajectories(h); // then all that have begun are there
-    return rows.stream().map(row -> row.toStoredRobot(drives)).toList();
+        .mapTo(StoredRobotRow.class)
+        .map(StoredRobotRow::toStoredRobot)
+        .list();
   }
 
   static int save(Handle h, RobotRecord robot) {
@@ -104,7 +100,7 @@ final class RobotTable {
    *
    * @param workedS seconds
    * @param x null: nobody knows, or a person said that it is not there any more
-   * @param hasDriven whether a drive has begun since it was there
+   * @param sinceDriven null: nothing
    */
   record StoredRobotRow(
       @Nested RobotRecord robot,
@@ -117,21 +113,18 @@ final class RobotTable {
       @Nullable Double y,
       @Nullable Double theta,
       @Nullable Double diameter,
-      boolean hasDriven) {
-    /**
-     * @param drives by robot
-     */
-    StoredRobot toStoredRobot(Map<String, Trajectory> drives) {
+      @Nullable Trajectory sinceDriven) {
+    StoredRobot toStoredRobot() {
       Turn turn = charger == null || chargerSince == null ? null : new Turn(charger, chargerSince);
       Duration worked = Duration.ofMillis(Math.round(1000 * workedS));
       return new StoredRobot(
-          robot, outOfService, held, new ChargeRecord(robot.name(), worked, turn), place(drives));
+          robot, outOfService, held, new ChargeRecord(robot.name(), worked, turn), place());
     }
 
-    private @Nullable LastPlace place(Map<String, Trajectory> drives) {
+    private @Nullable LastPlace place() {
       double width = diameter == null ? RobotCapabilities.UNKNOWN.footprint() : diameter;
-      if (hasDriven) {
-        return new LastPlace(width, requireNonNull(drives.get(robot.name())));
+      if (sinceDriven != null) {
+        return new LastPlace(width, sinceDriven);
       }
       return x == null || y == null || theta == null
           ? null
@@ -189,6 +182,39 @@ final class RobotTable {
         .execute();
   }
 
+  static Optional<StoredDrive> drive(Handle h, String robot) {
+    return h.createQuery(
+            """
+            select d.seq, d.task_id as task, d.phase, d.way as trajectory
+            from drives d join robots r on r.id = d.robot_id where r.name = :robot
+            """)
+        .bind("robot", robot)
+        .mapTo(StoredDrive.class)
+        .findOne();
+  }
+
+  static int saveDrive(Handle h, String robot, StoredDrive drive) {
+    long id = id(h, robot);
+    h.createUpdate(
+            """
+            insert into drives (robot_id, seq, task_id, phase, way, created_at)
+            values (:id, :seq, :task, :phase, :way, :at)
+            on duplicate key update seq = values(seq), task_id = values(task_id), phase = values(phase),
+              way = values(way), created_at = values(created_at)
+            """)
+        .bind("id", id)
+        .bind("seq", drive.seq())
+        .bind("task", drive.task())
+        .bind("phase", drive.phase())
+        .bind("way", drive.trajectory())
+        .bind("at", Instant.now())
+        .execute();
+    return h.createUpdate("update robots set last_seq = :seq where id = :id")
+        .bind("seq", drive.seq())
+        .bind("id", id)
+        .execute();
+  }
+
   /**
    * @throws StoreException when there is no robot of that name
    */
@@ -197,9 +223,6 @@ final class RobotTable {
         .bind("name", name)
         .mapTo(Long.class)
         .findOne()
-        .orElseThrow(
-            () ->
-                new StoreException(
-                    StoreException.Kind.REFUSED, "There is no robot " + name + ".", null));
+        .orElseThrow(() -> new StoreException("There is no robot " + name + ".", null));
   }
 }

@@ -10,8 +10,6 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
 import org.apache.pekko.actor.BootstrapSetup;
 import org.apache.pekko.actor.typed.ActorRef;
@@ -38,7 +36,6 @@ import org.toqa.link.trust.PairingCode;
 import org.toqa.mission.Phase;
 import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
-import org.toqa.persistence.StoreException;
 import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.MemoryDatabase;
@@ -51,16 +48,11 @@ class RobotAgentTest {
       new RobotRecord("r1", "hall", "127.0.0.1", 1, 5, null, false, null);
   private static final Pose START = new Pose(0, 0, 0);
   private static final Segment METRE = new Segment(0.5, 0, 2); // 0.5 m/s for 2 s
-  private static final Segment TURN = new Segment(0, 0.5, 1);
   private static final Duration STEP = Duration.ofMillis(100);
 
   private final SingleThreadRuntime runtime = new SingleThreadRuntime();
   private final Database database = MemoryDatabase.open("robot-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-  private final Queue<String> saved = new ConcurrentLinkedQueue<>();
-  private volatile String refusedMethod = "";
-  private final FleetStore watched = TamperedStore.of(store, this::save);
-  private final GroupCommitter committer = new GroupCommitter("test", store, runtime, change -> {});
   private final ScriptedRobot robot = new ScriptedRobot("r1", new Vec2(0, 0));
   private final List<RobotEvent> told = new ArrayList<>();
   private Instant now = Instant.parse("2026-11-21T08:00:00Z");
@@ -96,9 +88,7 @@ class RobotAgentTest {
                       }),
                   "floor");
           ActorRef<RobotMessage> r1 =
-              context.spawn(
-                  RobotAgent.of(R1, floor, watched, committer.writer("r1"), links(), now, runtime),
-                  "r1");
+              context.spawn(RobotAgent.of(R1, floor, store, links(), now, runtime), "r1");
           return Behaviors.receiveMessage(
               message -> {
                 r1.tell(message);
@@ -126,7 +116,6 @@ class RobotAgentTest {
   void stop() throws Exception {
     agent.terminate();
     agent.getWhenTerminated().toCompletableFuture().get(20, TimeUnit.SECONDS);
-    committer.close();
     database.close();
     runtime.close();
   }
@@ -255,78 +244,6 @@ class RobotAgentTest {
 
   private long endsTold() {
     return told.stream().filter(RobotEvent.PhaseEnded.class::isInstance).count();
-  }
-
-  @Test
-  void extensionsThatWaitForTheStoreAreStoredAndSentAsOne() throws Exception {
-    tell(drive(1L));
-    saved.clear();
-    runtime.stop(name -> true);
-    tell(new RobotMessage.Extend(1, List.of(METRE, METRE), 2, false)); // with the store
-    for (int i = 0; i < 100; i++) { // from the third segment on, then from the fourth, ...
-      tell(new RobotMessage.Extend(2 + i, List.of(TURN, METRE), 2 + i, false));
-    }
-    tell(new RobotMessage.Extend(3, List.of(METRE, METRE, METRE), 4, true));
-    tell(new RobotMessage.Release(5));
-    runtime.stop(name -> false);
-    runtime.awaitQuiescence();
-
-    assertEquals(List.of("saveExtension", "saveExtension"), List.copyOf(saved));
-    assertKinds("Drive", "Extend", "Extend");
-    ServerMessage.Extend last = (ServerMessage.Extend) robot.obeyed().getLast();
-    assertEquals(2, last.from());
-    assertEquals(List.of(TURN, METRE, METRE, METRE), last.segments());
-    assertEquals(5, last.released());
-    assertTrue(last.last());
-    assertEquals(
-        List.of(METRE, METRE, TURN, METRE, METRE, METRE),
-        store.drive("r1").orElseThrow().trajectory().segments());
-  }
-
-  @Test
-  void whatIsCancelledBeforeTheStoreHasItIsNotStoredButForTheLastNumber() throws Exception {
-    tell(drive(1L));
-    saved.clear();
-    runtime.stop(name -> true);
-    for (int i = 0; i < 100; i++) {
-      tell(drive(1L));
-      tell(new RobotMessage.Extend(1, List.of(METRE, METRE), 2, true));
-      tell(new RobotMessage.Cancel(1L));
-    }
-    long last = lastBegun().drive().seq();
-    runtime.stop(name -> false);
-    runtime.awaitQuiescence();
-
-    assertEquals(List.of("saveDrive", "saveDrive"), List.copyOf(saved));
-    assertEquals(last, store.drive("r1").orElseThrow().seq());
-    assertFalse(robot.isDriving());
-  }
-
-  @Test
-  void nothingFollowsAnExtensionThatCanNeverBeStored() throws Exception {
-    tell(drive(1L));
-    refusedMethod = "saveExtension";
-    tell(new RobotMessage.Extend(1, List.of(METRE, METRE), 2, false));
-    refusedMethod = "";
-
-    tell(new RobotMessage.Extend(3, List.of(METRE), 3, true)); // the floor has not heard of it yet
-    tell(new RobotMessage.Release(4));
-
-    assertKinds("Drive");
-    assertEquals(
-        new RobotEvent.CommandRejected("r1", lastBegun().drive().seq(), "too long"),
-        told.getLast());
-    assertEquals(List.of(METRE, METRE), store.drive("r1").orElseThrow().trajectory().segments());
-  }
-
-  private Object save(String method, Object[] arguments, TamperedStore.Call real) throws Throwable {
-    if (method.equals(refusedMethod)) {
-      throw new StoreException(StoreException.Kind.REFUSED, "too long", null);
-    }
-    if (method.startsWith("save")) {
-      saved.add(method);
-    }
-    return real.go();
   }
 
   private boolean isSilent() {

@@ -1,6 +1,5 @@
 package org.toqa.store;
 
-import static java.util.Objects.requireNonNull;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
@@ -15,14 +14,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.toqa.fleet.ChargeRecord;
 import org.toqa.fleet.ChargeRecord.Turn;
 import org.toqa.fleet.EventKind;
 import org.toqa.fleet.EventRecord;
-import org.toqa.fleet.FleetStore.DriveExtension;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.LastPlace;
@@ -203,139 +200,5 @@ class RobotStoreTest extends FleetDatabaseTest {
     StoredDrive second = new StoredDrive(9, 77L, Phase.TO_GOAL, trajectory);
     store.saveDrive("r1", second);
     assertEquals(Optional.of(second), store.drive("r1"));
-  }
-
-  @Test
-  void anExtendedDriveComesBackExactly() {
-    store.saveRobot(R1);
-    store.saveRobot(R2);
-    StoredDrive begun = new StoredDrive(4, 77L, Phase.TO_OBJECT, trajectory(3, 0.1));
-    store.saveDrive("r1", begun);
-    store.saveDrive("r2", begun);
-    DriveExtension first = new DriveExtension(4, 1, 2, trajectory(400, 1 / 3.0).segments());
-    DriveExtension cut = new DriveExtension(4, 2, 300, List.of());
-    DriveExtension last = new DriveExtension(4, 3, 1, trajectory(2, Math.PI).segments());
-    StoredDrive expected = begun;
-    for (DriveExtension extension : List.of(first, cut, last)) {
-      store.saveExtension("r1", extension);
-      store.saveExtension("r1", extension); // twice is as once
-      expected = expected.with(extension);
-      assertEquals(Optional.of(expected), store.drive("r1"));
-      assertEquals(expected.trajectory(), requireNonNull(place()).sinceDriven());
-    }
-    assertEquals(3, expected.trajectory().segments().size()); // 1 of the begin, 2 of the last one
-    assertEquals(Optional.of(begun), store.drive("r2"));
-  }
-
-  @Test
-  void anExtensionWritesNothingButItsOwnSegments() {
-    store.saveRobot(R1);
-    store.saveDrive("r1", new StoredDrive(4, null, Phase.NONE, trajectory(300, 0.1)));
-    List<String> before = drives();
-
-    store.saveExtension("r1", new DriveExtension(4, 1, 299, trajectory(5, 0.2).segments()));
-
-    List<String> after = drives();
-    assertEquals(before.size() + 1, after.size());
-    assertTrue(after.containsAll(before));
-    // 5 segments of 3 numbers of 8 bytes
-    assertEquals(
-        List.of("1 299 120"), after.stream().filter(row -> !before.contains(row)).toList());
-  }
-
-  /** All that is stored of drives, a row each; of segments also how many bytes they are. */
-  private List<String> drives() {
-    return database
-        .jdbi()
-        .withHandle(
-            h ->
-                h.createQuery(
-                        """
-                        select concat(seq, ' ', way, ' ', created_at) from drives union all
-                        select concat(extension, ' ', first_segment, ' ', octet_length(segments))
-                        from drive_segments
-                        """)
-                    .mapTo(String.class)
-                    .list());
-  }
-
-  @Test
-  void anExtensionOfAnotherDriveThanTheLastChangesNothing() {
-    store.saveRobot(R1);
-    store.saveDrive("r1", new StoredDrive(4, null, Phase.NONE, trajectory(3, 0.1)));
-    store.saveExtension("r1", new DriveExtension(4, 1, 1, trajectory(9, 0.1).segments()));
-    StoredDrive next = new StoredDrive(5, null, Phase.NONE, trajectory(2, 0.1));
-    store.saveDrive("r1", next);
-
-    store.saveExtension("r1", new DriveExtension(4, 2, 1, trajectory(2, 0.3).segments()));
-    store.saveExtension("nobody", new DriveExtension(4, 2, 1, List.of()));
-
-    assertEquals(Optional.of(next), store.drive("r1"));
-    assertEquals(2, drives().size()); // the drive, and its segments
-  }
-
-  @Test
-  void aDriveOfBeforeThereWereRowsOfSegmentsComesBackAndCanBeExtended() {
-    store.saveRobot(R1);
-    database
-        .jdbi()
-        .useHandle(
-            h ->
-                h.execute(
-                    """
-                    insert into drives (robot_id, seq, task_id, phase, way, created_at)
-                    select id, 6, null, 0, '{"start":{"x":1.0,"y":2.0,"theta":0.5},"segments":[                    {"v":0.25,"w":0.0,"t":1.2},{"v":0.0,"w":0.5,"t":0.1}]}', '2026-11-21 10:00:00'
-                    from robots where name = 'r1'
-                    """));
-    StoredDrive old =
-        new StoredDrive(
-            6,
-            null,
-            Phase.NONE,
-            new Trajectory(
-                new Pose(1, 2, 0.5), List.of(new Segment(0.25, 0, 1.2), new Segment(0, 0.5, 0.1))));
-    assertEquals(Optional.of(old), store.drive("r1"));
-
-    DriveExtension extension = new DriveExtension(6, 1, 1, List.of(new Segment(0.5, 0, 3)));
-    store.saveExtension("r1", extension);
-
-    assertEquals(Optional.of(old.with(extension)), store.drive("r1"));
-    assertEquals(old.with(extension).trajectory(), requireNonNull(place()).sinceDriven());
-  }
-
-  @Test
-  void ofChangesThatAreMadeTogetherAllHappenOrNone() {
-    store.saveRobot(R1);
-    store.saveRobot(R2);
-    StoredDrive drive = new StoredDrive(4, null, Phase.NONE, trajectory(3, 0.1));
-
-    assertThrows(
-        StoreException.class,
-        () ->
-            store.saveTogether(
-                () -> {
-                  store.saveDrive("r1", drive);
-                  store.saveHold("r2", true, List.of());
-                  store.saveDrive("nobody", drive);
-                }));
-
-    assertEquals(Optional.empty(), store.drive("r1"));
-    assertEquals(Set.of(), robots(StoredRobot::held));
-    store.saveTogether(
-        () -> {
-          store.saveDrive("r1", drive);
-          store.saveHold("r2", true, List.of());
-        });
-    assertEquals(Optional.of(drive), store.drive("r1"));
-    assertEquals(Set.of("r2"), robots(StoredRobot::held));
-  }
-
-  /**
-   * @param v of its segments, metres a second
-   */
-  private static Trajectory trajectory(int segments, double v) {
-    return new Trajectory(
-        new Pose(0.1, 1 / 3.0, -3),
-        IntStream.range(0, segments).mapToObj(i -> new Segment(v, -0.7, 1 + i)).toList());
   }
 }

@@ -15,11 +15,6 @@ public final class LogLevel implements AutoCloseable {
     return new LogLevel(logger, Level.ERROR);
   }
 
-  /** Nothing: what fails is made to. */
-  public static LogLevel off(String logger) {
-    return new LogLevel(logger, Level.OFF);
-  }
-
   /** As the server is shipped. */
   public static LogLevel usual(String logger) {
     return new LogLevel(logger, Level.INFO);

@@ -98,13 +98,5 @@ final class ForgetfulStore implements FleetStore {
   public void saveDrive(String robot, StoredDrive drive) {}
 
   @Override
-  public void saveExtension(String robot, DriveExtension extension) {}
-
-  @Override
-  public void saveTogether(Runnable changes) {
-    changes.run();
-  }
-
-  @Override
   public void addEvents(List<EventRecord> events) {}
 }

@@ -133,8 +133,7 @@ final class ChargingDispatcher {
     }
     if (robot.charging.addWork(passed, WRITE_INTERVAL)) {
       ChargeRecord record = robot.charging.record(robot.name());
-      state.writer.writeNewest(
-          "work of " + robot.name(), () -> state.store.saveCharge(record, List.of()), () -> {});
+      state.writer.write(() -> state.store.saveCharge(record, List.of()), () -> {});
     }
   }
 

@@ -211,14 +211,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
     ActorRef<RobotMessage> agent =
         getContext()
             .spawn(
-                RobotAgent.of(
-                    record,
-                    robotEvents,
-                    state.store,
-                    state.committer.writer(record.name()),
-                    links,
-                    state.now,
-                    state.runtime),
+                RobotAgent.of(record, robotEvents, state.store, links, state.now, state.runtime),
                 "robot-" + ++joined);
     FloorRobot robot =
         new FloorRobot(record, settings, agent, new StoreLimit(health, () -> state.now), state.now);
@@ -247,7 +240,7 @@ public final class FloorAgent extends AbstractBehavior<FloorMessage> {
   }
 
   private Behavior<FloorMessage> stopped() {
-    state.committer.close();
+    state.writer.close();
     return this;
   }
 }

@@ -14,7 +14,6 @@ import org.toqa.fleet.EventRecord;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
 import org.toqa.fleet.FloorView.ChargerShortage;
-import org.toqa.fleet.GroupCommitter;
 import org.toqa.fleet.Hold;
 import org.toqa.fleet.RobotMessageKind;
 import org.toqa.fleet.StoreWriter;
@@ -35,7 +34,6 @@ public final class FloorState {
 
   final FloorMap floor;
   final FleetStore store;
-  final GroupCommitter committer;
   final StoreWriter writer;
   final InstantSource clock;
   final FleetRuntime runtime;
@@ -69,8 +67,7 @@ public final class FloorState {
       Consumer<Sentence> onLeftOut) {
     this.floor = floor;
     this.store = store;
-    this.committer = new GroupCommitter("floor-" + floor.name(), store, runtime, onLeftOut);
-    this.writer = committer.writer();
+    this.writer = new StoreWriter("floor-" + floor.name(), runtime, onLeftOut);
     this.clock = clock;
     this.runtime = runtime;
     this.traffic = traffic;
@@ -107,7 +104,7 @@ public final class FloorState {
   }
 
   void addToHistory(EventRecord event) {
-    writer.writeLine(() -> store.addEvents(List.of(event)));
+    writer.write(() -> store.addEvents(List.of(event)), () -> {});
   }
 
   void addToHistory(List<HistoryLine> remarks) {

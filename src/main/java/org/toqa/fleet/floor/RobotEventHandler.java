@@ -211,8 +211,7 @@ final class RobotEventHandler {
       String name = robot.name();
       double diameter = robot.reported.footprint();
       long drive = robot.drive.lastNumber();
-      state.writer.writeNewest(
-          "place of " + name, () -> state.store.savePlace(name, pose, diameter, drive), () -> {});
+      state.writer.write(() -> state.store.savePlace(name, pose, diameter, drive), () -> {});
     }
   }
 
@@ -288,10 +287,7 @@ final class RobotEventHandler {
           mission.get().id(), new MissionEvent.PhaseEnded(robot.name(), phase.get()));
     } // else its drive was changed meanwhile, or the task has ended
     // written in order: acknowledged only when what follows from the flag is safe
-    state.writer.writeNewest(
-        "phase end of " + robot.name(),
-        () -> {},
-        () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));
+    state.writer.write(() -> {}, () -> robot.agent.tell(new RobotMessage.Acknowledge(end.drive())));
   }
 
   private void driveBegun(FloorRobot robot, StoredDrive drive) {

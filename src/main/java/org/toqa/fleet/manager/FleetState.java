@@ -21,7 +21,6 @@ import org.toqa.allocation.Candidate;
 import org.toqa.allocation.PlaceUse;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore;
-import org.toqa.fleet.GroupCommitter;
 import org.toqa.fleet.RobotRecord;
 import org.toqa.fleet.RobotView;
 import org.toqa.fleet.StoreWriter;
@@ -46,7 +45,6 @@ final class FleetState {
   static final Sentence LOOKING_FOR_ROBOT = Phrase.LOOKING_FOR_ROBOT.with();
 
   final FleetStore store;
-  final GroupCommitter committer;
   final StoreWriter writer;
   final InstantSource clock;
   final FleetRuntime runtime;
@@ -81,8 +79,7 @@ final class FleetState {
       FleetRuntime runtime,
       Consumer<Sentence> onLeftOut) {
     this.store = store;
-    this.committer = new GroupCommitter("manager", store, runtime, onLeftOut);
-    this.writer = committer.writer();
+    this.writer = new StoreWriter("manager", runtime, onLeftOut);
     this.clock = clock;
     this.runtime = runtime;
     this.now = now;

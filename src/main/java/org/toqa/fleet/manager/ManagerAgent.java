@@ -362,7 +362,7 @@ final class ManagerAgent extends AbstractBehavior<ManagerMessage> {
 
   private Behavior<ManagerMessage> stopped() {
     storeHealth.close();
-    fleet.committer.close();
+    fleet.writer.close();
     return this;
   }
 }

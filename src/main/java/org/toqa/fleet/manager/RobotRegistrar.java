@@ -3,7 +3,6 @@ package org.toqa.fleet.manager;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -149,15 +148,14 @@ final class RobotRegistrar {
    * @param found gets null where there is none
    */
   void reread(String robot, Consumer<@Nullable RobotRecord> found) {
-    AtomicReference<@Nullable RobotRecord> record = new AtomicReference<>();
     writer.write(
         () ->
-            record.set(
+            found.accept(
                 store.robots().stream()
-                    .filter(stored -> stored.name().equals(robot))
+                    .filter(record -> record.name().equals(robot))
                     .findFirst()
                     .orElse(null)),
-        () -> found.accept(record.get()));
+        () -> {});
   }
 
   private void reject(String field, Sentence sentence, RobotRecord robot, Request request) {

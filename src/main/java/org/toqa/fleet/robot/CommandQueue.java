@@ -37,7 +37,7 @@ final class CommandQueue {
   private static final class Entry {
     private final long id;
     private final boolean isBegin;
-    private DriveCommand command;
+    private final DriveCommand command;
     private long drive;
     private boolean isStored;
 
@@ -108,15 +108,6 @@ final class CommandQueue {
     return add(false, drive, command, false);
   }
 
-  /**
-   * The change becomes another one, which is to be stored too.
-   *
-   * @param id of {@link #addChange}
-   */
-  void replaceChange(long id, DriveCommand command) {
-    waiting.stream().filter(entry -> entry.id == id).forEach(entry -> entry.command = command);
-  }
-
   /** Sends a command that need not be stored, when nothing is before it. */
   void sendInOrder(long drive, DriveCommand command) {
     if (waiting.isEmpty()) {
@@ -171,28 +162,13 @@ final class CommandQueue {
     return head.id;
   }
 
-  /**
-   * Drops what can never be stored, with all that waits for the same drive.
-   *
-   * @return that drive; empty: it was dropped before
-   */
-  Optional<Dropped> dropNotStored(long id) {
-    Optional<Entry> refused = waiting.stream().filter(entry -> entry.id == id).findFirst();
-    if (refused.isEmpty()) {
-      return Optional.empty();
-    }
-    long drive = refused.get().drive;
-    boolean isBegun = waiting.stream().noneMatch(entry -> entry.isBegin && entry.drive == drive);
-    drop(drive);
-    return Optional.of(new Dropped(drive, isBegun));
+  /** Drops what can never be stored, with all that waits for the same drive. */
+  void dropNotStored(long id) {
+    waiting.stream()
+        .filter(entry -> entry.id == id)
+        .findFirst()
+        .ifPresent(entry -> drop(entry.drive));
   }
-
-  /**
-   * A drive of which nothing more is sent.
-   *
-   * @param isBegun whether the robot was sent its begin
-   */
-  record Dropped(long drive, boolean isBegun) {}
 
   /** Drops the drive, which nobody wants any more, with its changes. */
   void drop(long drive) {

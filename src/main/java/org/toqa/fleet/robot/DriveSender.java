@@ -1,37 +1,38 @@
 package org.toqa.fleet.robot;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
-import java.util.concurrent.atomic.AtomicReference;
 import org.apache.pekko.actor.typed.ActorRef;
 import org.jspecify.annotations.Nullable;
 import org.toqa.fleet.FleetStore;
-import org.toqa.fleet.FleetStore.DriveExtension;
 import org.toqa.fleet.FleetStore.StoredDrive;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.link.message.ServerMessage;
 import org.toqa.mission.Phase;
+import org.toqa.motion.Segment;
 import org.toqa.motion.Trajectory;
 
 /**
  * Sends a robot its drives: each, and each change of it, is stored before it is sent. Confined to
  * the robot's agent.
  */
-final class DriveSender {
+final class DriveSender implements AutoCloseable {
   private final String robot;
+  private final FleetStore store;
+  private final StoreWriter writer;
   private final CommandQueue commands;
-  private final UnstoredDrives unstored;
   private final ActorRef<RobotEvent> floor;
+  private final ActorRef<RobotMessage> self;
   private Optional<StoredDrive> drive = Optional.empty();
   private boolean isLoaded;
 
   /**
-   * The number of a drive that the robot does not have as it should, since a part is not stored.
+   * Asks the store for the last drive; {@link #setLoaded} brings it.
+   *
+   * @param writer closed with this
    */
-  private long refusedDrive;
-
-  /** Asks the store for the last drive; {@link #setLoaded} brings it. */
   DriveSender(
       String robot,
       FleetStore store,
@@ -40,13 +41,12 @@ final class DriveSender {
       ActorRef<RobotEvent> floor,
       ActorRef<RobotMessage> self) {
     this.robot = robot;
+    this.store = store;
+    this.writer = writer;
     this.commands = commands;
     this.floor = floor;
-    this.unstored = new UnstoredDrives(robot, store, writer, self);
-    AtomicReference<@Nullable StoredDrive> last = new AtomicReference<>();
-    writer.write(
-        () -> last.set(store.drive(robot).orElse(null)),
-        () -> self.tell(new RobotMessage.DriveLoaded(Optional.ofNullable(last.get()))));
+    this.self = self;
+    writer.write(() -> self.tell(new RobotMessage.DriveLoaded(store.drive(robot))), () -> {});
   }
 
   void setLoaded(Optional<StoredDrive> stored) {
@@ -93,57 +93,51 @@ final class DriveSender {
   }
 
   private void begin(StoredDrive next, CommandQueue.DriveCommand command) {
-    store(next, commands.addBegin(next.seq(), command));
-  }
-
-  /**
-   * @param command of the queue, that begins it
-   */
-  private void store(StoredDrive next, long command) {
-    drive = Optional.of(next);
-    unstored.add(new UnstoredDrives.Begin(command, next));
+    storeThenSend(next, null, commands.addBegin(next.seq(), command));
     floor.tell(new RobotEvent.DriveBegun(robot, next));
   }
 
   void extend(RobotMessage.Extend m) {
-    if (drive.isEmpty() || drive.get().seq() == refusedDrive) {
+    if (drive.isEmpty()) {
       return;
     }
     StoredDrive old = drive.get();
-    Optional<UnstoredDrives.Extension> merged = unstored.merge(old.seq(), m);
-    if (merged.isPresent()) {
-      commands.replaceChange(merged.get().command(), command(merged.get().extend()));
-    } else {
-      unstored.add(
-          new UnstoredDrives.Extension(
-              commands.addChange(old.seq(), command(m)), old.seq(), old.extensions() + 1, m));
-    }
-    int number = merged.isPresent() ? old.extensions() : old.extensions() + 1;
-    drive = Optional.of(old.with(new DriveExtension(old.seq(), number, m.from(), m.segments())));
+    List<Segment> segments = new ArrayList<>(old.trajectory().segments().subList(0, m.from()));
+    segments.addAll(m.segments());
+    Trajectory trajectory = new Trajectory(old.trajectory().start(), segments);
+    storeThenSend(
+        new StoredDrive(old.seq(), old.task(), old.phase(), trajectory),
+        old.seq(),
+        commands.addChange(
+            old.seq(),
+            (n, d) ->
+                new ServerMessage.Extend(n, d, m.from(), m.segments(), m.released(), m.last())));
   }
 
-  private static CommandQueue.DriveCommand command(RobotMessage.Extend m) {
-    return (n, d) -> new ServerMessage.Extend(n, d, m.from(), m.segments(), m.released(), m.last());
+  void release(int released) {
+    drive.ifPresent(
+        old ->
+            commands.sendInOrder(old.seq(), (n, d) -> new ServerMessage.Release(n, d, released)));
   }
 
-  void release(RobotMessage.Release m) {
-    if (drive.isEmpty() || drive.get().seq() == refusedDrive) {
-      return;
-    }
-    long number = drive.get().seq();
-    unstored
-        .merge(number, m)
-        .ifPresentOrElse(
-            merged -> commands.replaceChange(merged.command(), command(merged.extend())),
-            () ->
-                commands.sendInOrder(
-                    number, (n, d) -> new ServerMessage.Release(n, d, m.released())));
+  /**
+   * @param changing the drive that the command is to change; null: it begins one
+   * @param id of the command in the queue
+   */
+  private void storeThenSend(StoredDrive next, @Nullable Long changing, long id) {
+    drive = Optional.of(next);
+    writer.write(
+        () -> store.saveDrive(robot, next),
+        () -> self.tell(new RobotMessage.CommandStored(id)),
+        refusal ->
+            self.tell(
+                new RobotMessage.CommandNotStored(
+                    id, changing, String.valueOf(refusal.getMessage()))));
   }
 
   void commandStored(long id) {
     commands.setStored(id);
     sendStored();
-    unstored.settle();
   }
 
   private void sendStored() {
@@ -163,37 +157,24 @@ final class DriveSender {
   private void renumber(StoredDrive old) {
     StoredDrive next =
         new StoredDrive(commands.nextNumber(), old.task(), old.phase(), old.trajectory());
-    store(next, commands.renumberFirst(next.seq()));
+    storeThenSend(next, null, commands.renumberFirst(next.seq()));
+    floor.tell(new RobotEvent.DriveBegun(robot, next));
   }
 
   void cancel(RobotMessage.Cancel m) {
-    dropWaiting().ifPresent(number -> floor.tell(new RobotEvent.DriveWithdrawn(robot, number)));
+    commands.clear().ifPresent(number -> floor.tell(new RobotEvent.DriveWithdrawn(robot, number)));
     commands.send(n -> new ServerMessage.Cancel(n, m.task()));
-  }
-
-  /**
-   * What waits is not sent any more.
-   *
-   * @return the last drive that was to begin
-   */
-  Optional<Long> dropWaiting() {
-    unstored.withdrawWaiting();
-    return commands.clear();
   }
 
   /** It is not sent, and is to the floor as if the robot had refused it. */
   void commandNotStored(RobotMessage.CommandNotStored m) {
-    commands
-        .dropNotStored(m.id())
-        .ifPresent(
-            dropped -> {
-              refusedDrive = dropped.drive();
-              unstored.drop(refusedDrive);
-              sendStored();
-              floor.tell(
-                  new RobotEvent.CommandRejected(
-                      robot, dropped.isBegun() ? refusedDrive : null, m.reason()));
-            });
-    unstored.settle();
+    commands.dropNotStored(m.id());
+    sendStored();
+    floor.tell(new RobotEvent.CommandRejected(robot, m.changing(), m.reason()));
+  }
+
+  @Override
+  public void close() {
+    writer.close();
   }
 }

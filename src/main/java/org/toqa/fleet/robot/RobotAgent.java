@@ -58,14 +58,10 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private final SilenceDetector silence;
   private Instant lastPing = Instant.MIN;
 
-  /**
-   * @param writer of its own
-   */
   public static Behavior<RobotMessage> of(
       RobotRecord robot,
       ActorRef<RobotEvent> floor,
       FleetStore store,
-      StoreWriter writer,
       RobotLinkFactory links,
       Instant now,
       FleetRuntime runtime) {
@@ -74,7 +70,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         RobotMessage.class,
         runtime,
         Behaviors.setup(
-            context -> new RobotAgent(context, robot, floor, store, writer, links, now)));
+            context -> new RobotAgent(context, robot, floor, store, links, now, runtime)));
   }
 
   private RobotAgent(
@@ -82,9 +78,9 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
       RobotRecord robot,
       ActorRef<RobotEvent> floor,
       FleetStore store,
-      StoreWriter writer,
       RobotLinkFactory links,
-      Instant now) {
+      Instant now,
+      FleetRuntime runtime) {
     super(context);
     this.robot = robot;
     this.floor = floor;
@@ -93,6 +89,11 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
     this.silence = new SilenceDetector(now);
     AgentHealth health = AgentHealth.of(context.getSystem());
     RobotAgents.of(context.getSystem()).add(robot, context.getSelf());
+    StoreWriter writer =
+        new StoreWriter(
+            robot.name(),
+            runtime,
+            change -> health.recordLeftOut(change, runtime.monotonicNanos()));
     this.drives = new DriveSender(robot.name(), store, writer, commands, floor, context.getSelf());
     this.clears = new ClearSender(robot.name(), commands::send);
     this.reports = new ReportForwarder(robot.name(), floor, health, () -> this.now);
@@ -120,7 +121,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
               0, (n, _) -> new ServerMessage.Lead(n, m.task(), m.tolerance(), m.followers()));
       case RobotMessage.Follow m -> drives.follow(m);
       case RobotMessage.Extend m -> drives.extend(m);
-      case RobotMessage.Release m -> drives.release(m);
+      case RobotMessage.Release m -> drives.release(m.released());
       case RobotMessage.CommandStored m -> drives.commandStored(m.id());
       case RobotMessage.CommandNotStored m -> drives.commandNotStored(m);
       case RobotMessage.Cancel m -> drives.cancel(m);
@@ -184,7 +185,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
         said.task(),
         said.phase());
     hello = said;
-    var _ = drives.dropWaiting(); // it was meant for the last connection: the floor decides anew
+    commands.clear(); // what was meant for the last connection: the floor decides anew
     unanswered.clear();
     reports.setConnection(said);
     clears.reconnected(said.lastSeq()).ifPresent(this::rejectClear);
@@ -307,6 +308,7 @@ public final class RobotAgent extends AbstractBehavior<RobotMessage> {
   private Behavior<RobotMessage> stopped() {
     RobotAgents.of(getContext().getSystem()).remove(getContext().getSelf());
     link.close();
+    drives.close();
     return this;
   }
 }

@@ -1,7 +1,6 @@
 package org.toqa.fleet.robot;
 
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -40,22 +39,7 @@ public sealed interface RobotMessage {
 
   /** Drive other segments from {@code from} on. */
   record Extend(int from, List<Segment> segments, int released, boolean last)
-      implements RobotMessage {
-    /** Both in one, where this was not sent before the next one came. */
-    Extend followedBy(Extend next) {
-      if (next.from <= from) {
-        return next;
-      }
-      List<Segment> joined = new ArrayList<>(segments.subList(0, next.from - from));
-      joined.addAll(next.segments);
-      return new Extend(from, joined, next.released, next.last);
-    }
-
-    /** The same for a release. */
-    Extend followedBy(Release next) {
-      return new Extend(from, segments, Math.max(released, next.released), last);
-    }
-  }
+      implements RobotMessage {}
 
   /** Lead these robots with the drive that comes next. */
   record Lead(long task, double tolerance, List<Follower> followers) implements RobotMessage {}
@@ -120,8 +104,10 @@ public sealed interface RobotMessage {
    * What had to be stored before a command was sent can never be.
    *
    * @param id of the command that waits
+   * @param changing the drive that the command was to change, if it was such a one
    */
-  record CommandNotStored(long id, String reason) implements RobotMessage {}
+  record CommandNotStored(long id, @Nullable Long changing, String reason)
+      implements RobotMessage {}
 
   /**
    * @param now is asked once, when the tick is taken

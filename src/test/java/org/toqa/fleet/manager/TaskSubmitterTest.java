@@ -16,7 +16,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.toqa.fleet.FleetRuntime;
 import org.toqa.fleet.FleetStore.Submission;
-import org.toqa.fleet.GroupCommitter;
 import org.toqa.fleet.StoreWriter;
 import org.toqa.fleet.TamperedStore;
 import org.toqa.mission.TransportTask;
@@ -32,9 +31,7 @@ class TaskSubmitterTest {
 
   private final Database database = MemoryDatabase.open("intake-" + System.nanoTime());
   private final JdbiFleetStore store = new JdbiFleetStore(database.jdbi());
-  private final GroupCommitter committer =
-      new GroupCommitter("test", store, FleetRuntime.USUAL, change -> {});
-  private final StoreWriter writer = committer.writer();
+  private final StoreWriter writer = new StoreWriter("test", FleetRuntime.USUAL, change -> {});
   private final Queue<Integer> transactions = new ConcurrentLinkedQueue<>();
   private final Queue<TransportTask> accepted = new ConcurrentLinkedQueue<>();
   private final Queue<StoreException> refusals = new ConcurrentLinkedQueue<>();
@@ -44,7 +41,7 @@ class TaskSubmitterTest {
 
   @AfterEach
   void close() {
-    committer.close();
+    writer.close();
     database.close();
   }
 
@@ -83,7 +80,7 @@ class TaskSubmitterTest {
             writer,
             new PendingSubmissions(),
             System::nanoTime));
-    committer.close(); // what was to be withdrawn, is
+    writer.close(); // what was to be withdrawn, is
 
     assertEquals(List.of("0"), accepted.stream().map(TransportTask::name).toList());
     assertEquals(1, store.count());
@@ -102,7 +99,7 @@ class TaskSubmitterTest {
         List.of(submission), System.nanoTime() - 1, accepted::addAll, e -> refused.countDown());
 
     assertTrue(refused.await(20, TimeUnit.SECONDS));
-    committer.close();
+    writer.close();
     assertTrue(accepted.isEmpty());
     assertEquals(1, store.count());
   }
