@@ -90,7 +90,7 @@ final class NextStepsPlanner {
 
   private static PlannedRobot planned(
       TrafficRobot robot, Cell start, Cell goal, double step, Instant now) {
-    Pose end = robot.releasedEnd();
+    Pose end = robot.committedEnd();
     Instant since = robot.waiting.since();
     double waited = since == null ? 0 : Duration.between(since, now).toMillis() / 1000.0;
     return new PlannedRobot(
