@@ -54,6 +54,7 @@ final class OperationSearch {
   private char[][] distances = new char[0][];
   private int[] goals = new int[0];
   private BitSet fixed = new BitSet();
+  private int[] delays = new int[0];
   private int[] ranks = new int[0];
   private int[] visits = new int[0];
   private int[] visitedIn = new int[0];
@@ -98,9 +99,12 @@ final class OperationSearch {
    * @param distances costs to the goal by robot and state, as {@link Guidance} has them
    * @param goals vertices, or {@code NONE}
    * @param fixed the robots that keep the operation they have
+   * @param delays by robot: the steps in which it does not go yet
    */
-  void improve(int[] order, char[][] distances, int[] goals, BitSet fixed, Deadline deadline) {
+  void improve(
+      int[] order, char[][] distances, int[] goals, BitSet fixed, int[] delays, Deadline deadline) {
     this.fixed = fixed;
+    this.delays = delays;
     this.distances = distances;
     this.goals = goals;
     this.deadline = deadline;
@@ -305,9 +309,12 @@ final class OperationSearch {
       return;
     }
     int vertex = graph.vertex(state);
+    boolean mayGo = t >= delays[robot];
     for (int action = 0; action < graph.actionCount(); action++) {
       int next = graph.successor(state, action);
-      if (next == NONE || (t > 0 && graph.isRedundantPair(action(code, t - 1), action))) {
+      if (next == NONE
+          || (!mayGo && action != StateGraph.WAIT)
+          || (t > 0 && graph.isRedundantPair(action(code, t - 1), action))) {
         continue;
       }
       int there = graph.vertex(next);

@@ -103,6 +103,7 @@ public final class RollingHorizonPlanner implements LifelongPlanner {
             distances(present, context),
             present.stream().mapToInt(RobotProgress::target).toArray(),
             fixed,
+            IntStream.range(0, active.size()).map(active::delay).toArray(),
             deadline);
     return active.toPlan(
         context.operations().depth(),
