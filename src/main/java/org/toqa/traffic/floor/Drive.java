@@ -90,13 +90,6 @@ final class Drive {
     return released;
   }
 
-  /**
-   * How many sections it is going to drive, whatever is planned: to the end of a cell's passage.
-   */
-  int committed() {
-    return path == null ? 0 : path.committed(released);
-  }
-
   Instant lastProgress() {
     return lastProgress;
   }
@@ -115,14 +108,9 @@ final class Drive {
     return path != null && released < path.sectionCount();
   }
 
-  /** Whether a part of its path can still be planned otherwise. */
-  boolean hasUncommitted() {
-    return path != null && committed() < path.sectionCount();
-  }
-
   /** Whether what is left of its path was planned together with others' paths. */
   boolean isOnSharedPath() {
-    return path != null && path.isShared() && hasUncommitted();
+    return path != null && path.isShared() && hasUnreleased();
   }
 
   boolean isCompleted() {
@@ -198,14 +186,14 @@ final class Drive {
   }
 
   /** Where the sections end that it may not drive yet, metres, map frame. */
-  List<Vec2> uncommittedEnds() {
+  List<Vec2> unreleasedEnds() {
     return unreleased().stream().map(section -> section.end().position()).toList();
   }
 
-  /** Begins another path where the part of this one ends that it is going to drive anyway. */
+  /** Begins another path where the released part of this one ends. */
   void continueOn(ReservedPath next) {
     ReservedPath former = path;
-    path = former == null ? next : former.continuedWith(committed(), next);
+    path = former == null ? next : former.continuedWith(released, next);
     if (former == null) {
       completed = 0;
       completedSegments = 0;
@@ -340,21 +328,13 @@ final class Drive {
    * @return whether there was anything
    */
   boolean freeUnreleased() {
-    return freeAfter(released);
-  }
-
-  /** Gives up what can still be planned otherwise. */
-  void freeUncommitted() {
-    freeAfter(committed());
-  }
-
-  private boolean freeAfter(int count) {
     ReservedPath former = path;
-    if (former == null || count == former.sectionCount()) {
+    if (former == null || released == former.sectionCount()) {
       return false;
     }
     path =
-        former.continuedWith(count, ReservedPath.independent(former.poseAfter(count), List.of()));
+        former.continuedWith(
+            released, ReservedPath.independent(former.poseAfter(released), List.of()));
     pathNumber++;
     isChangeUnsent = true;
     return true;

@@ -87,7 +87,8 @@ final class JointPlan {
     }
     byVertex.values().forEach(v -> v.sort(Comparator.comparingInt(Visit::enters)));
     for (int robot = 0; robot < robots.size(); robot++) {
-      if (visits.get(robot).size() > 1) {
+      ReservedPath path = robots.get(robot).drive.path();
+      if (path != null && !path.visits().isEmpty()) {
         robots.get(robot).drive.setDependencies(dependencies(visits.get(robot), byVertex));
       }
     }
@@ -108,11 +109,11 @@ final class JointPlan {
 
   private void assignPath(TrafficRobot robot, List<Cell> visits, SectionFitter fitter) {
     if (visits.size() == 1) {
-      robot.drive.freeUncommitted();
+      robot.freeUnreleased();
       return;
     }
     OccupancyGrid lattice = lanes.cells();
-    Pose start = robot.committedEnd();
+    Pose start = robot.releasedEnd();
     List<Section> sections = sections(robot, start, visits, fitter);
     robot.continueOn(
         new ReservedPath(
@@ -132,8 +133,7 @@ final class JointPlan {
   private List<Section> sections(
       TrafficRobot robot, Pose start, List<Cell> visits, SectionFitter fitter) {
     OccupancyGrid lattice = lanes.cells();
-    PassingPlaces.CellPlaces passingPlaces =
-        new PassingPlaces.CellPlaces(lattice, spacing.isNone());
+    PassingPlaces passingPlaces = new PassingPlaces.CellCentres(lattice);
     double length = lattice.resolution();
     List<Section> turning =
         fitter.fit(
@@ -142,7 +142,7 @@ final class JointPlan {
             waypointsFromCentre(lanes, visits, 0, lanes.goalCell(robot), i -> true),
             length,
             passingPlaces);
-    if (!passingPlaces.isCentre(start.position())) {
+    if (!passingPlaces.isPassingPlace(start.position(), 0)) {
       return turning;
     }
     List<Waypoint> waypoints = lanes.waypoints(visits, 0, lanes.goalCell(robot), i -> false);

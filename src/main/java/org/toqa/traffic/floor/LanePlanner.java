@@ -227,7 +227,7 @@ final class LanePlanner {
                 && !robot.isStalled()
                 && robot.formation() == null
                 && robot.radius() <= diameter / 2
-                && robot.drive.hasUncommitted();
+                && robot.drive.hasUnreleased();
         if (canJoin && !planned.contains(robot) && isNearPlanned(robot, reach)) {
           planned.add(robot);
         }
@@ -235,9 +235,9 @@ final class LanePlanner {
     }
 
     private boolean isNearPlanned(TrafficRobot robot, double reach) {
-      List<Vec2> points = robot.drive.uncommittedEnds();
+      List<Vec2> points = robot.drive.unreleasedEnds();
       return planned.stream()
-          .map(other -> other.committedEnd().position())
+          .map(other -> other.releasedEnd().position())
           .anyMatch(end -> points.stream().anyMatch(point -> point.distanceTo(end) < reach));
     }
 
@@ -261,7 +261,7 @@ final class LanePlanner {
 
     /** Whether it is near to the middle of a lane cell, and can go straight there. */
     private boolean isOnLane(TrafficRobot robot) {
-      Pose pose = robot.committedEnd();
+      Pose pose = robot.releasedEnd();
       OccupancyGrid lattice = lanes.lattice();
       Cell cell = lattice.cellAt(pose.position());
       if (!lattice.contains(cell)) {
@@ -287,7 +287,7 @@ final class LanePlanner {
     }
 
     private RoadGraph buildRoads() {
-      return lanes.roads(occupied, planned.stream().map(TrafficRobot::committedEnd).toList());
+      return lanes.roads(occupied, planned.stream().map(TrafficRobot::releasedEnd).toList());
     }
 
     /**
@@ -302,7 +302,7 @@ final class LanePlanner {
       Set<Cell> taken = new HashSet<>();
       List<TrafficRobot> aside = new ArrayList<>();
       for (TrafficRobot robot : planned) {
-        Cell cell = lanes.lattice().cellAt(robot.committedEnd().position());
+        Cell cell = lanes.lattice().cellAt(robot.releasedEnd().position());
         if (!isOnLane(robot) || roads.vertex(cell) == RoadGraph.NONE || !taken.add(cell)) {
           aside.add(robot);
         } else {
@@ -315,7 +315,7 @@ final class LanePlanner {
     }
 
     private boolean assignPlace(TrafficRobot robot, Set<Cell> taken, List<SweptArea> swept) {
-      Pose from = robot.committedEnd();
+      Pose from = robot.releasedEnd();
       for (Cell cell : lanes.cellsAround(from.position())) {
         if (roads.vertex(cell) == RoadGraph.NONE || taken.contains(cell)) {
           continue;
@@ -324,10 +324,7 @@ final class LanePlanner {
         double length = lanes.lattice().resolution();
         List<Section> sections =
             fitter.fit(robot, from, middle, length, new PassingPlaces.OnlyAtEnd());
-        boolean isStopped = robot.drive.released() == robot.drive.committed();
-        if (isStopped
-            && sections.size() == 1
-            && canDrive(robot, from, sections.getFirst(), swept)) {
+        if (sections.size() == 1 && canDrive(robot, from, sections.getFirst(), swept)) {
           swept.add(sections.getFirst().area());
           taken.add(cell);
           places.put(robot, cell);
@@ -380,13 +377,13 @@ final class LanePlanner {
     private void adopt(RoadGraph plannedOn, Spacing kept, List<int[]> steps) {
       for (TrafficRobot robot : robots) {
         if (!places.containsKey(robot) && robot.drive.isOnSharedPath()) {
-          robot.drive.freeUncommitted();
+          robot.freeUnreleased();
         }
       }
       for (TrafficRobot robot : planned) {
         List<Section> sections = sectionsToPlaces.get(robot);
         if (sections != null) {
-          robot.continueOn(ReservedPath.independent(robot.committedEnd(), sections));
+          robot.continueOn(ReservedPath.independent(robot.releasedEnd(), sections));
           robot.drive.releaseAll();
           sections.forEach(s -> claims.add(robot, s.area()));
         }

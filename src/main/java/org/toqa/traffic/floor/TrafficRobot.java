@@ -204,8 +204,8 @@ final class TrafficRobot {
   }
 
   /** A section of its path that covers an area. */
-  Section section(List<Segment> segments, Pose end, SweptArea area, boolean endsHalfway) {
-    return new Section(segments, end, area, areaAt(end), area.cells(grid, 0), endsHalfway);
+  Section section(List<Segment> segments, Pose end, SweptArea area) {
+    return new Section(segments, end, area, areaAt(end), area.cells(grid, 0));
   }
 
   /** How it shall face at a point; null: in any heading. */
@@ -250,19 +250,12 @@ final class TrafficRobot {
         .toList();
   }
 
-  /** Where it will be when it has driven what it is going to drive anyway, and can go elsewhere. */
-  Pose committedEnd() {
-    ReservedPath path = drive.path();
-    return path == null ? place() : path.poseAfter(drive.committed());
-  }
-
-  /** Where it will be when it has driven what is released. */
+  /** Where it will be when it has driven what is released, and where its path goes on. */
   Pose releasedEnd() {
     ReservedPath path = drive.path();
-    return path == null ? place() : path.poseAfter(drive.released());
-  }
-
-  private Pose place() {
+    if (path != null) {
+      return path.poseAfter(drive.released());
+    }
     if (formation == null) {
       return pose;
     }
@@ -277,8 +270,8 @@ final class TrafficRobot {
     return grid.cellAt(pose.position());
   }
 
-  Cell committedCell() {
-    return grid.cellAt(committedEnd().position());
+  Cell releasedCell() {
+    return grid.cellAt(releasedEnd().position());
   }
 
   boolean isAtGoal() {
@@ -313,7 +306,7 @@ final class TrafficRobot {
 
   /** Wants to go somewhere and has no path there, or only one that ends short of it. */
   boolean needsPath() {
-    return goal != null && movable && !drive.hasUncommitted() && !isGoal(committedEnd());
+    return goal != null && movable && !drive.hasUnreleased() && !isGoal(releasedEnd());
   }
 
   /** Is on a path that leads it nearer to its goal, but not there. */
@@ -390,7 +383,7 @@ final class TrafficRobot {
     for (Segment segment : trajectory.segments()) {
       SweptArea area = sweptArea(at, segment);
       at = at.advanced(segment.twist(), segment.t());
-      sections.add(section(List.of(segment), at, area, false));
+      sections.add(section(List.of(segment), at, area));
     }
     continueOn(ReservedPath.independent(trajectory.start(), sections));
     drive.resume(completedSegments, now);
