@@ -159,14 +159,13 @@ final class FormationRig implements AutoCloseable {
   /**
    * The robot's daemon is gone from one tick to the next, as when its power fails.
    *
-   * @return when, milliseconds of the world
+   * @return when nothing that it sent could come any more, milliseconds of the world
    */
   long kill(int robot) {
     clock.remove(robots.get(robot));
-    long gone = clock.millis();
     killed.add(robots.get(robot));
     close(robots.get(robot).daemon());
-    return gone;
+    return clock.millis();
   }
 
   /** Where the bodies really were until now. */

@@ -18,8 +18,8 @@ public record PaceLimits(
 
   private static final double GROUP_JUMP = 0.05;
 
-  /** Stops a robot from 0.25 m/s in 0.2 s; three wheels do 1.7. */
-  private static final double BRAKING = 1.2;
+  /** Stops a robot from 0.25 m/s in 0.17 s; three wheels do 1.7. */
+  private static final double BRAKING = 1.5;
 
   private static final double TURN_BRAKING = 6;
 

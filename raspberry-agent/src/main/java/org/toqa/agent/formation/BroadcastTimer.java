@@ -10,8 +10,8 @@ public final class BroadcastTimer {
 
   public static final long PERIOD_NANOS = 200_000_000;
 
-  /** While the leader brakes: what followers do not know yet strains the shape. */
-  private static final long BRAKING_PERIOD_NANOS = 40_000_000;
+  /** While the leader brakes, at every tick: what followers do not know yet strains the shape. */
+  private static final long BRAKING_PERIOD_NANOS = Chassis.TICK.toNanos();
 
   private static final long HALF_A_TICK = Chassis.TICK.toNanos() / 2;
 
