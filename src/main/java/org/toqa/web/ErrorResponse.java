@@ -10,6 +10,7 @@ import org.toqa.persistence.StoreException;
 
 /** The answer to a request that is refused: a problem for the API, else a page. */
 public final class ErrorResponse {
+  private static final String RETRY_SECONDS = "5";
   private static final int UNPROCESSABLE = 422;
   private static final int TOO_MANY_REQUESTS = 429;
   private static final String SENTENCE = ErrorResponse.class.getName();
@@ -33,6 +34,14 @@ public final class ErrorResponse {
       Object... values)
       throws IOException {
     send(request, response, status, Texts.of(request).get(key, values));
+  }
+
+  /** Of what is unavailable (503): after how many seconds, where nobody has said it better. */
+  public static void sayWhenToRetry(HttpServletResponse response, int status) {
+    if (status == HttpServletResponse.SC_SERVICE_UNAVAILABLE
+        && !response.containsHeader("Retry-After")) {
+      response.setHeader("Retry-After", RETRY_SECONDS);
+    }
   }
 
   /** The status of what the store would not do. */

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.toqa.mission.Question;
+import org.toqa.web.ErrorResponse;
 import org.toqa.web.input.FieldErrors;
 import org.toqa.web.input.LineFaults;
 
@@ -92,6 +93,7 @@ public record Problem(
   }
 
   public void send(HttpServletRequest request, HttpServletResponse response) throws IOException {
+    ErrorResponse.sayWhenToRetry(response, status);
     Json.send(request, response, status, "application/problem+json", this);
   }
 

@@ -27,6 +27,7 @@ public final class ErrorServlet extends HttpServlet {
     int status = status(request);
     String sentence = sentence(request, status);
     response.setStatus(status);
+    ErrorResponse.sayWhenToRetry(response, status);
     if (isForApi(request)) {
       Problem.of(status, sentence).send(request, response);
       return;

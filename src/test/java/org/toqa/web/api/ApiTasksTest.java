@@ -143,6 +143,7 @@ class ApiTasksTest extends ApiTestServer {
     HttpResponse<String> answer = post(token, "api/v1/tasks", GOOD_TASK);
 
     assertEquals(503, answer.statusCode());
+    assertEquals("5", answer.headers().firstValue("Retry-After").orElse(""));
     assertTrue(detail(answer).startsWith("The database does not answer, so nothing was changed."));
     assertFalse(answer.body().contains("Exception"));
   }

@@ -394,6 +394,7 @@ class ImportTest {
       HttpResponse<String> page = visitor.postFile("tasks/import", Map.of(), "x.csv", table);
 
       assertEquals(503, page.statusCode());
+      assertEquals("5", page.headers().firstValue("Retry-After").orElse(""));
       assertTrue(page.body().contains("The database does not answer"), page.body());
       assertEquals(0, away.fleet().count());
     }
