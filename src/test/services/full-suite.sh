@@ -104,6 +104,7 @@ finish() {
   trap - EXIT
   trap '' INT TERM HUP
   end_maven
+  [ -z "${firmware:-}" ] || kill "$firmware" 2>/dev/null || true
   stop_database
   remove_networks
   [ -z "${folder:-}" ] || rm -rf "$folder"
@@ -180,10 +181,13 @@ TMPDIR=$folder
 export TMPDIR
 memory=$(mktemp -d -p /dev/shm 2>/dev/null || mktemp -d)
 say "testing the firmware"
-make -s -C firmware test sim
+make -s -C firmware test sim &
+firmware=$!
 schemathesis
 start_database
 [ "${brand:-}" != mysql ] || find_mysql_client
+wait "$firmware"
+firmware=
 
 mkdir -p target
 : >"$tally"

@@ -5,6 +5,7 @@ import com.password4j.Password;
 import com.password4j.types.Argon2;
 import java.util.Optional;
 import java.util.concurrent.Semaphore;
+import java.util.regex.Pattern;
 
 /**
  * Passwords as Argon2id hashes (RFC 9106) with 19 MiB, two passes and one lane: the first choice of
@@ -23,9 +24,19 @@ public final class PasswordHasher {
       "$argon2id$v=19$m=19456,t=2,p=1$Iv19/krwM0CNJrGM/TwaFQ"
           + "$z2iSIybp/nTxiMlXkoOmKpLVXKhSf2AwBoGsN6mroeo";
 
+  private static final Pattern HASH =
+      Pattern.compile(
+          "\\$argon2id\\$v=19\\$m=\\d{2,7},t=\\d{1,2},p=\\d{1,2}"
+              + "\\$[A-Za-z0-9+/]{11,}\\$[A-Za-z0-9+/]{22,}");
+
   private final Argon2Function argon2 =
       Argon2Function.getInstance(MEMORY_KIB, PASSES, LANES, HASH_BYTES, Argon2.ID);
   private final Semaphore permits = new Semaphore(Runtime.getRuntime().availableProcessors());
+
+  /** Whether the text is no password, but the hash of one, as {@link #hash} writes it. */
+  public static boolean isHash(String text) {
+    return HASH.matcher(text).matches();
+  }
 
   public String hash(String password) {
     permits.acquireUninterruptibly();

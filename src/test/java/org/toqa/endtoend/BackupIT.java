@@ -23,7 +23,7 @@ class BackupIT {
   void theFolderOfAServerThatIsStoppedHoldsAll() throws Exception {
     Path data = folder.resolve("data");
     Path backup = folder.resolve("data.backup");
-    try (RunningServer server = new RunningServer(folder, "--simulate", "1", "--speed", "60")) {
+    try (RunningServer server = new RunningServer(folder, "--simulate", "1", "--speed", "20")) {
       BackupScenario work = BackupScenario.start(server);
       server.stop();
       copyFolder(data, backup);
@@ -42,7 +42,7 @@ class BackupIT {
   void aRobotThatIsAheadOfTheRestoredServerIsUsedAgain() throws Exception {
     Path data = folder.resolve("data");
     Path backup = Files.createDirectory(folder.resolve("backup"));
-    try (RunningServer server = new RunningServer(folder, "--simulate", "1", "--speed", "60")) {
+    try (RunningServer server = new RunningServer(folder, "--simulate", "1", "--speed", "20")) {
       long first = server.addTask("in the backup", "Workbench 1", "Packing 1");
       server.awaitState(first, "DONE");
       server.kill();

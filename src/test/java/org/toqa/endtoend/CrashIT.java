@@ -23,7 +23,7 @@ class CrashIT {
 
   @Test
   void aKilledServerGoesOnInEveryPhase() throws Exception {
-    try (RunningServer server = new RunningServer(folder, "--simulate", "3", "--speed", "40")) {
+    try (RunningServer server = new RunningServer(folder, "--simulate", "3", "--speed", "20")) {
       List<Long> tasks = new ArrayList<>();
       List<String> phases = List.of("", "TO_OBJECT", "CARRYING", "RETURNING");
       for (int i = 0; i < phases.size(); i++) {

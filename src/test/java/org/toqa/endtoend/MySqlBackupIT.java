@@ -38,7 +38,7 @@ class MySqlBackupIT {
       addUser(mySql);
       try (RunningServer server =
           new RunningServer(
-              folder, "--config", config(mySql), "--simulate", "1", "--speed", "60")) {
+              folder, "--config", config(mySql), "--simulate", "1", "--speed", "20")) {
         BackupScenario work = BackupScenario.start(server);
         client(
             mySql,

@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.toqa.testbed.ApiClient;
 import org.toqa.testbed.ApiClient.Reply;
+import org.toqa.testbed.CheapPassword;
 import org.toqa.testbed.ToqaProcess;
 import tools.jackson.databind.JsonNode;
 
@@ -18,6 +19,7 @@ import tools.jackson.databind.JsonNode;
 final class RunningServer implements AutoCloseable {
   static final String MANAGER = "boss";
   static final String PASSWORD = "boss-of-robots";
+  private static final String PASSWORD_HASH = CheapPassword.hash(PASSWORD);
   private static final Duration TIMEOUT = Duration.ofMinutes(10);
 
   private final Path folder;
@@ -39,7 +41,8 @@ final class RunningServer implements AutoCloseable {
   }
 
   private ToqaProcess launch() throws Exception {
-    return ToqaProcess.server(folder, Map.of("TOQA_MANAGER", MANAGER + ":" + PASSWORD), arguments);
+    return ToqaProcess.server(
+        folder, Map.of("TOQA_MANAGER", MANAGER + ":" + PASSWORD_HASH), arguments);
   }
 
   ApiClient api() {

@@ -5,7 +5,7 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 
 /** The threads and the clock of a server, for tests that change one of them. */
-abstract class ServerRuntime implements FleetRuntime {
+public abstract class ServerRuntime implements FleetRuntime {
   @Override
   public Optional<Executor> agentExecutor() {
     return USUAL.agentExecutor();

@@ -134,7 +134,7 @@ final class RoadWorld {
     Map<Setting, @Nullable String> options = new EnumMap<>(Setting.class);
     options.put(Setting.PORT, "0");
     options.put(Setting.DATA, folder.resolve("data").toString());
-    options.put(Setting.MANAGER, MANAGER + ":" + WebTestServer.PASSWORD);
+    options.put(Setting.MANAGER, MANAGER + ":" + WebTestServer.PASSWORD_HASH);
     options.put(Setting.LOG_LEVEL, "ERROR");
     return faster(Configuration.of(MAP, List.of(SettingSource.fromCommandLine(options))));
   }

@@ -1,9 +1,6 @@
 package org.toqa.web;
 
 import com.github.benmanes.caffeine.cache.Ticker;
-import com.password4j.Argon2Function;
-import com.password4j.Password;
-import com.password4j.types.Argon2;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.URI;
@@ -47,6 +44,7 @@ import org.toqa.store.JdbiStatisticsArchive;
 import org.toqa.store.JdbiTrackStore;
 import org.toqa.store.JdbiUtilisationStore;
 import org.toqa.store.MemoryDatabase;
+import org.toqa.testbed.CheapPassword;
 import org.toqa.testbed.RealMySql;
 
 /** The shipped web application in an embedded Tomcat, over a fleet in memory. */
@@ -71,15 +69,7 @@ public final class WebTestServer implements AutoCloseable {
 
   private static final RequestLimit NO_LIMIT = new RequestLimit(0, Ticker.systemTicker());
 
-  /**
-   * Of that password, by the same function at a small part of its cost. A hash says what it costs
-   * to check it, and tests log in more often than they do anything else.
-   */
-  public static final String PASSWORD_HASH =
-      Password.hash(PASSWORD)
-          .addRandomSalt(16)
-          .with(Argon2Function.getInstance(64, 1, 1, 32, Argon2.ID))
-          .getResult();
+  public static final String PASSWORD_HASH = CheapPassword.hash(PASSWORD);
 
   /** With the views as servlets, as the build has compiled them. */
   private static final Path WEBAPP = Path.of("target/webapp").toAbsolutePath();

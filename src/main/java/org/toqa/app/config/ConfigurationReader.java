@@ -16,6 +16,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.toqa.accounts.PasswordHasher;
 import org.toqa.allocation.Policy;
 import org.toqa.app.config.Configuration.DatabaseSettings;
 import org.toqa.app.config.Configuration.FirstManager;
@@ -298,7 +299,11 @@ record ConfigurationReader(List<SettingSource> layers) {
     if (colon < 1 || colon == text.length() - 1) {
       throw outOfRange(Setting.MANAGER);
     }
-    return new FirstManager(text.substring(0, colon), text.substring(colon + 1));
+    String password = text.substring(colon + 1);
+    if (password.startsWith("$argon2") && !PasswordHasher.isHash(password)) {
+      throw outOfRange(Setting.MANAGER);
+    }
+    return new FirstManager(text.substring(0, colon), password);
   }
 
   private @Nullable MailServer mailServer() throws ConfigurationException {

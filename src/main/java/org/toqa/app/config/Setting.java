@@ -46,7 +46,10 @@ public enum Setting {
   SPEED("speed", "1", new Decimal(0.1, 100, "")),
   KEEP_TRACKS("keepTracks", "90", new WholeNumber(1, 3650, "days")),
   KEEP_HISTORY("keepHistory", "730", new WholeNumber(1, 3650, "days")),
-  MANAGER("manager", "", "name:password of the first manager"),
+  MANAGER(
+      "manager",
+      "",
+      "name:password of the first manager, or name: and the password's Argon2id hash"),
   SITE(
       "site", "", "the address of the pages as browsers have it, such as https://toqa.example.org"),
   MAIL_HOST("mail.host", "", "the host name of a mail server (SMTP)"),

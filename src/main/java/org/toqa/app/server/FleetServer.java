@@ -289,7 +289,9 @@ public final class FleetServer implements AutoCloseable {
       Configuration configuration, AccountStore accounts, PasswordHasher passwords) {
     Configuration.FirstManager manager = configuration.firstManager();
     if (manager != null && !accounts.hasManager()) {
-      accounts.addFirstManager(manager.name(), passwords.hash(manager.password()));
+      String password = manager.password();
+      accounts.addFirstManager(
+          manager.name(), PasswordHasher.isHash(password) ? password : passwords.hash(password));
       log.info("The first manager is {}.", manager.name());
     }
   }

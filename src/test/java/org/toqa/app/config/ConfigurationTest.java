@@ -148,8 +148,8 @@ class ConfigurationTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"mia", ":secret", "mia:"})
-  void aManagerWithoutNameOrPasswordIsRefusedAndNotRepeated(String value) {
+  @CsvSource({"mia", ":secret", "mia:", "mia:$argon2id$v=19$secret"})
+  void aManagerThatNobodyCanBeIsRefusedAndNotRepeated(String value) {
     String sentence = complaint(commandLine(Setting.MANAGER, value));
 
     assertContains("name:password", sentence);

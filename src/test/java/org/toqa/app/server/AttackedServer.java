@@ -86,7 +86,7 @@ final class AttackedServer implements AutoCloseable {
     Map<Setting, @Nullable String> settings = new EnumMap<>(Setting.class);
     settings.put(Setting.PORT, "0");
     settings.put(Setting.DATA, data.toString());
-    settings.put(Setting.MANAGER, MANAGER + ":" + WebTestServer.PASSWORD);
+    settings.put(Setting.MANAGER, MANAGER + ":" + WebTestServer.PASSWORD_HASH);
     settings.put(Setting.PROXY, "127.0.0.1");
     settings.put(Setting.REQUESTS_PER_SECOND, "0");
     settings.put(Setting.SIMULATE, "2");
@@ -104,6 +104,7 @@ final class AttackedServer implements AutoCloseable {
     site = web.open(toqa);
     database = DriverManager.getConnection(configuration.database().url());
     secrets.add(WebTestServer.PASSWORD);
+    secrets.add(WebTestServer.PASSWORD_HASH);
     secrets.add(PAIRING_CODE);
     secrets.add(PAIRING_CODE.replace("-", ""));
     addUser(CLERK);

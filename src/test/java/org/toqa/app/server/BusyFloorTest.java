@@ -1,4 +1,4 @@
-package org.toqa.fleet;
+package org.toqa.app.server;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -21,6 +21,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.toqa.allocation.Policy;
+import org.toqa.fleet.ChargingRules;
+import org.toqa.fleet.FleetRules;
+import org.toqa.fleet.RobotRecord;
+import org.toqa.fleet.RobotState;
+import org.toqa.fleet.ServerRuntime;
+import org.toqa.fleet.TaskOrder;
 import org.toqa.fleet.manager.AgentFleet;
 import org.toqa.geometry.Pose;
 import org.toqa.geometry.Vec2;
@@ -56,8 +62,7 @@ import org.toqa.wording.Sentence;
  */
 @Timeout(120)
 class BusyFloorTest {
-  /** Reports are read in real time here: no faster, or a busy machine makes robots late. */
-  private static final double SPEED = 2;
+  private static final double SPEED = 4;
 
   @TempDir private Path folder;
   private final List<AutoCloseable> parts = new ArrayList<>();
@@ -99,20 +104,25 @@ class BusyFloorTest {
       store.saveRobot(
           new RobotRecord(robot, "aisle", "127.0.0.1", robots.port(robot), 5, null, true, null));
     }
+    SimulatedLinks links =
+        new SimulatedLinks(
+            new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false),
+            robots::isListeningOn,
+            clock::nanos);
+    clock.add(links, VirtualClock.STEP);
     fleet =
         new AgentFleet(
             List.of(floor),
             store,
             new JdbiScheduleStore(database.jdbi()),
-            new WatchedLinks(
-                new TcpRobotLinkFactory(new LinkTls(IdentityFile.open(folder)), false)),
+            new WatchedLinks(links),
             Policy.OPTIMAL.allocator(),
             new FleetRules(Duration.ofSeconds(30), ChargingRules.USUAL, SPEED),
             InstantSource.system(),
             clock.instant(),
             runtime);
     parts.add(fleet);
-    clock.add(nanos -> fleet.tick(clock.instant()), Duration.ofMillis(100));
+    clock.add(new FleetInWorld(fleet, clock, true), Duration.ofMillis(100));
     clock.start();
     parts.add(clock);
   }
