@@ -1,5 +1,6 @@
 package org.toqa.fleet.floor;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
@@ -26,6 +27,9 @@ final class FloorReporter {
   private static final Set<RobotState> MUST_BE_MOVED =
       EnumSet.of(RobotState.OUT_OF_SERVICE, RobotState.ERROR, RobotState.LOST);
 
+  /** A plan that takes so long is likely never to end. */
+  private static final Duration PLAN_OVERDUE = Duration.ofSeconds(30);
+
   private final FloorState state;
   private final FloorWatch watch;
   private final ActorRef<FloorEvent> manager;
@@ -38,15 +42,24 @@ final class FloorReporter {
 
   void send() {
     state.changed = false;
-    String trouble = state.storeTrouble();
-    List<Sentence> alerts = trouble == null ? List.of() : List.of(Phrase.DATABASE_AWAY.with());
     manager.tell(
         new FloorEvent.FloorReport(
             floorView(),
             state.robots.values().stream().map(r -> view(r)).toList(),
             state.missions.all().stream().map(this::view).toList(),
             state.missions.takeEnded().stream().map(this::view).toList(),
-            alerts));
+            alerts()));
+  }
+
+  private List<Sentence> alerts() {
+    List<Sentence> alerts = new ArrayList<>();
+    if (state.storeTrouble() != null) {
+      alerts.add(Phrase.DATABASE_AWAY.with());
+    }
+    if (state.traffic.isPlanningFor(PLAN_OVERDUE, state.now)) {
+      alerts.add(Phrase.PLAN_OVERDUE.with(state.floor.name()));
+    }
+    return alerts;
   }
 
   private FloorView floorView() {

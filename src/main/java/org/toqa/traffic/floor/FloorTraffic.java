@@ -1,5 +1,6 @@
 package org.toqa.traffic.floor;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.BitSet;
 import java.util.List;
@@ -354,6 +355,11 @@ public final class FloorTraffic {
     }
     standstillDetector.update(robots.values(), now);
     return robots.values().stream().flatMap(robot -> robot.takeUnsentCommand().stream()).toList();
+  }
+
+  /** Whether the plan that is being made was asked for so long ago. */
+  public boolean isPlanningFor(Duration time, Instant now) {
+    return pathAssigner.isPlanningFor(time, now);
   }
 
   private void release(Instant now) {

@@ -29,11 +29,7 @@ final class PathAssigner {
   private final PlanAdopter adopter;
   private @Nullable Pending pending;
 
-  private record Pending(PlanningRequest request, CompletableFuture<FloorPlan> plan) {
-    boolean isLate(Instant now) {
-      return !request.now().plus(LATE_AFTER).isAfter(now);
-    }
-  }
+  private record Pending(PlanningRequest request, CompletableFuture<FloorPlan> plan) {}
 
   /**
    * @param robots all on the floor by name, as they are at any time
@@ -57,8 +53,13 @@ final class PathAssigner {
     return pending != null && pending.request().need().isDue();
   }
 
+  /** Whether a plan that is being made was asked for so long ago. */
+  boolean isPlanningFor(Duration time, Instant now) {
+    return pending != null && !pending.request().now().plus(time).isAfter(now);
+  }
+
   private void updateWaits(Instant now) {
-    boolean isPlanLate = pending != null && pending.isLate(now);
+    boolean isPlanLate = isPlanningFor(LATE_AFTER, now);
     for (TrafficRobot robot : robots.values()) {
       Vec2 goal = robot.goal();
       if (!robot.needsPath() || goal == null) {

@@ -54,6 +54,7 @@ import org.toqa.store.Database;
 import org.toqa.store.JdbiFleetStore;
 import org.toqa.store.JdbiScheduleStore;
 import org.toqa.store.MemoryDatabase;
+import org.toqa.wording.Phrase;
 import org.toqa.wording.Sentence;
 
 /**
@@ -160,6 +161,8 @@ class BusyFloorTest {
     var paused = fleet.pauseAll("Clara");
     until(() -> modes.get("r2") == Mode.HOLDING);
 
+    String overdue = Phrase.PLAN_OVERDUE.with("aisle").toString();
+    until(() -> fleet.snapshots().latest().alerts().toString().contains(overdue));
     runtime.end.countDown();
     held.toCompletableFuture().get(60, TimeUnit.SECONDS);
     paused.toCompletableFuture().get(60, TimeUnit.SECONDS);
