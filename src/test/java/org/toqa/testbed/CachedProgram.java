@@ -3,6 +3,7 @@ package org.toqa.testbed;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.io.UncheckedIOException;
+import java.net.URI;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -11,15 +12,17 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import java.util.spi.ToolProvider;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * What was packaged, with its classes as Java has loaded and linked them once (an ahead-of-time
- * cache, JEP 483): tests start it a hundred times, and two thirds of what a start costs is that.
- * The first process that asks makes the cache; the others wait for it. How users start it is the
- * matter of {@code ToqaScriptIT}, {@code LauncherIT} and {@code DemoIT}.
+ * What was packaged, with its classes as Java has loaded and linked them once, while a robot
+ * carried a task (an ahead-of-time cache, JEP 483): tests start it a hundred times, and two thirds
+ * of what a start costs is that. The first process that asks makes the cache; the others wait for
+ * it. How users start it is the matter of {@code ToqaScriptIT}, {@code LauncherIT} and {@code
+ * DemoIT}.
  */
 final class CachedProgram {
   private static final Path FOLDER = Path.of("target/ahead-of-time").toAbsolutePath();
@@ -30,6 +33,10 @@ final class CachedProgram {
   private static final List<String> OPTIONS =
       List.of("--sun-misc-unsafe-memory-access=allow", "--enable-native-access=ALL-UNNAMED");
 
+  private static final String USER = "first";
+  private static final String PASSWORD = "first-of-all";
+  private static final String SPEED = "20";
+
   private CachedProgram() {}
 
   /**
@@ -38,31 +45,37 @@ final class CachedProgram {
    * @param unpackedIn where the WAR unpacks itself
    */
   static synchronized List<String> server(Path unpackedIn) {
-    Path war = Path.of("target/toqa.war").toAbsolutePath();
-    return locked(
-        () -> {
-          Path cache = cacheOf(war);
-          if (!Files.exists(cache)) {
-            makeServerCache(war, unpackedIn, cache);
-          }
-          return Stream.concat(
-                  serverCommand("-XX:AOTCache=" + cache, unpacked(war, unpackedIn)),
-                  Stream.of("org.toqa.app.Main"))
-              .toList();
-        });
+    return locked(() -> cachedServer(unpackedIn));
   }
 
-  /** The command that runs the daemon; arguments follow. */
-  static synchronized List<String> agent() {
+  /**
+   * The command that runs the daemon; arguments follow.
+   *
+   * @param unpackedIn where the WAR unpacks itself
+   */
+  static synchronized List<String> agent(Path unpackedIn) {
     Path jar = Path.of("target/toqa-agent.jar").toAbsolutePath();
     return locked(
         () -> {
           Path cache = cacheOf(jar);
           if (!Files.exists(cache)) {
-            makeAgentCache(jar, cache);
+            makeAgentCache(jar, cachedServer(unpackedIn), cache);
           }
           return agentCommand("-XX:AOTCache=" + cache, jar).toList();
         });
+  }
+
+  private static List<String> cachedServer(Path unpackedIn)
+      throws IOException, InterruptedException {
+    Path war = Path.of("target/toqa.war").toAbsolutePath();
+    Path cache = cacheOf(war);
+    if (!Files.exists(cache)) {
+      makeServerCache(war, unpackedIn, cache);
+    }
+    return Stream.concat(
+            serverCommand("-XX:AOTCache=" + cache, unpacked(war, unpackedIn)),
+            Stream.of("org.toqa.app.Main"))
+        .toList();
   }
 
   private interface Step<T> {
@@ -142,12 +155,16 @@ final class CachedProgram {
     List<String> command =
         Stream.concat(
                 serverCommand("-XX:AOTCacheOutput=" + cache, unpacked),
-                Stream.of("org.toqa.app.Main", "server", "--port", "0", "--simulate", "1"))
+                Stream.of("org.toqa.app.Main"))
             .toList();
-    runOnce(folder, command, "http://");
+    try (ToqaProcess server = startServer(folder, command, "--simulate", "1");
+        ApiClient api = logIn(server)) {
+      carryOnce(api);
+      end(server);
+    }
   }
 
-  private static void makeAgentCache(Path jar, Path cache)
+  private static void makeAgentCache(Path jar, List<String> server, Path cache)
       throws IOException, InterruptedException {
     Path folder = Files.createTempDirectory("toqa-first-run");
     Path config =
@@ -157,23 +174,60 @@ final class CachedProgram {
             name: first
             port: 0
             dataDir: data
-            chassis: {type: simulated, start: {x: 1, y: 1, heading: 0}}
-            """);
+            chassis: {type: simulated, speed: %s, start: {x: 7.95, y: 3.15, heading: 0}}
+            """
+                .formatted(SPEED));
     List<String> command =
         Stream.concat(
                 agentCommand("-XX:AOTCacheOutput=" + cache, jar),
                 Stream.of("--config", config.toString()))
             .toList();
-    runOnce(folder, command, "listening on");
+    try (ToqaProcess daemon = ToqaProcess.start(folder, folder, Map.of(), command);
+        ToqaProcess running = startServer(folder, server);
+        ApiClient api = logIn(running)) {
+      int port = Integer.parseInt(daemon.awaitErr("listening on .* port (\\d+)").group(1));
+      api.post("robots", Map.of("name", "first", "host", "127.0.0.1", "port", port, "maxLoad", 5));
+      carryOnce(api);
+      end(daemon);
+      end(running);
+    }
   }
 
-  private static void runOnce(Path folder, List<String> command, String whenUp)
-      throws IOException, InterruptedException {
-    try (ToqaProcess program = ToqaProcess.start(folder, folder, Map.of(), command)) {
-      program.awaitErr(whenUp);
-      program.terminate();
-      program.exitCode();
+  private static ToqaProcess startServer(Path folder, List<String> program, String... more)
+      throws IOException {
+    List<String> command = new ArrayList<>(program);
+    command.addAll(List.of("server", "--port", "0", "--speed", SPEED));
+    command.addAll(List.of("--data", folder.resolve("server").toString()));
+    command.addAll(List.of(more));
+    String manager = USER + ":" + CheapPassword.hash(PASSWORD);
+    return ToqaProcess.start(folder, folder, Map.of("TOQA_MANAGER", manager), command);
+  }
+
+  private static ApiClient logIn(ToqaProcess server) throws IOException, InterruptedException {
+    URI root = URI.create(server.awaitErr("http://[^ ]*").group());
+    return new ApiClient(root, USER, PASSWORD);
+  }
+
+  private static void carryOnce(ApiClient api) throws IOException, InterruptedException {
+    Map<String, Object> order =
+        Map.of(
+            "name",
+            "first",
+            "load",
+            1,
+            "start",
+            Map.of("station", "Store A"),
+            "goal",
+            Map.of("station", "Store B"));
+    long task = api.post("tasks", order).get("id").asLong();
+    while (!api.get("tasks/" + task).get("state").asString().equals("DONE")) {
+      TimeUnit.MILLISECONDS.sleep(50);
     }
+  }
+
+  private static void end(ToqaProcess program) throws InterruptedException {
+    program.terminate();
+    program.exitCode();
   }
 
   private static void jar(Path file, Path classes) {

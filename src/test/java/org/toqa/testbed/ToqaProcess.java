@@ -61,7 +61,7 @@ public final class ToqaProcess implements AutoCloseable {
 
   /** A robot's daemon, without the launcher. */
   public static ToqaProcess agent(Path folder, String... arguments) throws IOException {
-    List<String> command = new ArrayList<>(CachedProgram.agent());
+    List<String> command = new ArrayList<>(CachedProgram.agent(CACHE));
     command.addAll(List.of(arguments));
     return start(folder, CACHE, Map.of(), command);
   }
